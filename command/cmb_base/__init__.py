@@ -1,0 +1,1 @@
+"""What every Python package of ContactMultiBody shares: errors, progress and whole-or-nothing output."""

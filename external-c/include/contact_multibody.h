@@ -1,0 +1,73 @@
+/* contact_multibody.h - the contact engine's C interface.
+ *
+ * Scenes are immutable once interned and shared by all threads; queries keep no state.
+ * Every function may be called from any thread at any time. */
+#ifndef CONTACT_MULTIBODY_H
+#define CONTACT_MULTIBODY_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum cmb_status {
+  CMB_OK = 0,
+  CMB_ERROR_ARGUMENT = 1,   /* a NULL pointer, a wrong size, an unknown scene */
+  CMB_ERROR_DESCRIPTOR = 2, /* a descriptor does not parse or its geometry is bad */
+  CMB_ERROR_POSE = 3,       /* a pose is not finite or a rotation not orthonormal */
+  CMB_ERROR_MEMORY = 4,
+  CMB_ERROR_INTERNAL = 5    /* a back end failed and no other could answer */
+} cmb_status;
+
+typedef enum cmb_backend {
+  CMB_BACKEND_AUTO = 0,
+  CMB_BACKEND_ANALYTIC = 1, /* the engine's own exact paths */
+  CMB_BACKEND_LIBCCD = 2,
+  CMB_BACKEND_FCL = 3
+} cmb_backend;
+
+/* Handle of an interned scene; positive. */
+typedef int cmb_scene;
+
+/* Interns a scene: the same arguments give the same handle, in every thread.
+ * geometry  body_count descriptor strings, none NULL; an empty string is a body without shape.
+ * pairs     pair_count rows of two 1-based body numbers; may be NULL if pair_count is 0.
+ * scene     receives the handle; unchanged on error. Not NULL.
+ * The scene lives until the library is unloaded; nothing has to be freed. */
+cmb_status cmb_intern(const char *const *geometry, size_t body_count, const int *pairs, size_t pair_count,
+                      cmb_backend backend, cmb_scene *scene);
+
+/* Evaluates all pairs of a scene. All arrays are the caller's, row-major, none NULL unless its size is 0.
+ * position  [body_count][3], rotation [body_count][3][3] (world to body, Modelica's R.T)
+ * point_capacity  slots per pair, >= 1; where a contact has more points they are merged so that the
+ *                 force-carrying sums stay the same
+ * distance  [pair_count]                    signed distance, m; negative when penetrating
+ * depth     [pair_count][point_capacity]    m, >= 0; 0 in unused slots
+ * weight    [pair_count][point_capacity]    1, >= 0; 0 in unused slots
+ * normal    [pair_count][point_capacity][3] unit, world axes, from the second body towards the first
+ * point     [pair_count][point_capacity][3] m, world axes */
+cmb_status cmb_query_scene(cmb_scene scene, const double *position, const double *rotation, size_t body_count,
+                           size_t pair_count, size_t point_capacity, double *distance, double *depth,
+                           double *weight, double *normal, double *point);
+
+/* The same for one pair of a scene (0-based index into its pairs). */
+cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *position, const double *rotation,
+                          size_t body_count, size_t point_capacity, double *distance, double *depth,
+                          double *weight, double *normal, double *point);
+
+/* Text of a status; never NULL, static storage. */
+const char *cmb_status_text(cmb_status status);
+
+/* What went wrong in this thread's last failed call, with descriptor and column where it applies;
+ * never NULL, valid until this thread's next failing call. */
+const char *cmb_last_error(void);
+
+/* "major.minor.patch", static storage. */
+const char *cmb_version(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,27 @@
+/* contact_multibody_modelica.h - the engine as Modelica's external "C" calls it.
+ *
+ * Arrays come row-major as Modelica passes them. Errors are reported through ModelicaFormatError,
+ * which does not return. */
+#ifndef CONTACT_MULTIBODY_MODELICA_H
+#define CONTACT_MULTIBODY_MODELICA_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Interns a scene and returns its handle. pairs is [pair_count][2], 1-based.
+ * backend: 0 auto, 1 analytic, 2 libccd, 3 FCL (see contact_multibody.h). */
+int cmb_modelica_intern(const char **geometry, size_t body_count, const int *pairs, size_t pair_count, int backend);
+
+/* Evaluates all pairs; see cmb_query_scene. */
+void cmb_modelica_query(int scene, const double *position, size_t body_count, const double *rotation,
+                        size_t pair_count, size_t point_capacity, double *distance, double *depth,
+                        double *weight, double *normal, double *point);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

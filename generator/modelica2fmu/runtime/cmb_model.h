@@ -1,0 +1,84 @@
+/* cmb_model.h - what the FMI runtime knows of a generated model.
+ *
+ * The generated C file defines exactly one object with external linkage, `cmb_model`. Every variable of
+ * the model is a slot of one of four arrays (Real, Integer incl. enumerations, Boolean, String); a slot's
+ * index is its FMI value reference. The generated functions read and write these arrays only, so several
+ * instances run in parallel. */
+#ifndef CMB_MODEL_H
+#define CMB_MODEL_H
+
+#include <stddef.h>
+
+typedef enum cmb_result {
+  CMB_RESULT_OK = 0,
+  CMB_RESULT_DISCARD = 1, /* not computable here (domain error, singular block): a smaller step may help */
+  CMB_RESULT_ERROR = 2    /* the model cannot go on; the message is in the instance */
+} cmb_result;
+
+/* Values of one instance. Arrays belong to the runtime, which allocates them by the sizes of
+ * cmb_model_description and fills them from its start tables. */
+typedef struct cmb_values {
+  double time;
+  double *real;          /* [real_count] */
+  int *integer;          /* [integer_count] */
+  int *boolean;          /* [boolean_count], 0 or 1 */
+  const char **string;   /* [string_count] */
+  double *pre_real;      /* values before the current event iteration: pre(v) */
+  int *pre_integer;
+  int *pre_boolean;
+  int *relation;         /* [indicator_count]: state of every event-generating relation; frozen while
+                            integrating, updated by the runtime at events from the sign of the indicator
+                            (1: indicator > 0) before it calls `discrete` */
+  double *work;          /* [work_count] scratch and warm starts of the solved blocks */
+  int *integer_work;     /* [integer_work_count] */
+  int initial;           /* 1 while initial() is true */
+  int terminal;          /* 1 while terminal() is true */
+  double next_time_event; /* set by `discrete`: next time event, or HUGE_VAL */
+  int terminate;         /* set by `discrete`: terminate() was called */
+  void *host;            /* the runtime's own, given back to the callbacks below */
+} cmb_values;
+
+/* Provided by the runtime, called by generated code. */
+void cmb_report_error(cmb_values *values, const char *message);   /* cause of a CMB_RESULT_ERROR or _DISCARD */
+void cmb_report_warning(cmb_values *values, const char *message);
+/* Solves A x = b in place (column-major n x n; A and b overwritten, solution in b; pivot has n ints).
+ * 0 on success, k+1 if column k is singular. */
+int cmb_solve_linear(int n, double *a, double *b, int *pivot);
+/* Damped Newton with finite-difference Jacobian for small nonlinear blocks, used by generated code:
+ * residual(values, context, x, r) returns a cmb_result. x: start value in, solution out. nominal may be NULL.
+ * work needs n*n + 6*n doubles, integer_work n ints. CMB_RESULT_DISCARD when it does not converge. */
+typedef int (*cmb_residual)(cmb_values *values, const void *context, const double *x, double *r);
+int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual residual, int n, double *x,
+                        const double *nominal, double tolerance, double *work, int *integer_work);
+
+typedef struct cmb_model_description {
+  const char *name;
+  const char *guid;
+  size_t real_count, integer_count, boolean_count, string_count;
+  size_t state_count, indicator_count, work_count, integer_work_count;
+  const unsigned *state;        /* [state_count] value references into real */
+  const unsigned *derivative;   /* [state_count] */
+  const double *state_nominal;  /* [state_count] */
+  const double *real_start;     /* start tables, defaults before parameters are computed */
+  const int *integer_start;
+  const int *boolean_start;
+  const char *const *string_start;
+
+  /* Computes dependent parameters and bound start values from independent parameters (after a set). */
+  cmb_result (*parameters)(cmb_values *values);
+  /* Solves the initialization problem: states, algebraics, discrete start values. values->initial is 1. */
+  cmb_result (*initialize)(cmb_values *values);
+  /* From time, states, inputs, parameters, discrete values and frozen relations: all derivatives and
+   * continuous algebraics. */
+  cmb_result (*continuous)(cmb_values *values);
+  /* The indicators, [indicator_count], for the values after `continuous`. */
+  cmb_result (*indicators)(cmb_values *values, double *indicator);
+  /* One event iteration: discrete equations and when-clauses with pre() from pre_*; may reinit states
+   * (*states_changed = 1). Sets next_time_event. The runtime repeats (indicators -> relation, copy to pre,
+   * discrete) until neither discrete values nor relations change. */
+  cmb_result (*discrete)(cmb_values *values, int *states_changed);
+} cmb_model_description;
+
+extern const cmb_model_description cmb_model;
+
+#endif
