@@ -1,0 +1,23 @@
+# make demo   sets up and runs the main job on Resources/cad/hammer
+# make test   sets up and passes the tests
+.PHONY: demo test setup setup-test lint bench clean
+
+demo: setup
+	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
+
+test: setup-test
+	scripts/test
+
+setup:
+	scripts/setup
+
+setup-test:
+	scripts/setup test
+
+lint: setup-test
+	.venv/bin/ruff check .
+	.venv/bin/ruff format --check .
+	.venv/bin/mypy
+
+clean:
+	rm -rf out build external-c/build .deps .venv ContactMultiBody/Resources/Include ContactMultiBody/Resources/Library
