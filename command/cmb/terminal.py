@@ -1,0 +1,52 @@
+"""What `cmb` shows in a terminal: progress bars and short tables."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from cmb_base.progress import Progress
+from rich.console import Console
+from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
+from rich.progress import Progress as Bars
+
+
+@contextmanager
+def progress_bars() -> Iterator[Progress]:
+    """Yields a `Progress` that draws one bar a phase on standard error.
+
+    Where standard error is no terminal, each phase is one line when it ends.
+    """
+    console = Console(stderr=True)
+    if not sys.stderr.isatty():
+        yield _LinePerPhase()
+        return
+    bars = Bars(
+        TextColumn("{task.description:<28.28}"),
+        BarColumn(bar_width=28),
+        TextColumn("{task.percentage:>3.0f} %"),
+        TimeElapsedColumn(),
+        TextColumn("{task.fields[remark]:.40}", style="dim"),
+        console=console,
+    )
+    with bars:
+        tasks: dict[str, TaskID] = {}
+
+        def report(phase: str, fraction: float, message: str = "") -> None:
+            if phase not in tasks:
+                tasks[phase] = bars.add_task(phase, total=1.0, remark=message)
+            bars.update(tasks[phase], completed=min(max(fraction, 0.0), 1.0), remark=message)
+
+        yield report
+
+
+class _LinePerPhase:
+    def __init__(self) -> None:
+        self._done: set[str] = set()
+
+    def __call__(self, phase: str, fraction: float, message: str = "") -> None:
+        if fraction >= 1.0 and phase not in self._done:
+            self._done.add(phase)
+            sys.stderr.write(f"{phase}{': ' + message if message else ''}\n")
+            sys.stderr.flush()
