@@ -1,0 +1,32 @@
+"""The subcommands of `cmb`, one module each.
+
+A command module has `NAME`, `SUMMARY`, `DESCRIPTION`, `EXAMPLES`, `add_arguments(parser)` and
+`run(arguments) -> exit status`.
+"""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import Protocol
+
+from cmb.commands import fmu, generate, msl, regress, report, run, simulate
+
+
+class Command(Protocol):
+    """What a command module provides."""
+
+    NAME: str
+    SUMMARY: str
+    DESCRIPTION: str
+    EXAMPLES: str
+
+    @staticmethod
+    def add_arguments(parser: ArgumentParser) -> None:
+        """Adds the command's arguments."""
+
+    @staticmethod
+    def run(arguments: Namespace) -> int:
+        """Carries the command out and returns the exit status."""
+
+
+ALL_COMMANDS: tuple[Command, ...] = (run, generate, fmu, simulate, report, regress, msl)

@@ -1,0 +1,25 @@
+"""An assembly argument means a file, or the only XML file of a folder."""
+
+from pathlib import Path
+
+import pytest
+from cmb.assembly_file import find_assembly
+from cmb_base.errors import InputError
+
+
+def test_folder_with_one_file(tmp_path: Path) -> None:
+    (tmp_path / "a.xml").touch()
+    (tmp_path / "a.wrl").touch()
+    assert find_assembly(tmp_path) == tmp_path / "a.xml"
+    assert find_assembly(tmp_path / "a.xml") == tmp_path / "a.xml"
+
+
+def test_folder_without_or_with_several(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="no XML"):
+        find_assembly(tmp_path)
+    (tmp_path / "a.xml").touch()
+    (tmp_path / "b.xml").touch()
+    with pytest.raises(InputError, match=r"a\.xml, b\.xml"):
+        find_assembly(tmp_path)
+    with pytest.raises(InputError, match="does not exist"):
+        find_assembly(tmp_path / "c")
