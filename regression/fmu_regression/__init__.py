@@ -1,0 +1,1 @@
+"""Simulating FMUs, comparing their results with references, and reports."""

@@ -1,0 +1,140 @@
+"""Simulating an FMU: the entry point for both kinds."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from cmb_base.errors import InputError, Place, SimulationError
+from cmb_base.progress import Progress, silent
+
+from fmu_regression.co_simulation import step_through
+from fmu_regression.fmu import Mode, ModelDescription, StartValue, check_signals, check_start_values, open_fmu
+from fmu_regression.grid import output_grid
+from fmu_regression.model_exchange import integrate
+from fmu_regression.result import SimulationResult, SolverCounters
+
+DEFAULT_TOLERANCE = 1e-6
+DEFAULT_ROWS = 500
+MAX_ROWS = 20_000_000
+_PROGRESS_PERIOD = 0.1
+
+
+def simulate(
+    fmu: Path,
+    *,
+    signals: Sequence[str] | None = None,
+    start: float | None = None,
+    stop: float | None = None,
+    tolerance: float | None = None,
+    interval: float | None = None,
+    mode: Mode = "me",
+    max_step: float | None = None,
+    parameters: Mapping[str, StartValue] | None = None,
+    time_limit: float | None = None,
+    progress: Progress = silent,
+) -> SimulationResult:
+    """Simulates an FMU.
+
+    Args:
+        fmu: the FMU file.
+        signals: names to record; the outputs and states if None.
+        start: start time in s; that of the FMU's default experiment, else 0, if None.
+        stop: stop time in s; that of the FMU's default experiment, else 1, if None.
+        tolerance: relative tolerance; that of the default experiment, else 1e-6, if None.
+        interval: output interval in s; that of the default experiment, else a 500th of the time, if None.
+        mode: "me" (model exchange, integrated by CVODE) or "cs" (co-simulation, the FMU integrates).
+        max_step: longest step of the integrator in s (model exchange); the output interval if None, so that a contact
+            long enough to show in the output is not stepped over.
+        parameters: start values by name.
+        time_limit: seconds of wall time after which the simulation is given up.
+        progress: receives the phase "simulate" with the share of the time that is done.
+
+    Returns:
+        the signals at every output time and, for model exchange, before and after every event. Nothing is thinned.
+
+    Raises:
+        InputError: the file, a name or a number is wrong.
+        SimulationError: the simulation failed.
+    """
+    began = clock.perf_counter()
+    with open_fmu(fmu) as opened:
+        description = opened.description
+        first = description.start if start is None else start
+        last = stop if stop is not None else description.stop if description.stop is not None else first + 1.0
+        accuracy = tolerance if tolerance is not None else description.tolerance or DEFAULT_TOLERANCE
+        step = interval if interval is not None else description.interval or (last - first) / DEFAULT_ROWS
+        _check_numbers(fmu, first, last, accuracy, step, max_step)
+        grid = output_grid(first, last, step)
+        variables = check_signals(description, default_signals(description) if signals is None else signals)
+        values = check_start_values(description, parameters or {})
+        watch = _Watch(first, last, began, time_limit, progress, description.name)
+        counters: SolverCounters | None = None
+        with opened.instantiate(mode) as instance:
+            if mode == "me":
+                recorder, counters = integrate(instance, variables, grid, accuracy, values, max_step or step, watch)
+            else:
+                recorder = step_through(instance, variables, grid, accuracy, values, watch)
+            log = tuple(instance.messages)
+        time, columns = recorder.table()
+    progress("simulate", 1.0)
+    return SimulationResult(
+        time=time,
+        signals=columns,
+        model=description.name,
+        mode=mode,
+        tolerance=accuracy,
+        interval=step,
+        counters=counters,
+        wall_time=clock.perf_counter() - began,
+        log=log,
+    )
+
+
+def default_signals(description: ModelDescription) -> list[str]:
+    """The outputs and continuous states of an FMU, in the order of the description."""
+    states = set(description.states)
+    return [
+        v.name
+        for v in description.variables.values()
+        if v.kind != "String" and (v.causality == "output" or v.name in states)
+    ]
+
+
+class _Watch:
+    """Reports progress, not too often, and stops a run that takes too long."""
+
+    def __init__(
+        self, first: float, last: float, began: float, limit: float | None, progress: Progress, model: str
+    ) -> None:
+        self._first, self._last, self._began, self._limit = first, last, began, limit
+        self._progress, self._model = progress, model
+        self._reported = began
+
+    def __call__(self, time: float) -> None:
+        now = clock.perf_counter()
+        if now - self._reported < _PROGRESS_PERIOD:
+            return
+        self._reported = now
+        self._progress("simulate", (time - self._first) / (self._last - self._first), f"t = {time:.4g} s")
+        if self._limit is not None and now - self._began > self._limit:
+            raise SimulationError(
+                f"given up after {self._limit:g} s of wall time at t = {time:.6g}", place=Place(component=self._model)
+            )
+
+
+def _check_numbers(
+    fmu: Path, start: float, stop: float, tolerance: float, interval: float, max_step: float | None
+) -> None:
+    place = Place(file=fmu)
+    if not stop > start:
+        raise InputError(f"the stop time {stop:g} must be greater than the start time {start:g}", place=place)
+    if not 0 < tolerance < 1:
+        raise InputError(f"the tolerance {tolerance:g} must lie between 0 and 1", place=place)
+    if not interval > 0:
+        raise InputError(f"the output interval {interval:g} must be positive", place=place)
+    if max_step is not None and not max_step > 0:
+        raise InputError(f"the longest step {max_step:g} must be positive", place=place)
+    if (stop - start) / interval > MAX_ROWS:
+        raise InputError(f"the output interval {interval:g} gives more than {MAX_ROWS} rows", place=place)
