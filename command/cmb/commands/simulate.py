@@ -1,0 +1,64 @@
+"""`cmb simulate`: an FMU to a CSV of trajectories."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from dataclasses import asdict
+from pathlib import Path
+
+from cmb_base.output import whole_file
+from fmu_regression.result import write_csv
+from fmu_regression.simulate import simulate
+
+from cmb.assignments import parse_assignments
+from cmb.terminal import progress_bars
+
+NAME = "simulate"
+SUMMARY = "simulate an FMU and write its trajectories as CSV"
+DESCRIPTION = "Simulates an FMU through FMPy, by model exchange with CVODE or by the co-simulation solver inside it."
+EXAMPLES = """examples:
+  cmb simulate ball.fmu --output ball.csv
+  cmb simulate ball.fmu --output ball.csv --stop 3 --tolerance 1e-8 --mode cs
+  cmb simulate ball.fmu --output ball.csv --signal ball.r_0[3] --set contacts.stiffness=1e6
+"""
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Adds the command's arguments."""
+    parser.add_argument("fmu", type=Path, metavar="FMU", help="the FMU file")
+    parser.add_argument("--output", type=Path, required=True, metavar="CSV", help="file to write")
+    parser.add_argument("--stop", type=float, metavar="S", help="stop time in s (the model's own if left out)")
+    parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the solver")
+    parser.add_argument("--interval", type=float, metavar="S", help="output interval in s")
+    parser.add_argument("--max-step", type=float, metavar="S", help="longest solver step in s")
+    parser.add_argument("--mode", choices=("me", "cs"), default="me", help="model exchange or co-simulation")
+    parser.add_argument(
+        "--signal", action="append", metavar="NAME", help="variable to record, repeatable (outputs and states if none)"
+    )
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="NAME=VALUE", help="start value of a parameter, repeatable"
+    )
+
+
+def run(arguments: Namespace) -> int:
+    """Simulates and says what was written."""
+    with progress_bars() as progress:
+        result = simulate(
+            arguments.fmu,
+            signals=arguments.signal,
+            stop=arguments.stop,
+            tolerance=arguments.tolerance,
+            interval=arguments.interval,
+            mode=arguments.mode,
+            max_step=arguments.max_step,
+            parameters=parse_assignments(arguments.set),
+            progress=progress,
+        )
+    with whole_file(arguments.output) as staging:
+        write_csv(result, staging)
+    span = result.time[-1] - result.time[0]
+    print(f"{arguments.output}: {len(result.time)} rows, {span:g} s simulated in {result.wall_time:.2f} s")
+    if result.counters is not None:
+        counters = ", ".join(f"{value} {name.replace('_', ' ')}" for name, value in asdict(result.counters).items())
+        print(f"  {counters}")
+    return 0
