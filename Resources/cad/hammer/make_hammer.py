@@ -38,7 +38,7 @@ ANVIL_TOP = 120.0
 ANVIL_EDGE = 295.0  # x of the far edge of the flat top
 BALL_OVERHANG = 1.0  # the ball's centre stands so far beyond that edge: it will roll off
 
-DENSITY = {"steel": 7850.0, "aluminium": 2700.0}  # kg/m3
+DENSITY = {"steel": 7850.0, "aluminium": 2700.0, "concrete": 2400.0}  # kg/m3
 
 
 @dataclass(frozen=True)
@@ -55,10 +55,12 @@ class PartModel:
 
     @property
     def compound(self) -> cq.Compound:
+        """All solids as one shape."""
         return cq.Compound.makeCompound(list(self.solids))
 
     @property
     def location(self) -> cq.Location:
+        """The pose in the assembly."""
         return cq.Location(self.position, (0, 1, 0), self.angle_about_y)
 
 
@@ -137,6 +139,7 @@ def number(value: float) -> str:
 
 
 def numbers(*values: float) -> str:
+    """Blank-separated numbers."""
     return " ".join(number(value) for value in values)
 
 
@@ -193,12 +196,14 @@ def write_step(assembly: cq.Assembly, file: Path) -> None:
 
 
 def add(owner: etree._Element, tag: str, text: str | None = None, **attributes: str) -> etree._Element:
+    """Adds a child element."""
     element = etree.SubElement(owner, f"{{{NAMESPACE}}}{tag}", attributes)
     element.text = text
     return element
 
 
 def write_xml(parts: list[PartModel], file: Path) -> None:
+    """Writes the assembly's XML file."""
     root = etree.Element(f"{{{NAMESPACE}}}assembly", {"name": "Hammer"}, nsmap={None: NAMESPACE})
     add(root, "description", "A hammer on a two-link swing falls on an anvil; a ball rolls off the anvil's edge")
     add(root, "source", system="CadQuery, Open CASCADE Technology", file="hammer.step")
@@ -206,33 +211,22 @@ def write_xml(parts: list[PartModel], file: Path) -> None:
     add(root, "gravity", "0 0 -9.81")
     add(root, "simulation", stopTime="2.5", tolerance="1e-6")
     materials = add(root, "materials")
-    add(
-        materials,
-        "material",
-        name="steel",
-        youngsModulus="2.1e11",
-        poissonsRatio="0.3",
-        restitution="0.4",
-        friction="0.3",
-    )
-    add(
-        materials,
-        "material",
-        name="aluminium",
-        youngsModulus="7.0e10",
-        poissonsRatio="0.33",
-        restitution="0.4",
-        friction="0.3",
-    )
-    add(
-        materials,
-        "material",
-        name="concrete",
-        youngsModulus="3.0e10",
-        poissonsRatio="0.2",
-        restitution="0.4",
-        friction="0.5",
-    )
+    for name, modulus, ratio, friction in (
+        ("steel", "2.1e11", "0.3", "0.3"),
+        ("aluminium", "7.0e10", "0.33", "0.3"),
+        ("concrete", "3.0e10", "0.2", "0.5"),
+    ):
+        add(
+            materials,
+            "material",
+            name=name,
+            density=number(DENSITY[name]),
+            youngsModulus=modulus,
+            poissonsRatio=ratio,
+            restitution="0.4",
+            staticFriction=friction,
+            dynamicFriction=friction,
+        )
     ground = add(root, "ground")
     add(ground, "plane", name="floor", material="concrete")
     section = add(root, "parts")
@@ -279,6 +273,7 @@ def write_xml(parts: list[PartModel], file: Path) -> None:
 
 
 def main() -> None:
+    """Writes the three files."""
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent
     folder.mkdir(parents=True, exist_ok=True)
     parts = [make_frame(), make_arm(), make_head(), make_anvil(), make_ball()]
