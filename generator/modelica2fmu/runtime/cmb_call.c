@@ -1,0 +1,198 @@
+/* cmb_call.c - guarded calls, and the functions of ModelicaUtilities.h and cmb_model.h that report from inside. */
+#include "cmb_call.h"
+
+#include <pthread.h>
+#include <setjmp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ModelicaUtilities.h"
+
+typedef union allocation allocation;
+union allocation {
+  allocation *next;
+  max_align_t alignment;
+};
+
+typedef struct call_frame {
+  jmp_buf failure;
+  cmb_instance *instance;
+  struct call_frame *outer;
+  allocation *allocations;
+} call_frame;
+
+/* The guarded call this thread is in. Thread-local because ModelicaError has no argument for it. */
+static _Thread_local call_frame *current_frame = NULL;
+
+static cmb_result dispatch(cmb_values *values, cmb_model_function function, void *argument) {
+  switch (function) {
+    case CMB_CALL_PARAMETERS: return cmb_model.parameters != NULL ? cmb_model.parameters(values) : CMB_RESULT_OK;
+    case CMB_CALL_INITIALIZE: return cmb_model.initialize != NULL ? cmb_model.initialize(values) : CMB_RESULT_OK;
+    case CMB_CALL_CONTINUOUS: return cmb_model.continuous != NULL ? cmb_model.continuous(values) : CMB_RESULT_OK;
+    case CMB_CALL_INDICATORS:
+      return cmb_model.indicators != NULL ? cmb_model.indicators(values, argument) : CMB_RESULT_OK;
+    case CMB_CALL_DISCRETE: return cmb_model.discrete != NULL ? cmb_model.discrete(values, argument) : CMB_RESULT_OK;
+  }
+  return CMB_RESULT_ERROR;
+}
+
+/* Apart from the caller so that no local variable of this function changes between setjmp and longjmp. */
+static cmb_result call_in_frame(call_frame *frame, cmb_model_function function, void *argument) {
+  if (setjmp(frame->failure) != 0) return CMB_RESULT_DISCARD;
+  return dispatch(&frame->instance->values, function, argument);
+}
+
+/* Copies texts the model put into string slots. Old texts are freed last: a slot may show another one's text. */
+static cmb_result adopt_strings(cmb_instance *instance) {
+  cmb_result result = CMB_RESULT_OK;
+  for (size_t i = 0; i < cmb_model.string_count; ++i) {
+    if (instance->values.string[i] == instance->string[i]) continue;
+    const char *text = instance->values.string[i] != NULL ? instance->values.string[i] : "";
+    const size_t size = strlen(text) + 1;
+    char *copy = malloc(size);
+    if (copy == NULL) {
+      result = CMB_RESULT_ERROR;
+      instance->values.string[i] = instance->string[i];
+    } else {
+      memcpy(copy, text, size);
+      instance->values.string[i] = copy;
+    }
+  }
+  for (size_t i = 0; i < cmb_model.string_count; ++i) {
+    if (instance->values.string[i] == instance->string[i]) continue;
+    free(instance->string[i]);
+    instance->string[i] = (char *)instance->values.string[i];
+  }
+  return result;
+}
+
+cmb_result cmb_call_model(cmb_instance *instance, cmb_model_function function, void *argument) {
+  call_frame frame;
+  frame.instance = instance;
+  frame.outer = current_frame;
+  frame.allocations = NULL;
+  current_frame = &frame;
+  instance->message[0] = '\0';
+  cmb_result result = call_in_frame(&frame, function, argument);
+  current_frame = frame.outer;
+  if (cmb_model.string_count > 0) {
+    const cmb_result adopted = adopt_strings(instance);
+    if (result == CMB_RESULT_OK) result = adopted;
+  }
+  while (frame.allocations != NULL) {
+    allocation *next = frame.allocations->next;
+    free(frame.allocations);
+    frame.allocations = next;
+  }
+  return result;
+}
+
+static void keep_message(cmb_instance *instance, const char *message) {
+  snprintf(instance->message, sizeof instance->message, "%s", message);
+  const size_t length = strlen(instance->message);
+  if (length > 0 && instance->message[length - 1] == '\n') instance->message[length - 1] = '\0';
+}
+
+void cmb_report_error(cmb_values *values, const char *message) { keep_message(values->host, message); }
+
+void cmb_report_warning(cmb_values *values, const char *message) {
+  cmb_log(values->host, CMB_LOG_WARNING, CMB_LOG_STATUS_WARNING, "%s", message);
+}
+
+/* -- ModelicaUtilities.h -- */
+
+static void tell(cmb_severity severity, const char *text) {
+  if (current_frame == NULL) {
+    fprintf(stderr, "%s\n", text); /* from a thread of the external code: no instance to tell */
+    return;
+  }
+  cmb_log(current_frame->instance, severity, severity == CMB_LOG_WARNING ? CMB_LOG_STATUS_WARNING : CMB_LOG_ALL, "%s",
+          text);
+}
+
+static void tell_formatted(cmb_severity severity, const char *format, va_list arguments) {
+  char text[2048];
+  vsnprintf(text, sizeof text, format, arguments);
+  tell(severity, text);
+}
+
+void ModelicaMessage(const char *string) { tell(CMB_LOG_DEBUG, string); }
+
+void ModelicaVFormatMessage(const char *format, va_list arguments) { tell_formatted(CMB_LOG_DEBUG, format, arguments); }
+
+void ModelicaFormatMessage(const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  ModelicaVFormatMessage(format, arguments);
+  va_end(arguments);
+}
+
+void ModelicaWarning(const char *string) { tell(CMB_LOG_WARNING, string); }
+
+void ModelicaVFormatWarning(const char *format, va_list arguments) {
+  tell_formatted(CMB_LOG_WARNING, format, arguments);
+}
+
+void ModelicaFormatWarning(const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  ModelicaVFormatWarning(format, arguments);
+  va_end(arguments);
+}
+
+void ModelicaError(const char *string) {
+  if (current_frame == NULL) {
+    /* A thread that the external code started itself: there is no call to return from, so only it ends. */
+    fprintf(stderr, "%s\n", string);
+    pthread_exit(NULL);
+  }
+  keep_message(current_frame->instance, string);
+  longjmp(current_frame->failure, 1);
+}
+
+void ModelicaVFormatError(const char *format, va_list arguments) {
+  char text[1024];
+  vsnprintf(text, sizeof text, format, arguments);
+  ModelicaError(text);
+}
+
+void ModelicaFormatError(const char *format, ...) {
+  char text[1024];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  ModelicaError(text);
+}
+
+char *ModelicaAllocateStringWithErrorReturn(size_t length) {
+  if (length > (size_t)-1 - sizeof(allocation) - 1) return NULL;
+  allocation *memory = calloc(1, sizeof *memory + length + 1);
+  if (memory == NULL) return NULL;
+  if (current_frame != NULL) {
+    memory->next = current_frame->allocations;
+    current_frame->allocations = memory;
+  }
+  return (char *)(memory + 1);
+}
+
+char *ModelicaAllocateString(size_t length) {
+  char *text = ModelicaAllocateStringWithErrorReturn(length);
+  if (text == NULL) ModelicaFormatError("No memory for a text of %lu characters", (unsigned long)length);
+  return text;
+}
+
+char *ModelicaDuplicateStringWithErrorReturn(const char *string) {
+  const size_t length = strlen(string);
+  char *text = ModelicaAllocateStringWithErrorReturn(length);
+  if (text != NULL) memcpy(text, string, length);
+  return text;
+}
+
+char *ModelicaDuplicateString(const char *string) {
+  const size_t length = strlen(string);
+  char *text = ModelicaAllocateString(length);
+  memcpy(text, string, length);
+  return text;
+}

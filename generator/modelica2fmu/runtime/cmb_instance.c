@@ -1,0 +1,184 @@
+/* cmb_instance.c - memory and start values of an instance, and its log. */
+#include "cmb_instance.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cmb_solver.h"
+
+const char *const cmb_log_category_name[CMB_LOG_CATEGORY_COUNT] = {
+    "logEvents", "logSolver", "logStatusWarning", "logStatusDiscard", "logStatusError", "logAll"};
+
+static char *duplicate(const char *text) {
+  const size_t size = strlen(text) + 1;
+  char *copy = malloc(size);
+  if (copy != NULL) memcpy(copy, text, size);
+  return copy;
+}
+
+static double *take_doubles(double **next, size_t count) {
+  double *taken = *next;
+  *next += count;
+  return taken;
+}
+
+static int *take_ints(int **next, size_t count) {
+  int *taken = *next;
+  *next += count;
+  return taken;
+}
+
+/* One block for all doubles and one for all ints; calloc of at least one element never asks for size 0. */
+static int allocate_arrays(cmb_instance *instance) {
+  const size_t reals = cmb_model.real_count, integers = cmb_model.integer_count, booleans = cmb_model.boolean_count;
+  instance->double_block_count = 4 * reals + cmb_model.work_count;
+  instance->int_block_count = 5 * integers + 5 * booleans + reals + cmb_model.indicator_count + cmb_model.integer_work_count;
+  instance->double_block = calloc(instance->double_block_count + 1, sizeof(double));
+  instance->int_block = calloc(instance->int_block_count + 1, sizeof(int));
+  instance->string = calloc(cmb_model.string_count + 1, sizeof(char *));
+  instance->start_string = calloc(cmb_model.string_count + 1, sizeof(char *));
+  instance->values.string = calloc(cmb_model.string_count + 1, sizeof(char *));
+  instance->indicator = calloc(cmb_model.indicator_count + 1, sizeof(double));
+  instance->scratch = calloc(reals + 1, sizeof(double));
+  if (instance->double_block == NULL || instance->int_block == NULL || instance->string == NULL ||
+      instance->start_string == NULL || instance->values.string == NULL || instance->indicator == NULL ||
+      instance->scratch == NULL) {
+    return 0;
+  }
+
+  double *next_double = instance->double_block;
+  instance->values.real = take_doubles(&next_double, reals);
+  instance->values.pre_real = take_doubles(&next_double, reals);
+  instance->start_real = take_doubles(&next_double, reals);
+  instance->set_real = take_doubles(&next_double, reals);
+  instance->values.work = take_doubles(&next_double, cmb_model.work_count);
+
+  int *next_int = instance->int_block;
+  instance->values.integer = take_ints(&next_int, integers);
+  instance->values.pre_integer = take_ints(&next_int, integers);
+  instance->start_integer = take_ints(&next_int, integers);
+  instance->set_integer = take_ints(&next_int, integers);
+  instance->integer_is_set = take_ints(&next_int, integers);
+  instance->values.boolean = take_ints(&next_int, booleans);
+  instance->values.pre_boolean = take_ints(&next_int, booleans);
+  instance->start_boolean = take_ints(&next_int, booleans);
+  instance->set_boolean = take_ints(&next_int, booleans);
+  instance->boolean_is_set = take_ints(&next_int, booleans);
+  instance->real_is_set = take_ints(&next_int, reals);
+  instance->values.relation = take_ints(&next_int, cmb_model.indicator_count);
+  instance->values.integer_work = take_ints(&next_int, cmb_model.integer_work_count);
+  return 1;
+}
+
+cmb_instance *cmb_instance_create(const char *name, cmb_log_sink sink, void *receiver) {
+  cmb_instance *instance = calloc(1, sizeof *instance);
+  if (instance == NULL) return NULL;
+  instance->sink = sink;
+  instance->receiver = receiver;
+  instance->values.host = instance;
+  instance->name = duplicate(name);
+  if (instance->name == NULL || !allocate_arrays(instance) || cmb_instance_reset(instance) != CMB_RESULT_OK) {
+    cmb_instance_destroy(instance);
+    return NULL;
+  }
+  return instance;
+}
+
+void cmb_instance_destroy(cmb_instance *instance) {
+  if (instance == NULL) return;
+  cmb_solver_destroy(instance->solver);
+  for (size_t i = 0; i < cmb_model.string_count; ++i) {
+    if (instance->string != NULL) free(instance->string[i]);
+    if (instance->start_string != NULL) free(instance->start_string[i]);
+  }
+  free(instance->string);
+  free(instance->start_string);
+  free((void *)instance->values.string);
+  free(instance->double_block);
+  free(instance->int_block);
+  free(instance->indicator);
+  free(instance->scratch);
+  free(instance->name);
+  free(instance);
+}
+
+static void copy_doubles(double *target, const double *source, size_t count) {
+  if (count > 0) memcpy(target, source, count * sizeof *target);
+}
+
+static void copy_ints(int *target, const int *source, size_t count) {
+  if (count > 0) memcpy(target, source, count * sizeof *target);
+}
+
+cmb_result cmb_instance_reset(cmb_instance *instance) {
+  cmb_solver_destroy(instance->solver);
+  instance->solver = NULL;
+  memset(instance->double_block, 0, instance->double_block_count * sizeof(double));
+  memset(instance->int_block, 0, instance->int_block_count * sizeof(int));
+  copy_doubles(instance->start_real, cmb_model.real_start, cmb_model.real_count);
+  copy_ints(instance->start_integer, cmb_model.integer_start, cmb_model.integer_count);
+  copy_ints(instance->start_boolean, cmb_model.boolean_start, cmb_model.boolean_count);
+  copy_doubles(instance->values.real, instance->start_real, cmb_model.real_count);
+  copy_ints(instance->values.integer, instance->start_integer, cmb_model.integer_count);
+  copy_ints(instance->values.boolean, instance->start_boolean, cmb_model.boolean_count);
+  for (size_t i = 0; i < cmb_model.string_count; ++i) {
+    const char *start = cmb_model.string_start[i] != NULL ? cmb_model.string_start[i] : "";
+    char *copy = duplicate(start);
+    if (copy == NULL || cmb_set_string(instance, i, start) != CMB_RESULT_OK) {
+      free(copy);
+      return CMB_RESULT_ERROR;
+    }
+    free(instance->start_string[i]);
+    instance->start_string[i] = copy;
+  }
+
+  memset(&instance->situation, 0, sizeof instance->situation);
+  instance->situation.phase = CMB_PHASE_INSTANTIATED;
+  instance->situation.parameters_stale = 1;
+  instance->situation.initialization_stale = 1;
+  instance->situation.continuous_stale = 1;
+  instance->situation.settings.start_time = cmb_interface_tables.start_time;
+  instance->situation.settings.stop_time = HUGE_VAL;
+  instance->situation.solver_real[CMB_SOLVER_RELATIVE_TOLERANCE] = cmb_interface_tables.relative_tolerance;
+  instance->situation.solver_real[CMB_SOLVER_ABSOLUTE_TOLERANCE] = cmb_interface_tables.absolute_tolerance;
+  instance->situation.solver_real[CMB_SOLVER_MAXIMUM_STEP] = cmb_interface_tables.maximum_step;
+  instance->values.time = instance->situation.settings.start_time;
+  instance->values.next_time_event = HUGE_VAL;
+  instance->values.initial = 0;
+  instance->values.terminal = 0;
+  instance->values.terminate = 0;
+  instance->message[0] = '\0';
+  return CMB_RESULT_OK;
+}
+
+void cmb_log(cmb_instance *instance, cmb_severity severity, cmb_log_category category, const char *format, ...) {
+  if (severity == CMB_LOG_DEBUG && !instance->logged[category] && !instance->logged[CMB_LOG_ALL]) return;
+  if (instance->sink == NULL) return;
+  char message[2048];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(message, sizeof message, format, arguments);
+  va_end(arguments);
+  instance->sink(instance->receiver, instance->name, severity, category, message);
+}
+
+const char *cmb_slot_name(const cmb_slot_table *table, size_t slot) {
+  return slot < table->count && table->name != NULL && table->name[slot] != NULL ? table->name[slot] : "?";
+}
+
+cmb_result cmb_set_string(cmb_instance *instance, size_t slot, const char *text) {
+  char *copy = duplicate(text);
+  if (copy == NULL) return CMB_RESULT_ERROR;
+  free(instance->string[slot]);
+  instance->string[slot] = copy;
+  instance->values.string[slot] = copy;
+  return CMB_RESULT_OK;
+}
+
+void cmb_invalidate(cmb_instance *instance, int parameter_changed) {
+  if (parameter_changed) instance->situation.parameters_stale = 1;
+  instance->situation.initialization_stale = 1;
+  instance->situation.continuous_stale = 1;
+}

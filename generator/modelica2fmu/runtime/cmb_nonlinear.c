@@ -1,0 +1,154 @@
+/* cmb_nonlinear.c - damped Newton for small nonlinear blocks of generated code.
+ *
+ * Deuflhard, Newton Methods for Nonlinear Problems (2011), chapter 3, in its simplest form: a step is halved
+ * until the residual, scaled by the rows of the Jacobian, falls. */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cmb_model.h"
+
+enum { MAXIMUM_ITERATIONS = 100, MAXIMUM_HALVINGS = 30 };
+
+typedef struct newton {
+  cmb_values *values;
+  const void *context;
+  cmb_residual residual;
+  int n;
+  double *x;
+  const double *nominal;
+  double *jacobian;    /* [n * n], column-major */
+  double *r;           /* [n] residual at x */
+  double *r_trial;     /* [n] */
+  double *x_trial;     /* [n] */
+  double *step;        /* [n] */
+  double *row_scale;   /* [n] size of each row of the Jacobian times the nominal values */
+  double *x_scale;     /* [n] */
+} newton;
+
+static int all_finite(int n, const double *vector) {
+  for (int i = 0; i < n; ++i) {
+    if (!isfinite(vector[i])) return 0;
+  }
+  return 1;
+}
+
+static int evaluate(const newton *solver, const double *x, double *r) {
+  const int result = solver->residual(solver->values, solver->context, x, r);
+  if (result != CMB_RESULT_OK) return result;
+  return all_finite(solver->n, r) ? CMB_RESULT_OK : CMB_RESULT_DISCARD;
+}
+
+static double scaled_norm(const newton *solver, const double *r) {
+  double norm = 0.0;
+  for (int i = 0; i < solver->n; ++i) norm = fmax(norm, fabs(r[i]) / solver->row_scale[i]);
+  return norm;
+}
+
+/* Forward differences, backward where the model cannot be evaluated forward. */
+static int compute_jacobian(newton *solver) {
+  const int n = solver->n;
+  for (int j = 0; j < n; ++j) solver->row_scale[j] = 0.0;
+  for (int j = 0; j < n; ++j) {
+    const double x = solver->x[j];
+    double delta = sqrt(DBL_EPSILON) * solver->x_scale[j];
+    memcpy(solver->x_trial, solver->x, (size_t)n * sizeof(double));
+    int result = CMB_RESULT_DISCARD;
+    for (int side = 0; side < 2 && result == CMB_RESULT_DISCARD; ++side) {
+      if (side == 1) delta = -delta;
+      volatile double shifted = x + delta; /* the difference that is really made, not the one asked for */
+      solver->x_trial[j] = shifted;
+      result = evaluate(solver, solver->x_trial, solver->r_trial);
+    }
+    if (result != CMB_RESULT_OK) return result;
+    delta = solver->x_trial[j] - x;
+    for (int i = 0; i < n; ++i) {
+      const double entry = (solver->r_trial[i] - solver->r[i]) / delta;
+      solver->jacobian[i + (size_t)j * (size_t)n] = entry;
+      solver->row_scale[i] = fmax(solver->row_scale[i], fabs(entry) * solver->x_scale[j]);
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    if (!(solver->row_scale[i] > 0.0)) solver->row_scale[i] = 1.0;
+  }
+  return CMB_RESULT_OK;
+}
+
+static void update_scale(newton *solver) {
+  for (int i = 0; i < solver->n; ++i) {
+    const double nominal = solver->nominal != NULL && solver->nominal[i] > 0.0 ? solver->nominal[i] : 1.0;
+    solver->x_scale[i] = fmax(fabs(solver->x[i]), nominal);
+  }
+}
+
+static int fail(cmb_values *values, int iteration, double norm) {
+  char message[200];
+  snprintf(message, sizeof message,
+           "A nonlinear system does not converge at time %.15g (%d iterations, scaled residual %.3g)", values->time,
+           iteration, norm);
+  cmb_report_error(values, message);
+  return CMB_RESULT_DISCARD;
+}
+
+int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual residual, int n, double *x,
+                        const double *nominal, double tolerance, double *work, int *integer_work) {
+  const size_t size = (size_t)n;
+  double *vectors = work + size * size;
+  newton solver = {.values = values,
+                   .context = context,
+                   .residual = residual,
+                   .n = n,
+                   .x = x,
+                   .nominal = nominal,
+                   .jacobian = work,
+                   .r = vectors,
+                   .r_trial = vectors + size,
+                   .x_trial = vectors + 2 * size,
+                   .step = vectors + 3 * size,
+                   .row_scale = vectors + 4 * size,
+                   .x_scale = vectors + 5 * size};
+
+  int result = evaluate(&solver, x, solver.r);
+  if (result != CMB_RESULT_OK) return result;
+
+  double norm = HUGE_VAL;
+  for (int iteration = 0; iteration < MAXIMUM_ITERATIONS; ++iteration) {
+    update_scale(&solver);
+    result = compute_jacobian(&solver);
+    if (result != CMB_RESULT_OK) return result;
+    norm = scaled_norm(&solver, solver.r);
+    memcpy(solver.step, solver.r, size * sizeof(double));
+    const int singular = cmb_solve_linear(n, solver.jacobian, solver.step, integer_work);
+    if (singular != 0) {
+      if (norm <= tolerance) return CMB_RESULT_OK; /* solved already; the missing direction does not matter */
+      char message[200];
+      snprintf(message, sizeof message, "The Jacobian of a nonlinear system is singular in unknown %d at time %.15g",
+               singular, values->time);
+      cmb_report_error(values, message);
+      return CMB_RESULT_DISCARD;
+    }
+
+    double step_size = 0.0;
+    for (int i = 0; i < n; ++i) step_size = fmax(step_size, fabs(solver.step[i]) / solver.x_scale[i]);
+
+    double damping = 1.0;
+    int accepted = 0;
+    for (int halving = 0; halving < MAXIMUM_HALVINGS && !accepted; ++halving, damping *= 0.5) {
+      for (int i = 0; i < n; ++i) solver.x_trial[i] = x[i] - damping * solver.step[i];
+      result = evaluate(&solver, solver.x_trial, solver.r_trial);
+      if (result == CMB_RESULT_ERROR) return result;
+      if (result == CMB_RESULT_DISCARD) continue;
+      const double trial_norm = scaled_norm(&solver, solver.r_trial);
+      accepted = trial_norm <= (1.0 - 0.25 * damping) * norm || trial_norm <= DBL_EPSILON || step_size <= tolerance;
+    }
+    if (!accepted) {
+      if (norm <= tolerance) return evaluate(&solver, x, solver.r);
+      return fail(values, iteration, norm);
+    }
+    memcpy(x, solver.x_trial, size * sizeof(double));
+    memcpy(solver.r, solver.r_trial, size * sizeof(double));
+    if (step_size <= tolerance) return CMB_RESULT_OK;
+  }
+  return fail(values, MAXIMUM_ITERATIONS, norm);
+}

@@ -1,0 +1,258 @@
+/* cmb_solver.c - see cmb_solver.h. */
+#include "cmb_solver.h"
+
+#include <cvode/cvode.h>
+#include <float.h>
+#include <math.h>
+#include <nvector/nvector_serial.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include "cmb_evaluate.h"
+#include "cmb_event.h"
+
+enum { MAXIMUM_STEPS = 1000000, MAXIMUM_ROOT_RETRIES = 8 };
+
+struct cmb_solver {
+  cmb_instance *instance;
+  SUNContext context;
+  void *memory;
+  N_Vector state, tolerance;
+  SUNMatrix matrix;
+  SUNLinearSolver linear;
+  double *entry; /* [state_count] states at the start of an advance */
+  size_t state_count;
+  int initialized, restart;
+  cmb_result cause; /* of the last failed evaluation */
+  long counted[CMB_SOLVER_INTEGER_COUNT];
+};
+
+/* Models without states are integrated with one constant state, so that indicators of time are watched. */
+static size_t vector_size(const cmb_solver *solver) { return solver->state_count > 0 ? solver->state_count : 1; }
+
+static void log_solver_error(int code, const char *module, const char *function, char *message, void *data) {
+  cmb_log(data, CMB_LOG_DEBUG, CMB_LOG_SOLVER, "%s, %s (%d): %s", module, function, code, message);
+}
+
+static int to_cvode(cmb_solver *solver, cmb_result result) {
+  if (result != CMB_RESULT_OK) {
+    solver->cause = result;
+    cmb_log(solver->instance, CMB_LOG_DEBUG, CMB_LOG_SOLVER, "%s", solver->instance->message);
+  }
+  return result == CMB_RESULT_OK ? 0 : result == CMB_RESULT_DISCARD ? 1 : -1;
+}
+
+static int right_hand_side(realtype time, N_Vector state, N_Vector derivative, void *data) {
+  cmb_solver *solver = data;
+  cmb_instance *instance = solver->instance;
+  double *derivatives = NV_DATA_S(derivative);
+  cmb_set_point(instance, time, NV_DATA_S(state));
+  const cmb_result result = cmb_update_continuous(instance);
+  if (result != CMB_RESULT_OK) return to_cvode(solver, result);
+  if (solver->state_count == 0) derivatives[0] = 0.0;
+  for (size_t i = 0; i < solver->state_count; ++i) derivatives[i] = instance->values.real[cmb_model.derivative[i]];
+  return 0;
+}
+
+static int roots(realtype time, N_Vector state, realtype *indicator, void *data) {
+  cmb_solver *solver = data;
+  cmb_set_point(solver->instance, time, NV_DATA_S(state));
+  return to_cvode(solver, cmb_event_indicators(solver->instance, indicator));
+}
+
+cmb_solver *cmb_solver_create(cmb_instance *instance) {
+  cmb_solver *solver = calloc(1, sizeof *solver);
+  if (solver == NULL) return NULL;
+  solver->instance = instance;
+  solver->state_count = cmb_model.state_count;
+  solver->restart = 1;
+  const sunindextype size = (sunindextype)vector_size(solver);
+  if (SUNContext_Create(NULL, &solver->context) != 0) {
+    free(solver);
+    return NULL;
+  }
+  solver->entry = calloc(vector_size(solver), sizeof(double));
+  solver->state = N_VNew_Serial(size, solver->context);
+  solver->tolerance = N_VNew_Serial(size, solver->context);
+  solver->matrix = SUNDenseMatrix(size, size, solver->context);
+  solver->memory = CVodeCreate(CV_BDF, solver->context);
+  if (solver->state != NULL && solver->matrix != NULL) {
+    N_VConst(0.0, solver->state);
+    solver->linear = SUNLinSol_Dense(solver->state, solver->matrix, solver->context);
+  }
+  if (solver->entry == NULL || solver->tolerance == NULL || solver->memory == NULL || solver->linear == NULL ||
+      CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
+    cmb_solver_destroy(solver);
+    return NULL;
+  }
+  return solver;
+}
+
+void cmb_solver_destroy(cmb_solver *solver) {
+  if (solver == NULL) return;
+  if (solver->memory != NULL) CVodeFree(&solver->memory);
+  if (solver->linear != NULL) SUNLinSolFree(solver->linear);
+  if (solver->matrix != NULL) SUNMatDestroy(solver->matrix);
+  if (solver->state != NULL) N_VDestroy(solver->state);
+  if (solver->tolerance != NULL) N_VDestroy(solver->tolerance);
+  free(solver->entry);
+  SUNContext_Free(&solver->context);
+  free(solver);
+}
+
+void cmb_solver_restart(cmb_solver *solver) {
+  if (solver != NULL) solver->restart = 1;
+}
+
+static void load_point(cmb_solver *solver) {
+  double *state = NV_DATA_S(solver->state);
+  for (size_t i = 0; i < solver->state_count; ++i) state[i] = solver->instance->values.real[cmb_model.state[i]];
+}
+
+static double relative_tolerance(const cmb_situation *situation) {
+  if (situation->settings.tolerance > 0.0) return situation->settings.tolerance;
+  return situation->solver_real[CMB_SOLVER_RELATIVE_TOLERANCE];
+}
+
+static int set_tolerances(cmb_solver *solver) {
+  const cmb_situation *situation = &solver->instance->situation;
+  const double relative = relative_tolerance(situation);
+  const double option = situation->solver_real[CMB_SOLVER_ABSOLUTE_TOLERANCE];
+  const double absolute = option > 0.0 ? option : relative;
+  double *tolerance = NV_DATA_S(solver->tolerance);
+  if (solver->state_count == 0) tolerance[0] = 1.0;
+  for (size_t i = 0; i < solver->state_count; ++i) tolerance[i] = absolute * cmb_model.state_nominal[i];
+  return CVodeSVtolerances(solver->memory, relative, solver->tolerance);
+}
+
+static int first_start(cmb_solver *solver) {
+  int flag = CVodeInit(solver->memory, right_hand_side, solver->instance->values.time, solver->state);
+  if (flag == CV_SUCCESS) flag = set_tolerances(solver);
+  if (flag == CV_SUCCESS) flag = CVodeSetUserData(solver->memory, solver);
+  if (flag == CV_SUCCESS) flag = CVodeSetLinearSolver(solver->memory, solver->linear, solver->matrix);
+  if (flag == CV_SUCCESS) flag = CVodeSetMaxNumSteps(solver->memory, MAXIMUM_STEPS);
+  if (flag == CV_SUCCESS) flag = CVodeSetMaxHnilWarns(solver->memory, -1);
+  if (flag == CV_SUCCESS && cmb_model.indicator_count > 0) {
+    flag = CVodeRootInit(solver->memory, (int)cmb_model.indicator_count, roots);
+    if (flag == CV_SUCCESS) flag = CVodeSetNoInactiveRootWarn(solver->memory);
+  }
+  solver->initialized = flag == CV_SUCCESS;
+  return flag;
+}
+
+static int start(cmb_solver *solver) {
+  load_point(solver);
+  int flag = CV_SUCCESS;
+  if (!solver->initialized) {
+    flag = first_start(solver);
+  } else {
+    flag = set_tolerances(solver);
+    if (flag == CV_SUCCESS) flag = CVodeReInit(solver->memory, solver->instance->values.time, solver->state);
+  }
+  memset(solver->counted, 0, sizeof solver->counted);
+  solver->restart = flag != CV_SUCCESS;
+  return flag;
+}
+
+/* Adds what CVODE did since the last call to the instance's counters. */
+static void count(cmb_solver *solver) {
+  long now[CMB_SOLVER_INTEGER_COUNT] = {0};
+  long jacobian_evaluations = 0;
+  CVodeGetNumSteps(solver->memory, &now[CMB_SOLVER_STEPS]);
+  CVodeGetNumRhsEvals(solver->memory, &now[CMB_SOLVER_EVALUATIONS]);
+  CVodeGetNumLinRhsEvals(solver->memory, &jacobian_evaluations);
+  CVodeGetNumJacEvals(solver->memory, &now[CMB_SOLVER_JACOBIANS]);
+  CVodeGetNumErrTestFails(solver->memory, &now[CMB_SOLVER_ERROR_TEST_FAILURES]);
+  CVodeGetNumNonlinSolvConvFails(solver->memory, &now[CMB_SOLVER_CONVERGENCE_FAILURES]);
+  now[CMB_SOLVER_EVALUATIONS] += jacobian_evaluations;
+  for (int i = 0; i < CMB_SOLVER_INTEGER_COUNT; ++i) {
+    solver->instance->situation.solver_integer[i] += (int)(now[i] - solver->counted[i]);
+    solver->counted[i] = now[i];
+  }
+}
+
+static cmb_result explain(cmb_solver *solver, int flag, double time) {
+  cmb_instance *instance = solver->instance;
+  const cmb_result result = flag == CV_RHSFUNC_FAIL || (flag == CV_RTFUNC_FAIL && solver->cause == CMB_RESULT_ERROR) ||
+                                    flag == CV_MEM_FAIL || flag == CV_ILL_INPUT
+                                ? CMB_RESULT_ERROR
+                                : CMB_RESULT_DISCARD;
+  char *name = CVodeGetReturnFlagName(flag);
+  char cause[sizeof instance->message];
+  snprintf(cause, sizeof cause, "%s", solver->cause != CMB_RESULT_OK ? instance->message : "");
+  snprintf(instance->message, sizeof instance->message, "The integrator stops at time %.15g (%s)%s%.900s", time,
+           name != NULL ? name : "?", cause[0] != '\0' ? ": " : "", cause);
+  free(name);
+  return result;
+}
+
+/* Without states and indicators there is nothing to integrate or to watch. */
+static cmb_result jump(cmb_solver *solver, double target) {
+  cmb_set_point(solver->instance, target, NULL);
+  return CMB_RESULT_OK;
+}
+
+cmb_result cmb_solver_advance(cmb_solver *solver, double target, double limit, double maximum_step, cmb_stop *stop) {
+  cmb_instance *instance = solver->instance;
+  *stop = CMB_STOP_TARGET;
+  if (solver->state_count == 0 && cmb_model.indicator_count == 0) return jump(solver, target);
+
+  double largest_step = maximum_step;
+  double progress_time = -HUGE_VAL; /* where the last restart after a failure began */
+  int retries = 0;
+  for (;;) {
+    const double begin = instance->values.time;
+    /* CVODE refuses intervals of a few roundings; over these the states do not change. */
+    if (solver->restart && target - begin <= 8.0 * DBL_EPSILON * fmax(fabs(begin), fabs(target))) {
+      instance->values.time = target;
+      instance->situation.continuous_stale = 1;
+      return CMB_RESULT_OK;
+    }
+    solver->cause = CMB_RESULT_OK;
+    instance->message[0] = '\0';
+    int flag = solver->restart ? start(solver) : CV_SUCCESS;
+    if (flag == CV_SUCCESS) flag = CVodeSetMaxStep(solver->memory, largest_step);
+    if (flag == CV_SUCCESS) flag = CVodeSetStopTime(solver->memory, fmin(limit, DBL_MAX));
+    for (size_t i = 0; i < solver->state_count; ++i) solver->entry[i] = instance->values.real[cmb_model.state[i]];
+
+    double reached = begin;
+    if (flag == CV_SUCCESS) {
+      flag = CVode(solver->memory, target, solver->state, &reached, CV_NORMAL);
+      count(solver);
+    }
+    if (flag >= 0) {
+      cmb_set_point(instance, flag == CV_ROOT_RETURN ? reached : target, NV_DATA_S(solver->state));
+      instance->situation.continuous_stale = 1;
+      if (flag == CV_ROOT_RETURN) *stop = CMB_STOP_ROOT;
+      return CMB_RESULT_OK;
+    }
+
+    /* Failed: back to the last good point, once more from there with a fresh start, else give up. */
+    const int recoverable = flag == CV_ERR_FAILURE || flag == CV_CONV_FAILURE || flag == CV_REPTD_RHSFUNC_ERR ||
+                            flag == CV_UNREC_RHSFUNC_ERR;
+    const int root_retry = flag == CV_RTFUNC_FAIL && solver->cause == CMB_RESULT_DISCARD;
+    solver->restart = 1;
+    if (recoverable && reached > begin) {
+      cmb_set_point(instance, reached, NV_DATA_S(solver->state));
+    } else {
+      cmb_set_point(instance, begin, solver->entry);
+      reached = begin;
+    }
+    instance->situation.continuous_stale = 1;
+    if (recoverable && reached > progress_time && retries < MAXIMUM_STEPS) {
+      progress_time = reached;
+      ++retries;
+      continue;
+    }
+    if (root_retry && retries < MAXIMUM_ROOT_RETRIES) {
+      /* An indicator cannot be computed inside a step that was already taken: shorter steps stay away from it. */
+      largest_step = (largest_step > 0.0 ? fmin(largest_step, target - begin) : target - begin) * 0.125;
+      ++retries;
+      continue;
+    }
+    return explain(solver, flag, reached);
+  }
+}
