@@ -1,0 +1,43 @@
+// Penetration depth of two convex cores by the expanding polytope algorithm.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "expanding_hull.hpp"
+#include "minkowski_difference.hpp"
+
+namespace cmb::convex {
+
+struct PenetrationResult {
+  double depth = 0.0;  // smallest value found of the difference's support function; proven where `proven`
+  double lower = 0.0;  // proven lower bound
+  Vec3 direction;      // unit, where `depth` is taken: the surface of A - B nearest to the origin
+  Vec3 a, b;           // witness points, in A's frame
+  bool proven = false;
+  int steps = 0;
+};
+
+// Works in storage allocated by the constructor alone. Not for sharing between threads.
+class ExpandingPolytope {
+ public:
+  explicit ExpandingPolytope(std::size_t max_points = 1024);
+
+  // Depth of the origin in the difference, to `tolerance` metres. `simplex` (count 1 to 4) are points
+  // of the difference to start from. Not proven where rounding broke the surface, where the room for
+  // points did not suffice, or where the difference is flat (depth and direction are then the best so far).
+  PenetrationResult depth(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count,
+                          double tolerance);
+
+ private:
+  bool start(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count);
+  bool start_from(const DifferencePoint *tetrahedron, double thickness);
+  void witness(PenetrationResult &result, double tolerance) const;
+
+  ExpandingHull hull_;
+  std::vector<DifferencePoint> points_;
+  std::vector<std::pair<double, std::int32_t>> queue_;  // heap: faces by offset, least first
+};
+
+}  // namespace cmb::convex

@@ -1,0 +1,180 @@
+#include "polytope.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace cmb::convex {
+
+namespace {
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+bool fail(std::string *problem, std::string reason) {
+  if (problem != nullptr) *problem = std::move(reason);
+  return false;
+}
+
+// Cell of a cube's surface that the direction d points to.
+int cube_cell(const Vec3 &d, int cells) {
+  const double ax = std::fabs(d.x), ay = std::fabs(d.y), az = std::fabs(d.z);
+  double along, u, v;
+  int side;
+  if (ax >= ay && ax >= az) {
+    along = ax, u = d.y, v = d.z, side = d.x < 0.0 ? 0 : 1;
+  } else if (ay >= az) {
+    along = ay, u = d.x, v = d.z, side = d.y < 0.0 ? 2 : 3;
+  } else {
+    along = az, u = d.x, v = d.y, side = d.z < 0.0 ? 4 : 5;
+  }
+  if (!(along > 0.0)) return 0;
+  const double scale = 0.5 * cells / along;
+  const int i = std::clamp(static_cast<int>((u + along) * scale), 0, cells - 1);
+  const int j = std::clamp(static_cast<int>((v + along) * scale), 0, cells - 1);
+  return (side * cells + i) * cells + j;
+}
+
+}  // namespace
+
+bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::vector<std::int32_t>> &faces,
+                     Polytope &result, std::string *problem, double tolerance) {
+  if (vertices.size() < 4 || faces.size() < 4) return fail(problem, "a polytope has at least 4 vertices and 4 faces");
+  Polytope built;
+  built.vertices_ = vertices;
+  Vec3 low = vertices[0], high = vertices[0];
+  for (const Vec3 &p : vertices) {
+    if (!is_finite(p)) return fail(problem, "a vertex is not finite");
+    for (int axis = 0; axis < 3; ++axis) {
+      low.set(axis, std::min(low[axis], p[axis]));
+      high.set(axis, std::max(high[axis], p[axis]));
+    }
+    built.radius_ = std::max(built.radius_, norm(p));
+    built.center_ = built.center_ + (1.0 / static_cast<double>(vertices.size())) * p;
+  }
+  const double extent = norm(high - low);
+  const double slack = tolerance * extent;
+
+  std::map<std::pair<std::int32_t, std::int32_t>, std::pair<std::int32_t, std::int32_t>> directed;  // -> face, edge
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::vector<std::int32_t> &corner = faces[f];
+    if (corner.size() < 3) return fail(problem, "a face has fewer than 3 corners");
+    for (std::int32_t v : corner) {
+      if (v < 0 || index(v) >= vertices.size()) return fail(problem, "a face names a vertex that does not exist");
+    }
+    Face face;
+    face.first = static_cast<std::int32_t>(built.face_vertices_.size());
+    face.count = static_cast<std::int32_t>(corner.size());
+    Vec3 area;  // Newell's normal, about the first corner to keep the terms small
+    const Vec3 &origin = vertices[index(corner[0])];
+    Vec3 middle = origin;
+    for (std::size_t k = 1; k + 1 < corner.size(); ++k) {
+      area = area + cross(vertices[index(corner[k])] - origin, vertices[index(corner[k + 1])] - origin);
+    }
+    for (std::size_t k = 1; k < corner.size(); ++k) middle = middle + vertices[index(corner[k])];
+    middle = (1.0 / static_cast<double>(corner.size())) * middle;
+    const double length = norm(area);
+    if (!(length > 0.0)) return fail(problem, "a face has no area");
+    face.normal = (1.0 / length) * area;
+    face.offset = dot(face.normal, middle);
+    built.faces_.push_back(face);
+    built.face_vertices_.insert(built.face_vertices_.end(), corner.begin(), corner.end());
+    for (std::int32_t v : corner) {
+      if (std::fabs(dot(face.normal, vertices[index(v)]) - face.offset) > slack) {
+        return fail(problem, "a face is not plane");
+      }
+    }
+    for (const Vec3 &p : vertices) {
+      if (dot(face.normal, p) - face.offset > slack) return fail(problem, "the faces are not those of a convex solid");
+    }
+    for (std::size_t k = 0; k < corner.size(); ++k) {
+      const std::int32_t a = corner[k], b = corner[(k + 1) % corner.size()];
+      if (a == b || directed.count({a, b}) != 0) return fail(problem, "an edge is used twice in the same sense");
+      const auto twin = directed.find({b, a});
+      const std::int32_t face_index = static_cast<std::int32_t>(f);
+      if (twin != directed.end()) {
+        built.edges_[index(twin->second.second)].face[1] = face_index;
+        directed[{a, b}] = {face_index, twin->second.second};
+        continue;
+      }
+      Edge edge;
+      edge.vertex[0] = a;
+      edge.vertex[1] = b;
+      edge.face[0] = face_index;
+      edge.face[1] = -1;
+      edge.direction = normalized(vertices[index(b)] - vertices[index(a)]);
+      directed[{a, b}] = {face_index, static_cast<std::int32_t>(built.edges_.size())};
+      built.edges_.push_back(edge);
+    }
+  }
+  if (std::any_of(built.edges_.begin(), built.edges_.end(), [](const Edge &e) { return e.face[1] < 0; })) {
+    return fail(problem, "the faces do not close a surface");
+  }
+  if (vertices.size() + faces.size() != built.edges_.size() + 2) {
+    return fail(problem, "vertices, edges and faces do not satisfy Euler's formula (an unused vertex?)");
+  }
+
+  std::vector<std::int32_t> degree(vertices.size() + 1, 0);
+  for (const Edge &edge : built.edges_) {
+    for (std::int32_t v : edge.vertex) ++degree[index(v) + 1];
+  }
+  for (std::size_t v = 0; v < vertices.size(); ++v) degree[v + 1] += degree[v];
+  built.neighbour_begin_ = degree;
+  built.neighbours_.resize(2 * built.edges_.size());
+  built.neighbour_edges_.resize(2 * built.edges_.size());
+  for (std::size_t e = 0; e < built.edges_.size(); ++e) {
+    for (int side = 0; side < 2; ++side) {
+      const std::int32_t slot = degree[index(built.edges_[e].vertex[side])]++;
+      built.neighbours_[index(slot)] = built.edges_[e].vertex[1 - side];
+      built.neighbour_edges_[index(slot)] = static_cast<std::int32_t>(e);
+    }
+  }
+  built.build_start_table();
+  result = std::move(built);
+  return true;
+}
+
+Polytope Polytope::box(const Vec3 &size) {
+  std::vector<Vec3> vertices;
+  for (int v = 0; v < 8; ++v) {
+    vertices.push_back({(v & 1 ? 0.5 : -0.5) * size.x, (v & 2 ? 0.5 : -0.5) * size.y, (v & 4 ? 0.5 : -0.5) * size.z});
+  }
+  Polytope result;
+  build(vertices, {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}, result, nullptr);
+  return result;
+}
+
+void Polytope::build_start_table() {
+  for (int side = 0; side < 6; ++side) {
+    for (int i = 0; i < cells; ++i) {
+      for (int j = 0; j < cells; ++j) {
+        const double u = (2.0 * i + 1.0) / cells - 1.0, v = (2.0 * j + 1.0) / cells - 1.0;
+        const double w = side % 2 == 0 ? -1.0 : 1.0;
+        const Vec3 d = side < 2 ? Vec3{w, u, v} : side < 4 ? Vec3{u, w, v} : Vec3{u, v, w};
+        std::size_t best = 0;
+        for (std::size_t k = 1; k < vertices_.size(); ++k) {
+          if (dot(d, vertices_[k]) > dot(d, vertices_[best])) best = k;
+        }
+        start_[index((side * cells + i) * cells + j)] = static_cast<std::int32_t>(best);
+      }
+    }
+  }
+}
+
+std::int32_t Polytope::support_vertex(const Vec3 &d) const {
+  std::int32_t best = start_[index(cube_cell(d, cells))];
+  const Vec3 *const vertex = vertices_.data();
+  double height = dot(d, vertex[best]);
+  for (;;) {  // heights rise strictly, so this ends
+    std::int32_t next = best;
+    const std::int32_t end = neighbour_begin_[index(best) + 1];
+    for (std::int32_t k = neighbour_begin_[index(best)]; k < end; ++k) {
+      const std::int32_t candidate = neighbours_[index(k)];
+      const double candidate_height = dot(d, vertex[candidate]);
+      if (candidate_height > height) height = candidate_height, next = candidate;
+    }
+    if (next == best) return best;
+    best = next;
+  }
+}
+
+}  // namespace cmb::convex

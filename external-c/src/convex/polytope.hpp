@@ -1,0 +1,77 @@
+// Convex polytopes: vertices, polygon faces and the adjacency that support queries walk on.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "vector3.hpp"
+
+namespace cmb::convex {
+
+// An immutable convex polytope with interior. Built once, shared by any number of threads.
+class Polytope {
+ public:
+  struct Face {
+    Vec3 normal;              // unit, outward
+    double offset = 0.0;      // normal . p for points p of the face
+    std::int32_t first = 0;   // into face_vertices()
+    std::int32_t count = 0;   // corners, counter-clockwise seen from outside
+  };
+  struct Edge {
+    std::int32_t vertex[2] = {0, 0};  // runs from vertex[0] to vertex[1] on face[0]
+    std::int32_t face[2] = {0, 0};
+    Vec3 direction;  // unit, from vertex[0] to vertex[1]
+  };
+
+  // From vertices and polygon faces (indices of corners, counter-clockwise seen from outside; face
+  // planes are fitted to the corners). Returns false, with the reason in `problem` (may be null), and
+  // leaves `result` unchanged where that is not the closed surface of a convex solid: each edge shared
+  // by two faces in opposite sense, no vertex farther than `tolerance` (relative to the extent)
+  // outside any face plane or off the plane of its own face. Allocates.
+  static bool build(const std::vector<Vec3> &vertices, const std::vector<std::vector<std::int32_t>> &faces,
+                    Polytope &result, std::string *problem, double tolerance = 1e-9);
+
+  // The box of full lengths `size` (all > 0), centred at the origin. Vertex v has the coordinate signs
+  // of v's bits (bit 0: x, set = positive); faces come in the order -x, +x, -y, +y, -z, +z.
+  static Polytope box(const Vec3 &size);
+
+  const std::vector<Vec3> &vertices() const { return vertices_; }
+  const std::vector<Face> &faces() const { return faces_; }
+  const std::vector<Edge> &edges() const { return edges_; }
+  const std::vector<std::int32_t> &face_vertices() const { return face_vertices_; }
+
+  // Neighbouring vertices of vertex v: neighbours()[neighbour_begin(v) .. neighbour_begin(v + 1)).
+  const std::vector<std::int32_t> &neighbours() const { return neighbours_; }
+  std::int32_t neighbour_begin(std::int32_t v) const { return neighbour_begin_[static_cast<std::size_t>(v)]; }
+  // The edges of vertex v, in step with its neighbours.
+  const std::vector<std::int32_t> &neighbour_edges() const { return neighbour_edges_; }
+
+  // Largest distance of a vertex from the origin of the polytope's frame.
+  double radius() const { return radius_; }
+  // Mean of the vertices: an interior point.
+  const Vec3 &center() const { return center_; }
+
+  // The vertex farthest along d (not necessarily unit, finite), by hill climbing from a tabulated
+  // start; the same for the same d whatever was asked before.
+  std::int32_t support_vertex(const Vec3 &d) const;
+
+ private:
+  void build_start_table();
+
+  static constexpr int cells = 8;  // start table: cells x cells on each of a cube's six sides
+  std::vector<Vec3> vertices_;
+  std::vector<Face> faces_;
+  std::vector<Edge> edges_;
+  std::vector<std::int32_t> face_vertices_;
+  std::vector<std::int32_t> neighbours_;
+  std::vector<std::int32_t> neighbour_edges_;
+  std::vector<std::int32_t> neighbour_begin_;
+  std::array<std::int32_t, 6 * cells * cells> start_{};
+  double radius_ = 0.0;
+  Vec3 center_;
+};
+
+}  // namespace cmb::convex
