@@ -1,0 +1,6 @@
+within Modelica.Icons;
+type TypeBoolean = Boolean "Truth value with the icon of types"
+  annotation (Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
+        Rectangle(extent={{-90,90},{90,-90}}, lineColor={60,60,60}, radius=20),
+        Text(extent={{-60,60},{60,-60}}, textColor={60,60,60}, textString="B")}),
+      Documentation(info="<html><p>A <code>Boolean</code> with an icon.</p></html>"));

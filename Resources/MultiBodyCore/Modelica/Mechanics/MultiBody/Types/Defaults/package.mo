@@ -1,0 +1,21 @@
+within Modelica.Mechanics.MultiBody.Types;
+package Defaults "Defaults of animation parameters"
+  extends Modelica.Icons.Package;
+  constant Types.Color BodyColor={0,128,255} "Bodies";
+  constant Types.Color RodColor={155,155,155} "Rods";
+  constant Types.Color JointColor={255,0,0} "Joints";
+  constant Types.Color ForceColor={0,128,0} "Forces";
+  constant Types.Color TorqueColor={0,128,0} "Torques";
+  constant Types.Color SpringColor={0,0,255} "Springs";
+  constant Types.Color SensorColor={255,255,0} "Sensors";
+  constant Types.Color FrameColor={0,0,0} "Frames";
+  constant Types.Color ArrowColor={0,0,255} "Arrows";
+  constant Real FrameHeadLengthFraction=5.0 "Length of the arrow head of an axis by the diameter of the axis";
+  constant Real FrameHeadWidthFraction=3.0 "Width of the arrow head of an axis by the diameter of the axis";
+  constant Real FrameLabelHeightFraction=3.0 "Height of the label of an axis by the diameter of the axis";
+  constant Real ArrowHeadLengthFraction=4.0 "Length of an arrow's head by its diameter";
+  constant Real ArrowHeadWidthFraction=3.0 "Width of an arrow's head by its diameter";
+  constant Real BodyCylinderDiameterFraction=3 "Diameter of a body's sphere by that of its cylinder";
+  constant Real JointRodDiameterFraction=2 "Diameter of a joint's sphere by that of its rod";
+  annotation (Documentation(info="<html><p>Defaults of animation parameters.</p></html>"));
+end Defaults;

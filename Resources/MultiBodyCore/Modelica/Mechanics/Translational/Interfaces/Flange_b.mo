@@ -1,0 +1,8 @@
+within Modelica.Mechanics.Translational.Interfaces;
+connector Flange_b "End of a rod, open"
+  extends Flange;
+  annotation (defaultComponentName="flange_b",
+    Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
+        Rectangle(extent={{-80,80},{80,-80}}, lineColor={0,110,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid)}),
+    Documentation(info="<html><p>The same as Flange_a but for the picture.</p></html>"));
+end Flange_b;

@@ -1,0 +1,5 @@
+within Modelica.Mechanics.Translational;
+package Interfaces "Flanges and partial elements"
+  extends Modelica.Icons.InterfacesPackage;
+  annotation (Documentation(info="<html><p>The connectors of rods, and the partial models that have them.</p></html>"));
+end Interfaces;
