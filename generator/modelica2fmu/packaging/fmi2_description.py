@@ -1,0 +1,297 @@
+"""modelDescription.xml of FMI 2.0.4."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from importlib import metadata
+
+from cmb_base.errors import InputError, Place, ProblemList
+from lxml import etree
+
+from modelica2fmu.description import (
+    Causality,
+    DataType,
+    EnumerationType,
+    Initial,
+    ModelDescription,
+    Variability,
+    Variable,
+)
+from modelica2fmu.packaging.units import BASE_UNITS, display_conversion, parse_unit
+
+#: Names of the runtime's log categories (``cmb_instance.h``).
+LOG_CATEGORIES = (
+    ("logEvents", "Events: relations that change"),
+    ("logSolver", "Integrator: failed steps and evaluations"),
+    ("logStatusWarning", "Warnings of the model"),
+    ("logStatusDiscard", "Values that cannot be computed"),
+    ("logStatusError", "Errors"),
+    ("logAll", "All messages"),
+)
+
+_XML_TYPE = {
+    DataType.REAL: "Real",
+    DataType.INTEGER: "Integer",
+    DataType.BOOLEAN: "Boolean",
+    DataType.STRING: "String",
+    DataType.ENUMERATION: "Enumeration",
+}
+
+_WITH_START = {Initial.EXACT, Initial.APPROX}
+
+
+def generation_tool() -> str:
+    """Name and version of the program, for the attribute ``generationTool``."""
+    try:
+        return f"ContactMultiBody {metadata.version('contactmultibody')}"
+    except metadata.PackageNotFoundError:
+        return "ContactMultiBody"
+
+
+def number(value: float) -> str:
+    """The shortest decimal text that reads back as the same double."""
+    return repr(float(value))
+
+
+def boolean(value: bool) -> str:
+    """XML's spelling of a truth value."""
+    return "true" if value else "false"
+
+
+def check_description(description: ModelDescription) -> None:
+    """Finds what no valid modelDescription.xml could be written from.
+
+    Raises:
+        ProblemList: unknown names in states, derivatives, outputs or types, doubled names, start values that
+            are missing, not finite or where none may be.
+    """
+    problems: list[InputError] = []
+
+    def problem(component: str, message: str) -> None:
+        problems.append(InputError(message, place=Place(component=component)))
+
+    known: set[str] = set()
+    enumerations = {enumeration.name for enumeration in description.enumerations}
+    for variable in description.variables:
+        if variable.name in known:
+            problem(variable.name, "two variables have this name")
+        known.add(variable.name)
+        needs_start = variable.initial in _WITH_START or variable.causality is Causality.INPUT
+        if needs_start and variable.start is None:
+            problem(variable.name, "a start value is missing")
+        if not needs_start and variable.start is not None:
+            problem(variable.name, "a variable that is calculated has a start value")
+        if isinstance(variable.start, float) and not math.isfinite(variable.start):
+            problem(variable.name, f"the start value {variable.start} is not finite")
+        if variable.type is DataType.ENUMERATION and variable.enumeration not in enumerations:
+            problem(variable.name, f"the enumeration type {variable.enumeration} is not described")
+        if variable.type is not DataType.REAL and variable.variability is Variability.CONTINUOUS:
+            problem(variable.name, "only Real variables are continuous")
+    for role, names in (
+        ("state", description.states),
+        ("derivative", description.derivatives),
+        ("output", description.outputs),
+        ("state", tuple(v.derivative_of for v in description.variables if v.derivative_of is not None)),
+    ):
+        for name in names:
+            if name not in known:
+                problem(name, f"this {role} is not among the variables")
+    if len(description.states) != len(description.derivatives):
+        problem(description.name, "the numbers of states and derivatives differ")
+    if problems:
+        raise ProblemList(f"description of the model {description.name}", problems)
+
+
+def _unit_definitions(variables: Iterable[Variable]) -> tuple[etree._Element, set[tuple[str, str]]]:
+    """The element and the pairs (unit, display unit) that it defines."""
+    displays: dict[str, set[str]] = {}
+    for variable in variables:
+        if variable.unit:
+            displays.setdefault(variable.unit, set())
+            if variable.display_unit:
+                displays[variable.unit].add(variable.display_unit)
+    definitions = etree.Element("UnitDefinitions")
+    defined: set[tuple[str, str]] = set()
+    for name in sorted(displays):
+        element = etree.SubElement(definitions, "Unit", name=name)
+        unit = parse_unit(name)
+        if unit is None:
+            continue
+        base = etree.SubElement(element, "BaseUnit")
+        for base_name, exponent in zip(BASE_UNITS, unit.exponents, strict=True):
+            if exponent != 0:
+                base.set(base_name, str(exponent))
+        if unit.factor != 1.0:
+            base.set("factor", number(unit.factor))
+        if unit.offset != 0.0:
+            base.set("offset", number(unit.offset))
+        for display_name in sorted(displays[name]):
+            display = parse_unit(display_name)
+            conversion = display_conversion(unit, display) if display is not None else None
+            if conversion is None:
+                continue
+            factor, offset = conversion
+            defined.add((name, display_name))
+            shown = etree.SubElement(element, "DisplayUnit", name=display_name)
+            if factor != 1.0:
+                shown.set("factor", number(factor))
+            if offset != 0.0:
+                shown.set("offset", number(offset))
+    return definitions, defined
+
+
+def _type_definitions(enumerations: Iterable[EnumerationType]) -> etree._Element:
+    definitions = etree.Element("TypeDefinitions")
+    for enumeration in enumerations:
+        simple = etree.SubElement(definitions, "SimpleType", name=enumeration.name)
+        element = etree.SubElement(simple, "Enumeration")
+        for item in enumeration.items:
+            child = etree.SubElement(element, "Item", name=item.name, value=str(item.value))
+            if item.description:
+                child.set("description", item.description)
+    return definitions
+
+
+def _start_text(variable: Variable) -> str:
+    start = variable.start
+    if variable.type is DataType.REAL:
+        return number(float(start))  # type: ignore[arg-type]
+    if variable.type is DataType.BOOLEAN:
+        return boolean(bool(start))
+    return str(start)
+
+
+def _scalar_variable(
+    variable: Variable, index_of: dict[str, int], display_units: set[tuple[str, str]]
+) -> etree._Element:
+    element = etree.Element("ScalarVariable", name=variable.name, valueReference=str(variable.value_reference))
+    if variable.description:
+        element.set("description", variable.description)
+    element.set("causality", variable.causality.value)
+    element.set("variability", variable.variability.value)
+    if variable.initial is not None and variable.causality not in (Causality.INPUT, Causality.INDEPENDENT):
+        element.set("initial", variable.initial.value)
+    kind = etree.SubElement(element, _XML_TYPE[variable.type])
+    if variable.type is DataType.ENUMERATION and variable.enumeration is not None:
+        kind.set("declaredType", variable.enumeration)
+    if variable.type is not DataType.BOOLEAN and variable.type is not DataType.STRING and variable.quantity:
+        kind.set("quantity", variable.quantity)
+    if variable.type is DataType.REAL and variable.unit:
+        kind.set("unit", variable.unit)
+        if (variable.unit, variable.display_unit) in display_units:
+            kind.set("displayUnit", variable.display_unit)
+    if variable.type in (DataType.REAL, DataType.INTEGER):
+        for name, bound in (("min", variable.minimum), ("max", variable.maximum)):
+            if bound is not None and math.isfinite(bound):
+                kind.set(name, number(bound) if variable.type is DataType.REAL else str(int(bound)))
+    if variable.type is DataType.REAL and variable.nominal is not None and math.isfinite(variable.nominal):
+        kind.set("nominal", number(variable.nominal))
+    if variable.start is not None:
+        kind.set("start", _start_text(variable))
+    if variable.type is DataType.REAL:
+        if variable.derivative_of is not None:
+            kind.set("derivative", str(index_of[variable.derivative_of]))
+        if variable.reinit:
+            kind.set("reinit", "true")
+    return element
+
+
+def initial_unknowns(description: ModelDescription) -> list[str]:
+    """Names of the variables that initialization computes and the model structure lists, in order of the variables."""
+    watched = set(description.states) | set(description.derivatives)
+    computed = {Initial.APPROX, Initial.CALCULATED}
+    return [
+        variable.name
+        for variable in description.variables
+        if variable.causality is Causality.CALCULATED_PARAMETER
+        or (variable.initial in computed and (variable.causality is Causality.OUTPUT or variable.name in watched))
+    ]
+
+
+def _model_structure(description: ModelDescription, index_of: dict[str, int]) -> etree._Element:
+    structure = etree.Element("ModelStructure")
+    for name, unknowns in (
+        ("Outputs", description.outputs),
+        ("Derivatives", description.derivatives),
+        ("InitialUnknowns", initial_unknowns(description)),
+    ):
+        if unknowns:
+            group = etree.SubElement(structure, name)
+            for unknown in unknowns:
+                etree.SubElement(group, "Unknown", index=str(index_of[unknown]))
+    return structure
+
+
+def default_experiment(description: ModelDescription) -> etree._Element:
+    """The element ``DefaultExperiment``, the same in FMI 2.0 and 3.0."""
+    experiment = description.experiment
+    element = etree.Element("DefaultExperiment")
+    for name, value in (
+        ("startTime", experiment.start if experiment.start is not None else 0.0),
+        ("stopTime", experiment.stop),
+        ("tolerance", experiment.tolerance),
+        ("stepSize", experiment.interval),
+    ):
+        if value is not None:
+            element.set(name, number(value))
+    return element
+
+
+def fmi2_description(description: ModelDescription) -> bytes:
+    """Writes modelDescription.xml.
+
+    Args:
+        description: the model, the integrator's variables included.
+
+    Returns:
+        UTF-8 text, the same bytes for the same description.
+
+    Raises:
+        ProblemList: the description contradicts itself.
+    """
+    check_description(description)
+    index_of = {variable.name: index for index, variable in enumerate(description.variables, start=1)}
+    root = etree.Element(
+        "fmiModelDescription",
+        fmiVersion="2.0",
+        modelName=description.name,
+        guid=description.guid,
+        generationTool=generation_tool(),
+        variableNamingConvention="structured",
+        numberOfEventIndicators=str(description.indicator_count),
+    )
+    if description.description:
+        root.set("description", description.description)
+    shared = {
+        "modelIdentifier": description.identifier,
+        "needsExecutionTool": "false",
+        "canBeInstantiatedOnlyOncePerProcess": "false",
+        "canNotUseMemoryManagementFunctions": "true",
+        "canGetAndSetFMUstate": "true",
+        "canSerializeFMUstate": "true",
+        "providesDirectionalDerivative": "true",
+    }
+    etree.SubElement(root, "ModelExchange", {**shared, "completedIntegratorStepNotNeeded": "true"})
+    co_simulation = {
+        "canHandleVariableCommunicationStepSize": "true",
+        "canInterpolateInputs": "false",
+        "maxOutputDerivativeOrder": "0",
+        "canRunAsynchronuously": "false",
+    }
+    etree.SubElement(root, "CoSimulation", {**shared, **co_simulation})
+    units, display_units = _unit_definitions(description.variables)
+    if len(units):
+        root.append(units)
+    if description.enumerations:
+        root.append(_type_definitions(description.enumerations))
+    categories = etree.SubElement(root, "LogCategories")
+    for name, text in LOG_CATEGORIES:
+        etree.SubElement(categories, "Category", name=name, description=text)
+    root.append(default_experiment(description))
+    variables = etree.SubElement(root, "ModelVariables")
+    for variable in description.variables:
+        variables.append(_scalar_variable(variable, index_of, display_units))
+    root.append(_model_structure(description, index_of))
+    etree.indent(root)
+    return etree.tostring(root, xml_declaration=True, encoding="UTF-8") + b"\n"

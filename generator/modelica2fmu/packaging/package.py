@@ -1,0 +1,166 @@
+"""An FMU from a model's description and its generated C."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+
+from cmb_base.errors import InputError, Place
+from cmb_base.output import whole_file
+from cmb_base.progress import Progress, silent
+
+from modelica2fmu.description import ModelDescription
+from modelica2fmu.packaging.archive import write_archive
+from modelica2fmu.packaging.dependencies import Sundials, find_fmi_headers, find_sundials
+from modelica2fmu.packaging.fmi2_description import fmi2_description
+from modelica2fmu.packaging.icon import model_icon
+from modelica2fmu.packaging.interface_tables import interface_source
+from modelica2fmu.packaging.shared_libraries import bundle_libraries, licence_of
+from modelica2fmu.packaging.solver_variables import SolverOptions, with_solver_variables
+from modelica2fmu.packaging.toolchain import Compilation, Libraries, compile_objects, link_shared
+
+RUNTIME = Path(__file__).resolve().parents[1] / "runtime"
+INTERFACE_FILE = "cmb_interface.c"
+
+_PLATFORM = "linux64"
+_RUNTIME_FLAGS = ("-Wall", "-Wextra")
+_IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")
+
+
+@dataclass(frozen=True)
+class GeneratedSource:
+    """One generated file: C that is compiled, or a header.
+
+    Attributes:
+        name: file name without folder, ending in ``.c`` or ``.h``.
+        text: its content.
+    """
+
+    name: str
+    text: str
+
+
+def _check_names(description: ModelDescription, sources: Sequence[GeneratedSource]) -> None:
+    place = Place(component=description.name)
+    if not _IDENTIFIER.fullmatch(description.identifier):
+        raise InputError(f"{description.identifier!r} is no C identifier", place=place)
+    runtime = {path.name for path in RUNTIME.iterdir()} | {INTERFACE_FILE}
+    names = [source.name for source in sources]
+    for name in names:
+        if not _FILE_NAME.fullmatch(name) or not name.endswith((".c", ".h")):
+            raise InputError(f"{name!r} is no name for a generated C file", place=place)
+        if name in runtime or names.count(name) > 1:
+            raise InputError(f"two source files would be called {name}", place=place)
+    for resource in description.resources:
+        target = PurePosixPath(resource.target)
+        if target.is_absolute() or ".." in target.parts or not target.parts or "\\" in resource.target:
+            raise InputError(f"the resource name {resource.target!r} leaves the folder of the FMU", place=place)
+        if not resource.source.is_file():
+            raise InputError("this resource is not a file", place=Place(file=resource.source))
+
+
+def _write_sources(
+    folder: Path, description: ModelDescription, sources: Sequence[GeneratedSource], options: SolverOptions
+) -> None:
+    folder.mkdir()
+    for path in sorted(RUNTIME.glob("*.[ch]")):
+        shutil.copyfile(path, folder / path.name)
+    (folder / INTERFACE_FILE).write_text(interface_source(description, options), encoding="utf-8")
+    for source in sources:
+        (folder / source.name).write_text(source.text, encoding="utf-8")
+
+
+def _compilations(
+    folder: Path, description: ModelDescription, sources: Sequence[GeneratedSource], sundials: Sundials
+) -> list[Compilation]:
+    generated = {source.name for source in sources}
+    headers = (folder, find_fmi_headers())
+    external = description.external.include_directories
+    return [
+        Compilation(path, (folder, *external))
+        if path.name in generated
+        else Compilation(path, (*headers, sundials.include), _RUNTIME_FLAGS)
+        for path in sorted(folder.glob("*.c"))
+    ]
+
+
+def _copy_licences(folder: Path, sundials: Sundials, bundled: dict[str, Path]) -> None:
+    licences = {"sundials": sundials.licence} | {name: licence_of(origin) for name, origin in bundled.items()}
+    for name, licence in licences.items():
+        if licence is not None:
+            folder.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(licence, folder / f"{name}.txt")
+
+
+def _copy_resources(folder: Path, description: ModelDescription) -> None:
+    folder.mkdir()
+    for resource in description.resources:
+        target = folder / resource.target
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(resource.source, target)
+
+
+def package_fmu(
+    description: ModelDescription,
+    sources: Sequence[GeneratedSource],
+    output: Path,
+    *,
+    options: SolverOptions | None = None,
+    progress: Progress = silent,
+) -> Path:
+    """Compiles a generated model with the runtime and packs an FMU 2.0 (model exchange and co-simulation).
+
+    Args:
+        description: what modelDescription.xml says, and the external libraries.
+        sources: generated C; one of the files defines ``cmb_model`` with ``description.guid`` in it.
+        output: the FMU file to write, replaced if it exists; on errors it stays as it is.
+        options: defaults of the co-simulation integrator.
+        progress: told about the phases.
+
+    Returns:
+        ``output``.
+
+    Raises:
+        InputError: the description contradicts itself or names files that leave the FMU's folder.
+        BuildError: compiler or linker failed, or something they need is not installed.
+    """
+    options = options if options is not None else SolverOptions()
+    _check_names(description, sources)
+    described = with_solver_variables(description, options)
+    sundials = find_sundials()
+    with tempfile.TemporaryDirectory(prefix="cmb-fmu-") as name:
+        scratch = Path(name)
+        root = scratch / "fmu"
+        root.mkdir()
+        progress("describe", 0.0)
+        (root / "modelDescription.xml").write_bytes(fmi2_description(described))
+        (root / "model.png").write_bytes(model_icon())
+        _write_sources(root / "sources", described, sources, options)
+        _copy_resources(root / "resources", description)
+
+        progress("compile", 0.1)
+        objects = scratch / "objects"
+        objects.mkdir()
+        compiled = compile_objects(_compilations(root / "sources", description, sources, sundials), objects)
+
+        progress("link", 0.8)
+        binaries = root / "binaries" / _PLATFORM
+        binaries.mkdir(parents=True)
+        library = binaries / f"{description.identifier}.so"
+        external = description.external
+        link_shared(
+            compiled, Libraries((sundials.archive,), external.libraries, external.library_directories), library, scratch
+        )
+        bundled = bundle_libraries(library, external.library_directories)
+        _copy_licences(root / "documentation" / "licenses", sundials, bundled)
+
+        progress("pack", 0.9)
+        with whole_file(output) as staging:
+            write_archive(root, staging)
+    progress("pack", 1.0)
+    return output

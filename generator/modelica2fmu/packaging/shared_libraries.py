@@ -1,0 +1,91 @@
+"""Bundling the shared libraries that an FMU needs and a fresh machine does not have."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+
+from cmb_base.errors import BuildError
+
+from modelica2fmu.packaging.toolchain import run_tool
+
+# glibc, and the runtime libraries of gcc: every Linux system with programs of its own has them, and two copies
+# in one process do not work.
+_SYSTEM = re.compile(
+    r"(ld-linux.*|linux-vdso|linux-gate|libc|libm|libmvec|libdl|libpthread|librt|libutil|libresolv|libnsl|libanl"
+    r"|libgcc_s|libstdc\+\+)\.so(\.\d+)*"
+)
+_RESOLVED = re.compile(r"^\s*(?P<name>\S+) => (?P<path>/.*?)(?: \(0x[0-9a-f]+\))?$")
+_MISSING = re.compile(r"^\s*(?P<name>\S+) => not found$")
+
+
+def needed_libraries(library: Path, directories: Sequence[Path] = ()) -> dict[str, Path]:
+    """All shared libraries, also those of libraries, that ``library`` needs and a system does not always have.
+
+    Args:
+        library: a shared library.
+        directories: searched before the system's.
+
+    Returns:
+        Paths by the names under which they are looked for.
+
+    Raises:
+        BuildError: one is not found.
+    """
+    search = os.pathsep.join(str(directory) for directory in directories)
+    output = run_tool(
+        ["ldd", str(library)], f"listing what {library.name} needs", environment={"LD_LIBRARY_PATH": search}
+    )
+    needed: dict[str, Path] = {}
+    for line in output.splitlines():
+        missing = _MISSING.match(line)
+        if missing:
+            raise BuildError(
+                f"{library.name} needs {missing['name']}, which is not found",
+                remedy="Install the package that has it, or add its folder to the library directories.",
+            )
+        resolved = _RESOLVED.match(line)
+        if resolved and not _SYSTEM.fullmatch(resolved["name"]):
+            needed[resolved["name"]] = Path(resolved["path"])
+    return dict(sorted(needed.items()))
+
+
+def bundle_libraries(library: Path, directories: Sequence[Path]) -> dict[str, Path]:
+    """Copies what ``library`` needs beside it and makes sure that it is found there.
+
+    Returns:
+        The origin of each copy, by file name.
+
+    Raises:
+        BuildError: a library is not found, or one is still taken from elsewhere.
+    """
+    needed = needed_libraries(library, directories)
+    for name, origin in needed.items():
+        copy = library.parent / name
+        shutil.copyfile(origin.resolve(), copy)
+        copy.chmod(0o755)
+    for name, path in needed_libraries(library).items():
+        if path.parent.resolve() != library.parent.resolve():
+            raise BuildError(
+                f"{library.name} would take {name} from {path} and not from the FMU",
+                remedy="A library that it needs has a run path of its own (DT_RUNPATH); use one without.",
+            )
+    return needed
+
+
+def licence_of(library: Path) -> Path | None:
+    """The licence text that Debian keeps of the package a file belongs to; ``None`` where there is none."""
+    for path in (library, library.resolve()):
+        candidates = {path, Path("/usr") / path.relative_to("/")} if path.parts[1:2] == ("lib",) else {path}
+        for candidate in sorted(candidates):
+            try:
+                owner = run_tool(["dpkg-query", "-S", str(candidate)], "asking for a package").split(":", 1)[0]
+            except BuildError:
+                continue
+            licence = Path("/usr/share/doc") / owner / "copyright"
+            if licence.is_file():
+                return licence
+    return None

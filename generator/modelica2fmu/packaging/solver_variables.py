@@ -1,0 +1,103 @@
+"""Options and counters of the co-simulation integrator as variables of the FMU.
+
+The names, their order and the first value reference are those of ``runtime/cmb_interface.h``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from cmb_base.errors import InputError, Place
+
+from modelica2fmu.description import Causality, DataType, Initial, ModelDescription, Variability, Variable
+
+FIRST_REFERENCE = 0x40000000
+PREFIX = "cmbSolver"
+
+DEFAULT_TOLERANCE = 1e-6
+
+
+@dataclass(frozen=True)
+class SolverOptions:
+    """Defaults of the integrator inside a co-simulation FMU; an importer can change them.
+
+    Attributes:
+        relative_tolerance: ``None`` for that of the experiment annotation, else 1e-6.
+        absolute_tolerance: as a share of each state's nominal value; 0 for the relative tolerance.
+        maximum_step: s; 0 for the communication step.
+    """
+
+    relative_tolerance: float | None = None
+    absolute_tolerance: float = 0.0
+    maximum_step: float = 0.0
+
+
+def effective_tolerance(description: ModelDescription, options: SolverOptions) -> float:
+    """The relative tolerance that an FMU uses where its importer gives none."""
+    if options.relative_tolerance is not None:
+        return options.relative_tolerance
+    return description.experiment.tolerance or DEFAULT_TOLERANCE
+
+
+def with_solver_variables(description: ModelDescription, options: SolverOptions) -> ModelDescription:
+    """The description with the integrator's variables appended.
+
+    Raises:
+        InputError: a variable of the model has one of their names, or an option is out of range.
+    """
+    tolerance = effective_tolerance(description, options)
+    if not 0.0 < tolerance < 1.0 or options.absolute_tolerance < 0.0 or options.maximum_step < 0.0:
+        raise InputError(
+            "the integrator's tolerance must lie between 0 and 1, its other options must not be negative",
+            place=Place(component=description.name),
+        )
+    reals = (
+        ("relativeTolerance", tolerance, "", "Relative tolerance where the importer gives none"),
+        ("absoluteTolerance", options.absolute_tolerance, "",
+         "Absolute tolerance divided by each state's nominal value; 0: the relative tolerance"),
+        ("maximumStep", options.maximum_step, "s", "Longest step of the integrator; 0: the communication step"),
+    )  # fmt: skip
+    integers = (
+        ("steps", "Steps of the integrator"),
+        ("evaluations", "Evaluations of the right-hand side, those for Jacobians included"),
+        ("jacobians", "Jacobians computed"),
+        ("errorTestFailures", "Steps rejected by the error test"),
+        ("convergenceFailures", "Steps rejected because Newton's iteration did not converge"),
+        ("stateEvents", "State events"),
+        ("timeEvents", "Time events"),
+    )
+    variables = [
+        Variable(
+            name=f"{PREFIX}.{name}",
+            type=DataType.REAL,
+            value_reference=FIRST_REFERENCE + index,
+            causality=Causality.PARAMETER,
+            variability=Variability.FIXED,
+            initial=Initial.EXACT,
+            start=start,
+            unit=unit,
+            description=f"Co-simulation: {text}",
+            minimum=0.0,
+        )
+        for index, (name, start, unit, text) in enumerate(reals)
+    ]
+    variables += [
+        Variable(
+            name=f"{PREFIX}.{name}",
+            type=DataType.INTEGER,
+            value_reference=FIRST_REFERENCE + index,
+            causality=Causality.LOCAL,
+            variability=Variability.DISCRETE,
+            initial=Initial.CALCULATED,
+            description=f"Co-simulation: {text}",
+        )
+        for index, (name, text) in enumerate(integers)
+    ]
+    taken = {variable.name for variable in description.variables} & {variable.name for variable in variables}
+    if taken:
+        raise InputError(
+            f"the name {min(taken)} belongs to the FMU's integrator",
+            place=Place(component=description.name),
+            remedy=f"Rename the component {PREFIX} of the model.",
+        )
+    return replace(description, variables=(*description.variables, *variables))

@@ -1,0 +1,152 @@
+"""Compiling and linking the FMU's shared library."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from cmb_base.errors import BuildError
+
+# No contraction of a*b+c and no time or path in the output: the same source gives the same numbers and bytes.
+_COMPILE = (
+    "-std=c11",
+    "-D_POSIX_C_SOURCE=200809L",
+    "-O2",
+    "-fPIC",
+    "-fvisibility=hidden",
+    "-ffunction-sections",
+    "-fdata-sections",
+    "-ffp-contract=off",
+)
+_LINK = (
+    "-shared",
+    "-Wl,--no-undefined",
+    "-Wl,--gc-sections",
+    "-Wl,--exclude-libs,ALL",
+    "-Wl,--disable-new-dtags",  # DT_RPATH: also found for libraries that bundled libraries need
+    "-Wl,-rpath,$ORIGIN",
+    "-Wl,--as-needed",
+    "-s",
+)
+_VERSION_SCRIPT = "{ global: fmi2*; fmi3*; local: *; };\n"
+_ERROR = re.compile(r"\b(fatal error|error|undefined reference|cannot find)\b")
+_ERROR_LINES = 5
+_TIMEOUT = 1800.0
+
+
+@dataclass(frozen=True)
+class Libraries:
+    """What is linked beside the FMU's own objects.
+
+    Attributes:
+        archives: static libraries by path.
+        names: as after ``-l``, in link order.
+        directories: searched for ``names``.
+    """
+
+    archives: tuple[Path, ...] = ()
+    names: tuple[str, ...] = ()
+    directories: tuple[Path, ...] = ()
+
+
+@dataclass(frozen=True)
+class Compilation:
+    """One C file and the folders it includes from."""
+
+    source: Path
+    include: tuple[Path, ...] = ()
+    flags: tuple[str, ...] = field(default=())
+
+
+def compiler() -> str:
+    """The C compiler: ``CC``, else ``gcc``.
+
+    Raises:
+        BuildError: it is not installed.
+    """
+    name = os.environ.get("CC", "gcc")
+    path = shutil.which(name)
+    if path is None:
+        raise BuildError(f"the C compiler {name} is not installed", remedy="Install it: apt-get install gcc")
+    return path
+
+
+def first_errors(output: str, count: int = _ERROR_LINES) -> str:
+    """The lines of a compiler's or linker's output that say what went wrong; its end if none does."""
+    lines = [line.rstrip() for line in output.splitlines() if line.strip()]
+    telling = [line for line in lines if _ERROR.search(line)]
+    return "\n  ".join(telling[:count] or lines[-count:])
+
+
+def run_tool(command: Sequence[str], purpose: str, *, environment: dict[str, str] | None = None) -> str:
+    """Runs a tool and gives its standard output.
+
+    Raises:
+        BuildError: it cannot be started, fails or does not end.
+    """
+    settings = {**os.environ, "LC_ALL": "C", **(environment or {})}
+    try:
+        done = subprocess.run(
+            command, capture_output=True, text=True, errors="replace", timeout=_TIMEOUT, env=settings, check=False
+        )
+    except OSError as error:
+        raise BuildError(f"{purpose}: {command[0]} cannot be started: {error.strerror}") from error
+    except subprocess.TimeoutExpired as error:
+        raise BuildError(f"{purpose}: {command[0]} did not end within {_TIMEOUT:.0f} s") from error
+    if done.returncode != 0:
+        raise BuildError(f"{purpose} failed:\n  {first_errors(done.stderr or done.stdout)}")
+    return done.stdout
+
+
+def compile_objects(compilations: Sequence[Compilation], folder: Path) -> list[Path]:
+    """Compiles C files into ``folder``, several at a time; the objects come in the order of the sources.
+
+    Raises:
+        BuildError: with the first error lines.
+    """
+    program = compiler()
+
+    def compile_one(numbered: tuple[int, Compilation]) -> Path:
+        number, compilation = numbered
+        target = folder / f"{number:03d}-{compilation.source.stem}.o"
+        includes = [f"-I{path}" for path in compilation.include]
+        command = [program, *_COMPILE, *compilation.flags, *includes, "-c", str(compilation.source), "-o", str(target)]
+        run_tool(command, f"compiling {compilation.source.name}")
+        return target
+
+    with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
+        return list(pool.map(compile_one, enumerate(compilations)))
+
+
+def link_shared(objects: Sequence[Path], libraries: Libraries, target: Path, scratch: Path) -> None:
+    """Links objects and libraries into a shared library that shows the FMI functions only.
+
+    Raises:
+        BuildError: with the first error lines.
+    """
+    script = scratch / "exports.map"
+    script.write_text(_VERSION_SCRIPT, encoding="ascii")
+    command = [
+        compiler(),
+        *_LINK,
+        f"-Wl,--version-script={script}",
+        f"-Wl,-soname,{target.name}",
+        "-o",
+        str(target),
+        *(str(path) for path in objects),
+        *(f"-L{path}" for path in libraries.directories),
+        "-Wl,--start-group",
+        *(str(path) for path in libraries.archives),
+        *(f"-l{name}" for name in libraries.names),
+        "-Wl,--end-group",
+        "-lstdc++",
+        "-lm",
+        "-lpthread",
+    ]
+    run_tool(command, f"linking {target.name}")
