@@ -1,0 +1,274 @@
+"""The report of a simulation: summary, animation, impacts, forces, joints, energy, on one HTML page."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from pathlib import Path
+
+import numpy as np
+from cmb_base.output import whole_file
+
+from fmu_regression.animation import make_animation
+from fmu_regression.energy import EnergyBalance, energy_balance
+from fmu_regression.impacts import Impact, find_impacts
+from fmu_regression.page import Cell, Column, Row, Section, Table, Tile, render_page
+from fmu_regression.plots import Plot, Series
+from fmu_regression.result import SimulationResult
+from fmu_regression.scene import ContactPair, Scene, load_scene
+from fmu_regression.signals import pair_signal
+
+TIME_LABEL = "time in s"
+_PER_PLOT = 8
+_MAX_PLOTS = 40
+_MAX_TABLE_ROWS = 500
+_CLOSE_RESTITUTION = 0.02
+_QUANTITIES = {
+    "normalForce": ("Contact force", "normal force in N"),
+    "distance": ("Distance between the bodies", "signed distance in m"),
+    "approachSpeed": ("Approach speed", "approach speed in m/s"),
+}
+
+
+def write_report(result: SimulationResult, scene_file: Path | None, target: Path) -> None:
+    """Writes the report of a result as one self-contained HTML file.
+
+    Args:
+        result: the simulation; signals as ``signals_for`` chooses them give the fullest report.
+        scene_file: ``scene.json``; without it the report has plots of all signals only.
+        target: the HTML file; it appears whole or not at all.
+
+    Raises:
+        InputError: the scene file is wrong.
+    """
+    scene = load_scene(scene_file) if scene_file is not None else None
+    text = report_html(result, scene)
+    with whole_file(target) as staging:
+        staging.write_text(text, encoding="utf-8", newline="\n")
+
+
+def report_html(result: SimulationResult, scene: Scene | None) -> str:
+    """The report's HTML; the same input gives the same text."""
+    if scene is None:
+        sections = [_overview(result, None, (), None), _all_signals(result)]
+        title = result.model or "Simulation"
+    else:
+        impacts = find_impacts(scene, result)
+        has_mass = any(body.mass > 0 and not body.fixed for body in scene.bodies)
+        energy = energy_balance(scene, result) if has_mass else None
+        candidates = [
+            _overview(result, scene, impacts, energy),
+            _animation(scene, result),
+            _impact_section(scene, impacts),
+            _contact_section(scene, result),
+            _joint_section(scene, result),
+            _energy_section(energy),
+        ]
+        sections = [section for section in candidates if section is not None]
+        title = scene.name
+    duration = f"{result.time[-1] - result.time[0]:g} s simulated"
+    return render_page(title, f"{duration}, {result.time.size} rows", sections)
+
+
+def _overview(
+    result: SimulationResult, scene: Scene | None, impacts: tuple[Impact, ...], energy: EnergyBalance | None
+) -> Section:
+    tiles = [Tile("Time", f"{result.time[-1]:g}", "s", f"{result.time.size} rows")]
+    if scene is not None:
+        tiles.append(_mechanism_tile(scene))
+        if scene.pairs:
+            tiles += _contact_tiles(scene, impacts)
+    if energy is not None:
+        drift = energy.change / energy.scale
+        tiles.append(Tile("Energy change", f"{energy.change:+.3g}", "J", f"{drift:+.2%} of the energy exchanged"))
+        tiles.append(Tile("Largest energy rise", f"{energy.largest_rise:.2g}", "J", "above an earlier total"))
+    if result.tolerance is not None:
+        kind = {"me": "model exchange, CVODE", "cs": "co-simulation"}.get(result.mode, result.mode)
+        tiles.append(Tile("Tolerance", f"{result.tolerance:g}", "", kind))
+    if result.counters is not None:
+        counters = result.counters
+        rejected = counters.error_test_failures + counters.convergence_failures
+        tiles.append(Tile("Solver steps", f"{counters.steps}", "", f"{rejected} rejected"))
+        events = counters.state_events + counters.time_events
+        tiles.append(Tile("Evaluations", f"{counters.evaluations}", "", f"{events} events"))
+    return Section("summary", "Summary", tiles=tuple(tiles), notes=result.log[:20])
+
+
+def _mechanism_tile(scene: Scene) -> Tile:
+    moving = [body for body in scene.bodies if not body.fixed]
+    mass = sum(body.mass for body in moving)
+    return Tile("Moving bodies", str(len(moving)), "", f"{mass:.4g} kg, {len(scene.joints)} joint coordinates")
+
+
+def _contact_tiles(scene: Scene, impacts: tuple[Impact, ...]) -> list[Tile]:
+    if not impacts:
+        return [Tile("Contacts", "none", "", f"{len(scene.pairs)} pairs watched")]
+    first = impacts[0]
+    tiles = [
+        Tile("Contacts", str(len(impacts)), "", f"{len(scene.pairs)} pairs watched"),
+        Tile("First contact", f"{first.start:.5g}", "s", scene.pair_label(first.pair)),
+    ]
+    strong = [impact for impact in impacts if impact.peak_force is not None]
+    if strong:
+        peak = max(strong, key=lambda impact: impact.peak_force or 0.0)
+        tiles.append(
+            Tile("Peak force", f"{peak.peak_force:.5g}", "N", f"{scene.pair_label(peak.pair)}, {peak.peak_time:.5g} s")
+        )
+    return tiles
+
+
+def _animation(scene: Scene, result: SimulationResult) -> Section | None:
+    animation = make_animation(scene, result)
+    return None if animation is None else Section("animation", "Animation", animation=animation)
+
+
+def _impact_section(scene: Scene, impacts: tuple[Impact, ...]) -> Section | None:
+    if not scene.pairs:
+        return None
+    if not impacts:
+        return Section("impacts", "Impacts", lead="No two bodies touch.")
+    notes = []
+    if len(impacts) > _MAX_TABLE_ROWS:
+        notes.append(f"{len(impacts) - _MAX_TABLE_ROWS} further contacts are left out here")
+    if any(not impact.located for impact in impacts):
+        notes.append(
+            "~ the result has no event at the start or end of this contact; time and speeds are interpolated between "
+            "samples"
+        )
+    columns = (
+        Column("Start, s", "text"),
+        Column("Pair", "text"),
+        Column("Duration, ms"),
+        Column("Speed before, m/s"),
+        Column("Speed after, m/s"),
+        Column("Restitution"),
+        Column("asked for"),
+        Column("Peak force, N"),
+        Column("Impulse, N s"),
+    )
+    rows = tuple(_impact_row(scene, impact) for impact in impacts[:_MAX_TABLE_ROWS])
+    return Section(
+        "impacts",
+        "Impacts",
+        lead="Speeds are those along the contact normal when the contact begins and ends.",
+        tables=(Table(columns, rows),),
+        notes=tuple(notes),
+    )
+
+
+def _impact_row(scene: Scene, impact: Impact) -> Row:
+    delivered, asked = impact.restitution, impact.pair.restitution
+    close = delivered is not None and asked is not None and abs(delivered - asked) <= _CLOSE_RESTITUTION
+    duration = "to the end" if impact.end is None else f"{1000 * (impact.end - impact.start):.4g}"
+    return Row(
+        cells=(
+            Cell(f"{'' if impact.located else '~ '}{impact.start:.6f}", "text"),
+            Cell(scene.pair_label(impact.pair), "text"),
+            Cell(duration),
+            Cell(_optional(impact.speed_before, ".4g")),
+            Cell(_optional(impact.speed_after, ".4g")),
+            Cell(_optional(delivered, ".4f"), "good" if close else ""),
+            Cell(_optional(asked, ".4g")),
+            Cell(_optional(impact.peak_force, ".5g")),
+            Cell(_optional(impact.impulse, ".4g")),
+        ),
+        time=f"{impact.start if impact.peak_time is None else impact.peak_time:.9g}",
+    )
+
+
+def _optional(value: float | None, form: str) -> str:
+    return "–" if value is None else format(value + 0.0, form)
+
+
+def _contact_section(scene: Scene, result: SimulationResult) -> Section | None:
+    touching = [pair for pair in scene.pairs if _ever_touches(scene, pair, result)]
+    plots: list[Plot] = []
+    for quantity, (title, label) in _QUANTITIES.items():
+        pairs = scene.pairs if quantity == "distance" and len(scene.pairs) <= _PER_PLOT else touching
+        series = [
+            Series(scene.pair_label(pair), result.time, result[name])
+            for pair in pairs
+            if (name := pair_signal(scene, pair, quantity)) in result
+        ]
+        plots += _plots_of(f"contact-{quantity}", title, label, series)
+    if not plots:
+        return None
+    left_out = len(scene.pairs) - len(touching)
+    notes = (f"{left_out} pairs that never touch are left out",) if left_out and len(scene.pairs) > _PER_PLOT else ()
+    return Section("contacts", "Contacts", plots=tuple(plots), notes=notes)
+
+
+def _ever_touches(scene: Scene, pair: ContactPair, result: SimulationResult) -> bool:
+    force = pair_signal(scene, pair, "normalForce")
+    distance = pair_signal(scene, pair, "distance")
+    if force in result:
+        return bool((result[force] != 0).any())
+    return distance in result and bool((result[distance] < 0).any())
+
+
+def _joint_section(scene: Scene, result: SimulationResult) -> Section | None:
+    plots: list[Plot] = []
+    for kind, title in (("variable", "Joint coordinates"), ("rate", "Joint rates")):
+        by_unit: dict[str, list[Series]] = defaultdict(list)
+        for joint in scene.joints:
+            name = joint.variable if kind == "variable" else joint.rate
+            if name in result:
+                by_unit[joint.unit].append(Series(joint.name, result.time, result[name]))
+        for unit, series in by_unit.items():
+            what = {"rad": "angle", "m": "length"}.get(unit, "coordinate")
+            label = f"{what} in {unit or '1'}" if kind == "variable" else f"rate in {unit or '1'}/s"
+            plots += _plots_of(f"joint-{kind}-{unit or 'none'}", title, label, series)
+    return Section("joints", "Joints", plots=tuple(plots[:_MAX_PLOTS])) if plots else None
+
+
+def _energy_section(energy: EnergyBalance | None) -> Section | None:
+    if energy is None:
+        return None
+    series = [
+        Series("kinetic", energy.time, energy.kinetic),
+        Series("potential", energy.time, energy.potential),
+    ]
+    if energy.elastic is not None:
+        series.append(Series("elastic, in the contacts", energy.time, energy.elastic))
+    series.append(Series("total", energy.time, energy.total))
+    total = Plot(
+        "energy-total",
+        "Total energy against its start",
+        TIME_LABEL,
+        "energy in J",
+        (Series("total less total at the start", energy.time, energy.total - energy.total[0], color=3),),
+    )
+    return Section(
+        "energy",
+        "Energy",
+        lead="Computed from masses, inertias and the recorded motion of all moving bodies. Falls are losses in "
+        "impacts, friction and damping; rises come from drives, or from the integration.",
+        plots=(Plot("energy", "Energy", TIME_LABEL, "energy in J", tuple(series)), total),
+        notes=energy.notes,
+    )
+
+
+def _all_signals(result: SimulationResult) -> Section:
+    groups: dict[str, list[Series]] = defaultdict(list)
+    for name, values in result.signals.items():
+        groups[name.split("[", 1)[0]].append(Series(name, result.time, values))
+    plots: list[Plot] = []
+    for k, (name, series) in enumerate(groups.items()):
+        plots += _plots_of(f"signal-{k}", name, "value", series)
+    notes = (f"{len(plots) - _MAX_PLOTS} further plots are left out",) if len(plots) > _MAX_PLOTS else ()
+    return Section("signals", "Signals", plots=tuple(plots[:_MAX_PLOTS]), notes=notes)
+
+
+def _plots_of(identity: str, title: str, label: str, series: list[Series]) -> list[Plot]:
+    """As many plots as the curves need, eight in each."""
+    parts = [series[k : k + _PER_PLOT] for k in range(0, len(series), _PER_PLOT)]
+    return [
+        Plot(
+            identity if len(parts) == 1 else f"{identity}-{k + 1}",
+            title if len(parts) == 1 else f"{title}, {k + 1} of {len(parts)}",
+            TIME_LABEL,
+            label,
+            tuple(part),
+        )
+        for k, part in enumerate(parts)
+        if any(np.isfinite(curve.y).any() for curve in part)
+    ]
