@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "convex/convex_body.hpp"
+#include "convex/convex_distance.hpp"
 #include "convex/convex_hull.hpp"
 #include "reference_distance.hpp"
 
