@@ -7,6 +7,12 @@
 
 #include <stddef.h>
 
+#if defined(__GNUC__)
+#define CMB_API __attribute__((visibility("default")))
+#else
+#define CMB_API
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -30,12 +36,15 @@ typedef enum cmb_backend {
 /* Handle of an interned scene; positive. */
 typedef int cmb_scene;
 
+/* The distance, in m, of pairs that never touch: of a body without shape, of two half-spaces. */
+#define CMB_DISTANCE_NONE 1e9
+
 /* Interns a scene: the same arguments give the same handle, in every thread.
  * geometry  body_count descriptor strings, none NULL; an empty string is a body without shape.
  * pairs     pair_count rows of two 1-based body numbers; may be NULL if pair_count is 0.
  * scene     receives the handle; unchanged on error. Not NULL.
  * The scene lives until the library is unloaded; nothing has to be freed. */
-cmb_status cmb_intern(const char *const *geometry, size_t body_count, const int *pairs, size_t pair_count,
+CMB_API cmb_status cmb_intern(const char *const *geometry, size_t body_count, const int *pairs, size_t pair_count,
                       cmb_backend backend, cmb_scene *scene);
 
 /* Evaluates all pairs of a scene. All arrays are the caller's, row-major, none NULL unless its size is 0.
@@ -47,24 +56,24 @@ cmb_status cmb_intern(const char *const *geometry, size_t body_count, const int 
  * weight    [pair_count][point_capacity]    1, >= 0; 0 in unused slots
  * normal    [pair_count][point_capacity][3] unit, world axes, from the second body towards the first
  * point     [pair_count][point_capacity][3] m, world axes */
-cmb_status cmb_query_scene(cmb_scene scene, const double *position, const double *rotation, size_t body_count,
+CMB_API cmb_status cmb_query_scene(cmb_scene scene, const double *position, const double *rotation, size_t body_count,
                            size_t pair_count, size_t point_capacity, double *distance, double *depth,
                            double *weight, double *normal, double *point);
 
 /* The same for one pair of a scene (0-based index into its pairs). */
-cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *position, const double *rotation,
+CMB_API cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *position, const double *rotation,
                           size_t body_count, size_t point_capacity, double *distance, double *depth,
                           double *weight, double *normal, double *point);
 
 /* Text of a status; never NULL, static storage. */
-const char *cmb_status_text(cmb_status status);
+CMB_API const char *cmb_status_text(cmb_status status);
 
 /* What went wrong in this thread's last failed call, with descriptor and column where it applies;
  * never NULL, valid until this thread's next failing call. */
-const char *cmb_last_error(void);
+CMB_API const char *cmb_last_error(void);
 
 /* "major.minor.patch", static storage. */
-const char *cmb_version(void);
+CMB_API const char *cmb_version(void);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,45 @@
+// Back ends: who computes the signed distance of two convex shapes.
+#pragma once
+
+#include <optional>
+
+#include "convex/convex_distance.hpp"
+#include "scene/shape.hpp"
+
+namespace cmb {
+
+// The signed distance of shapes A and B in world axes.
+struct ConvexAnswer {
+  double distance = 0.0;  // m; negative: length of the shortest translation that parts them
+  Vec3 normal;            // unit, from B to A
+  Vec3 point_a, point_b;  // witness points; point_a - point_b = distance * normal
+  bool proven = true;     // the answer lies between bounds that agree
+};
+
+// Room that back ends work in; one for each thread.
+struct BackendScratch {
+  convex::DistanceScratch distance;
+};
+
+// A back end answers or, where it has no answer it vouches for, returns nothing; it never throws and never aborts.
+// Neither shape is a half-space; poses map the shapes' frames to the world.
+using DistanceFunction = std::optional<ConvexAnswer> (*)(const Shape &a, const Pose &pose_a, const Shape &b,
+                                                         const Pose &pose_b, BackendScratch &scratch);
+
+// The engine's own exact path; answers everything.
+std::optional<ConvexAnswer> exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                                           BackendScratch &scratch);
+// libccd's Minkowski portal refinement; answers overlapping shapes only.
+std::optional<ConvexAnswer> libccd_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                                            BackendScratch &scratch);
+// FCL's collide and distance with its own solver.
+std::optional<ConvexAnswer> fcl_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                                         BackendScratch &scratch);
+
+// Whether a library's answer holds: finite, unit normal, and the two shapes' extents along it leave the distance it
+// says to `tolerance` (relative to the shapes' size). An overlap's depth that is true along the normal but not the
+// least of all directions passes: only an exact search can tell.
+bool answer_holds(const ConvexAnswer &answer, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                  double tolerance);
+
+}  // namespace cmb

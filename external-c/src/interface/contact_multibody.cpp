@@ -1,0 +1,217 @@
+#include "contact_multibody.h"
+
+#include <cmath>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "interface/last_error.hpp"
+#include "query/pair_query.hpp"
+#include "scene/registry.hpp"
+
+namespace {
+
+using cmb::ContactPoint;
+using cmb::ContactSet;
+using cmb::Pose;
+using cmb::Scene;
+using cmb::Vec3;
+
+constexpr double rotation_tolerance = 1e-2;
+constexpr double farthest_position = 1e12;  // m
+
+cmb_status fail(cmb_status status, const std::string &text) {
+  cmb::set_last_error(text.c_str());
+  return status;
+}
+
+// Runs `work`, turning exceptions into a status: none may leave through a C interface.
+template <typename Work>
+cmb_status guarded(Work &&work) noexcept {
+  try {
+    return work();
+  } catch (const cmb::SceneError &error) {
+    cmb::set_last_error(error.what());
+    return error.status();
+  } catch (const std::bad_alloc &) {
+    cmb::set_last_error("out of memory; make the scene smaller");
+    return CMB_ERROR_MEMORY;
+  } catch (const std::exception &error) {
+    cmb::set_last_error(error.what());
+    return CMB_ERROR_INTERNAL;
+  } catch (...) {
+    cmb::set_last_error("unknown failure");
+    return CMB_ERROR_INTERNAL;
+  }
+}
+
+// What is wrong with a body's pose; null if nothing.
+const char *pose_problem(const double *position, const double *rotation) {
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(position[i])) return "has a position that is not finite";
+    if (std::fabs(position[i]) > farthest_position) return "is farther than 1e12 m from the origin";
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double *row = rotation + 3 * i;
+    for (int j = i; j < 3; ++j) {
+      const double *other = rotation + 3 * j;
+      const double product = row[0] * other[0] + row[1] * other[1] + row[2] * other[2] - (i == j ? 1.0 : 0.0);
+      if (!(std::fabs(product) <= rotation_tolerance)) return "has a rotation that is not orthonormal to 1e-2";
+    }
+  }
+  const double *r = rotation;
+  const double determinant = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
+                             r[2] * (r[3] * r[7] - r[4] * r[6]);
+  return determinant > 0.0 ? nullptr : "has a rotation that is a reflection";
+}
+
+cmb_status check_body(std::size_t body, const double *position, const double *rotation) {
+  const char *problem = pose_problem(position + 3 * body, rotation + 9 * body);
+  if (problem == nullptr) return CMB_OK;
+  return fail(CMB_ERROR_POSE, "body " + std::to_string(body + 1) + " " + problem +
+                                  "; check the initial values, or the step size of the integrator");
+}
+
+cmb_status check_query(cmb_scene handle, const double *position, const double *rotation, std::size_t body_count,
+                       std::size_t point_capacity, const Scene *&scene) {
+  scene = cmb::find_scene(handle);
+  if (scene == nullptr) {
+    return fail(CMB_ERROR_ARGUMENT,
+                "there is no scene " + std::to_string(handle) + "; use a handle that cmb_intern gave");
+  }
+  if (body_count != scene->bodies.size()) {
+    return fail(CMB_ERROR_ARGUMENT, "poses of " + std::to_string(body_count) + " bodies for a scene of " +
+                                        std::to_string(scene->bodies.size()));
+  }
+  if (point_capacity < 1) return fail(CMB_ERROR_ARGUMENT, "point_capacity is 0; it has to be at least 1");
+  if (body_count > 0 && (position == nullptr || rotation == nullptr)) {
+    return fail(CMB_ERROR_ARGUMENT, "position or rotation is NULL");
+  }
+  return CMB_OK;
+}
+
+void write_vector(const Vec3 &v, double *target) {
+  target[0] = v.x;
+  target[1] = v.y;
+  target[2] = v.z;
+}
+
+// Where the arrays of one pair begin.
+struct PairOutput {
+  double *distance, *depth, *weight, *normal, *point;
+};
+
+void query_pair(const Scene &scene, std::size_t pair, const double *position, const double *rotation,
+                std::size_t point_capacity, const PairOutput &output) {
+  cmb::QueryScratch &scratch = cmb::query_scratch();
+  ContactSet &contact = scratch.contact;
+  cmb::PairReport report;
+  const std::size_t first = scene.pairs[pair].first, second = scene.pairs[pair].second;
+  const Pose pose_a = cmb::body_pose(position + 3 * first, rotation + 9 * first);
+  const Pose pose_b = cmb::body_pose(position + 3 * second, rotation + 9 * second);
+  cmb::query_bodies(scene, scene.bodies[first], pose_a, scene.bodies[second], pose_b, scratch, contact, report);
+  cmb::merge_points(contact.points, point_capacity);
+  *output.distance = contact.distance;
+  for (std::size_t k = 0; k < point_capacity; ++k) {
+    const bool used = k < contact.points.size();
+    const ContactPoint point =
+        used ? contact.points[k] : ContactPoint{0.0, 0.0, contact.normal, contact.witness};
+    output.depth[k] = point.depth;
+    output.weight[k] = point.weight;
+    write_vector(point.normal, output.normal + 3 * k);
+    write_vector(point.position, output.point + 3 * k);
+  }
+}
+
+}  // namespace
+
+extern "C" {
+
+cmb_status cmb_intern(const char *const *geometry, size_t body_count, const int *pairs, size_t pair_count,
+                      cmb_backend backend, cmb_scene *scene) {
+  return guarded([&] {
+    if (scene == nullptr) return fail(CMB_ERROR_ARGUMENT, "scene is NULL");
+    if (body_count > 0 && geometry == nullptr) return fail(CMB_ERROR_ARGUMENT, "geometry is NULL");
+    if (pair_count > 0 && pairs == nullptr) return fail(CMB_ERROR_ARGUMENT, "pairs is NULL");
+    for (size_t i = 0; i < body_count; ++i) {
+      if (geometry[i] == nullptr) {
+        return fail(CMB_ERROR_ARGUMENT, "descriptor " + std::to_string(i + 1) + " is NULL; give an empty string");
+      }
+    }
+    if (backend < CMB_BACKEND_AUTO || backend > CMB_BACKEND_FCL) {
+      return fail(CMB_ERROR_ARGUMENT, "there is no back end " + std::to_string(static_cast<int>(backend)) +
+                                          "; use 0 auto, 1 analytic, 2 libccd or 3 FCL");
+    }
+    *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend);
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_query_scene(cmb_scene scene, const double *position, const double *rotation, size_t body_count,
+                           size_t pair_count, size_t point_capacity, double *distance, double *depth,
+                           double *weight, double *normal, double *point) {
+  return guarded([&] {
+    const Scene *found = nullptr;
+    cmb_status status = check_query(scene, position, rotation, body_count, point_capacity, found);
+    if (status != CMB_OK) return status;
+    if (pair_count != found->pairs.size()) {
+      return fail(CMB_ERROR_ARGUMENT, "room for " + std::to_string(pair_count) + " pairs for a scene of " +
+                                          std::to_string(found->pairs.size()));
+    }
+    if (pair_count > 0 && (distance == nullptr || depth == nullptr || weight == nullptr || normal == nullptr ||
+                           point == nullptr)) {
+      return fail(CMB_ERROR_ARGUMENT, "an output array is NULL");
+    }
+    for (size_t body = 0; body < body_count; ++body) {
+      status = check_body(body, position, rotation);
+      if (status != CMB_OK) return status;
+    }
+    for (size_t pair = 0; pair < pair_count; ++pair) {
+      const size_t slot = pair * point_capacity;
+      query_pair(*found, pair, position, rotation, point_capacity,
+                 {distance + pair, depth + slot, weight + slot, normal + 3 * slot, point + 3 * slot});
+    }
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *position, const double *rotation,
+                          size_t body_count, size_t point_capacity, double *distance, double *depth,
+                          double *weight, double *normal, double *point) {
+  return guarded([&] {
+    const Scene *found = nullptr;
+    cmb_status status = check_query(scene, position, rotation, body_count, point_capacity, found);
+    if (status != CMB_OK) return status;
+    if (pair >= found->pairs.size()) {
+      return fail(CMB_ERROR_ARGUMENT, "there is no pair " + std::to_string(pair) + "; the scene has " +
+                                          std::to_string(found->pairs.size()) + ", counted from 0");
+    }
+    if (distance == nullptr || depth == nullptr || weight == nullptr || normal == nullptr || point == nullptr) {
+      return fail(CMB_ERROR_ARGUMENT, "an output array is NULL");
+    }
+    for (const size_t body : {found->pairs[pair].first, found->pairs[pair].second}) {
+      status = check_body(body, position, rotation);
+      if (status != CMB_OK) return status;
+    }
+    query_pair(*found, pair, position, rotation, point_capacity, {distance, depth, weight, normal, point});
+    return CMB_OK;
+  });
+}
+
+const char *cmb_status_text(cmb_status status) {
+  switch (status) {
+    case CMB_OK: return "no error";
+    case CMB_ERROR_ARGUMENT: return "wrong argument";
+    case CMB_ERROR_DESCRIPTOR: return "wrong descriptor";
+    case CMB_ERROR_POSE: return "wrong pose";
+    case CMB_ERROR_MEMORY: return "out of memory";
+    case CMB_ERROR_INTERNAL: return "internal failure";
+  }
+  return "unknown status";
+}
+
+const char *cmb_last_error(void) { return cmb::last_error(); }
+
+const char *cmb_version(void) { return CMB_VERSION; }
+
+}  // extern "C"

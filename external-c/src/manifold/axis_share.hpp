@@ -1,0 +1,13 @@
+// How two ends of a rod share a load that comes at an angle.
+#pragma once
+
+namespace cmb {
+
+// The part that the end nearer to the obstacle carries, minus the other end's, where `sine` is that of the
+// rod's inclination to the contact plane, in [-1, 1]: 0 lying, 1 upright, smooth at both.
+inline double end_share_difference(double sine) { return 0.5 * sine * (3.0 - sine * sine); }
+
+// Its derivative by `sine`.
+inline double end_share_slope(double sine) { return 1.5 * (1.0 - sine * sine); }
+
+}  // namespace cmb

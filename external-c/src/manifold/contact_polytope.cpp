@@ -1,0 +1,114 @@
+#include "manifold/contact_polytope.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "manifold/solid_angle.hpp"
+
+namespace cmb {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+// Keeps the blend finite where the load comes exactly along a face's normal.
+constexpr double smallest_angle_term = 1e-30;
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+struct FaceCorner {
+  std::int32_t face;
+  std::int32_t next;  // vertex after this one in the face
+  std::int32_t previous;
+  double share;
+};
+
+}  // namespace
+
+ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::move(geometry)) {
+  const std::size_t vertex_count = geometry_.vertices().size();
+  std::vector<std::vector<FaceCorner>> around(vertex_count);
+  for (std::size_t f = 0; f < geometry_.faces().size(); ++f) {
+    const convex::Polytope::Face &face = geometry_.faces()[f];
+    double sum = 0.0;
+    std::vector<double> exterior(index(face.count));
+    const auto vertex = [&](std::int32_t k) {
+      return geometry_.face_vertices()[index(face.first + (k + face.count) % face.count)];
+    };
+    for (std::int32_t k = 0; k < face.count; ++k) {
+      const Vec3 &here = geometry_.vertices()[index(vertex(k))];
+      const Vec3 in = here - geometry_.vertices()[index(vertex(k - 1))];
+      const Vec3 out = geometry_.vertices()[index(vertex(k + 1))] - here;
+      exterior[index(k)] = std::atan2(norm(cross(in, out)), dot(in, out));
+      sum += exterior[index(k)];
+    }
+    for (std::int32_t k = 0; k < face.count; ++k) {
+      around[index(vertex(k))].push_back(
+          {static_cast<std::int32_t>(f), vertex(k + 1), vertex(k - 1), exterior[index(k)] / sum});
+    }
+  }
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    std::vector<FaceCorner> &corners = around[v];
+    // In turn: each face's previous vertex is the next vertex of the face that follows counter-clockwise.
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+      const std::int32_t shared = corners[i].previous;
+      for (std::size_t j = i + 1; j < corners.size(); ++j) {
+        if (corners[j].next == shared) {
+          std::swap(corners[i + 1], corners[j]);
+          break;
+        }
+      }
+    }
+    corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+    double low = 1.0, high = 0.0;
+    double normal_cone = 0.0;
+    for (const FaceCorner &corner : corners) {
+      const Vec3 &normal = geometry_.faces()[index(corner.face)].normal;
+      corners_.push_back({normal, corner.share});
+      low = std::min(low, corner.share);
+      high = std::max(high, corner.share);
+    }
+    constant_.push_back(high - low <= 1e-12 ? 0.5 * (high + low) : -1.0);
+    for (std::size_t i = corners_.size() - corners.size(); i + 2 < corners_.size(); ++i) {
+      normal_cone += triangle_solid_angle(corners_[corners_.size() - corners.size()].normal, corners_[i + 1].normal,
+                                          corners_[i + 2].normal);
+    }
+    normal_cone_.push_back(std::fabs(normal_cone));
+  }
+  corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+}
+
+double ContactPolytope::share(std::int32_t v, const Vec3 &down, Vec3 *gradient) const {
+  if (gradient != nullptr) *gradient = {};
+  if (constant_[index(v)] >= 0.0) return constant_[index(v)];
+  // Shepard's interpolation over the faces at v in the angle between face normal and load.
+  const auto begin = index(corner_begin_[index(v)]), end = index(corner_begin_[index(v) + 1]);
+  double sum = 0.0, weighted = 0.0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double angle_term = std::fmax(1.0 - dot(corners_[i].normal, down), smallest_angle_term);
+    const double influence = 1.0 / (angle_term * angle_term);
+    sum += influence;
+    weighted += influence * corners_[i].share;
+  }
+  const double share = weighted / sum;
+  if (gradient != nullptr) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double angle_term = std::fmax(1.0 - dot(corners_[i].normal, down), smallest_angle_term);
+      const double influence = 1.0 / (angle_term * angle_term) / sum;
+      *gradient = *gradient + (2.0 * influence * (corners_[i].share - share) / angle_term) * corners_[i].normal;
+    }
+  }
+  return share;
+}
+
+double ContactPolytope::visible_normal_cone(std::int32_t v, const Vec3 &down) const {
+  DirectionCone cone;
+  const auto begin = index(corner_begin_[index(v)]), end = index(corner_begin_[index(v) + 1]);
+  // An apex with very many faces is taken with every second, third, ... of them.
+  const std::size_t step = 1 + (end - begin) / (DirectionCone::capacity - 8);
+  for (std::size_t i = begin; i < end; i += step) cone.add(corners_[i].normal);
+  cone.clip(down);
+  return std::fmax(cone.solid_angle(), 0.25 * normal_cone_[index(v)]);
+}
+
+}  // namespace cmb

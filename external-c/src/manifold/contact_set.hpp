@@ -1,0 +1,41 @@
+// The points at which a pair touches.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "convex/vector3.hpp"
+
+namespace cmb {
+
+using convex::Vec3;
+
+struct ContactPoint {
+  double depth = 0.0;   // m, > 0
+  double weight = 0.0;  // > 0
+  Vec3 normal;          // unit, from the second body towards the first
+  Vec3 position;        // half way between the two surfaces
+};
+
+// A pair's contact, in world axes. Cleared and refilled, so that it stops allocating.
+struct ContactSet {
+  double distance = 0.0;  // signed
+  Vec3 normal;            // at the closest or deepest place, also where the bodies are apart
+  Vec3 witness;           // half way between the closest or deepest points
+  std::vector<ContactPoint> points;
+};
+
+// The sum of weight * depth.
+double total_load(const std::vector<ContactPoint> &points, std::size_t begin = 0);
+
+// Scales the weights of points[begin..] so that their load is at most that of one point at their
+// greatest depth. Contacts of finely tessellated bodies, which push with ever more corners the deeper
+// they go, get the stiffness of the smooth body that way, whatever the tessellation.
+void limit_load(std::vector<ContactPoint> &points, std::size_t begin);
+
+// Merges points until at most `capacity` (>= 1) are left, so that the sums of weight, weight * depth and
+// weight * depth * position stay the same; normals are averaged by load. Of all pairs, the one whose
+// union changes the second moment of the load least goes first.
+void merge_points(std::vector<ContactPoint> &points, std::size_t capacity);
+
+}  // namespace cmb

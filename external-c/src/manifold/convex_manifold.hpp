@@ -1,0 +1,14 @@
+// Contact of two bounded convex shapes.
+#pragma once
+
+#include "backend/distance_backend.hpp"
+#include "manifold/contact_set.hpp"
+
+namespace cmb {
+
+// Appends the contact of shapes A and B (no half-spaces), whose signed distance is `answer`. distance, normal and
+// witness of `result` are set.
+void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+                    BackendScratch &scratch, ContactSet &result);
+
+}  // namespace cmb

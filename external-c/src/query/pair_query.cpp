@@ -1,0 +1,133 @@
+#include "query/pair_query.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "manifold/convex_manifold.hpp"
+#include "manifold/halfspace_manifold.hpp"
+
+namespace cmb {
+
+namespace {
+
+// point_in_world = result(point_in_shape)
+Pose shape_pose(const Shape &shape, const Pose &body) {
+  const Mat3 axes = transposed(shape.in_body.rotation);  // rows: the shape's axes in the body
+  const Mat3 in_world{{body.rotation * axes.row[0], body.rotation * axes.row[1], body.rotation * axes.row[2]}};
+  return {transposed(in_world), body(shape.in_body.translation)};
+}
+
+Plane world_plane(const Pose &pose) {
+  const Vec3 normal = pose.rotation.column(2);
+  return {normal, dot(normal, pose.translation)};
+}
+
+// Turns the contact of (B, A) into that of (A, B).
+void reverse(ContactSet &contact) {
+  contact.normal = -contact.normal;
+  for (ContactPoint &point : contact.points) point.normal = -point.normal;
+}
+
+void count(const Scene &scene, cmb_backend backend, bool answered) {
+  Scene::Counter &counter = scene.counters[backend];
+  (answered ? counter.answered : counter.refused).fetch_add(1, std::memory_order_relaxed);
+}
+
+// Relative agreement asked of a library with the exact path.
+constexpr double library_tolerance = 1e-4;
+
+// Asks the scene's back end; the exact path answers where that has no answer, or one that does not hold.
+ConvexAnswer convex_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                           BackendScratch &scratch, cmb_backend &who) {
+  const ConvexAnswer exact = *exact_distance(a, pose_a, b, pose_b, scratch);
+  if (scene.backend == CMB_BACKEND_LIBCCD || scene.backend == CMB_BACKEND_FCL) {
+    const DistanceFunction ask = scene.backend == CMB_BACKEND_LIBCCD ? libccd_distance : fcl_distance;
+    const auto answer = ask(a, pose_a, b, pose_b, scratch);
+    const double slack = library_tolerance * (a.bound_radius + b.bound_radius);
+    const bool holds = answer && answer_holds(*answer, a, pose_a, b, pose_b, library_tolerance) &&
+                       std::fabs(answer->distance - exact.distance) <= slack;
+    count(scene, scene.backend, holds);
+    if (holds) {
+      who = scene.backend;
+      return *answer;
+    }
+  }
+  who = CMB_BACKEND_ANALYTIC;
+  count(scene, who, true);
+  return exact;
+}
+
+// Lower bound of two shapes' distance.
+double distance_bound(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
+  if (a.kind == ShapeKind::halfspace && b.kind == ShapeKind::halfspace) return CMB_DISTANCE_NONE;
+  if (a.kind == ShapeKind::halfspace || b.kind == ShapeKind::halfspace) return -CMB_DISTANCE_NONE;
+  return norm(pose_a(a.bound_center) - pose_b(b.bound_center)) - a.bound_radius - b.bound_radius;
+}
+
+// One pair of shapes, not both half-spaces; appends to result.points.
+void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                  QueryScratch &scratch, ContactSet &result, cmb_backend &who) {
+  if (b.kind == ShapeKind::halfspace) {
+    who = CMB_BACKEND_ANALYTIC;
+    count(scene, who, true);
+    halfspace_contact(a, pose_a, world_plane(pose_b), result);
+    return;
+  }
+  if (a.kind == ShapeKind::halfspace) {
+    who = CMB_BACKEND_ANALYTIC;
+    count(scene, who, true);
+    halfspace_contact(b, pose_b, world_plane(pose_a), result);
+    reverse(result);
+    return;
+  }
+  const ConvexAnswer answer = convex_answer(scene, a, pose_a, b, pose_b, scratch.backend, who);
+  convex_contact(a, pose_a, b, pose_b, answer, scratch.backend, result);
+}
+
+}  // namespace
+
+Pose body_pose(const double *position, const double *rotation) {
+  // `rotation` is world to body: its rows are the body's axes in the world. They are made orthonormal to rounding.
+  const Vec3 x = normalized(Vec3{rotation[0], rotation[1], rotation[2]});
+  const Vec3 second{rotation[3], rotation[4], rotation[5]};
+  const Vec3 y = normalized(second - dot(second, x) * x);
+  return {transposed(Mat3{{x, y, cross(x, y)}}), {position[0], position[1], position[2]}};
+}
+
+QueryScratch &query_scratch() {
+  static thread_local QueryScratch scratch;
+  return scratch;
+}
+
+void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b, const Pose &pose_b,
+                  QueryScratch &scratch, ContactSet &result, PairReport &report) {
+  result.points.clear();
+  result.distance = CMB_DISTANCE_NONE;
+  result.normal = {0.0, 0.0, 1.0};
+  result.witness = 0.5 * (pose_a.translation + pose_b.translation);
+  report = {};
+  scratch.poses_a.clear();
+  scratch.poses_b.clear();
+  for (const Shape &shape : a) scratch.poses_a.push_back(shape_pose(shape, pose_a));
+  for (const Shape &shape : b) scratch.poses_b.push_back(shape_pose(shape, pose_b));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const double bound = distance_bound(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);
+      // Shapes apart that cannot be the nearest have nothing to tell.
+      if (bound > 0.0 && bound >= result.distance) continue;
+      ContactSet &contact = scratch.shape_contact;
+      contact.points.clear();
+      cmb_backend who = CMB_BACKEND_AUTO;
+      query_shapes(scene, a[i], scratch.poses_a[i], b[j], scratch.poses_b[j], scratch, contact, who);
+      result.points.insert(result.points.end(), contact.points.begin(), contact.points.end());
+      if (contact.distance < result.distance) {
+        result.distance = contact.distance;
+        result.normal = contact.normal;
+        result.witness = contact.witness;
+        report.backend = who;
+      }
+    }
+  }
+}
+
+}  // namespace cmb

@@ -1,0 +1,37 @@
+// The contact of a pair of bodies.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "backend/distance_backend.hpp"
+#include "manifold/contact_set.hpp"
+#include "scene/scene.hpp"
+
+namespace cmb {
+
+// Where a body is: point_in_world = pose(point_in_body).
+Pose body_pose(const double *position, const double *rotation);
+
+// Room that queries work in; one for each thread.
+struct QueryScratch {
+  BackendScratch backend;
+  ContactSet contact;
+  ContactSet shape_contact;
+  std::vector<Pose> poses_a, poses_b;
+};
+
+// This thread's scratch.
+QueryScratch &query_scratch();
+
+// What a pair's query tells besides the contact.
+struct PairReport {
+  cmb_backend backend = CMB_BACKEND_AUTO;  // who answered for the nearest shapes; AUTO where there are none
+};
+
+// The contact of bodies A and B; `result` is overwritten. Bodies without shape, and pairs of half-spaces, never
+// touch: their distance is CMB_DISTANCE_NONE.
+void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b, const Pose &pose_b,
+                  QueryScratch &scratch, ContactSet &result, PairReport &report);
+
+}  // namespace cmb

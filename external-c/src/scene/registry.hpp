@@ -1,0 +1,32 @@
+// The registry of interned scenes.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace cmb {
+
+constexpr std::size_t scene_limit = 65536;
+
+// The handle of the scene with these arguments, which is made where it does not exist yet. Throws SceneError,
+// std::bad_alloc. Guarded by a mutex.
+cmb_scene intern_scene(const char *const *geometry, std::size_t body_count, const int *pairs, std::size_t pair_count,
+                       cmb_backend backend);
+
+// The scene of a handle, null where there is none; without locking.
+const Scene *find_scene(cmb_scene handle);
+
+// Arguments that make no scene.
+class SceneError : public std::runtime_error {
+ public:
+  SceneError(cmb_status status, const std::string &what) : std::runtime_error(what), status_(status) {}
+  cmb_status status() const { return status_; }
+
+ private:
+  cmb_status status_;
+};
+
+}  // namespace cmb

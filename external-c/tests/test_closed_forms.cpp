@@ -1,0 +1,135 @@
+// Contacts whose answer is known in closed form.
+#include "scene_query.hpp"
+
+namespace {
+
+using namespace cmb::test;
+
+constexpr double pi = 3.14159265358979323846;
+const BodyPose origin;
+
+TEST(Halfspace, SphereTouchesAtItsLowestPoint) {
+  const PairScene scene("cmb/1 sphere radius=0.5", "cmb/1 halfspace");
+  const Contact apart = scene.query({{1, 2, 0.75}, {}}, origin);
+  EXPECT_NEAR(apart.distance, 0.25, 1e-15);
+  EXPECT_TRUE(apart.points.empty());
+  const Contact touching = scene.query({{1, 2, 0.4}, {}}, origin);
+  EXPECT_NEAR(touching.distance, -0.1, 1e-15);
+  ASSERT_EQ(touching.points.size(), 1u);
+  EXPECT_NEAR(touching.points[0].depth, 0.1, 1e-15);
+  EXPECT_EQ(touching.points[0].weight, 1.0);
+  EXPECT_NEAR(norm(touching.points[0].normal - Vec3{0, 0, 1}), 0.0, 1e-15);
+  EXPECT_NEAR(norm(touching.points[0].position - Vec3{1, 2, -0.05}), 0.0, 1e-15);
+}
+
+TEST(Halfspace, ReversedPairHasReversedNormals) {
+  const PairScene scene("cmb/1 halfspace", "cmb/1 sphere radius=0.5");
+  const Contact touching = scene.query(origin, {{0, 0, 0.4}, {}});
+  ASSERT_EQ(touching.points.size(), 1u);
+  EXPECT_NEAR(norm(touching.points[0].normal - Vec3{0, 0, -1}), 0.0, 1e-15);
+  EXPECT_NEAR(touching.points[0].depth, 0.1, 1e-15);
+}
+
+TEST(Halfspace, BoxRestsOnFourPointsOfWeightOneQuarter) {
+  const PairScene scene("cmb/1 box size=0.4,0.6,0.2", "cmb/1 halfspace");
+  const double mass = 3.0, gravity = 9.81, stiffness = 1e5;
+  const double resting = mass * gravity / stiffness;
+  const Contact contact = scene.query({{0, 0, 0.1 - resting}, {}}, origin);
+  ASSERT_EQ(contact.points.size(), 4u);
+  for (const Point &point : contact.points) {
+    EXPECT_NEAR(point.weight, 0.25, 1e-15);
+    EXPECT_NEAR(point.depth, resting, 1e-15);
+    EXPECT_NEAR(std::fabs(point.position.x), 0.2, 1e-15);
+    EXPECT_NEAR(std::fabs(point.position.y), 0.3, 1e-15);
+  }
+  EXPECT_NEAR(stiffness * contact.load().z, mass * gravity, 1e-9);
+  EXPECT_NEAR(contact.distance, -resting, 1e-15);
+}
+
+TEST(Halfspace, BoxOnCornerHasTheCornersDepth) {
+  const PairScene scene("cmb/1 box size=1,1,1", "cmb/1 halfspace");
+  // The space diagonal upright: the lowest corner lies sqrt(3)/2 below the centre.
+  const Vec3 axis = normalized(cross(Vec3{1, 1, 1}, Vec3{0, 0, 1}));
+  const Mat3 upright = rotation_about(axis, std::acos(1.0 / std::sqrt(3.0)));
+  const Contact contact = scene.query({{0, 0, std::sqrt(0.75) - 0.01}, upright}, origin);
+  EXPECT_NEAR(contact.distance, -0.01, 1e-14);
+  ASSERT_EQ(contact.points.size(), 1u);
+  EXPECT_NEAR(contact.points[0].depth, 0.01, 1e-14);
+}
+
+TEST(Halfspace, HullOfPrismRestsOnEveryFaceWithWeightsThatSumToOne) {
+  // A hexagonal prism: its faces have six and four corners.
+  std::string text = "cmb/1 hull vertices=";
+  for (int k = 0; k < 6; ++k) {
+    for (const char *z : {"0.4", "-0.4"}) {
+      text += digits(std::cos(k * pi / 3)) + "," + digits(std::sin(k * pi / 3)) + "," + z + ",";
+    }
+  }
+  text.pop_back();
+  const PairScene scene(text, "cmb/1 halfspace");
+  const Contact base = scene.query({{0, 0, 0.39}, {}}, origin);
+  ASSERT_EQ(base.points.size(), 6u);
+  EXPECT_NEAR(base.total_weight(), 1.0, 1e-9);
+  const Mat3 onto_side = rotation_about({1, 0, 0}, pi / 2);
+  for (int side = 0; side < 6; ++side) {
+    const Mat3 turned = product(onto_side, rotation_about({0, 0, 1}, side * pi / 3));
+    const Contact contact = scene.query({{0, 0, std::sqrt(0.75) - 0.01}, turned}, origin);
+    ASSERT_EQ(contact.points.size(), 4u) << side;
+    EXPECT_NEAR(contact.total_weight(), 1.0, 1e-9);
+    EXPECT_NEAR(contact.load().z, 0.01, 1e-12);
+  }
+}
+
+TEST(Halfspace, CapsuleLyingSharesBetweenItsEndsAndStandingTouchesWithOne) {
+  const PairScene scene("cmb/1 capsule radius=0.1 length=0.6", "cmb/1 halfspace");
+  const Contact lying = scene.query({{0, 0, 0.098}, rotation_about({0, 1, 0}, pi / 2)}, origin);
+  ASSERT_EQ(lying.points.size(), 2u);
+  for (const Point &point : lying.points) {
+    EXPECT_NEAR(point.weight, 0.5, 1e-15);
+    EXPECT_NEAR(point.depth, 0.002, 1e-15);
+    EXPECT_NEAR(std::fabs(point.position.x), 0.3, 1e-15);
+  }
+  const Contact standing = scene.query({{0, 0, 0.398}, {}}, origin);
+  ASSERT_EQ(standing.points.size(), 1u);
+  EXPECT_NEAR(standing.points[0].weight, 1.0, 1e-15);
+  EXPECT_NEAR(standing.points[0].depth, 0.002, 1e-15);
+}
+
+TEST(Spheres, TouchAlongTheLineOfCentres) {
+  const PairScene scene("cmb/1 sphere radius=0.3", "cmb/1 sphere radius=0.2");
+  const Vec3 direction = normalized(Vec3{1, -2, 3});
+  for (const double distance : {0.4, 0.0, -0.05, -0.2}) {
+    const Contact contact = scene.query({Vec3{5, 6, 7} + (0.5 + distance) * direction, {}}, {{5, 6, 7}, {}});
+    EXPECT_NEAR(contact.distance, distance, 1e-14);
+    if (distance >= -1e-14) continue;
+    ASSERT_EQ(contact.points.size(), 1u);
+    EXPECT_NEAR(norm(contact.points[0].normal - direction), 0.0, 1e-13);
+    EXPECT_NEAR(norm(contact.points[0].position - (Vec3{5, 6, 7} + (0.2 + 0.5 * distance) * direction)), 0.0, 1e-14);
+  }
+}
+
+TEST(Compounds, TakeEveryShapeInItsPlace) {
+  const PairScene scene(
+      "cmb/1 sphere radius=0.1 position=0.5,0,0; cmb/1 sphere radius=0.1 position=-0.5,0,0", "cmb/1 halfspace");
+  const Contact contact = scene.query({{0, 0, 0.09}, {}}, origin);
+  ASSERT_EQ(contact.points.size(), 2u);
+  EXPECT_NEAR(contact.points[0].position.x, 0.5, 1e-15);
+  EXPECT_NEAR(contact.points[1].position.x, -0.5, 1e-15);
+}
+
+TEST(Compounds, ShapeRotationIsFromBodyToShape) {
+  // T turns the body's z axis into the shape's x axis: the capsule lies along the body's x axis.
+  const PairScene scene("cmb/1 capsule radius=0.1 length=1 rotation=0,0,-1,0,1,0,1,0,0", "cmb/1 halfspace");
+  const Contact contact = scene.query({{0, 0, 0.095}, {}}, origin);
+  ASSERT_EQ(contact.points.size(), 2u);
+  EXPECT_NEAR(std::fabs(contact.points[0].position.x), 0.5, 1e-14);
+}
+
+TEST(BodiesWithoutShape, NeverTouch) {
+  const PairScene scene("", "cmb/1 halfspace");
+  EXPECT_EQ(scene.query({{0, 0, -5}, {}}, origin).distance, CMB_DISTANCE_NONE);
+  const PairScene planes("cmb/1 halfspace", "cmb/1 halfspace");
+  EXPECT_EQ(planes.query(origin, origin).distance, CMB_DISTANCE_NONE);
+}
+
+}  // namespace
