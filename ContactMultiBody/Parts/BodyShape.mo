@@ -1,0 +1,13 @@
+within ContactMultiBody.Parts;
+model BodyShape "Rigid body with two frames that can collide"
+  extends Modelica.Mechanics.MultiBody.Parts.BodyShape;
+  parameter String geometry="" "Descriptor of the geometry in frame_a, see Shapes; empty: does not collide"
+    annotation (Dialog(group="Contact"));
+  parameter Materials.Material material "Material of the surface" annotation (Dialog(group="Contact"), choicesAllMatching=true);
+  annotation (Documentation(info="<html>
+<p>
+Modelica.Mechanics.MultiBody.Parts.BodyShape with a geometry and a material. Neither adds an equation; contacts are computed by the
+<a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a> frame_a is connected to.
+</p>
+</html>"));
+end BodyShape;

@@ -1,0 +1,14 @@
+within ContactMultiBody.Shapes;
+pure function sphere "Sphere"
+  extends Modelica.Icons.Function;
+  input Modelica.Units.SI.Radius radius(min=Modelica.Constants.small) "Radius";
+  input Modelica.Units.SI.Position position[3]={0,0,0} "Centre in the frame of the body";
+  input Real rotation[3, 3](each unit="1")=identity(3) "Rotation from the body's frame to the shape's";
+  output String geometry "Descriptor";
+algorithm
+  assert(radius > 0, "Shapes.sphere: radius must be positive.");
+  geometry := "cmb/1 sphere radius=" + String(radius, significantDigits=17) + Internal.placement(position, rotation);
+  annotation (Documentation(info="<html>
+<p>Solid sphere.</p>
+</html>"));
+end sphere;
