@@ -266,7 +266,7 @@ def write_xml(parts: list[PartModel], file: Path) -> None:
         add(joint, "origin", numbers(*origin), frame="assembly")
         add(joint, "axis", "0 1 0", frame="assembly")
         add(joint, "start", position=number(angle), speed="0")
-    contacts = add(root, "contacts", default="all")
+    contacts = add(root, "contacts", default="all", stiffness="1e6")
     add(contacts, "exclude", first="frame", second="hammer head")
     etree.indent(root)
     file.write_bytes(etree.tostring(root, xml_declaration=True, encoding="UTF-8") + b"\n")

@@ -1,0 +1,58 @@
+"""Which bodies may touch: all pairs but those that are joined, fixed to each other, or excluded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from cad2modelica.kinematic_graph import KinematicTree
+from cad2modelica.model import GROUND, Assembly, Joint, JointType
+
+
+def contact_pairs(assembly: Assembly, tree: KinematicTree, colliding: Sequence[str]) -> list[tuple[str, str]]:
+    """Pairs of names of parts and planes, in the order of ``colliding``.
+
+    Args:
+        assembly: the mechanism.
+        tree: its graph.
+        colliding: names of the parts and planes that have a shape.
+
+    Returns:
+        With the default "all": every pair except neighbours in a joint (counting rigidly joined parts as one), parts of one
+        rigid group, pairs of fixed bodies and excluded pairs; pairs included explicitly stay. With the default "none": the
+        included pairs.
+    """
+    planes = {plane.name for plane in assembly.planes}
+    group = {**tree.rigid_groups, **dict.fromkeys(planes, GROUND)}
+    joined = {frozenset(_joined_units(joint, tree)) for joint in assembly.joints if joint.type is not JointType.FREE}
+    excluded = {frozenset(pair) for pair in assembly.contacts.excluded}
+    included = {frozenset(pair) for pair in assembly.contacts.included}
+
+    def may_touch(first: str, second: str) -> bool:
+        if group[first] == group[second]:
+            return False
+        names = frozenset((first, second))
+        if names in included:
+            return True
+        if not assembly.contacts.all_pairs or names in excluded:
+            return False
+        return frozenset((_unit(first, tree), _unit(second, tree))) not in joined
+
+    return [
+        (first, second)
+        for index, first in enumerate(colliding)
+        for second in colliding[index + 1 :]
+        if may_touch(first, second)
+    ]
+
+
+def _unit(name: str, tree: KinematicTree) -> str:
+    """What a joint joins: a rigid group, but a fixed part by itself.
+
+    A joint to one fixed part keeps its neighbour away from that part, not from everything else that is fixed.
+    """
+    group = tree.rigid_groups.get(name, GROUND)
+    return name if group == GROUND else group
+
+
+def _joined_units(joint: Joint, tree: KinematicTree) -> tuple[str, str]:
+    return _unit(joint.parent, tree), _unit(joint.child, tree)

@@ -1,0 +1,87 @@
+"""Places components on the diagram's grid and draws connection lines."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from cad2modelica.mechanism_view import Connection, MechanismView
+
+Point = tuple[int, int]
+Extent = tuple[Point, Point]
+
+HALF = 10  # half the size of a component
+COLUMN = 40
+ROW = 50
+LEFT = -160  # centre of the world's column
+TOP = 80
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """Where everything stands.
+
+    Attributes:
+        size: extent of the diagram's coordinate system.
+        extents: of every component, by its name.
+        lines: points of every connection, in the order of the connections.
+    """
+
+    size: Extent
+    extents: dict[str, Extent]
+    lines: tuple[tuple[Point, ...], ...]
+
+
+def draw(view: MechanismView) -> Diagram:
+    """Lays the diagram out: the world on the left, one row for each chain, the contact manager on the right.
+
+    Lines that go back to the left run between the rows; those to the contact manager through a lane over each row.
+    """
+    centers: dict[str, Point] = {"world": (LEFT, TOP)}
+    for component in view.components:
+        centers[component.name] = (LEFT + COLUMN * (component.column + 1), TOP - ROW * component.row)
+    right = max(x for x, _ in centers.values()) + 2 * COLUMN
+    bottom = min(y for _, y in centers.values())
+    extents = {name: _square(center, HALF) for name, center in centers.items()}
+    if view.contacts is not None:
+        middle = (TOP + bottom) // 2
+        extents["contacts"] = _square((right, middle), 2 * HALF)
+        centers["contacts"] = (right, middle)
+    lines = tuple(_line(connection, view, centers) for connection in view.connections)
+    size = ((LEFT - 20, bottom - 40), (right + 40, TOP + 40))
+    return Diagram(size, extents, lines)
+
+
+def _square(center: Point, half: int) -> Extent:
+    x, y = center
+    return (x - half, y - half), (x + half, y + half)
+
+
+def _line(connection: Connection, view: MechanismView, centers: dict[str, Point]) -> tuple[Point, ...]:
+    first, second = _anchor(connection.first, view, centers), _anchor(connection.second, view, centers)
+    if connection.second.startswith("contacts."):
+        lane = centers[connection.first.split(".")[0]][1] + 16
+        gutter = second[0] - 14
+        return _without_repeats(
+            (first, (first[0] - 4, first[1]), (first[0] - 4, lane), (gutter, lane), (gutter, second[1]), second)
+        )
+    if first[1] == second[1]:
+        return first, second
+    turn = min(first[0], second[0]) - 6 if second[0] < first[0] else second[0] - 6
+    return _without_repeats((first, (turn, first[1]), (turn, second[1]), second))
+
+
+def _anchor(connector: str, view: MechanismView, centers: dict[str, Point]) -> Point:
+    name, port = connector.split(".")
+    x, y = centers[name]
+    if name == "contacts":
+        return x - 2 * HALF, y
+    ground = any(item.name == name and item.class_name.endswith("Ground") for item in view.components)
+    if ground:
+        return x, y + HALF
+    return (x + HALF, y) if port == "frame_b" else (x - HALF, y)
+
+
+def _without_repeats(points: tuple[Point, ...]) -> tuple[Point, ...]:
+    kept = [points[0]]
+    kept += [point for previous, point in zip(points, points[1:], strict=False) if point != previous]
+    return tuple(kept)

@@ -1,0 +1,121 @@
+"""From an assembly file to a Modelica package on disk."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from cmb_base.errors import InputError, Place
+from cmb_base.output import whole_folder
+from cmb_base.progress import Progress, silent
+
+from cad2modelica.assembly_reader import read_assembly
+from cad2modelica.collision_shapes import collision_geometry
+from cad2modelica.contact_pairs import contact_pairs
+from cad2modelica.kinematic_graph import kinematic_tree
+from cad2modelica.mechanism_view import mechanism_view
+from cad2modelica.model import Assembly
+from cad2modelica.modelica_names import NamePool
+from cad2modelica.package_writer import MECHANICS, MECHATRONICS, package_texts
+from cad2modelica.scene_file import scene_text
+
+
+@dataclass(frozen=True)
+class GenerateOptions:
+    """Choices of a generation.
+
+    Attributes:
+        package: name of the package; made of the assembly's name if None.
+    """
+
+    package: str | None = None
+
+
+@dataclass(frozen=True)
+class GeneratedPackage:
+    """What was written.
+
+    Attributes:
+        root: the package's folder.
+        name: the package's name.
+        mechanics: qualified name of the mechanical model.
+        mechatronics: qualified name of the mechatronic model.
+        scene: the scene file.
+        notes: what the user should know, one line each.
+    """
+
+    root: Path
+    name: str
+    mechanics: str
+    mechatronics: str
+    scene: Path
+    notes: tuple[str, ...]
+
+
+def generate(
+    assembly_path: Path,
+    output: Path,
+    options: GenerateOptions = GenerateOptions(),  # noqa: B008 - frozen
+    progress: Progress = silent,
+) -> GeneratedPackage:
+    """Generates the Modelica package of an assembly.
+
+    Args:
+        assembly_path: the assembly's XML file.
+        output: folder that will hold the package's folder and ``scene.json``. A mechatronic model that is there
+            from an earlier generation is kept byte for byte.
+        options: choices.
+        progress: is told what is being done.
+
+    Returns:
+        What was written.
+
+    Raises:
+        InputError: the input is wrong; nothing is written then.
+    """
+    assembly = read_assembly(assembly_path, progress)
+    name = _package_name(assembly, options)
+    progress("build model", 0.0, name)
+    tree = kinematic_tree(assembly)
+    if tree.cut_joints:
+        raise _loop_error(assembly, tree.cut_joints[0].name, tree.cut_joints[0].place)
+    geometries = {part.name: collision_geometry(part) for part in assembly.parts}
+    colliding = [part.name for part in assembly.parts if geometries[part.name].shapes]
+    colliding += [plane.name for plane in assembly.planes]
+    pairs = contact_pairs(assembly, tree, colliding)
+    view = mechanism_view(assembly, tree, geometries, pairs)
+    notes = (*assembly.notes, *(note for geometry in geometries.values() for note in geometry.notes))
+    texts = package_texts(assembly, view, geometries, name, notes)
+    kept = output / name / f"{MECHATRONICS}.mo"
+    mechatronics = kept.read_bytes() if kept.is_file() else texts.mechatronics.encode()
+    progress("write package", 0.5, name)
+    with whole_folder(output) as staging:
+        root = staging / name
+        root.mkdir()
+        for file, text in texts.files.items():
+            (root / file).write_text(text, encoding="utf-8")
+        (root / f"{MECHATRONICS}.mo").write_bytes(mechatronics)
+        (staging / "scene.json").write_text(scene_text(assembly, tree, view, name), encoding="utf-8")
+    progress("write package", 1.0, name)
+    return GeneratedPackage(
+        root=output / name,
+        name=name,
+        mechanics=f"{name}.{MECHANICS}",
+        mechatronics=f"{name}.{MECHATRONICS}",
+        scene=output / "scene.json",
+        notes=notes,
+    )
+
+
+def _package_name(assembly: Assembly, options: GenerateOptions) -> str:
+    return NamePool(("Modelica", "ContactMultiBody", "Complex", "ModelicaServices")).class_name(
+        options.package or assembly.name
+    )
+
+
+def _loop_error(assembly: Assembly, joint: str, place: Place) -> InputError:
+    return InputError(
+        f"the joint {joint!r} closes a kinematic loop, which is not supported yet",
+        place=place,
+        remedy=f"Remove one joint of the loop from {assembly.file.name}.",
+    )

@@ -1,0 +1,137 @@
+"""The mechanism as a graph: bodies are nodes, joints edges; a spanning tree and the joints that close loops."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import networkx as nx
+
+from cad2modelica.model import GROUND, Assembly, Joint, JointType, Part
+
+
+@dataclass(frozen=True, eq=False)
+class Branch:
+    """A part and how the spanning tree reaches it.
+
+    Attributes:
+        joint: from ``predecessor`` to the part (or, if the CAD system has it so, the other way round); None for the
+            first part of a tree that stands on nothing, and for parts that are grounded.
+        predecessor: a part's name, ``GROUND``, or None.
+        children: names of the parts reached from this one, in the order of the tree.
+    """
+
+    part: Part
+    joint: Joint | None
+    predecessor: str | None
+    children: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class KinematicTree:
+    """A spanning forest of the mechanism.
+
+    Attributes:
+        branches: every part once, each after its predecessor.
+        cut_joints: joints that are not in the forest: each closes a loop.
+        fixed: names of the parts that cannot move.
+        rigid_groups: for every part, the name of the first part it is rigidly joined to; ``GROUND`` if it is fixed.
+    """
+
+    branches: tuple[Branch, ...]
+    cut_joints: tuple[Joint, ...]
+    fixed: frozenset[str]
+    rigid_groups: dict[str, str]
+
+    def branch(self, name: str) -> Branch:
+        """The branch of a part.
+
+        Raises:
+            KeyError: there is no such part.
+        """
+        for branch in self.branches:
+            if branch.part.name == name:
+                return branch
+        raise KeyError(name)
+
+
+def kinematic_tree(assembly: Assembly) -> KinematicTree:
+    """Spans the mechanism from the ground, breadth first, joints in the order of the source.
+
+    Grounded parts stand on the ground without a joint. Parts no chain of joints connects to the ground form trees
+    of their own; their roots are the parts listed first. Breadth first keeps chains short and puts the cut of a loop
+    where its two arms meet.
+    """
+    graph = _graph(assembly)
+    parts = {part.name: part for part in assembly.parts}
+    order: list[str] = []
+    reached_by: dict[str, tuple[Joint | None, str | None]] = {}
+    in_tree: set[int] = set()
+
+    def span(start: list[str]) -> None:
+        queue = list(start)
+        while queue:
+            node = queue.pop(0)
+            for joint in _joints_at(graph, node):
+                other = joint.child if joint.parent == node else joint.parent
+                if other == GROUND or other in reached_by:
+                    continue
+                reached_by[other] = (joint, node)
+                in_tree.add(id(joint))
+                order.append(other)
+                queue.append(other)
+
+    grounded = [part.name for part in assembly.parts if part.grounded]
+    for name in grounded:
+        reached_by[name] = (None, GROUND)
+        order.append(name)
+    span([GROUND, *grounded])
+    for part in assembly.parts:
+        if part.name not in reached_by:
+            reached_by[part.name] = (None, None)
+            order.append(part.name)
+            span([part.name])
+
+    children: dict[str, list[str]] = {name: [] for name in order}
+    for name in order:
+        predecessor = reached_by[name][1]
+        if predecessor in children:
+            children[predecessor].append(name)
+    groups = _rigid_groups(assembly)
+    return KinematicTree(
+        branches=tuple(Branch(parts[name], *reached_by[name], tuple(children[name])) for name in order),
+        cut_joints=tuple(
+            joint for joint in assembly.joints if id(joint) not in in_tree and joint.type is not JointType.FREE
+        ),
+        fixed=frozenset(name for name, group in groups.items() if group == GROUND),
+        rigid_groups=groups,
+    )
+
+
+def _graph(assembly: Assembly) -> nx.MultiGraph:
+    graph = nx.MultiGraph()
+    graph.add_node(GROUND)
+    graph.add_nodes_from(part.name for part in assembly.parts)
+    for index, joint in enumerate(assembly.joints):
+        if joint.type is not JointType.FREE:
+            graph.add_edge(joint.parent, joint.child, key=index, joint=joint)
+    return graph
+
+
+def _joints_at(graph: nx.MultiGraph, node: str) -> list[Joint]:
+    edges = sorted(graph.edges(node, keys=True, data="joint"), key=lambda edge: edge[2])
+    return [edge[3] for edge in edges]
+
+
+def _rigid_groups(assembly: Assembly) -> dict[str, str]:
+    rigid = nx.Graph()
+    rigid.add_node(GROUND)
+    rigid.add_nodes_from(part.name for part in assembly.parts)
+    rigid.add_edges_from((GROUND, part.name) for part in assembly.parts if part.grounded)
+    rigid.add_edges_from((joint.parent, joint.child) for joint in assembly.joints if joint.type is JointType.FIXED)
+    rank = {GROUND: -1} | {part.name: index for index, part in enumerate(assembly.parts)}
+    groups: dict[str, str] = {}
+    for component in nx.connected_components(rigid):
+        first = min(component, key=lambda name: rank[name])
+        groups.update(dict.fromkeys(component, first))
+    del groups[GROUND]
+    return groups

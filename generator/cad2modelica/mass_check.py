@@ -1,0 +1,101 @@
+"""Whether mass properties can belong to a body, and to the geometry they come with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from cad2modelica.mesh import Mesh, bodies, is_closed, join, volume_integrals, weld
+from cad2modelica.model import MassProperties
+
+RELATIVE_TOLERANCE = 1e-6
+DENSITY_LIMITS = (0.05, 50_000.0)  # kg/m3: aerogel to twice osmium
+REMARK_TOLERANCE = 0.05
+
+
+@dataclass(frozen=True)
+class MassFinding:
+    """A doubt about mass properties; ``wrong`` if no real body can have them."""
+
+    message: str
+    remedy: str
+    wrong: bool
+
+
+def check_tensor(properties: MassProperties) -> MassFinding | None:
+    """Checks mass > 0, inertia positive definite, and the triangle inequality of the principal moments."""
+    if not properties.mass > 0:
+        return MassFinding(
+            f"mass is {properties.mass:g} kg, but must be positive", "Assign a material in the CAD system.", True
+        )
+    moments = np.linalg.eigvalsh(properties.inertia)
+    listed = ", ".join(f"{moment:.4g}" for moment in moments)
+    if not moments[0] > 0:
+        return MassFinding(
+            f"the inertia about the centre of mass is not positive definite (principal moments {listed} kg.m2)",
+            "Check which point ('about') and which sign of the products ('products') the numbers belong to.",
+            True,
+        )
+    if moments[2] > (moments[0] + moments[1]) * (1 + RELATIVE_TOLERANCE):
+        return MassFinding(
+            f"no body has these principal moments of inertia: {listed} kg.m2 (the largest exceeds the sum of the others)",
+            "Check which point ('about') and which sign of the products ('products') the numbers belong to.",
+            True,
+        )
+    return None
+
+
+def check_against_geometry(properties: MassProperties, meshes: tuple[Mesh, ...]) -> list[MassFinding]:
+    """Compares mass properties with the geometry: size always, integrals where all bodies are closed.
+
+    Returns:
+        Findings that are wrong (units mixed up) or worth a remark (overridden or lumped masses).
+    """
+    vertices, triangles = weld(*join(meshes))
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    diagonal = float(np.linalg.norm(high - low))
+    outside = np.maximum(low - properties.center_of_mass, properties.center_of_mass - high).max()
+    remedy = "Check the units of the XML file and of the geometry ('length'), and the part's coordinate system."
+    if outside > 10 * diagonal:
+        return [
+            MassFinding(
+                f"the centre of mass lies {outside:g} m outside the geometry, which is {diagonal:g} m in size",
+                remedy,
+                True,
+            )
+        ]
+    gyration = float(np.sqrt(np.linalg.eigvalsh(properties.inertia)[2] / properties.mass))
+    if gyration > 30 * diagonal or gyration < diagonal / 3000:
+        return [
+            MassFinding(
+                f"the radius of gyration is {gyration:.3g} m, the geometry {diagonal:.3g} m in size", remedy, True
+            )
+        ]
+    pieces = bodies(vertices, triangles)
+    if not all(is_closed(piece[1]) for piece in pieces):
+        return []
+    integrals = [volume_integrals(*piece) for piece in pieces]
+    volume = sum(item.volume for item in integrals)
+    if volume <= 0:
+        return []
+    density = properties.mass / volume
+    if not DENSITY_LIMITS[0] <= density <= DENSITY_LIMITS[1]:
+        return [MassFinding(f"mass over volume is {density:.3g} kg/m3, which no solid has", remedy, True)]
+    findings = []
+    if outside > 0:
+        findings.append(MassFinding("the centre of mass lies outside the geometry's box", remedy, False))
+    if len(pieces) == 1 and not findings:
+        expected = density * integrals[0].inertia
+        offset = float(np.linalg.norm(integrals[0].center - properties.center_of_mass))
+        difference = float(np.abs(expected - properties.inertia).max() / np.abs(expected).max())
+        if offset > REMARK_TOLERANCE * diagonal or difference > REMARK_TOLERANCE:
+            findings.append(
+                MassFinding(
+                    f"mass properties are not those of the geometry at uniform density (centre {1000 * offset:.3g} mm off, "
+                    f"inertia {100 * difference:.0f} % off)",
+                    "Fine if they were overridden on purpose.",
+                    False,
+                )
+            )
+    return findings

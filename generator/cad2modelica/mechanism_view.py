@@ -1,0 +1,362 @@
+"""The mechanism as Modelica components and connections, without any text layout."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from cad2modelica.collision_shapes import CollisionGeometry
+from cad2modelica.kinematic_graph import KinematicTree
+from cad2modelica.model import GROUND, Assembly, Joint, JointType, Part, Plane
+from cad2modelica.modelica_names import NamePool
+from cad2modelica.modelica_text import number, tidy_direction, tidy_length, vector
+from cad2modelica.spatial import IDENTITY, Array, Pose, cardan_angles, perpendicular, rotation_about
+
+ROTATION_SNAP = 1e-9  # a rotation nearer to the identity than this is the identity
+MULTIBODY = "Modelica.Mechanics.MultiBody"
+RESERVED = ("world", "contacts", "Mechanics", "Mechatronics", "Geometry")
+
+
+@dataclass(frozen=True)
+class Component:
+    """One component declaration.
+
+    Attributes:
+        row: line of the diagram, counted downwards from 0.
+        column: place in the line, counted from 0; the world stands at -1.
+    """
+
+    class_name: str
+    name: str
+    modifiers: tuple[str, ...]
+    description: str
+    column: int
+    row: int
+
+
+@dataclass(frozen=True)
+class Connection:
+    """``connect(first, second)``; both are ``component.connector``."""
+
+    first: str
+    second: str
+
+
+@dataclass(frozen=True)
+class ContactView:
+    """What the contact manager is given: bodies in their order, and pairs as 1-based indices."""
+
+    bodies: tuple[str, ...]
+    pairs: tuple[tuple[int, int], ...]
+    stiffness: float | None
+    friction: str | None
+
+
+@dataclass
+class MechanismView:
+    """The mechanical model.
+
+    Attributes:
+        part_names, joint_names, plane_names, material_names: Modelica name by name in the source.
+    """
+
+    gravity: float
+    gravity_direction: Array
+    components: list[Component] = field(default_factory=list)
+    connections: list[Connection] = field(default_factory=list)
+    part_names: dict[str, str] = field(default_factory=dict)
+    joint_names: dict[str, str] = field(default_factory=dict)
+    plane_names: dict[str, str] = field(default_factory=dict)
+    material_names: dict[str, str] = field(default_factory=dict)
+    contacts: ContactView | None = None
+
+
+def mechanism_view(
+    assembly: Assembly,
+    tree: KinematicTree,
+    geometries: dict[str, CollisionGeometry],
+    pairs: list[tuple[str, str]],
+) -> MechanismView:
+    """Builds the components and connections of the mechanical model.
+
+    Args:
+        assembly: the mechanism.
+        tree: its spanning tree.
+        geometries: collision shapes by part.
+        pairs: pairs of part and plane names that may touch.
+    """
+    return _Builder(assembly, tree, geometries, pairs).build()
+
+
+class _Builder:
+    def __init__(
+        self,
+        assembly: Assembly,
+        tree: KinematicTree,
+        geometries: dict[str, CollisionGeometry],
+        pairs: list[tuple[str, str]],
+    ) -> None:
+        self._assembly = assembly
+        self._tree = tree
+        self._geometries = geometries
+        self._pairs = pairs
+        strength = float(np.linalg.norm(assembly.gravity))
+        self._view = MechanismView(
+            gravity=strength,
+            gravity_direction=assembly.gravity / strength if strength > 0 else np.array([0.0, 0.0, -1.0]),
+        )
+        self._pool = NamePool(RESERVED)
+        self._row = 0
+
+    def build(self) -> MechanismView:
+        view = self._view
+        # Names first: parts and joints have priority over helpers, in the order of the source.
+        view.part_names = {part.name: self._pool.instance(part.name) for part in self._assembly.parts}
+        view.joint_names = {
+            joint.name: self._pool.instance(joint.name, "joint")
+            for joint in self._assembly.joints
+            if joint.type is not JointType.FREE
+        }
+        view.plane_names = {plane.name: self._pool.instance(plane.name, "plane") for plane in self._assembly.planes}
+        view.material_names = {
+            material.name: self._pool.instance(material.name, "material") for material in self._assembly.materials
+        }
+        for branch in self._tree.branches:
+            if branch.predecessor in (None, GROUND):
+                self._add_tree(branch.part.name)
+        for plane in self._assembly.planes:
+            self._add_plane(plane)
+        self._add_contacts()
+        return view
+
+    # ----- bodies and joints -----
+
+    def _add_tree(self, root: str) -> None:
+        """Adds a root part and all that hangs on it, depth first, so that chains stay in one row of the diagram."""
+        branch = self._tree.branch(root)
+        if branch.joint is None and branch.predecessor == GROUND:
+            column = self._add_offset("world.frame_b", branch.part.pose, branch.part.name, 0)
+            self._add_body(branch.part, column[1], column[0], grounded=True)
+        elif branch.joint is None:
+            self._add_body(branch.part, 1, None, grounded=False)
+            column = ("", 1)
+        else:
+            column = self._add_joint(branch.joint, branch.part, "world.frame_b", IDENTITY, 0)
+            self._add_body(branch.part, column[1], column[0], grounded=False)
+        self._add_children(root, column[1] + 1)
+
+    def _add_children(self, name: str, column: int) -> None:
+        branch = self._tree.branch(name)
+        own = f"{self._view.part_names[name]}.frame_a"
+        self._row += 1
+        for child in branch.children:
+            following = self._tree.branch(child)
+            if following.joint is None:
+                raise AssertionError("a child in the tree is reached by a joint")
+            connector, next_column = self._add_joint(following.joint, following.part, own, branch.part.pose, column)
+            self._add_body(following.part, next_column, connector, grounded=False)
+            self._add_children(child, next_column + 1)
+
+    def _add_body(self, part: Part, column: int, connector: str | None, *, grounded: bool) -> None:
+        properties = part.mass_properties
+        inertia = properties.inertia
+        modifiers = [
+            f"m={number(properties.mass)}",
+            f"r_CM={vector(properties.center_of_mass)}",
+            *(f"I_{i}{j}={number(inertia[i - 1, j - 1])}" for i, j in ((1, 1), (2, 2), (3, 3), (2, 1), (3, 1), (3, 2))),
+        ]
+        name = self._view.part_names[part.name]
+        if self._geometries[part.name].shapes:
+            modifiers.append(f"geometry=Geometry.{name}")
+            if part.material is not None:
+                modifiers.append(f"material={self._view.material_names[part.material]}")
+        if connector is None and not grounded:
+            modifiers += _free_start(self._free_motion(part), part.pose)
+        self._view.components.append(
+            Component("ContactMultiBody.Parts.Body", name, tuple(modifiers), part.name, column, self._row)
+        )
+        if connector is not None:
+            self._view.connections.append(Connection(connector, f"{name}.frame_a"))
+
+    def _free_motion(self, part: Part) -> tuple[Array, Array]:
+        """Velocity of the part's origin and angular velocity at the start, world axes."""
+        for joint in self._assembly.joints:
+            if joint.type is JointType.FREE and joint.child == part.name:
+                arm = part.pose.position - joint.origin
+                return joint.velocity + np.cross(joint.angular_velocity, arm), joint.angular_velocity
+        return part.velocity, part.angular_velocity
+
+    def _add_joint(self, joint: Joint, child: Part, connector: str, pose: Pose, column: int) -> tuple[str, int]:
+        """Adds offset, joint and offset between a placed part and ``child``; returns where the child connects."""
+        forward = joint.child == child.name
+        first, second = (pose, child.pose) if forward else (child.pose, pose)
+        # Frame of the joint at its parent side: at the joint's origin, parallel to the parent.
+        before = Pose(first.rotation.T @ (joint.origin - first.position), np.eye(3))
+        side = Pose(joint.origin, first.rotation)
+        if joint.type is JointType.FIXED:
+            return self._add_offset(connector, pose.inverse() @ child.pose, joint.name, column, joint)
+        moved = side @ Pose(np.zeros(3), _start_rotation(joint, side))
+        if joint.type is JointType.PRISMATIC:
+            moved = Pose(moved.position, moved.rotation)
+            before = Pose(before.position - first.rotation.T @ (_axis(joint) * joint.position), before.rotation)
+        after = moved.inverse() @ second
+        name = self._view.joint_names[joint.name]
+        text = joint.name
+        if forward:
+            connector, column = self._add_offset(connector, before, f"{name} base", column)
+            self._connect_joint(joint, side, name, text, column)
+            self._view.connections.append(Connection(connector, f"{name}.frame_a"))
+            return self._add_offset(f"{name}.frame_b", after, f"{name} end", column + 1)
+        connector, column = self._add_offset(connector, after.inverse(), f"{name} end", column)
+        self._connect_joint(joint, side, name, text, column)
+        self._view.connections.append(Connection(connector, f"{name}.frame_b"))
+        return self._add_offset(f"{name}.frame_a", before.inverse(), f"{name} base", column + 1)
+
+    def _connect_joint(self, joint: Joint, side: Pose, name: str, text: str, column: int) -> None:
+        class_name, modifiers = _joint_declaration(joint, side)
+        self._view.components.append(Component(class_name, name, modifiers, text, column, self._row))
+
+    def _add_offset(
+        self, connector: str, offset: Pose, label: str, column: int, joint: Joint | None = None
+    ) -> tuple[str, int]:
+        """Adds a fixed translation or rotation if there is one; returns the connector behind it and the next column."""
+        position = tidy_length(offset.position)
+        turned = np.abs(offset.rotation - np.eye(3)).max() > ROTATION_SNAP
+        if not turned and not position.any() and joint is None:
+            return connector, column
+        if joint is not None:
+            name = self._view.joint_names[joint.name]
+        else:
+            name = self._pool.instance(f"{label} offset" if connector.startswith("world.") else label)
+        modifiers = [f"r={vector(position)}"]
+        class_name = f"{MULTIBODY}.Parts.FixedTranslation"
+        if turned:
+            class_name = f"{MULTIBODY}.Parts.FixedRotation"
+            modifiers += [
+                f"rotationType={MULTIBODY}.Types.RotationTypes.TwoAxesVectors",
+                f"n_x={vector(tidy_direction(offset.rotation[:, 0]))}",
+                f"n_y={vector(tidy_direction(offset.rotation[:, 1]))}",
+            ]
+        text = joint.name if joint is not None else label
+        self._view.components.append(Component(class_name, name, tuple(modifiers), text, column, self._row))
+        self._view.connections.append(Connection(connector, f"{name}.frame_a"))
+        return f"{name}.frame_b", column + 1
+
+    # ----- ground and contacts -----
+
+    def _add_plane(self, plane: Plane) -> None:
+        modifiers = []
+        if plane.position.any():
+            modifiers.append(f"r={vector(plane.position)}")
+        if (plane.normal != np.array([0.0, 0.0, 1.0])).any():
+            modifiers.append(f"normal={vector(plane.normal)}")
+        if plane.material is not None:
+            modifiers.append(f"material={self._view.material_names[plane.material]}")
+        self._view.components.append(
+            Component(
+                "ContactMultiBody.Parts.Ground",
+                self._view.plane_names[plane.name],
+                tuple(modifiers),
+                plane.name,
+                0,
+                self._row,
+            )
+        )
+        self._row += 1
+
+    def _add_contacts(self) -> None:
+        if not self._pairs:
+            return
+        touching = {name for pair in self._pairs for name in pair}
+        names = {**self._view.part_names, **self._view.plane_names}
+        bodies = [name for name in names if name in touching]
+        index = {name: number for number, name in enumerate(bodies, start=1)}
+        self._view.contacts = ContactView(
+            bodies=tuple(names[name] for name in bodies),
+            pairs=tuple((index[first], index[second]) for first, second in self._pairs),
+            stiffness=self._assembly.contacts.stiffness,
+            friction=self._assembly.contacts.friction,
+        )
+        self._view.connections += [
+            Connection(f"{names[name]}.frame_a", f"contacts.frame[{index[name]}]") for name in bodies
+        ]
+
+
+def _axis(joint: Joint) -> Array:
+    if joint.axis is None:
+        raise AssertionError(f"the reader guarantees an axis for {joint.name}")
+    return joint.axis
+
+
+def _start_rotation(joint: Joint, side: Pose) -> Array:
+    if joint.type is JointType.REVOLUTE:
+        return rotation_about(side.rotation.T @ _axis(joint), joint.position)
+    return np.eye(3)
+
+
+def _free_start(motion: tuple[Array, Array], pose: Pose) -> list[str]:
+    velocity, angular_velocity = motion
+    angles = cardan_angles(pose.rotation)
+    return [
+        f"r_0(start={vector(pose.position)},each fixed=true)",
+        f"v_0(start={vector(tidy_length(velocity))},each fixed=true)",
+        "angles_fixed=true",
+        f"angles_start={vector(angles)}",
+        "w_0_fixed=true",
+        f"w_0_start={vector(tidy_length(angular_velocity))}",
+    ]
+
+
+def _joint_declaration(joint: Joint, side: Pose) -> tuple[str, tuple[str, ...]]:
+    """Class and modifiers of a joint whose parent side stands at ``side``."""
+    kind = joint.type
+    class_name = f"{MULTIBODY}.Joints.{kind.name.capitalize()}"
+    velocity = tidy_length(side.rotation.T @ joint.velocity)
+    angular_velocity = tidy_length(side.rotation.T @ joint.angular_velocity)
+    if kind is JointType.SPHERICAL:
+        return class_name, (
+            "angles_fixed=true",
+            "w_rel_a_fixed=true",
+            f"w_rel_a_start={vector(angular_velocity)}",
+            "enforceStates=true",
+        )
+    axis = tidy_direction(side.rotation.T @ _axis(joint))
+    always = "stateSelect=StateSelect.always"
+    if kind is JointType.REVOLUTE:
+        return class_name, (f"n={vector(axis)}", *_start("phi", joint.position), *_start("w", joint.speed), always)
+    if kind is JointType.PRISMATIC:
+        return class_name, (f"n={vector(axis)}", *_start("s", joint.position), *_start("v", joint.speed), always)
+    if kind is JointType.CYLINDRICAL:
+        rates = (*_start("v", float(velocity @ axis)), *_start("w", float(angular_velocity @ axis)))
+        return class_name, (f"n={vector(axis)}", *_start("s", 0.0), *_start("phi", 0.0), *rates, always)
+    if kind is JointType.PLANAR:
+        first = perpendicular(axis)
+        second = np.cross(axis, first)
+        return class_name, (
+            f"n={vector(axis)}",
+            f"n_x={vector(tidy_direction(first))}",
+            *_start("s_x", 0.0),
+            *_start("s_y", 0.0),
+            *_start("phi", 0.0),
+            *_start("v_x", float(velocity @ first)),
+            *_start("v_y", float(velocity @ second)),
+            *_start("w", float(angular_velocity @ axis)),
+            always,
+        )
+    if joint.second_axis is None:
+        raise AssertionError(f"the reader guarantees a second axis for {joint.name}")
+    other = tidy_direction(side.rotation.T @ joint.second_axis)
+    return class_name, (
+        f"n_a={vector(axis)}",
+        f"n_b={vector(other)}",
+        *_start("phi_a", 0.0),
+        *_start("phi_b", 0.0),
+        *_start("w_a", float(angular_velocity @ axis)),
+        *_start("w_b", float(angular_velocity @ other)),
+        always,
+    )
+
+
+def _start(variable: str, value: float) -> tuple[str]:
+    return (f"{variable}(start={number(value)},fixed=true)",)

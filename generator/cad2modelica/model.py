@@ -1,0 +1,196 @@
+"""The mechanism as the generator knows it, in SI units, whatever it was read from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+from pathlib import Path
+
+from cmb_base.errors import Place
+
+from cad2modelica.mesh import Mesh
+from cad2modelica.spatial import Array, Pose
+
+GROUND = "ground"
+
+
+class JointType(Enum):
+    """Kinds of joints; the value is the name in the XML format."""
+
+    REVOLUTE = "revolute"
+    PRISMATIC = "prismatic"
+    CYLINDRICAL = "cylindrical"
+    PLANAR = "planar"
+    UNIVERSAL = "universal"
+    SPHERICAL = "spherical"
+    FIXED = "fixed"
+    FREE = "free"
+
+    @property
+    def freedoms(self) -> int:
+        """Degrees of freedom."""
+        return _FREEDOMS[self]
+
+    @property
+    def needs_axis(self) -> bool:
+        """Whether an axis defines the joint."""
+        return self not in (JointType.SPHERICAL, JointType.FIXED, JointType.FREE)
+
+
+_FREEDOMS = {
+    JointType.REVOLUTE: 1,
+    JointType.PRISMATIC: 1,
+    JointType.CYLINDRICAL: 2,
+    JointType.PLANAR: 3,
+    JointType.UNIVERSAL: 2,
+    JointType.SPHERICAL: 3,
+    JointType.FIXED: 0,
+    JointType.FREE: 6,
+}
+
+
+class CollisionChoice(Enum):
+    """How the shapes that collide are chosen for a part."""
+
+    AUTO = "auto"
+    HULL = "hull"
+    NONE = "none"
+
+
+@dataclass(frozen=True)
+class Material:
+    """What a material brings into a contact; None where the source says nothing. SI units."""
+
+    name: str
+    density: float | None = None
+    youngs_modulus: float | None = None
+    poissons_ratio: float | None = None
+    restitution: float | None = None
+    static_friction: float | None = None
+    dynamic_friction: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class MassProperties:
+    """Mass (kg), centre of mass (m, shape (3,)) and inertia about it (kg.m2, shape (3, 3)), in the part's axes."""
+
+    mass: float
+    center_of_mass: Array
+    inertia: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """A rigid body.
+
+    Attributes:
+        name: unique in the assembly; "instance/part" for a part of an instance.
+        pose: of the part's coordinate system in the world, in the start configuration.
+        meshes: geometry in the part's coordinate system; empty if the source has none.
+        velocity: of the origin at the start, in world axes, m/s; used where no joint holds the part.
+        angular_velocity: at the start, in world axes, rad/s; used where no joint holds the part.
+        place: where the part is described.
+    """
+
+    name: str
+    material: str | None
+    pose: Pose
+    mass_properties: MassProperties
+    meshes: tuple[Mesh, ...]
+    collision: CollisionChoice
+    grounded: bool
+    velocity: Array
+    angular_velocity: Array
+    place: Place
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """A joint, in the world's coordinates at the start.
+
+    Attributes:
+        parent: a part's name, or ``GROUND``.
+        origin: a point on the axis, shape (3,), m.
+        axis: unit vector; None where the type has no axis.
+        second_axis: unit vector fixed in the child, universal joints only.
+        position: value of the coordinate in the start configuration, rad or m (revolute, prismatic).
+        speed: its rate, rad/s or m/s.
+        velocity: of the child against the parent at the origin, world axes, m/s (other types).
+        angular_velocity: of the child against the parent, world axes, rad/s (other types).
+    """
+
+    name: str
+    type: JointType
+    parent: str
+    child: str
+    origin: Array
+    axis: Array | None
+    second_axis: Array | None
+    position: float
+    speed: float
+    velocity: Array
+    angular_velocity: Array
+    place: Place
+
+
+@dataclass(frozen=True, eq=False)
+class Plane:
+    """A plane that bounds solid ground: a point of it and its unit normal out of the ground, world coordinates."""
+
+    name: str
+    material: str | None
+    position: Array
+    normal: Array
+    place: Place
+
+
+@dataclass(frozen=True)
+class ContactSettings:
+    """Which pairs may touch, by the names of parts and planes, and how.
+
+    Attributes:
+        stiffness: of every pair, N/m, linear law; None: by Hertz from the materials.
+        friction: "none", "regularised" or "anchored"; None: the library's default.
+    """
+
+    all_pairs: bool = True
+    excluded: tuple[tuple[str, str], ...] = ()
+    included: tuple[tuple[str, str], ...] = ()
+    stiffness: float | None = None
+    friction: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Assembly:
+    """A mechanism.
+
+    Attributes:
+        name: as the source has it.
+        gravity: acceleration, world axes, m/s2.
+        notes: what the user should know about how the source was read; each one line.
+    """
+
+    name: str
+    description: str
+    source: str
+    file: Path
+    gravity: Array
+    stop_time: float
+    tolerance: float
+    materials: tuple[Material, ...]
+    planes: tuple[Plane, ...]
+    parts: tuple[Part, ...]
+    joints: tuple[Joint, ...]
+    contacts: ContactSettings = field(default_factory=ContactSettings)
+    notes: tuple[str, ...] = ()
+
+    def part(self, name: str) -> Part:
+        """The part of that name.
+
+        Raises:
+            KeyError: there is none.
+        """
+        for part in self.parts:
+            if part.name == name:
+                return part
+        raise KeyError(name)

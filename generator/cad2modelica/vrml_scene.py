@@ -1,0 +1,293 @@
+"""The hierarchy of a VRML97 file: every shape with the named nodes above it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from cmb_base.errors import InputError, Place
+
+from cad2modelica.file_reference import resolve_inside
+from cad2modelica.mesh import Indices
+from cad2modelica.spatial import Array, rotation_about
+from cad2modelica.vrml_shapes import WITHOUT_SURFACE, number_field, surface_of
+from cad2modelica.vrml_syntax import ExternalPrototype, Node, Numbers, Prototype, Reference, VrmlDocument, read_vrml
+
+MAXIMUM_DEPTH = 200
+MAXIMUM_SHAPES = 200_000
+MAXIMUM_TRIANGLES = 5_000_000
+
+DEFAULT_COLOR = (0.8, 0.8, 0.8)
+
+_GROUPS = frozenset({"Group", "Collision", "Anchor", "Billboard"})
+_WITHOUT_GEOMETRY = frozenset(
+    "AudioClip Background ColorInterpolator CoordinateInterpolator CylinderSensor DirectionalLight Fog NavigationInfo "
+    "NormalInterpolator OrientationInterpolator PlaneSensor PointLight PositionInterpolator ProximitySensor "
+    "ScalarInterpolator Script Sound SphereSensor SpotLight TimeSensor TouchSensor Viewpoint VisibilitySensor "
+    "WorldInfo".split()
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Level:
+    """One node on the way from the root to a shape: its DEF name, if any, and its transform (4 x 4) to its parent."""
+
+    name: str | None
+    matrix: Array | None
+
+
+@dataclass(frozen=True, eq=False)
+class ShapeInstance:
+    """One shape where it stands in the scene.
+
+    Attributes:
+        levels: nodes from the root down to the shape itself.
+        vertices: in the shape's own coordinates, in the file's unit of length, shape (n, 3).
+        triangles: shape (m, 3).
+        color: diffuse colour.
+        line: where the shape begins in the file that holds it.
+    """
+
+    levels: tuple[Level, ...]
+    vertices: Array
+    triangles: Indices
+    color: tuple[float, float, float]
+    line: int
+
+    @property
+    def path(self) -> str:
+        """The DEF names above the shape, joined by slashes."""
+        return "/".join(level.name for level in self.levels if level.name) or f"shape at line {self.line}"
+
+    def depth_of(self, name: str) -> int | None:
+        """Position in ``levels`` of the outermost node of that DEF name."""
+        for depth, level in enumerate(self.levels):
+            if level.name == name:
+                return depth
+        return None
+
+    def placed(self, below: int = -1) -> tuple[Array, Indices]:
+        """Vertices and triangles in the coordinates inside the node ``levels[below]``; of the root for -1.
+
+        A transform that mirrors turns the triangles, so that they stay counter-clockwise from outside.
+        """
+        matrix = np.eye(4)
+        for level in self.levels[below + 1 :]:
+            if level.matrix is not None:
+                matrix = matrix @ level.matrix
+        vertices = self.vertices @ matrix[:3, :3].T + matrix[:3, 3]
+        mirrored = np.linalg.det(matrix[:3, :3]) < 0
+        return vertices, self.triangles[:, ::-1] if mirrored else self.triangles
+
+
+@dataclass(frozen=True, eq=False)
+class VrmlScene:
+    """All shapes of a file, those of inlined files included, in the order of the text, and remarks on the reading."""
+
+    file: Path
+    shapes: tuple[ShapeInstance, ...]
+    notes: tuple[str, ...]
+
+
+def read_scene(file: Path, folder: Path) -> VrmlScene:
+    """Reads a VRML97 file and those it inlines.
+
+    Args:
+        file: the VRML file.
+        folder: the assembly's folder, which inlined files must not leave.
+
+    Raises:
+        InputError: a file cannot be read, inlines itself, is nested too deep or too large.
+    """
+    walker = _Walker(folder)
+    document = read_vrml(file)
+    walker.walk_document(document, (), (file.resolve(),))
+    notes = [f"{file.name}: node type {name} is not known and was left out" for name in sorted(walker.unknown)]
+    if walker.curves:
+        notes.append(f"{file.name}: {walker.curves} shapes without a surface (lines, points, text) were left out")
+    return VrmlScene(file, tuple(walker.shapes), tuple(notes))
+
+
+class _Walker:
+    """Collects shapes top-down."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self.shapes: list[ShapeInstance] = []
+        self.unknown: set[str] = set()
+        self.curves = 0
+        self._triangles = 0
+        self._visits = 0
+        self._surfaces: dict[int, tuple[Node, Any]] = {}
+
+    def walk_document(self, document: VrmlDocument, levels: tuple[Level, ...], files: tuple[Path, ...]) -> None:
+        for root in document.roots:
+            self._walk(root, levels, document, files)
+
+    def _walk(self, node: Node, levels: tuple[Level, ...], document: VrmlDocument, files: tuple[Path, ...]) -> None:
+        place = Place(file=document.file, line=node.line)
+        self._visits += 1
+        if len(levels) > MAXIMUM_DEPTH:
+            raise InputError(
+                f"nodes are nested deeper than {MAXIMUM_DEPTH}", place=place, remedy="Export a flatter scene."
+            )
+        if self._visits > 10 * MAXIMUM_SHAPES:
+            raise InputError("the scene unfolds to too many nodes", place=place, remedy="Export fewer copies (USE).")
+        if node.type in document.prototypes:
+            self._walk_prototype(node, levels, document, files)
+        elif node.type == "Transform":
+            matrix = _transform(node, document.file)
+            self._walk_children(node, (*levels, Level(node.name, matrix)), document, files)
+        elif node.type in _GROUPS:
+            self._walk_children(node, (*levels, Level(node.name, None)), document, files)
+        elif node.type == "Switch":
+            self._walk_choice(node, levels, document, files)
+        elif node.type == "LOD":
+            for child in _nodes(node, "level")[:1]:
+                self._walk(child, (*levels, Level(node.name, None)), document, files)
+        elif node.type == "Inline":
+            self._walk_inline(node, (*levels, Level(node.name, None)), document, files)
+        elif node.type == "Shape":
+            self._add_shape(node, (*levels, Level(node.name, None)), document)
+        elif node.type not in _WITHOUT_GEOMETRY:
+            self.unknown.add(node.type)
+
+    def _walk_children(
+        self, node: Node, levels: tuple[Level, ...], document: VrmlDocument, files: tuple[Path, ...]
+    ) -> None:
+        for child in _nodes(node, "children"):
+            self._walk(child, levels, document, files)
+
+    def _walk_choice(
+        self, node: Node, levels: tuple[Level, ...], document: VrmlDocument, files: tuple[Path, ...]
+    ) -> None:
+        which = int(number_field(node, "whichChoice", (-1.0,), document.file)[0])
+        choices = _nodes(node, "choice")
+        if 0 <= which < len(choices):
+            self._walk(choices[which], (*levels, Level(node.name, None)), document, files)
+
+    def _walk_inline(
+        self, node: Node, levels: tuple[Level, ...], document: VrmlDocument, files: tuple[Path, ...]
+    ) -> None:
+        place = Place(file=document.file, line=node.line, component="Inline")
+        urls = [url for url in _items(node.fields.get("url")) if isinstance(url, str)]
+        if not urls:
+            return
+        relative_folder = document.file.parent.relative_to(self._folder)
+        target = resolve_inside(self._folder, (relative_folder / urls[0]).as_posix() if urls[0] else "", place)
+        resolved = target.resolve()
+        if resolved in files:
+            raise InputError(f"{urls[0]!r} inlines itself", place=place, remedy="Remove the circle of Inline nodes.")
+        self.walk_document(read_vrml(target), levels, (*files, resolved))
+
+    def _walk_prototype(
+        self, node: Node, levels: tuple[Level, ...], document: VrmlDocument, files: tuple[Path, ...]
+    ) -> None:
+        prototype = document.prototypes[node.type]
+        if isinstance(prototype, ExternalPrototype):
+            prototype, document = self._load_prototype(prototype, document)
+        if not prototype.body:
+            return
+        values = {**prototype.defaults, **node.fields}
+        others = {name: value for name, value in document.prototypes.items() if name != prototype.name}
+        instance = _substitute(prototype.body[0], values)
+        instance.name = node.name or instance.name
+        self._walk(instance, levels, VrmlDocument(document.file, [], others), files)
+
+    def _load_prototype(self, external: ExternalPrototype, document: VrmlDocument) -> tuple[Prototype, VrmlDocument]:
+        place = Place(file=document.file, line=external.line, component=f"EXTERNPROTO {external.name}")
+        reference, _, name = (external.urls[0] if external.urls else "").partition("#")
+        relative_folder = document.file.parent.relative_to(self._folder)
+        target = resolve_inside(self._folder, (relative_folder / reference).as_posix() if reference else "", place)
+        loaded = read_vrml(target)
+        found = [item for item in loaded.prototypes.values() if isinstance(item, Prototype)]
+        matching = [item for item in found if item.name == name] if name else found[:1]
+        if not matching:
+            raise InputError(
+                f"{target.name} defines no PROTO {name or external.name}", place=place, remedy="Correct the reference."
+            )
+        return matching[0], loaded
+
+    def _add_shape(self, node: Node, levels: tuple[Level, ...], document: VrmlDocument) -> None:
+        geometry = node.fields.get("geometry")
+        if not isinstance(geometry, Node):
+            return
+        if geometry.type in WITHOUT_SURFACE:
+            self.curves += 1
+            return
+        # Nodes that USE the same geometry share its surface; the entry keeps the node, and so its id, alive.
+        if id(geometry) not in self._surfaces:
+            self._surfaces[id(geometry)] = (geometry, surface_of(geometry, document.file))
+        surface = self._surfaces[id(geometry)][1]
+        if surface is None:
+            self.unknown.add(geometry.type)
+            return
+        vertices, triangles = surface
+        self._triangles += len(triangles)
+        if len(self.shapes) >= MAXIMUM_SHAPES or self._triangles > MAXIMUM_TRIANGLES:
+            raise InputError(
+                f"the scene holds more than {MAXIMUM_SHAPES} shapes or {MAXIMUM_TRIANGLES} triangles",
+                place=Place(file=document.file, line=node.line),
+                remedy="Export with a coarser tessellation.",
+            )
+        if len(triangles):
+            self.shapes.append(ShapeInstance(levels, vertices, triangles, _color(node, document.file), node.line))
+
+
+def _transform(node: Node, file: Path) -> Array:
+    """T x C x R x SR x S x -SR x -C (ISO/IEC 14772-1, 6.52)."""
+    center = number_field(node, "center", (0.0, 0.0, 0.0), file)
+    rotation = _rotation(number_field(node, "rotation", (0.0, 0.0, 1.0, 0.0), file))
+    scale = number_field(node, "scale", (1.0, 1.0, 1.0), file)
+    orientation = _rotation(number_field(node, "scaleOrientation", (0.0, 0.0, 1.0, 0.0), file))
+    translation = number_field(node, "translation", (0.0, 0.0, 0.0), file)
+    if (scale == 0).any():
+        raise InputError(
+            "Transform: scale is zero", place=Place(file=file, line=node.line), remedy="Correct the scale."
+        )
+    linear = rotation if (scale == 1).all() else rotation @ orientation @ np.diag(scale) @ orientation.T
+    matrix = np.eye(4)
+    matrix[:3, :3] = linear
+    matrix[:3, 3] = translation + center - linear @ center
+    return matrix
+
+
+def _rotation(values: Array) -> Array:
+    if values[3] == 0.0 or not values[:3].any():
+        return np.eye(3)
+    return rotation_about(values[:3], float(values[3]))
+
+
+def _color(shape: Node, file: Path) -> tuple[float, float, float]:
+    appearance = shape.fields.get("appearance")
+    material = appearance.fields.get("material") if isinstance(appearance, Node) else None
+    if not isinstance(material, Node):
+        return DEFAULT_COLOR
+    red, green, blue = np.clip(number_field(material, "diffuseColor", DEFAULT_COLOR, file), 0.0, 1.0)
+    return float(red), float(green), float(blue)
+
+
+def _items(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else [value]
+
+
+def _nodes(node: Node, name: str) -> list[Node]:
+    return [item for item in _items(node.fields.get(name)) if isinstance(item, Node)]
+
+
+def _substitute(value: Any, values: dict[str, Any]) -> Any:
+    """A copy of a prototype's node in which ``IS`` is replaced by the instance's values."""
+    if isinstance(value, Node):
+        fields = {}
+        for name, item in value.fields.items():
+            replaced = values.get(item.name) if isinstance(item, Reference) else _substitute(item, values)
+            if replaced is not None:
+                fields[name] = replaced
+        return Node(value.type, fields, value.line, value.name)
+    if isinstance(value, list):
+        return [_substitute(item, values) for item in value]
+    if isinstance(value, Numbers | str | bool):
+        return value
+    return None

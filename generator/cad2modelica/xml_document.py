@@ -1,0 +1,98 @@
+"""XML from unknown hands: no entities, no network, limits on size and depth, checked against a schema."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from cmb_base.errors import InputError, Place, ProblemList
+from lxml import etree
+
+MAXIMUM_BYTES = 16 * 2**20
+MAXIMUM_DEPTH = 64
+MAXIMUM_PROBLEMS = 20
+
+
+def read_xml(file: Path) -> etree._Element:
+    """The root element of an XML file.
+
+    Raises:
+        InputError: the file is missing, too large, not well formed, nested too deep, or declares a document type.
+    """
+    data = _read_bytes(file)
+    parser = etree.XMLParser(
+        resolve_entities=False, no_network=True, load_dtd=False, huge_tree=False, remove_comments=True, remove_pis=True
+    )
+    try:
+        root = etree.fromstring(data, parser)
+    except etree.XMLSyntaxError as error:
+        _refuse_document_type(data, file)
+        message = (error.msg or "syntax error").split(", line ")[0]
+        raise InputError(
+            f"is not well-formed XML: {message}",
+            place=Place(file=file, line=error.lineno),
+            remedy="Export the file again or repair it in an editor that knows XML.",
+        ) from error
+    if root.getroottree().docinfo.internalDTD is not None:
+        _refuse_document_type(data, file, certain=True)
+    _check_depth(root, file)
+    return root
+
+
+def validate(root: etree._Element, schema_file: Path, file: Path) -> None:
+    """Checks a document against an XML schema.
+
+    Raises:
+        ProblemList: the document breaks the schema; every problem with its line.
+    """
+    schema = etree.XMLSchema(etree.parse(schema_file))
+    if schema.validate(root):
+        return
+    namespace = f"{{{root.nsmap.get(None, '')}}}"
+    problems = [
+        InputError(entry.message.replace(namespace, ""), place=Place(file=file, line=entry.line))
+        for entry in list(schema.error_log)[:MAXIMUM_PROBLEMS]
+    ]
+    raise ProblemList(f"{file} breaks the schema {schema_file.name}", problems)
+
+
+def line_of(element: etree._Element) -> int | None:
+    """The line an element starts on."""
+    return element.sourceline
+
+
+def _read_bytes(file: Path) -> bytes:
+    try:
+        with file.open("rb") as stream:
+            data = stream.read(MAXIMUM_BYTES + 1)
+    except OSError as error:
+        raise InputError(
+            f"cannot be read: {error.strerror}", place=Place(file=file), remedy="Check the path and the permissions."
+        ) from error
+    if len(data) > MAXIMUM_BYTES:
+        raise InputError(
+            f"is larger than {MAXIMUM_BYTES // 2**20} MiB",
+            place=Place(file=file),
+            remedy="Geometry belongs into VRML files beside the XML file.",
+        )
+    return data
+
+
+def _refuse_document_type(data: bytes, file: Path, *, certain: bool = False) -> None:
+    position = data.find(b"<!DOCTYPE")
+    if position < 0 and not certain:
+        return
+    raise InputError(
+        "declares a document type (DOCTYPE), which may hide entities and is not accepted",
+        place=Place(file=file, line=data.count(b"\n", 0, max(position, 0)) + 1),
+        remedy="Remove the DOCTYPE and write the text of its entities where they are used.",
+    )
+
+
+def _check_depth(root: etree._Element, file: Path) -> None:
+    depth = 0
+    for event, element in etree.iterwalk(root, events=("start", "end")):
+        depth += 1 if event == "start" else -1
+        if depth > MAXIMUM_DEPTH:
+            raise InputError(
+                f"elements are nested deeper than {MAXIMUM_DEPTH}", place=Place(file=file, line=element.sourceline)
+            )
