@@ -13,6 +13,7 @@ from lxml import etree
 
 from cad2modelica.geometry_reader import GeometryReader, GeometryReference
 from cad2modelica.mass_check import check_against_geometry, check_tensor
+from cad2modelica.mesh import Mesh
 from cad2modelica.model import (
     GROUND,
     Assembly,
@@ -118,7 +119,7 @@ class _Reader:
         unfolded = _Unfolded()
         self._unfold(root, IDENTITY, "", (), self._definitions(), unfolded)
         self._problems.raise_if_any()
-        self._check_names([plane.name for plane in planes], unfolded)
+        self._check_names(unfolded)
         parts = tuple(self._part(item, materials, len(unfolded.parts), k) for k, item in enumerate(unfolded.parts))
         kept = {part.name: part for part in parts if part is not None}
         joints = [self._joint(item, {item.name: item for item in unfolded.parts}) for item in unfolded.joints]
@@ -275,7 +276,7 @@ class _Reader:
         names.add(name)
         return name
 
-    def _check_names(self, planes: list[str], unfolded: _Unfolded) -> None:
+    def _check_names(self, unfolded: _Unfolded) -> None:
         seen = {item.name for item in unfolded.parts}
         for element in self._root.iterfind(f"{{{NAMESPACE}}}ground/{{{NAMESPACE}}}plane"):
             name = element.get("name", "")
@@ -324,7 +325,7 @@ class _Reader:
             place=place,
         )
 
-    def _compare(self, properties: MassProperties, meshes: tuple, item: _PartDescription) -> None:
+    def _compare(self, properties: MassProperties, meshes: tuple[Mesh, ...], item: _PartDescription) -> None:
         for finding in check_against_geometry(properties, meshes):
             place = self._place(_child(item.element, "massProperties"), item.name)
             if finding.wrong:
@@ -332,8 +333,8 @@ class _Reader:
             else:
                 self._notes.append(f"part {item.name!r}: {finding.message}")
 
-    def _meshes(self, item: _PartDescription) -> tuple:
-        meshes: list = []
+    def _meshes(self, item: _PartDescription) -> tuple[Mesh, ...]:
+        meshes: list[Mesh] = []
         inner = item.outer.inverse() @ item.pose
         for element in item.element.iterfind(f"{{{NAMESPACE}}}geometry"):
             reference = GeometryReference(
@@ -478,7 +479,7 @@ class _Reader:
         place: Place,
     ) -> Joint:
         start = item.element.find(f"{{{NAMESPACE}}}start")
-        given = dict(start.attrib) if start is not None else {}
+        given = {str(key): str(value) for key, value in start.items()} if start is not None else {}
         scalar = kind in (JointType.REVOLUTE, JointType.PRISMATIC)
         allowed = ("position", "speed") if scalar else ("velocity", "angularVelocity")
         for key in given:
@@ -514,11 +515,12 @@ class _Reader:
         return Place(file=self._file, line=line_of(element), component=component or _component(element))
 
     def _unit(self, vector: Array, element: etree._Element, what: str) -> Array:
-        length = float(np.linalg.norm(vector))
+        length = np.linalg.norm(vector)
         if length < 1e-9:
             self._problems.add(f"{what} is the zero vector", self._place(element), "Give a direction.")
             return np.eye(len(vector))[-1]
-        return vector if length == 1.0 else vector / length
+        unit: Array = vector / length
+        return unit
 
     def _duplicate(self, kind: str, name: str, element: etree._Element) -> None:
         self._problems.add(

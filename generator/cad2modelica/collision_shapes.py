@@ -148,7 +148,7 @@ def _as_box(points: Array, hull: ConvexHull) -> CollisionShape | None:
 
 
 def _orthogonal_axes(normals: Array) -> Array | None:
-    """A right-handed frame of three face normals at right angles, the nearest to the body's axes; None if there is none."""
+    """A right-handed frame of face normals at right angles, nearest to the body's axes; None if there is none."""
     distinct: list[Array] = []
     for normal in normals:
         if all(abs(abs(float(normal @ other)) - 1.0) > FIT_TOLERANCE for other in distinct):
@@ -166,7 +166,7 @@ def _orthogonal_axes(normals: Array) -> Array | None:
         columns.append(next(int(k) for k in order if int(k) not in columns))
     axes = matrix[:, columns]
     axes = axes * np.where(np.diag(axes) < 0, -1.0, 1.0)
-    return axes if np.linalg.det(axes) > 0 else axes * np.array([1.0, 1.0, -1.0])
+    return np.asarray(axes if np.linalg.det(axes) > 0 else axes * np.array([1.0, 1.0, -1.0]))
 
 
 def _as_sphere(points: Array, hull: ConvexHull) -> CollisionShape | None:
@@ -199,9 +199,7 @@ def _as_capsule(points: Array, hull: ConvexHull) -> CollisionShape | None:
         if half <= FIT_TOLERANCE * radius:
             continue
         start = np.concatenate([direction * half, -direction * half, [radius]])
-        fit = least_squares(
-            lambda x: _segment_distance(extent, x[:3], x[3:6]) - x[6], start, method="lm", xtol=1e-15, ftol=1e-15
-        )
+        fit = least_squares(_capsule_residuals, start, args=(extent,), method="lm", xtol=1e-15, ftol=1e-15)
         first, second, radius = fit.x[:3], fit.x[3:6], float(fit.x[6])
         residual = float(np.abs(_segment_distance(extent, first, second) - radius).max())
         length = float(np.linalg.norm(first - second))
@@ -221,6 +219,11 @@ def _as_capsule(points: Array, hull: ConvexHull) -> CollisionShape | None:
 def _axis_candidates(extent: Array) -> list[Array]:
     _, vectors = np.linalg.eigh(extent.T @ extent)
     return [vectors[:, 2], *np.eye(3)]
+
+
+def _capsule_residuals(unknowns: Array, points: Array) -> Array:
+    """Distances from the surface of the capsule with the segment's ends and the radius ``unknowns``, shape (7,)."""
+    return np.asarray(_segment_distance(points, unknowns[:3], unknowns[3:6]) - unknowns[6])
 
 
 def _segment_distance(points: Array, first: Array, second: Array) -> Array:

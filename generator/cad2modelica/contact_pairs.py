@@ -17,9 +17,9 @@ def contact_pairs(assembly: Assembly, tree: KinematicTree, colliding: Sequence[s
         colliding: names of the parts and planes that have a shape.
 
     Returns:
-        With the default "all": every pair except neighbours in a joint (counting rigidly joined parts as one), parts of one
-        rigid group, pairs of fixed bodies and excluded pairs; pairs included explicitly stay. With the default "none": the
-        included pairs.
+        With the default "all": every pair except neighbours in a joint (counting rigidly joined parts as one),
+        parts of one rigid group, pairs of fixed bodies and excluded pairs; pairs included explicitly stay. With the
+        default "none": the included pairs.
     """
     planes = {plane.name for plane in assembly.planes}
     group = {**tree.rigid_groups, **dict.fromkeys(planes, GROUND)}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 from cad2modelica.mechanism_view import Connection, MechanismView
 
@@ -83,5 +84,5 @@ def _anchor(connector: str, view: MechanismView, centers: dict[str, Point]) -> P
 
 def _without_repeats(points: tuple[Point, ...]) -> tuple[Point, ...]:
     kept = [points[0]]
-    kept += [point for previous, point in zip(points, points[1:], strict=False) if point != previous]
+    kept += [point for previous, point in pairwise(points) if point != previous]
     return tuple(kept)

@@ -55,7 +55,7 @@ class GeneratedPackage:
 def generate(
     assembly_path: Path,
     output: Path,
-    options: GenerateOptions = GenerateOptions(),  # noqa: B008 - frozen
+    options: GenerateOptions = GenerateOptions(),
     progress: Progress = silent,
 ) -> GeneratedPackage:
     """Generates the Modelica package of an assembly.

@@ -68,7 +68,7 @@ class GeometryReader:
 
     def notes(self) -> list[str]:
         """Remarks on the reading, and every piece of geometry that no part asked for."""
-        notes = []
+        notes: list[str] = []
         for file, scene in self._scenes.items():
             notes += scene.notes
             left: dict[str, int] = {}
@@ -76,7 +76,8 @@ class GeometryReader:
                 if index not in self._matched[file]:
                     left[shape.path] = left.get(shape.path, 0) + 1
             notes += [
-                f"{file.name}: geometry {path!r} ({count} shape{'s' if count > 1 else ''}) belongs to no part and was left out"
+                f"{file.name}: geometry {path!r} ({count} shape{'s' if count > 1 else ''}) "
+                "belongs to no part and was left out"
                 for path, count in left.items()
             ]
         return notes

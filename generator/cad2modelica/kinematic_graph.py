@@ -107,8 +107,8 @@ def kinematic_tree(assembly: Assembly) -> KinematicTree:
     )
 
 
-def _graph(assembly: Assembly) -> nx.MultiGraph:
-    graph = nx.MultiGraph()
+def _graph(assembly: Assembly) -> nx.MultiGraph[str]:
+    graph: nx.MultiGraph[str] = nx.MultiGraph()
     graph.add_node(GROUND)
     graph.add_nodes_from(part.name for part in assembly.parts)
     for index, joint in enumerate(assembly.joints):
@@ -117,13 +117,13 @@ def _graph(assembly: Assembly) -> nx.MultiGraph:
     return graph
 
 
-def _joints_at(graph: nx.MultiGraph, node: str) -> list[Joint]:
-    edges = sorted(graph.edges(node, keys=True, data="joint"), key=lambda edge: edge[2])
-    return [edge[3] for edge in edges]
+def _joints_at(graph: nx.MultiGraph[str], node: str) -> list[Joint]:
+    by_index: dict[int, Joint] = {index: joint for _, _, index, joint in graph.edges(node, keys=True, data="joint")}
+    return [by_index[index] for index in sorted(by_index)]
 
 
 def _rigid_groups(assembly: Assembly) -> dict[str, str]:
-    rigid = nx.Graph()
+    rigid: nx.Graph[str] = nx.Graph()
     rigid.add_node(GROUND)
     rigid.add_nodes_from(part.name for part in assembly.parts)
     rigid.add_edges_from((GROUND, part.name) for part in assembly.parts if part.grounded)

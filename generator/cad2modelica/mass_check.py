@@ -39,7 +39,7 @@ def check_tensor(properties: MassProperties) -> MassFinding | None:
         )
     if moments[2] > (moments[0] + moments[1]) * (1 + RELATIVE_TOLERANCE):
         return MassFinding(
-            f"no body has these principal moments of inertia: {listed} kg.m2 (the largest exceeds the sum of the others)",
+            f"no body has these principal moments of inertia: {listed} kg.m2 (one exceeds the sum of the others)",
             "Check which point ('about') and which sign of the products ('products') the numbers belong to.",
             True,
         )
@@ -92,8 +92,8 @@ def check_against_geometry(properties: MassProperties, meshes: tuple[Mesh, ...])
         if offset > REMARK_TOLERANCE * diagonal or difference > REMARK_TOLERANCE:
             findings.append(
                 MassFinding(
-                    f"mass properties are not those of the geometry at uniform density (centre {1000 * offset:.3g} mm off, "
-                    f"inertia {100 * difference:.0f} % off)",
+                    "mass properties are not those of the geometry at uniform density "
+                    f"(centre {1000 * offset:.3g} mm off, inertia {100 * difference:.0f} % off)",
                     "Fine if they were overridden on purpose.",
                     False,
                 )

@@ -6,20 +6,22 @@ import re
 import unicodedata
 from collections.abc import Iterable
 
-_KEYWORDS = frozenset(
-    "algorithm and annotation block break class connect connector constant constrainedby der discrete each else elseif "
-    "elsewhen encapsulated end enumeration equation expandable extends external false final flow for function if import "
-    "impure in initial inner input loop model not operator or outer output package parameter partial protected public pure "
-    "record redeclare replaceable return stream then true type when while within".split()
-)
-_BUILT_IN = frozenset(
-    "time Real Integer Boolean String Clock ExternalObject StateSelect AssertionLevel Connections Modelica "
-    "ContactMultiBody abs sign sqrt div mod rem ceil floor integer sin cos tan asin acos atan atan2 sinh cosh tanh exp log "
-    "log10 min max sum product size ndims fill zeros ones identity diagonal linspace transpose cross skew outerProduct "
-    "symmetric vector matrix scalar cat delay pre edge change reinit noEvent smooth sample initial terminal terminate assert "
-    "homotopy semiLinear inStream actualStream getInstanceName spatialDistribution cardinality previous hold backSample "
-    "subSample superSample shiftSample noClock interval firstTick clock".split()
-)
+_KEYWORDS_TEXT = """
+algorithm and annotation block break class connect connector constant constrainedby der discrete each else
+elseif elsewhen encapsulated end enumeration equation expandable extends external false final flow for
+function if import impure in initial inner input loop model not operator or outer output package parameter
+partial protected public pure record redeclare replaceable return stream then true type when while within
+"""
+_KEYWORDS = frozenset(_KEYWORDS_TEXT.split())
+_BUILT_IN_TEXT = """
+time Real Integer Boolean String Clock ExternalObject StateSelect AssertionLevel Connections Modelica
+ContactMultiBody abs sign sqrt div mod rem ceil floor integer sin cos tan asin acos atan atan2 sinh cosh tanh
+exp log log10 min max sum product size ndims fill zeros ones identity diagonal linspace transpose cross skew
+outerProduct symmetric vector matrix scalar cat delay pre edge change reinit noEvent smooth sample initial
+terminal terminate assert homotopy semiLinear inStream actualStream getInstanceName spatialDistribution
+cardinality previous hold backSample subSample superSample shiftSample noClock interval firstTick clock
+"""
+_BUILT_IN = frozenset(_BUILT_IN_TEXT.split())
 _SPELLED = {
     "ß": "ss",
     "æ": "ae",

@@ -22,12 +22,13 @@ MAXIMUM_TRIANGLES = 5_000_000
 DEFAULT_COLOR = (0.8, 0.8, 0.8)
 
 _GROUPS = frozenset({"Group", "Collision", "Anchor", "Billboard"})
-_WITHOUT_GEOMETRY = frozenset(
-    "AudioClip Background ColorInterpolator CoordinateInterpolator CylinderSensor DirectionalLight Fog NavigationInfo "
-    "NormalInterpolator OrientationInterpolator PlaneSensor PointLight PositionInterpolator ProximitySensor "
-    "ScalarInterpolator Script Sound SphereSensor SpotLight TimeSensor TouchSensor Viewpoint VisibilitySensor "
-    "WorldInfo".split()
-)
+_WITHOUT_GEOMETRY_TEXT = """
+AudioClip Background ColorInterpolator CoordinateInterpolator CylinderSensor DirectionalLight Fog
+NavigationInfo NormalInterpolator OrientationInterpolator PlaneSensor PointLight PositionInterpolator
+ProximitySensor ScalarInterpolator Script Sound SphereSensor SpotLight TimeSensor TouchSensor Viewpoint
+VisibilitySensor WorldInfo
+"""
+_WITHOUT_GEOMETRY = frozenset(_WITHOUT_GEOMETRY_TEXT.split())
 
 
 @dataclass(frozen=True, eq=False)

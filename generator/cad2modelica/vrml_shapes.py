@@ -104,7 +104,7 @@ def _split_faces(points: Array, indices: Indices) -> Indices:
         return indices.reshape(-1, 4)[:, :3]
     triangles: list[tuple[int, int, int]] = []
     begin = 0
-    for end in np.flatnonzero(indices == -1):
+    for end in np.flatnonzero(indices == -1).tolist():
         face = indices[begin:end]
         begin = end + 1
         if len(face) >= 3:

@@ -98,12 +98,13 @@ def read_vrml(file: Path) -> VrmlDocument:
         message = f"unexpected {str(error.token)[:40]!r}"
         raise _syntax_error(message, file, error.line) from error
     except UnexpectedCharacters as error:
-        rest = text[error.pos_in_stream :]
+        position = error.pos_in_stream or 0
+        rest = text[position:]
         if rest.startswith('"'):
-            raise _truncated(text[: error.pos_in_stream], file, "a string") from error
+            raise _truncated(text[:position], file, "a string") from error
         if re.fullmatch(r"[+\-.0-9eExX]*", rest):
-            raise _truncated(text[: error.pos_in_stream], file, "a number") from error
-        raise _syntax_error(f"unexpected {text[error.pos_in_stream]!r}", file, error.line) from error
+            raise _truncated(text[:position], file, "a number") from error
+        raise _syntax_error(f"unexpected {text[position]!r}", file, error.line) from error
     except UnexpectedInput as error:
         raise _syntax_error("syntax error", file, error.line) from error
     return VrmlDocument(file, roots, builder.prototypes)
@@ -157,7 +158,7 @@ class _Builder(Transformer[Token, Any]):
     def field_is(self, children: list[Any]) -> tuple[str, Value]:
         return str(children[0]), Reference(str(children[1]))
 
-    def declaration(self, children: list[Any]) -> None:
+    def declaration(self, _children: list[Any]) -> None:
         return None
 
     def declaration_value(self, children: list[Any]) -> tuple[str, Value]:
@@ -166,7 +167,7 @@ class _Builder(Transformer[Token, Any]):
     def declaration_is(self, children: list[Any]) -> tuple[str, Value]:
         return str(children[2]), Reference(str(children[3]))
 
-    def external_declaration(self, children: list[Any]) -> None:
+    def external_declaration(self, _children: list[Any]) -> None:
         return None
 
     def prototype(self, children: list[Any]) -> None:
@@ -180,7 +181,7 @@ class _Builder(Transformer[Token, Any]):
         urls = [url for url in (value if isinstance(value, list) else [value]) if isinstance(url, str)]
         self.prototypes[str(name)] = ExternalPrototype(str(name), urls, int(name.line))
 
-    def route(self, children: list[Any]) -> None:
+    def route(self, _children: list[Any]) -> None:
         return None
 
     def value(self, children: list[Any]) -> Value:
@@ -202,7 +203,7 @@ class _Builder(Transformer[Token, Any]):
     def boolean(self, children: list[Any]) -> bool:
         return str(children[0]) == "TRUE"
 
-    def null(self, children: list[Any]) -> None:
+    def null(self, _children: list[Any]) -> None:
         return None
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import islice
 from pathlib import Path
 
 from cmb_base.errors import InputError, Place, ProblemList
@@ -48,16 +50,18 @@ def validate(root: etree._Element, schema_file: Path, file: Path) -> None:
     if schema.validate(root):
         return
     namespace = f"{{{root.nsmap.get(None, '')}}}"
+    log: Iterable[etree._LogEntry] = schema.error_log  # type: ignore[assignment]  # iterable, though not typed so
     problems = [
         InputError(entry.message.replace(namespace, ""), place=Place(file=file, line=entry.line))
-        for entry in list(schema.error_log)[:MAXIMUM_PROBLEMS]
+        for entry in islice(log, MAXIMUM_PROBLEMS)
     ]
     raise ProblemList(f"{file} breaks the schema {schema_file.name}", problems)
 
 
 def line_of(element: etree._Element) -> int | None:
     """The line an element starts on."""
-    return element.sourceline
+    line = element.sourceline
+    return line if isinstance(line, int) else None
 
 
 def _read_bytes(file: Path) -> bytes:
