@@ -518,7 +518,8 @@ class _Reader:
         length = np.linalg.norm(vector)
         if length < 1e-9:
             self._problems.add(f"{what} is the zero vector", self._place(element), "Give a direction.")
-            return np.eye(len(vector))[-1]
+            fallback: Array = np.eye(len(vector))[-1]
+            return fallback
         unit: Array = vector / length
         return unit
 

@@ -118,8 +118,11 @@ def _graph(assembly: Assembly) -> nx.MultiGraph[str]:
 
 
 def _joints_at(graph: nx.MultiGraph[str], node: str) -> list[Joint]:
-    by_index: dict[int, Joint] = {index: joint for _, _, index, joint in graph.edges(node, keys=True, data="joint")}
-    return [by_index[index] for index in sorted(by_index)]
+    # Edge keys are the joints' numbers in the source; networkx does not promise an order of its own.
+    by_number: dict[int, Joint] = {}
+    for neighbours in graph.adj[node].values():
+        by_number.update({number: data["joint"] for number, data in neighbours.items()})
+    return [by_number[number] for number in sorted(by_number)]
 
 
 def _rigid_groups(assembly: Assembly) -> dict[str, str]:
