@@ -18,16 +18,23 @@ static int is_solver_reference(unsigned reference, unsigned count) {
   return reference >= CMB_SOLVER_FIRST_REFERENCE && reference - CMB_SOLVER_FIRST_REFERENCE < count;
 }
 
+cmb_result cmb_check_references(cmb_instance *instance, cmb_base_type type, const unsigned *reference, size_t count) {
+  static const char *const names[] = {"Real", "Integer", "Boolean", "String"};
+  static const unsigned solver_slots[] = {CMB_SOLVER_REAL_COUNT, CMB_SOLVER_INTEGER_COUNT, 0, 0};
+  const size_t slots[] = {cmb_model.real_count, cmb_model.integer_count, cmb_model.boolean_count,
+                          cmb_model.string_count};
+  for (size_t i = 0; i < count; ++i) {
+    if (reference[i] < slots[type] || is_solver_reference(reference[i], solver_slots[type])) continue;
+    return unknown_reference(instance, names[type], reference[i]);
+  }
+  return CMB_RESULT_OK;
+}
+
 /* -- getting -- */
 
 cmb_result cmb_get_real(cmb_instance *instance, const unsigned *reference, size_t count, double *value) {
   if (count == 0) return CMB_RESULT_OK;
   const cmb_slot_table *table = &cmb_interface_tables.real;
-  for (size_t i = 0; i < count; ++i) {
-    if (reference[i] >= cmb_model.real_count && !is_solver_reference(reference[i], CMB_SOLVER_REAL_COUNT)) {
-      return unknown_reference(instance, "Real", reference[i]);
-    }
-  }
   const cmb_result result = cmb_update_values(instance);
   if (result != CMB_RESULT_OK) return result;
   for (size_t i = 0; i < count; ++i) {
@@ -45,11 +52,6 @@ cmb_result cmb_get_real(cmb_instance *instance, const unsigned *reference, size_
 
 cmb_result cmb_get_integer(cmb_instance *instance, const unsigned *reference, size_t count, int *value) {
   if (count == 0) return CMB_RESULT_OK;
-  for (size_t i = 0; i < count; ++i) {
-    if (reference[i] >= cmb_model.integer_count && !is_solver_reference(reference[i], CMB_SOLVER_INTEGER_COUNT)) {
-      return unknown_reference(instance, "Integer", reference[i]);
-    }
-  }
   const cmb_result result = cmb_update_values(instance);
   if (result != CMB_RESULT_OK) return result;
   for (size_t i = 0; i < count; ++i) {
@@ -62,9 +64,6 @@ cmb_result cmb_get_integer(cmb_instance *instance, const unsigned *reference, si
 
 cmb_result cmb_get_boolean(cmb_instance *instance, const unsigned *reference, size_t count, int *value) {
   if (count == 0) return CMB_RESULT_OK;
-  for (size_t i = 0; i < count; ++i) {
-    if (reference[i] >= cmb_model.boolean_count) return unknown_reference(instance, "Boolean", reference[i]);
-  }
   const cmb_result result = cmb_update_values(instance);
   if (result != CMB_RESULT_OK) return result;
   for (size_t i = 0; i < count; ++i) value[i] = instance->values.boolean[reference[i]] != 0;
@@ -73,9 +72,6 @@ cmb_result cmb_get_boolean(cmb_instance *instance, const unsigned *reference, si
 
 cmb_result cmb_get_string(cmb_instance *instance, const unsigned *reference, size_t count, const char **value) {
   if (count == 0) return CMB_RESULT_OK;
-  for (size_t i = 0; i < count; ++i) {
-    if (reference[i] >= cmb_model.string_count) return unknown_reference(instance, "String", reference[i]);
-  }
   const cmb_result result = cmb_update_values(instance);
   if (result != CMB_RESULT_OK) return result;
   for (size_t i = 0; i < count; ++i) value[i] = instance->string[reference[i]];

@@ -76,7 +76,7 @@ cmb_result cmb_directional_derivative(cmb_instance *instance, const unsigned *un
   for (size_t i = 0; i < unknown_count + known_count; ++i) {
     const unsigned slot = i < unknown_count ? unknown[i] : known[i - unknown_count];
     if (slot < cmb_model.real_count) continue;
-    snprintf(instance->message, sizeof instance->message, "There is no Real variable with value reference %u", slot);
+    snprintf(instance->message, sizeof instance->message, "Value reference %u is no variable of the model", slot);
     return CMB_RESULT_ERROR;
   }
   cmb_result result = cmb_update_values(instance);

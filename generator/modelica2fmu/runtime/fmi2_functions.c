@@ -46,24 +46,25 @@ static fmi2Status to_status(cmb_severity severity) {
   return fmi2Error;
 }
 
-/* In FMI 2.0 messages "#" introduces a value reference, so one that means itself is doubled (section 2.1.5). */
-static void double_hashes(const char *message, char *escaped, size_t size) {
+/* The message is the format itself, without arguments, so that importers whose logger cannot read variable
+ * arguments show it too. In it "%" is doubled, and "#", which introduces a value reference (section 2.1.5). */
+static void double_special(const char *message, char *format, size_t size) {
   size_t length = 0;
   for (; *message != '\0' && length + 2 < size; ++message) {
-    if (*message == '#') escaped[length++] = '#';
-    escaped[length++] = *message;
+    if (*message == '#' || *message == '%') format[length++] = *message;
+    format[length++] = *message;
   }
-  escaped[length] = '\0';
+  format[length] = '\0';
 }
 
 static void log_to_importer(void *receiver, const char *instance_name, cmb_severity severity,
                             cmb_log_category category, const char *message) {
   const component *c = receiver;
   if (c->callbacks.logger == NULL) return;
-  char escaped[2200];
-  double_hashes(message, escaped, sizeof escaped);
+  char format[2200];
+  double_special(message, format, sizeof format);
   c->callbacks.logger(c->callbacks.componentEnvironment, instance_name, to_status(severity),
-                      cmb_log_category_name[category], "%s", escaped);
+                      cmb_log_category_name[category], format);
 }
 
 /* -- checks and results -- */
@@ -137,7 +138,7 @@ fmi2Status fmi2SetDebugLogging(fmi2Component pointer, fmi2Boolean on, size_t cou
 static fmi2Component refuse_instance(const fmi2CallbackFunctions *functions, fmi2String name, const char *reason) {
   if (functions != NULL && functions->logger != NULL) {
     functions->logger(functions->componentEnvironment, name != NULL ? name : "?", fmi2Error,
-                      cmb_log_category_name[CMB_LOG_STATUS_ERROR], "fmi2Instantiate: %s", reason);
+                      cmb_log_category_name[CMB_LOG_STATUS_ERROR], reason);
   }
   return NULL;
 }
@@ -147,22 +148,22 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
   (void)resources;
   (void)visible;
   if (functions == NULL || name == NULL || name[0] == '\0') {
-    return refuse_instance(functions, name, "instance name or callbacks missing");
+    return refuse_instance(functions, name, "fmi2Instantiate: instance name or callbacks missing");
   }
   if (guid == NULL || strcmp(guid, cmb_model.guid) != 0) {
-    return refuse_instance(functions, name, "the GUID is not that of this FMU: modelDescription.xml and binary differ");
+    return refuse_instance(functions, name, "fmi2Instantiate: the GUID is not that of this FMU: modelDescription.xml and binary differ");
   }
   if (type != fmi2ModelExchange && type != fmi2CoSimulation) {
-    return refuse_instance(functions, name, "unknown FMU type");
+    return refuse_instance(functions, name, "fmi2Instantiate: unknown FMU type");
   }
   component *c = calloc(1, sizeof *c);
-  if (c == NULL) return refuse_instance(functions, name, "no memory");
+  if (c == NULL) return refuse_instance(functions, name, "fmi2Instantiate: no memory");
   c->callbacks = *functions;
   c->type = type;
   c->instance = cmb_instance_create(name, log_to_importer, c);
   if (c->instance == NULL) {
     free(c);
-    return refuse_instance(functions, name, "no memory");
+    return refuse_instance(functions, name, "fmi2Instantiate: no memory");
   }
   set_logging(c, logging_on, 0, NULL);
   return c;
@@ -240,30 +241,37 @@ static int has_array(component *c, const char *function, size_t count, const voi
   return 0;
 }
 
+/* The component if these references can be read, NULL if not (logged). */
+static component *readable(fmi2Component pointer, const char *function, cmb_base_type type,
+                           const fmi2ValueReference *reference, size_t count, const void *value) {
+  component *c = permitted(pointer, function, READ_PHASES);
+  if (c == NULL || !has_array(c, function, count, reference, value)) return NULL;
+  if (cmb_check_references(c->instance, type, reference, count) == CMB_RESULT_OK) return c;
+  reject_call(c, function);
+  return NULL;
+}
+
 fmi2Status fmi2GetReal(fmi2Component pointer, const fmi2ValueReference reference[], size_t count, fmi2Real value[]) {
-  component *c = permitted(pointer, "fmi2GetReal", READ_PHASES);
-  if (c == NULL || !has_array(c, "fmi2GetReal", count, reference, value)) return fmi2Error;
+  component *c = readable(pointer, "fmi2GetReal", CMB_TYPE_REAL, reference, count, value);
+  if (c == NULL) return fmi2Error;
   return finish_read(c, "fmi2GetReal", cmb_get_real(c->instance, reference, count, value));
 }
 
-fmi2Status fmi2GetInteger(fmi2Component pointer, const fmi2ValueReference reference[], size_t count,
-                          fmi2Integer value[]) {
-  component *c = permitted(pointer, "fmi2GetInteger", READ_PHASES);
-  if (c == NULL || !has_array(c, "fmi2GetInteger", count, reference, value)) return fmi2Error;
+fmi2Status fmi2GetInteger(fmi2Component pointer, const fmi2ValueReference reference[], size_t count, fmi2Integer value[]) {
+  component *c = readable(pointer, "fmi2GetInteger", CMB_TYPE_INTEGER, reference, count, value);
+  if (c == NULL) return fmi2Error;
   return finish_read(c, "fmi2GetInteger", cmb_get_integer(c->instance, reference, count, value));
 }
 
-fmi2Status fmi2GetBoolean(fmi2Component pointer, const fmi2ValueReference reference[], size_t count,
-                          fmi2Boolean value[]) {
-  component *c = permitted(pointer, "fmi2GetBoolean", READ_PHASES);
-  if (c == NULL || !has_array(c, "fmi2GetBoolean", count, reference, value)) return fmi2Error;
+fmi2Status fmi2GetBoolean(fmi2Component pointer, const fmi2ValueReference reference[], size_t count, fmi2Boolean value[]) {
+  component *c = readable(pointer, "fmi2GetBoolean", CMB_TYPE_BOOLEAN, reference, count, value);
+  if (c == NULL) return fmi2Error;
   return finish_read(c, "fmi2GetBoolean", cmb_get_boolean(c->instance, reference, count, value));
 }
 
-fmi2Status fmi2GetString(fmi2Component pointer, const fmi2ValueReference reference[], size_t count,
-                         fmi2String value[]) {
-  component *c = permitted(pointer, "fmi2GetString", READ_PHASES);
-  if (c == NULL || !has_array(c, "fmi2GetString", count, reference, value)) return fmi2Error;
+fmi2Status fmi2GetString(fmi2Component pointer, const fmi2ValueReference reference[], size_t count, fmi2String value[]) {
+  component *c = readable(pointer, "fmi2GetString", CMB_TYPE_STRING, reference, count, value);
+  if (c == NULL) return fmi2Error;
   return finish_read(c, "fmi2GetString", cmb_get_string(c->instance, reference, count, value));
 }
 
@@ -365,6 +373,10 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component pointer, const fmi2ValueRe
   if (c == NULL || !has_array(c, function, unknown_count, unknown, sensitivity) ||
       !has_array(c, function, known_count, known, seed)) {
     return fmi2Error;
+  }
+  if (cmb_check_references(c->instance, CMB_TYPE_REAL, unknown, unknown_count) != CMB_RESULT_OK ||
+      cmb_check_references(c->instance, CMB_TYPE_REAL, known, known_count) != CMB_RESULT_OK) {
+    return reject_call(c, function);
   }
   return finish(c, function, cmb_directional_derivative(c->instance, unknown, unknown_count, known, known_count, seed,
                                                         sensitivity));

@@ -9,6 +9,8 @@ from modelica2fmu.description import (
     Causality,
     DataType,
     DefaultExperiment,
+    EnumerationItem,
+    EnumerationType,
     Initial,
     ModelDescription,
     Variability,
@@ -93,4 +95,85 @@ OSCILLATOR = model(
     ],
     ["s", "v"],
     stop=10.0,
+)
+
+BALL = model(
+    "Ball",
+    [
+        state("h", 0, 1.0, Causality.OUTPUT, unit="m"),
+        state("v", 1, 0.0, Causality.OUTPUT, unit="m/s", reinit=True),
+        local("der(h)", 2, unit="m/s", derivative_of="h"),
+        local("der(v)", 3, unit="m/s2", derivative_of="v"),
+        parameter("e", 4, 0.7, minimum=0.0, maximum=1.0),
+        parameter("g", 5, 9.81, unit="m/s2"),
+        parameter("restSpeed", 6, 1e-3, unit="m/s"),
+        discrete("impactSpeed", 7, DataType.REAL, Causality.OUTPUT, unit="m/s"),
+        discrete("bounces", 0, DataType.INTEGER, Causality.OUTPUT),
+        discrete("impact", 0, DataType.BOOLEAN),
+        Variable("flying", DataType.BOOLEAN, 1, Causality.LOCAL, Variability.DISCRETE, Initial.EXACT, True),
+    ],
+    ["h", "v"],
+    indicators=1,
+    stop=3.0,
+)
+
+MODE = EnumerationType(
+    "Schedule.Mode", (EnumerationItem("up", 1, "Level rises"), EnumerationItem("down", 2, "Level falls"))
+)
+
+SCHEDULE = model(
+    "Schedule",
+    [
+        Variable("x", DataType.REAL, 0, Causality.OUTPUT, Variability.CONTINUOUS, Initial.CALCULATED),
+        local("der(x)", 1, derivative_of="x", unit="1/s"),
+        parameter("base", 2, 1.5),
+        calculated("twice", 3),
+        parameter("lag", 4, 0.5, unit="s", tunable=True),
+        parameter("first", 5, 0.1, unit="s"),
+        parameter("period", 6, 0.25, unit="s", display_unit="ms"),
+        discrete("level", 7, DataType.REAL, Causality.OUTPUT),
+        discrete("nextTick", 8, DataType.REAL, unit="s"),
+        discrete("ticks", 0, DataType.INTEGER, Causality.OUTPUT),
+        parameter("mode", 1, 1, DataType.ENUMERATION, enumeration="Schedule.Mode"),
+        Variable("step", DataType.INTEGER, 2, Causality.INPUT, Variability.DISCRETE, None, 1),
+        parameter("enabled", 0, True, DataType.BOOLEAN),
+        discrete("late", 1, DataType.BOOLEAN, Causality.OUTPUT),
+        parameter("title", 0, "schedule", DataType.STRING),
+        discrete("remark", 1, DataType.STRING, Causality.OUTPUT),
+    ],
+    ["x"],
+    stop=2.0,
+    enumerations=(MODE,),
+)
+
+GUARDED = model(
+    "Guarded",
+    [
+        state("x", 0, 1.0, Causality.OUTPUT),
+        local("der(x)", 1, derivative_of="x"),
+        parameter("limit", 2, 0.0),
+        parameter("gain", 3, 1.0),
+        parameter("drift", 4, 0.0),
+        parameter("fail", 0, 1, DataType.INTEGER),
+        discrete("label", 0, DataType.STRING),
+    ],
+    ["x"],
+)
+
+SWITCHING = model(
+    "Switching",
+    [
+        state("x", 0, 0.25, Causality.OUTPUT),
+        local("der(x)", 1, derivative_of="x"),
+        discrete("crossingTime", 2, DataType.REAL, unit="s"),
+        local("tie", 3),
+        local("sum", 4),
+        local("root", 5),
+        parameter("kind", 0, 3, DataType.INTEGER),
+        discrete("crossings", 1, DataType.INTEGER),
+        discrete("above", 0, DataType.BOOLEAN),
+        discrete("restless", 1, DataType.BOOLEAN),
+    ],
+    ["x"],
+    indicators=1,
 )
