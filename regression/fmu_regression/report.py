@@ -96,15 +96,16 @@ def _overview(
 def _mechanism_tile(scene: Scene) -> Tile:
     moving = [body for body in scene.bodies if not body.fixed]
     mass = sum(body.mass for body in moving)
-    return Tile("Moving bodies", str(len(moving)), "", f"{mass:.4g} kg, {len(scene.joints)} joint coordinates")
+    return Tile("Moving bodies", str(len(moving)), "", f"{mass:.4g} kg")
 
 
 def _contact_tiles(scene: Scene, impacts: tuple[Impact, ...]) -> list[Tile]:
+    watched = f"{len(scene.pairs)} pair{'s' if len(scene.pairs) != 1 else ''} watched"
     if not impacts:
-        return [Tile("Contacts", "none", "", f"{len(scene.pairs)} pairs watched")]
+        return [Tile("Contacts", "none", "", watched)]
     first = impacts[0]
     tiles = [
-        Tile("Contacts", str(len(impacts)), "", f"{len(scene.pairs)} pairs watched"),
+        Tile("Contacts", str(len(impacts)), "", watched),
         Tile("First contact", f"{first.start:.5g}", "s", scene.pair_label(first.pair)),
     ]
     strong = [impact for impact in impacts if impact.peak_force is not None]
