@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import networkx as nx
 
@@ -119,7 +120,7 @@ def _graph(assembly: Assembly) -> nx.MultiGraph[str]:
 
 def _joints_at(graph: nx.MultiGraph[str], node: str) -> list[Joint]:
     # Edge keys are the joints' numbers in the source; networkx does not promise an order of its own.
-    by_number: dict[int, Joint] = {}
+    by_number: dict[Any, Joint] = {}
     for neighbours in graph.adj[node].values():
         by_number.update({number: data["joint"] for number, data in neighbours.items()})
     return [by_number[number] for number in sorted(by_number)]
