@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "box_axes.hpp"
+#include "direction_refinement.hpp"
 #include "feature_enumeration.hpp"
 #include "gjk.hpp"
 #include "minkowski_difference.hpp"
@@ -70,9 +71,56 @@ CoreDistance box_and_point(const Vec3 &half, const Vec3 &p) {
   return result;
 }
 
+// A point against a cylinder or cone: in the half plane of the point and the axis, the body is a
+// rectangle or a triangle.
+CoreDistance revolved_and_point(const ConvexBody &body, const Vec3 &p) {
+  const double across = std::sqrt(p.x * p.x + p.y * p.y);
+  const Vec3 outward = across > 0.0 ? Vec3{p.x / across, p.y / across, 0.0} : Vec3{1, 0, 0};
+  const double r = body.half.x, h = body.half.z;
+  // Profile from the base's rim to the top: a straight line; then the top's disc and the base's.
+  struct Line {
+    double x0, z0, x1, z1;
+  };
+  const double top = body.core == CoreShape::cone ? 0.0 : r;
+  const Line lines[3] = {{r, -h, top, h}, {top, h, 0.0, h}, {0.0, -h, r, -h}};
+  double deepest = -INFINITY, nearest2 = INFINITY;
+  Vec3 inside_normal, foot_inside, foot_outside;
+  bool over_face = false;
+  for (const Line &line : lines) {
+    const double dx = line.x1 - line.x0, dz = line.z1 - line.z0, length2 = dx * dx + dz * dz;
+    if (!(length2 > 0.0)) continue;  // a cone has no top disc
+    const double length = std::sqrt(length2), nx = dz / length, nz = -dx / length;
+    const double height = nx * (across - line.x0) + nz * (p.z - line.z0);
+    if (height > deepest) {
+      deepest = height;
+      inside_normal = nx * outward + Vec3{0, 0, nz};
+      foot_inside = p - height * inside_normal;
+    }
+    const double t = std::clamp(((across - line.x0) * dx + (p.z - line.z0) * dz) / length2, 0.0, 1.0);
+    const double x = line.x0 + t * dx, z = line.z0 + t * dz;
+    const double distance2 = (across - x) * (across - x) + (p.z - z) * (p.z - z);
+    if (distance2 < nearest2) {
+      nearest2 = distance2;
+      foot_outside = x * outward + Vec3{0, 0, z};
+      over_face = t > 0.0 && t < 1.0;
+    }
+  }
+  // Over a face the distance is the height, and the direction known better than from the gap.
+  if (deepest > 0.0 && !over_face) return from_gap(foot_outside, p, inside_normal, DistanceMethod::closed_form);
+  return {deepest, inside_normal, foot_inside, p, DistanceMethod::closed_form, true};
+}
+
 CoreDistance exchanged(const CoreDistance &d, const Pose &pose) {
   // Computed in B's frame with the roles exchanged.
   return {d.distance, -(pose.rotation * d.direction), pose(d.b), pose(d.a), d.method, d.proven};
+}
+
+bool has_point_formula(CoreShape core) {
+  return core == CoreShape::box || core == CoreShape::cylinder || core == CoreShape::cone;
+}
+
+CoreDistance body_and_point(const ConvexBody &body, const Vec3 &p) {
+  return body.core == CoreShape::box ? box_and_point(body.half, p) : revolved_and_point(body, p);
 }
 
 bool lies_on_line(CoreShape core) { return core == CoreShape::point || core == CoreShape::segment; }
@@ -89,37 +137,53 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
   const bool polyhedral = is_polyhedral(body_a.core) && is_polyhedral(body_b.core);
   const double tolerance = (polyhedral ? 1e-14 : 1e-11) * difference.scale;
   const GjkResult gjk = gjk_distance(difference, first, tolerance);
-  const auto gjk_answer = [&](bool proven) {
-    Vec3 a, b;
+  const auto gjk_answer = [&] {
+    CoreDistance result{norm(gjk.closest), normalized(-gjk.closest), {}, {}, DistanceMethod::gjk, true};
     for (int k = 0; k < gjk.count; ++k) {
-      a = a + gjk.weight[k] * gjk.simplex[k].a;
-      b = b + gjk.weight[k] * gjk.simplex[k].b;
+      result.a = result.a + gjk.weight[k] * gjk.simplex[k].a;
+      result.b = result.b + gjk.weight[k] * gjk.simplex[k].b;
     }
-    CoreDistance result = from_gap(a, b, {0, 0, 1}, DistanceMethod::gjk);
-    result.distance = norm(gjk.closest);
-    result.direction = normalized(-gjk.closest);
-    result.proven = proven;
     return result;
   };
-  if (gjk.status == GjkResult::Status::apart) return gjk_answer(true);
-  if (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0) {
-    if (polyhedral) return enumerated(difference, scratch);
-    ++scratch.counters.unproven;
-    return gjk_answer(false);
-  }
+  // Curved cores: Newton's method sharpens the answer; `best_possible` bounds the distance from above.
+  const auto refined = [&](const CoreDistance &rough, double best_possible) -> CoreDistance {
+    const RefinedDirection r = refine_direction(difference, rough.direction, rough.a, rough.b);
+    const bool proven = best_possible + r.height <= 1e-8 * difference.scale;
+    if (!proven) ++scratch.counters.unproven;
+    return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, proven};
+  };
+  const bool apart = gjk.status == GjkResult::Status::apart ||
+                     (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0);
+  if (apart && !polyhedral) return refined(gjk_answer(), norm(gjk.closest));
+  if (apart) return gjk.status == GjkResult::Status::apart ? gjk_answer() : enumerated(difference, scratch);
   const PenetrationResult inside =
-      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, polyhedral ? tolerance : 1e-9 * difference.scale);
-  // A negative depth says that the origin is outside after all.
-  if (polyhedral && (!inside.proven || inside.depth < -1e-12 * difference.scale)) return enumerated(difference, scratch);
-  if (!inside.proven) ++scratch.counters.unproven;
-  return {-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope, inside.proven};
+      polyhedral ? scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, tolerance, 1024)
+                 : scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, 1e-9 * difference.scale, 160);
+  CoreDistance result{-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope,
+                      inside.proven};
+  if (polyhedral) {
+    // A negative depth says that the origin is outside after all.
+    if (!inside.proven || inside.depth < -1e-12 * difference.scale) return enumerated(difference, scratch);
+    return result;
+  }
+  // Surfaces of revolution on one axis are equally deep all round: no bound settles that, but the
+  // other directions refined show whether one of them is nearer.
+  CoreDistance best = refined(result, -inside.lower);
+  for (int k = 0; k < inside.other_count; ++k) {
+    result.direction = inside.other[k];
+    const RefinedDirection r = refine_direction(difference, result.direction, result.a, result.b);
+    if (-r.height > best.distance + 1e-13 * difference.scale) {
+      best.distance = -r.height, best.direction = r.direction, best.a = r.a, best.b = r.b;
+    }
+  }
+  return best;
 }
 
 CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose &pose, DistanceScratch &scratch) {
   if (lies_on_line(a.core) && lies_on_line(b.core)) return point_or_segment_pair(a, b, pose);
-  if (a.core == CoreShape::box && b.core == CoreShape::point) return box_and_point(a.half, pose.translation);
-  if (a.core == CoreShape::point && b.core == CoreShape::box) {
-    return exchanged(box_and_point(b.half, pose.inverse().translation), pose);
+  if (b.core == CoreShape::point && has_point_formula(a.core)) return body_and_point(a, pose.translation);
+  if (a.core == CoreShape::point && has_point_formula(b.core)) {
+    return exchanged(body_and_point(b, pose.inverse().translation), pose);
   }
   Vec3 first = core_center(a) - pose(core_center(b));
   if (a.core == CoreShape::box && b.core == CoreShape::box) {

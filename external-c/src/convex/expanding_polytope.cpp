@@ -66,20 +66,18 @@ bool ExpandingPolytope::start(const MinkowskiDifference &difference, const Diffe
   return start_from(t, relative_thickness * scale);
 }
 
-// Convex combination of the face whose triangle holds the origin's projection, among those in the
-// plane nearest to the origin.
-void ExpandingPolytope::witness(PenetrationResult &result, double tolerance) const {
-  const Vec3 target = result.depth * result.direction;
+// Convex combination of the corners of the face through which the line along the direction leaves the
+// surface: its point of A - B is depth * direction to the tolerance of the depth.
+void ExpandingPolytope::witness(PenetrationResult &result) const {
+  const Vec3 &m = result.direction;
   double best_inside = -INFINITY;
   double weight[3] = {1, 0, 0};
   const ExpandingHull::Face *best = nullptr;
   for (std::int32_t f = 0; f < hull_.face_count(); ++f) {
     const ExpandingHull::Face &face = hull_.face(f);
-    if (!face.alive || face.sliver || face.offset > result.depth + tolerance) continue;
-    if (dot(face.normal, result.direction) < 0.9999) continue;
-    const Vec3 a = hull_.point(face.vertex[0]) - target, b = hull_.point(face.vertex[1]) - target,
-               c = hull_.point(face.vertex[2]) - target;
-    const double u = dot(face.normal, cross(b, c)), v = dot(face.normal, cross(c, a)), w = dot(face.normal, cross(a, b));
+    if (!face.alive || face.sliver || !(dot(face.normal, m) > 0.0)) continue;
+    const Vec3 &a = hull_.point(face.vertex[0]), &b = hull_.point(face.vertex[1]), &c = hull_.point(face.vertex[2]);
+    const double u = dot(m, cross(b, c)), v = dot(m, cross(c, a)), w = dot(m, cross(a, b));
     const double sum = u + v + w;
     if (!(sum > 0.0)) continue;
     const double inside = std::min(u, std::min(v, w)) / sum;
@@ -101,7 +99,7 @@ void ExpandingPolytope::witness(PenetrationResult &result, double tolerance) con
 }
 
 PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference, const DifferencePoint *simplex,
-                                           int count, double tolerance) {
+                                           int count, double tolerance, std::int32_t most_points) {
   PenetrationResult result;
   result.depth = INFINITY;
   result.direction = {0, 0, 1};
@@ -148,7 +146,9 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
     const bool repeated =
         std::any_of(points_.begin(), points_.end(), [&](const DifferencePoint &q) { return same_vertices(p, q); });
     if (repeated) continue;  // the face is thin and its normal off by rounding: its neighbours decide
-    const ExpandingHull::Outcome outcome = hull_.expand(f, p.w, visibility, thickness);
+    const ExpandingHull::Outcome outcome = hull_.point_count() < most_points
+                                               ? hull_.expand(f, p.w, visibility, thickness)
+                                               : ExpandingHull::Outcome::full;
     if (outcome != ExpandingHull::Outcome::expanded) {
       result.proven = false;
       result.lower = std::min(result.lower, offset);
@@ -159,8 +159,21 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
     enqueue(hull_.first_new_face());
   }
   result.lower = std::min(result.lower, result.depth - tolerance);
-  witness(result, 4.0 * tolerance);
+  witness(result);
+  if (!result.proven) other_directions(result);
   return result;
+}
+
+void ExpandingPolytope::other_directions(PenetrationResult &result) {
+  while (!queue_.empty() && result.other_count < PenetrationResult::most_others) {
+    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
+    const ExpandingHull::Face &face = hull_.face(queue_.back().second);
+    queue_.pop_back();
+    if (!face.alive || face.offset >= result.depth) continue;
+    const auto near = [&face](const Vec3 &d) { return dot(d, face.normal) > 0.9; };
+    if (near(result.direction) || std::any_of(result.other, result.other + result.other_count, near)) continue;
+    result.other[result.other_count++] = face.normal;
+  }
 }
 
 }  // namespace cmb::convex

@@ -17,6 +17,10 @@ struct PenetrationResult {
   Vec3 a, b;           // witness points, in A's frame
   bool proven = false;
   int steps = 0;
+  // Where not proven: directions, well apart from each other, in which the surface may be nearer.
+  static constexpr int most_others = 6;
+  Vec3 other[most_others];
+  int other_count = 0;
 };
 
 // Works in storage allocated by the constructor alone. Not for sharing between threads.
@@ -24,16 +28,17 @@ class ExpandingPolytope {
  public:
   explicit ExpandingPolytope(std::size_t max_points = 1024);
 
-  // Depth of the origin in the difference, to `tolerance` metres. `simplex` (count 1 to 4) are points
-  // of the difference to start from. Not proven where rounding broke the surface, where the room for
+  // Depth of the origin in the difference, to `tolerance` metres, in at most `most_points` points of the
+  // difference. `simplex` (count 1 to 4) are points to start from. Not proven where rounding broke the surface, where the room for
   // points did not suffice, or where the difference is flat (depth and direction are then the best so far).
   PenetrationResult depth(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count,
-                          double tolerance);
+                          double tolerance, std::int32_t most_points);
 
  private:
   bool start(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count);
   bool start_from(const DifferencePoint *tetrahedron, double thickness);
-  void witness(PenetrationResult &result, double tolerance) const;
+  void other_directions(PenetrationResult &result);
+  void witness(PenetrationResult &result) const;
 
   ExpandingHull hull_;
   std::vector<DifferencePoint> points_;

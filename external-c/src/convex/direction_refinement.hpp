@@ -1,0 +1,22 @@
+// Sharpens the direction in which the Minkowski difference's support function is least.
+#pragma once
+
+#include "minkowski_difference.hpp"
+
+namespace cmb::convex {
+
+struct RefinedDirection {
+  Vec3 direction;  // unit, from A to B
+  double height;   // the support function along it: minus the signed distance of the cores
+  Vec3 a, b;       // witness points
+};
+
+// Starts from `direction` (unit, within about 1e-3 of a local minimum) and witness points near the
+// answer. The support function is smooth but for circles on the sphere of directions (a box's edges, a
+// cylinder's side, a cone's side) and single points (a flat end): the minimum is sought by Newton's
+// method on the sphere, along each such circle nearby, and where two of them meet, and the lowest
+// taken. The height never exceeds that of the start. Keeps no state.
+RefinedDirection refine_direction(const MinkowskiDifference &difference, const Vec3 &direction, const Vec3 &a,
+                                  const Vec3 &b);
+
+}  // namespace cmb::convex
