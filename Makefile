@@ -20,4 +20,4 @@ lint: setup-test
 	.venv/bin/mypy
 
 clean:
-	rm -rf out build external-c/build .deps .venv ContactMultiBody/Resources/Include ContactMultiBody/Resources/Library
+	rm -rf out build .deps .venv ContactMultiBody/Resources/Include ContactMultiBody/Resources/Library

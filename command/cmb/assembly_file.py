@@ -16,7 +16,9 @@ def find_assembly(argument: Path) -> Path:
     if argument.is_file():
         return argument
     if not argument.is_dir():
-        raise InputError("does not exist", place=Place(file=argument), remedy="Name the assembly's XML file or its folder.")
+        raise InputError(
+            "does not exist", place=Place(file=argument), remedy="Name the assembly's XML file or its folder."
+        )
     found = sorted(argument.glob("*.xml"))
     if len(found) == 1:
         return found[0]

@@ -8,7 +8,8 @@ from typing import Protocol
 class Progress(Protocol):
     """Receives progress: a phase's name, the share of it that is done (0 to 1) and a short remark."""
 
-    def __call__(self, phase: str, fraction: float, message: str = "") -> None: ...
+    def __call__(self, phase: str, fraction: float, message: str = "") -> None:
+        """Takes note of progress; called often, so it must be quick."""
 
 
 def silent(phase: str, fraction: float, message: str = "") -> None:

@@ -24,7 +24,9 @@ EXAMPLES = """examples:
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
-    parser.add_argument("assembly", type=Path, metavar="ASSEMBLY", help="the assembly's XML file, or the folder with it")
+    parser.add_argument(
+        "assembly", type=Path, metavar="ASSEMBLY", help="the assembly's XML file, or the folder with it"
+    )
     parser.add_argument("--output", type=Path, required=True, metavar="FOLDER", help="folder to write the package into")
 
 

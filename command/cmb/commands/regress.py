@@ -1,0 +1,52 @@
+"""`cmb regress`: runs regression cases."""
+
+from __future__ import annotations
+
+import tempfile
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from cmb_base.errors import EXIT_FAILURE
+from fmu_regression.runner import Verdict, run_cases
+from fmu_regression.summary import text_table, write_junit, write_summary
+
+from cmb.fmu_provider import FmuProvider
+from cmb.project import REFERENCE
+from cmb.terminal import progress_bars
+
+NAME = "regress"
+SUMMARY = "simulate regression cases and compare with references"
+DESCRIPTION = (
+    "Runs every case (a TOML file with a model or FMU, signals, tolerances) below a folder and prints a table. "
+    "The exit status is 1 if any case fails."
+)
+EXAMPLES = """examples:
+  cmb regress
+  cmb regress Resources/reference --output out/regression.html
+  cmb regress mycases --junit regression.xml
+"""
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Adds the command's arguments."""
+    parser.add_argument(
+        "folder", type=Path, nargs="?", default=REFERENCE, metavar="FOLDER", help="folder with cases (the references)"
+    )
+    parser.add_argument("--output", type=Path, metavar="HTML", help="also write a page with plots")
+    parser.add_argument("--junit", type=Path, metavar="XML", help="also write JUnit XML")
+    parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
+    parser.add_argument("--time-limit", type=float, metavar="S", help="wall time for each simulation in s")
+
+
+def run(arguments: Namespace) -> int:
+    """Runs the cases."""
+    with tempfile.TemporaryDirectory(prefix="cmb-regress-") as folder, progress_bars() as progress:
+        provider = FmuProvider(Path(folder), arguments.msl, progress)
+        results = run_cases(arguments.folder, provider, time_limit=arguments.time_limit, progress=progress)
+    print(text_table(results))
+    if arguments.output is not None:
+        write_summary(results, arguments.output)
+    if arguments.junit is not None:
+        write_junit(results, arguments.junit)
+    failed = any(result.verdict in (Verdict.FAILED, Verdict.ERROR) for result in results)
+    return EXIT_FAILURE if failed else 0

@@ -1,0 +1,34 @@
+"""`cmb report`: a result to a self-contained HTML page."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from fmu_regression.report import write_report
+from fmu_regression.result import read_csv
+
+NAME = "report"
+SUMMARY = "write report.html from a result: forces, joints, energy, impacts, 3-D animation"
+DESCRIPTION = (
+    "Writes one HTML file that works offline. With the scene file that `cmb generate` writes beside a package the "
+    "report animates the real geometry and lists impacts and energy; without it, it plots the result's signals."
+)
+EXAMPLES = """examples:
+  cmb report out/hammer/result.csv --scene out/hammer/model/scene.json --output hammer.html
+  cmb report ball.csv --output ball.html
+"""
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Adds the command's arguments."""
+    parser.add_argument("result", type=Path, metavar="CSV", help="trajectories as `cmb simulate` writes them")
+    parser.add_argument("--scene", type=Path, metavar="JSON", help="scene file of the generated package")
+    parser.add_argument("--output", type=Path, required=True, metavar="HTML", help="file to write")
+
+
+def run(arguments: Namespace) -> int:
+    """Writes the report."""
+    write_report(read_csv(arguments.result), arguments.scene, arguments.output)
+    print(arguments.output)
+    return 0

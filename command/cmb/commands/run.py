@@ -1,0 +1,80 @@
+"""`cmb run`: the whole road from a CAD assembly to a report."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from cad2modelica import generate
+from cmb_base.output import whole_folder
+from cmb_base.progress import Progress
+from fmu_regression.fmu import read_description
+from fmu_regression.report import write_report
+from fmu_regression.result import SimulationResult, write_csv
+from fmu_regression.scene import Scene, load_scene
+from fmu_regression.signals import signals_for
+from fmu_regression.simulate import simulate
+from fmu_regression.summarise import summarise
+from modelica2fmu.build import BuildOptions, build_fmu
+
+from cmb.assembly_file import find_assembly
+from cmb.project import LIBRARY
+from cmb.terminal import progress_bars
+
+NAME = "run"
+SUMMARY = "CAD assembly to Modelica package, FMU, result and report in one go"
+DESCRIPTION = (
+    "Reads an assembly, writes the Modelica package, builds the FMU with the contact engine inside, simulates it "
+    "and writes result.csv and report.html. The output folder appears when everything is there."
+)
+EXAMPLES = """examples:
+  cmb run Resources/cad/hammer --output out/hammer
+  cmb run robot/robot.xml --output out/robot --stop 10 --tolerance 1e-5 --mode cs
+"""
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Adds the command's arguments."""
+    parser.add_argument(
+        "assembly", type=Path, metavar="ASSEMBLY", help="the assembly's XML file, or the folder with it"
+    )
+    parser.add_argument("--output", type=Path, metavar="FOLDER", help="folder to write (out/NAME if left out)")
+    parser.add_argument("--stop", type=float, metavar="S", help="stop time in s (the assembly's own if left out)")
+    parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the solver")
+    parser.add_argument("--interval", type=float, metavar="S", help="output interval in s")
+    parser.add_argument("--mode", choices=("me", "cs"), default="me", help="model exchange or co-simulation")
+    parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
+
+
+def run(arguments: Namespace) -> int:
+    """Runs the whole road and prints the summary."""
+    assembly = find_assembly(arguments.assembly)
+    output = arguments.output or Path("out") / assembly.stem
+    with progress_bars() as progress, whole_folder(output) as staging:
+        result, scene = _carry_out(arguments, assembly, staging, progress)
+    print(summarise(result, scene))
+    print(f"\nresults in {output}: the Modelica package, the FMU, result.csv, report.html")
+    return 0
+
+
+def _carry_out(
+    arguments: Namespace, assembly: Path, folder: Path, progress: Progress
+) -> tuple[SimulationResult, Scene]:
+    package = generate(assembly, folder / "model", progress=progress)
+    fmu = folder / f"{assembly.stem}.fmu"
+    build_fmu(package.mechatronics, (package.root, LIBRARY), fmu, BuildOptions(msl=arguments.msl), progress)
+    scene = load_scene(package.scene)
+    result = simulate(
+        fmu,
+        signals=signals_for(scene, read_description(fmu)),
+        stop=arguments.stop,
+        tolerance=arguments.tolerance,
+        interval=arguments.interval,
+        mode=arguments.mode,
+        progress=progress,
+    )
+    write_csv(result, folder / "result.csv")
+    progress("report", 0.0)
+    write_report(result, package.scene, folder / "report.html")
+    progress("report", 1.0)
+    return result, scene

@@ -1,0 +1,44 @@
+"""FMUs for regression cases, built on demand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from cmb_base.progress import Progress
+from fmu_regression.case import Case
+from fmu_regression.runner import Skip
+from modelica2fmu.build import BuildOptions, build_fmu
+from modelica2fmu.standard_library import find_standard_library
+
+from cmb.project import LIBRARY
+
+
+class FmuProvider:
+    """Builds the FMU of a case's model, each model once.
+
+    Args:
+        folder: where the FMUs go.
+        msl: the Modelica Standard Library to use, or None to look for one.
+        progress: told about the builds.
+    """
+
+    def __init__(self, folder: Path, msl: Path | None, progress: Progress) -> None:
+        self._folder = folder
+        self._msl = msl
+        self._progress = progress
+        self._built: dict[tuple[str, Path], Path] = {}
+
+    def __call__(self, case: Case) -> Path | Skip:
+        """The FMU of a case, or why it cannot be had here."""
+        if case.fmu is not None:
+            return case.fmu
+        if "msl" in case.requires and not find_standard_library(self._msl).is_complete:
+            return Skip("needs the whole Modelica Standard Library; name it with --msl or MODELICAPATH")
+        assert case.package is not None, "a case without an FMU names a package"
+        key = (case.model, case.package)
+        if key not in self._built:
+            output = self._folder / f"{len(self._built):03d}-{case.model}.fmu"
+            sources = tuple(dict.fromkeys([case.package, *case.sources, LIBRARY]))
+            build_fmu(case.model, sources, output, BuildOptions(msl=self._msl), self._progress)
+            self._built[key] = output
+        return self._built[key]
