@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Iterator
 from importlib import metadata
 
 from cmb_base.errors import InputError, Place, ProblemList
@@ -40,6 +41,8 @@ _XML_TYPE = {
 
 _WITH_START = {Initial.EXACT, Initial.APPROX}
 
+_NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, production 2
+
 
 def generation_tool() -> str:
     """Name and version of the program, for the attribute ``generationTool``."""
@@ -59,6 +62,20 @@ def boolean(value: bool) -> str:
     return "true" if value else "false"
 
 
+def _texts(description: ModelDescription) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """All free texts of a description, with the component each belongs to."""
+    yield description.name, (description.name, description.description, description.guid)
+    for enumeration in description.enumerations:
+        for item in enumeration.items:
+            yield enumeration.name, (enumeration.name, item.name, item.description)
+    for variable in description.variables:
+        start = variable.start if isinstance(variable.start, str) else ""
+        yield (
+            variable.name,
+            (variable.name, variable.description, variable.unit, variable.display_unit, variable.quantity, start),
+        )
+
+
 def check_description(description: ModelDescription) -> None:
     """Finds what no valid modelDescription.xml could be written from.
 
@@ -71,6 +88,9 @@ def check_description(description: ModelDescription) -> None:
     def problem(component: str, message: str) -> None:
         problems.append(InputError(message, place=Place(component=component)))
 
+    for component, texts in _texts(description):
+        if any(_NOT_XML.search(text) for text in texts):
+            problem(_NOT_XML.sub("?", component), "a text has characters that XML does not know")
     known: set[str] = set()
     enumerations = {enumeration.name for enumeration in description.enumerations}
     for variable in description.variables:

@@ -53,6 +53,17 @@ def needed_libraries(library: Path, directories: Sequence[Path] = ()) -> dict[st
     return dict(sorted(needed.items()))
 
 
+def _refuse_callers_of_modelica(name: str, library: Path) -> None:
+    """An FMU shows its FMI functions only, so a shared library would look for ModelicaError in vain, and fail late."""
+    listed = run_tool(["nm", "-D", "--undefined-only", str(library)], f"listing what {name} calls")
+    called = sorted(symbol for symbol in listed.split() if symbol.startswith("Modelica"))
+    if called:
+        raise BuildError(
+            f"the shared library {name} calls {called[0]}, which only code inside the FMU's own library can",
+            remedy="Link it statically: offer it as a static library (.a).",
+        )
+
+
 def bundle_libraries(library: Path, directories: Sequence[Path]) -> dict[str, Path]:
     """Copies what ``library`` needs beside it and makes sure that it is found there.
 
@@ -64,6 +75,7 @@ def bundle_libraries(library: Path, directories: Sequence[Path]) -> dict[str, Pa
     """
     needed = needed_libraries(library, directories)
     for name, origin in needed.items():
+        _refuse_callers_of_modelica(name, origin)
         copy = library.parent / name
         shutil.copyfile(origin.resolve(), copy)
         copy.chmod(0o755)

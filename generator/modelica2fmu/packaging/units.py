@@ -97,6 +97,7 @@ _PREFIXES = {
 
 _TOKEN = re.compile(r"[A-Za-z%]+|[+-]?\d+|[./()]")
 _MAXIMUM_LENGTH = 200
+_MAXIMUM_EXPONENT = 20
 
 
 class _Parser:
@@ -148,7 +149,10 @@ class _Parser:
     def _factor(self) -> Unit:
         unit = _symbol(self._take())
         if re.fullmatch(r"[+-]?\d+", self._peek()):
-            unit = unit ** int(self._take())
+            exponent = int(self._take())
+            if abs(exponent) > _MAXIMUM_EXPONENT:
+                raise ValueError(exponent)
+            unit = unit**exponent
         return unit
 
 

@@ -155,7 +155,7 @@ def test_reset_leads_back_to_the_beginning(ball: Path, tmp_path: Path) -> None:
     instance.freeInstance()
 
 
-def test_instances_in_threads_do_not_disturb_each_other(ball: Path, guarded: Path, tmp_path: Path) -> None:
+def test_instances_in_threads_do_not_disturb_each_other(ball: Path, tmp_path: Path) -> None:
     importer = Importer(ball, tmp_path / "ball")
     heights = [1.0, 0.5, 2.0, 1.5]
 

@@ -1,0 +1,222 @@
+"""What is in an FMU file, and that it works wherever it is unpacked."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import zipfile
+from dataclasses import replace
+from pathlib import Path
+
+import fixture_models as models
+import pytest
+from cmb_base.errors import BuildError, CmbError, InputError
+from fmpy import read_model_description
+from lxml import etree
+from modelica2fmu.description import ExternalCode, ModelDescription, Resource
+from modelica2fmu.packaging import GeneratedSource, SolverOptions, package_fmu
+from modelica2fmu.packaging.dependencies import find_fmi_headers, find_sundials
+
+
+def unpack(fmu: Path, folder: Path) -> Path:
+    with zipfile.ZipFile(fmu) as archive:
+        archive.extractall(folder)
+    return folder
+
+
+@pytest.mark.parametrize("name", ["oscillator", "guarded"])
+def test_the_library_shows_the_fmi_functions_only(name: str, request: pytest.FixtureRequest, tmp_path: Path) -> None:
+    folder = unpack(request.getfixturevalue(name), tmp_path)
+    (library,) = (folder / "binaries" / "linux64").glob("[A-Z]*.so")
+    listed = subprocess.run(["nm", "-D", "--defined-only", library], capture_output=True, text=True, check=True)
+    symbols = {line.split()[-1] for line in listed.stdout.splitlines()}
+    assert {"fmi2Instantiate", "fmi2DoStep", "fmi2GetDerivatives", "fmi2GetFMUstate"} <= symbols
+    assert all(re.match(r"fmi[23][A-Z]", symbol) for symbol in symbols)
+
+
+def test_nothing_but_system_libraries_is_needed(oscillator: Path, tmp_path: Path) -> None:
+    library = unpack(oscillator, tmp_path) / "binaries" / "linux64" / "Oscillator.so"
+    dynamic = subprocess.run(["readelf", "-d", library], capture_output=True, text=True, check=True).stdout
+    needed = set(re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic))
+    assert needed <= {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
+    assert "(RPATH)" in dynamic
+    assert "[$ORIGIN]" in dynamic
+    assert "RUNPATH" not in dynamic
+
+
+def test_it_runs_elsewhere_with_what_it_brings_along(
+    guarded: Path, external_code: ExternalCode, tmp_path: Path
+) -> None:
+    """The libraries it was linked with are hidden, so only the bundled ones can be found."""
+    fmu = shutil.copy(guarded, tmp_path / "moved here.fmu")
+    (origin,) = external_code.library_directories
+    hidden = origin.with_name("hidden")
+    origin.rename(hidden)
+    try:
+        script = (
+            "import sys, fmpy; r = fmpy.simulate_fmu(sys.argv[1], fmi_type=sys.argv[2], stop_time=0.5, output=['x'],"
+            " relative_tolerance=1e-8); print(r['x'][-1])"
+        )
+        environment = {key: value for key, value in os.environ.items() if key != "LD_LIBRARY_PATH"}
+        for kind in ("ModelExchange", "CoSimulation"):
+            command = [sys.executable, "-c", script, str(fmu), kind]
+            done = subprocess.run(command, capture_output=True, text=True, env=environment, cwd="/", check=True)
+            assert float(done.stdout.split()[-1]) == pytest.approx(0.6065306597, abs=1e-6)
+    finally:
+        hidden.rename(origin)
+    with zipfile.ZipFile(fmu) as archive:
+        binaries = {name for name in archive.namelist() if name.startswith("binaries/")}
+    assert binaries == {f"binaries/linux64/{name}.so" for name in ("Guarded", "libdigits", "libdigitsbase")}
+
+
+def test_the_same_model_gives_the_same_bytes(oscillator: Path, tmp_path: Path) -> None:
+    again = package_fmu(models.OSCILLATOR, models.source("oscillator"), tmp_path / "other name.fmu")
+    assert again.read_bytes() == oscillator.read_bytes()
+
+
+def test_the_archive_is_tidy(guarded: Path) -> None:
+    with zipfile.ZipFile(guarded) as archive:
+        names = archive.namelist()
+        times = {entry.date_time for entry in archive.infolist()}
+        assert archive.read("model.png").startswith(b"\x89PNG")
+    assert names == sorted(names)
+    assert times == {(1980, 1, 1, 0, 0, 0)}
+    assert {"modelDescription.xml", "sources/model.c", "sources/fmi2_functions.c", "sources/cmb_interface.c"} <= set(
+        names
+    )
+    assert not any(name.endswith((".o", ".map")) for name in names)
+
+
+def test_licences_of_what_is_inside_come_along(oscillator: Path) -> None:
+    if find_sundials().licence is None:
+        pytest.skip("this installation of SUNDIALS came without its licence")
+    with zipfile.ZipFile(oscillator) as archive:
+        assert b"SUNDIALS" in archive.read("documentation/licenses/sundials.txt").upper()
+
+
+def test_the_sources_compile_as_strict_c(oscillator: Path, tmp_path: Path) -> None:
+    folder = unpack(oscillator, tmp_path) / "sources"
+    for source in sorted(folder.glob("*.c")):
+        command = ["gcc", "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic"]
+        command += ["-Wshadow", "-Wstrict-prototypes", "-Werror", f"-I{folder}"]
+        command += ["-isystem", str(find_fmi_headers()), "-isystem", str(find_sundials().include), str(source)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+
+
+def test_the_description_says_what_the_model_says(schedule: Path) -> None:
+    description = read_model_description(str(schedule))
+    variables = {variable.name: variable for variable in description.modelVariables}
+    assert description.modelName == "Schedule"
+    assert description.coSimulation.canGetAndSetFMUstate
+    assert description.coSimulation.canSerializeFMUstate
+    assert description.modelExchange.providesDirectionalDerivative
+    assert not description.modelExchange.needsExecutionTool
+    assert float(description.defaultExperiment.stopTime) == 2.0
+    assert [item.name for item in variables["mode"].declaredType.items] == ["up", "down"]
+    assert variables["der(x)"].derivative is variables["x"]
+    assert [unknown.variable.name for unknown in description.initialUnknowns] == [
+        "x", "der(x)", "twice", "level", "ticks", "late", "remark",
+    ]  # fmt: skip
+    (second,) = [unit for unit in description.unitDefinitions if unit.name == "s"]
+    assert (second.baseUnit.s, second.baseUnit.m) == (1, 0)
+    (milli,) = second.displayUnits
+    assert (milli.name, milli.factor) == ("ms", pytest.approx(1000.0))
+
+
+def test_solver_defaults_reach_the_fmu(tmp_path: Path) -> None:
+    options = SolverOptions(relative_tolerance=1e-4, absolute_tolerance=1e-9, maximum_step=0.25)
+    fmu = package_fmu(models.OSCILLATOR, models.source("oscillator"), tmp_path / "o.fmu", options=options)
+    starts = {v.name: v.start for v in read_model_description(str(fmu)).modelVariables if "cmbSolver" in v.name}
+    assert [float(starts[f"cmbSolver.{n}"]) for n in ("relativeTolerance", "absoluteTolerance", "maximumStep")] == [
+        1e-4, 1e-9, 0.25,
+    ]  # fmt: skip
+
+
+def test_special_characters_stay_what_they_are(oscillator: Path) -> None:
+    with zipfile.ZipFile(oscillator) as archive:
+        root = etree.fromstring(archive.read("modelDescription.xml"))
+    assert root.find(".//ScalarVariable[@name='s']").get("description") == 'Position "s" <&>'
+
+
+def test_resources_are_packed(tmp_path: Path) -> None:
+    data = tmp_path / "table.txt"
+    data.write_text("1 2 3", encoding="ascii")
+    description = replace(models.OSCILLATOR, resources=(Resource(data, "tables/table.txt"),))
+    fmu = package_fmu(description, models.source("oscillator"), tmp_path / "o.fmu")
+    with zipfile.ZipFile(fmu) as archive:
+        assert archive.read("resources/tables/table.txt") == b"1 2 3"
+
+
+# Nothing that is linked calls a function of a broken source, so it is made to stay.
+USED = "__attribute__((constructor)) static void use(void)"
+
+
+def broken_source(text: str) -> list[GeneratedSource]:
+    return [GeneratedSource("model.c", models.source("oscillator")[0].text + text)]
+
+
+def variables_with(**change: object) -> tuple[object, ...]:
+    first, *rest = models.OSCILLATOR.variables
+    return (replace(first, **change), *rest)
+
+
+@pytest.mark.parametrize(
+    ("description", "sources", "error", "text"),
+    [
+        (models.OSCILLATOR, broken_source("int broken = missing;\n"), BuildError, "error: .missing. undeclared"),
+        (models.OSCILLATOR, broken_source("int lost(void);" + USED + "{ lost(); }\n"), BuildError,
+         "undefined reference to `lost'"),
+        (replace(models.OSCILLATOR, external=ExternalCode(libraries=("absent",))), models.source("oscillator"),
+         BuildError, "cannot find -labsent"),
+        (replace(models.OSCILLATOR, identifier="no identifier"), models.source("oscillator"), InputError, "no C identifier"),
+        (models.OSCILLATOR, [GeneratedSource("../model.c", "")], InputError, "no name for a generated C file"),
+        (models.OSCILLATOR, [GeneratedSource("cmb_event.c", "")], InputError, "would be called cmb_event.c"),
+        (replace(models.OSCILLATOR, resources=(Resource(Path(__file__), "../x"),)), models.source("oscillator"),
+         InputError, "leaves the folder"),
+        (replace(models.OSCILLATOR, states=("s", "lost")), models.source("oscillator"), InputError,
+         "lost: this state is not among the variables"),
+        (replace(models.OSCILLATOR, variables=variables_with(start=float("inf"))), models.source("oscillator"),
+         InputError, "s: the start value inf is not finite"),
+        (replace(models.OSCILLATOR, variables=variables_with(start=None)), models.source("oscillator"),
+         InputError, "s: a start value is missing"),
+        (replace(models.OSCILLATOR, variables=variables_with(description="bell \a")), models.source("oscillator"),
+         InputError, "characters that XML does not know"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_packaged_says_why_and_leaves_nothing(
+    description: ModelDescription, sources: list[GeneratedSource], error: type[CmbError], text: str, tmp_path: Path
+) -> None:
+    output = tmp_path / "o.fmu"
+    output.write_bytes(b"what was there before")
+    with pytest.raises(error, match=text):
+        package_fmu(description, sources, output)
+    assert [path.name for path in tmp_path.iterdir()] == ["o.fmu"]
+    assert output.read_bytes() == b"what was there before"
+
+
+def test_a_missing_sundials_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CMB_SUNDIALS", str(tmp_path))
+    with pytest.raises(BuildError, match="scripts/setup"):
+        package_fmu(models.OSCILLATOR, models.source("oscillator"), tmp_path / "o.fmu")
+
+
+def test_a_missing_compiler_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.raises(BuildError, match="no-such-compiler is not installed"):
+        package_fmu(models.OSCILLATOR, models.source("oscillator"), tmp_path / "o.fmu")
+
+
+def test_shared_libraries_that_report_errors_are_refused(tmp_path: Path) -> None:
+    """ModelicaError is not visible outside the FMU's library: only static libraries can call it."""
+    source = tmp_path / "loud.c"
+    source.write_text('void ModelicaError(const char *);\nvoid loud(void) { ModelicaError("no"); }\n', encoding="ascii")
+    subprocess.run(["gcc", "-shared", "-fPIC", "-o", tmp_path / "libloud.so", source], check=True)
+    description = replace(
+        models.OSCILLATOR, external=ExternalCode(libraries=("loud",), library_directories=(tmp_path,))
+    )
+    with pytest.raises(BuildError, match=r"libloud\.so calls ModelicaError,"):
+        package_fmu(description, broken_source("void loud(void);" + USED + "{ loud(); }\n"), tmp_path / "o.fmu")
