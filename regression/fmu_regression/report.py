@@ -243,7 +243,7 @@ def _energy_section(energy: EnergyBalance | None) -> Section | None:
         "Energy",
         lead="Computed from masses, inertias and the recorded motion of all moving bodies. Falls are losses in "
         "impacts, friction and damping; rises come from drives, or from the integration.",
-        plots=(Plot("energy", "Energy", TIME_LABEL, "energy in J", tuple(series)), total),
+        plots=(Plot("energy-kinds", "Energy", TIME_LABEL, "energy in J", tuple(series)), total),
         notes=energy.notes,
     )
 

@@ -47,7 +47,7 @@ def cylinder_mesh(name: str, radius: float, length: float, axis: str, center: An
     return {"name": name, "vertices": vertices, "triangles": triangles, "color": color}
 
 
-def sphere_mesh(name: str, radius: float, color: Any) -> dict[str, Any]:
+def sphere_mesh(name: str, radius: float, color: Any, center: Any = (0, 0, 0)) -> dict[str, Any]:
     rows, columns = 20, 40
     vertices = [[0, 0, radius]]
     for i in range(1, rows):
@@ -71,6 +71,7 @@ def sphere_mesh(name: str, radius: float, color: Any) -> dict[str, Any]:
         for i in range(rows - 2):
             a, b = 1 + i * columns, 1 + (i + 1) * columns
             triangles += [[a + k, b + k, b + m], [a + k, b + m, a + m]]
+    vertices = [[value + offset for value, offset in zip(point, center, strict=True)] for point in vertices]
     return {"name": name, "vertices": vertices, "triangles": triangles, "color": color}
 
 
@@ -179,7 +180,7 @@ def bouncing_ball(
 
 # --- A hammer on a double pendulum that strikes an anvil, integrated by SciPy -------------------------------------
 
-ARM, HEAD, HEIGHT = 0.3, 0.32, 0.06
+ARM, HEAD, HEIGHT, PEEN = 0.3, 0.3, 0.04, 0.03
 M1, M2, I1, I2 = 0.5, 1.2, 4e-3, 8e-3
 C1, C2 = 0.15, 0.27
 STIFFNESS, E = 1e6, 0.5
@@ -188,9 +189,9 @@ DAMPING = 1.433
 
 
 def hammer(rows: int = 1000) -> tuple[dict[str, Any], SimulationResult]:
-    """Arm and hammer in the plane y = 0; the hammer's face hits the top of an anvil, F = k x (1 + d x'/v0)."""
+    """Arm and hammer in the plane y = 0; the hammer's round peen hits the top of an anvil, F = k x (1 + d x'/v0)."""
 
-    def corner(q1: float, q2: float) -> tuple[np.ndarray, np.ndarray]:
+    def center(q1: float, q2: float) -> tuple[np.ndarray, np.ndarray]:
         a = q1 + q2
         p = np.array([ARM * math.cos(q1), -ARM * math.sin(q1)]) + HEAD * np.array([math.cos(a), -math.sin(a)])
         p += HEIGHT * np.array([-math.sin(a), -math.cos(a)])
@@ -199,9 +200,9 @@ def hammer(rows: int = 1000) -> tuple[dict[str, Any], SimulationResult]:
         return p, np.column_stack([j1 + j2, j2])
 
     def force_at(state: np.ndarray, impact: float, touching: bool) -> tuple[float, float, float, np.ndarray]:
-        p, jacobian = corner(state[0], state[1])
+        p, jacobian = center(state[0], state[1])
         approach = -(jacobian @ state[2:])[1]
-        gap = p[1] - ANVIL
+        gap = p[1] - PEEN - ANVIL
         force = max(0.0, STIFFNESS * -gap * (1 + DAMPING * approach / impact)) if touching else 0.0
         return force, gap, approach, jacobian
 
@@ -238,7 +239,7 @@ def hammer(rows: int = 1000) -> tuple[dict[str, Any], SimulationResult]:
     while t < 1:
 
         def edge(_t: float, x: np.ndarray, *_: object) -> float:
-            return corner(x[0], x[1])[0][1] - ANVIL
+            return float(center(x[0], x[1])[0][1] - PEEN - ANVIL)
 
         edge.terminal = True  # type: ignore[attr-defined]
         edge.direction = 1 if touching else -1  # type: ignore[attr-defined]
@@ -315,7 +316,8 @@ def hammer(rows: int = 1000) -> tuple[dict[str, Any], SimulationResult]:
                 inertia=[[1e-3, 0, 0], [0, I2, 0], [0, 0, I2]],
                 meshes=[
                     cylinder_mesh("shaft", 0.012, 0.28, "x", (0.14, 0, 0), wood),
-                    box_mesh("head", (0.05, 0.05, 2 * HEIGHT), (HEAD - 0.025, 0, 0), steel),
+                    box_mesh("head", (0.05, 0.05, 0.09), (HEAD, 0, 0), steel),
+                    sphere_mesh("peen", PEEN, steel, (HEAD, 0, -HEIGHT)),
                 ],
             ),
             body(
