@@ -11,7 +11,7 @@ protected
   Boolean parallel = cross(e_x, e_y)*cross(e_x, e_y) <= 1e-6 "= true, if the two do not span a plane";
   Real e_z[3] = Vectors.normalize(cross(e_x, if not parallel then e_y else if abs(e_x[1]) > 1e-6 then {0,1,0} else {1,0,0})) "z-axis";
 algorithm
-  R := Orientation(T=[transpose(matrix(e_x)); transpose(matrix(cross(e_z, e_x))); transpose(matrix(e_z))], w=zeros(3));
+  R := Orientation(T={e_x, cross(e_z, e_x), e_z}, w=zeros(3));
   annotation (Documentation(info="<html>
 <p>The z-axis is at right angles to both vectors, the y-axis completes the frame. A zero vector counts as the coordinate axis of its name; if the two are parallel, the y-axis (or the x-axis, if n_x has no x component) of frame 1 takes the place of n_y.</p></html>"));
 end from_nxy;

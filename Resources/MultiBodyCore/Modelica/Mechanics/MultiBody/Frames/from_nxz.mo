@@ -11,7 +11,7 @@ protected
   Boolean parallel = cross(e_z, e_x)*cross(e_z, e_x) <= 1e-6 "= true, if the two do not span a plane";
   Real e_y[3] = Vectors.normalize(cross(if not parallel then e_z else if abs(e_x[1]) > 1e-6 then {0,0,1} else {1,0,0}, e_x)) "y-axis";
 algorithm
-  R := Orientation(T=[transpose(matrix(e_x)); transpose(matrix(e_y)); transpose(matrix(cross(e_x, e_y)))], w=zeros(3));
+  R := Orientation(T={e_x, e_y, cross(e_x, e_y)}, w=zeros(3));
   annotation (Documentation(info="<html>
 <p>The y-axis is at right angles to both vectors, the z-axis completes the frame.</p></html>"));
 end from_nxz;

@@ -1,0 +1,32 @@
+within Modelica.Mechanics.MultiBody.Forces;
+model Force "Force between two frames"
+  extends Modelica.Mechanics.MultiBody.Interfaces.PartialTwoFrames;
+  import Modelica.Mechanics.MultiBody.Types;
+  Interfaces.Frame_resolve frame_resolve if resolveInFrame == Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB.frame_resolve
+    "Frame the signals are resolved in" annotation (Placement(transformation(extent={{24,84},{56,116}})));
+  Modelica.Blocks.Interfaces.RealInput force[3](each final quantity="Force", each final unit="N") "Force on frame_b"
+    annotation (Placement(transformation(extent={{-20,-20},{20,20}}, rotation=270, origin={-60,120})));
+  parameter Boolean animation=true "= true, if arrows are shown";
+  parameter Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB resolveInFrame=
+    Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB.frame_b "Frame the signals are resolved in";
+  input SI.Diameter connectionLineDiameter=world.defaultArrowDiameter "Diameter of the line between the frames" annotation (Dialog(tab="Animation"));
+  input Types.Color forceColor=Modelica.Mechanics.MultiBody.Types.Defaults.ForceColor "Colour of the arrow of the force" annotation (Dialog(tab="Animation"));
+  input Types.Color connectionLineColor=Modelica.Mechanics.MultiBody.Types.Defaults.SensorColor "Colour of the line between the frames" annotation (Dialog(tab="Animation"));
+  input Types.SpecularCoefficient specularCoefficient=world.defaultSpecularCoefficient "Reflection of light" annotation (Dialog(tab="Animation"));
+  Internal.BasicForce basicForce(resolveInFrame=resolveInFrame) "Computes the force";
+protected
+  Interfaces.ZeroPosition zeroPosition if not resolveInFrame == Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB.frame_resolve "Unused frame";
+equation
+  connect(frame_a, basicForce.frame_a);
+  connect(frame_b, basicForce.frame_b);
+  connect(force, basicForce.force);
+  connect(frame_resolve, basicForce.frame_resolve);
+  connect(zeroPosition.frame_resolve, basicForce.frame_resolve);
+  annotation (
+    Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
+        Line(points={{-90,0},{-10,0}}, color={0,128,0}, thickness=2, arrow={Arrow.Filled,Arrow.None}),
+        Line(points={{10,0},{90,0}}, color={0,128,0}, thickness=2, arrow={Arrow.None,Arrow.Filled}),
+        Text(extent={{-150,-40},{150,-75}}, textColor={70,70,70}, textString="%name")}),
+    Documentation(info="<html>
+<p>The signals <code>force</code> act on frame_b; their reaction, with the torque that keeps the balance, acts on frame_a.</p></html>"));
+end Force;

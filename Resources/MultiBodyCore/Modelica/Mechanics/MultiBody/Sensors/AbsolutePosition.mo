@@ -1,0 +1,26 @@
+within Modelica.Mechanics.MultiBody.Sensors;
+model AbsolutePosition "Position of a frame"
+  import Modelica.Mechanics.MultiBody.Types;
+  extends Internal.PartialAbsoluteSensor;
+  Modelica.Blocks.Interfaces.RealOutput r[3](each final quantity="Length", each final unit="m") "Position of frame_a"
+    annotation (Placement(transformation(extent={{100,-10},{120,10}})));
+  Modelica.Mechanics.MultiBody.Interfaces.Frame_resolve frame_resolve
+    if resolveInFrame == Modelica.Mechanics.MultiBody.Types.ResolveInFrameA.frame_resolve "Frame the output is resolved in"
+    annotation (Placement(transformation(extent={{-16,-116},{16,-84}})));
+  parameter Modelica.Mechanics.MultiBody.Types.ResolveInFrameA resolveInFrame=
+    Modelica.Mechanics.MultiBody.Types.ResolveInFrameA.frame_a "Frame the output is resolved in";
+protected
+  Internal.ResolveVector resolveVector(v_0=frame_a.r_0, resolveInFrame=if resolveInFrame == Types.ResolveInFrameA.world then Types.ResolveInFrameAB.world else if resolveInFrame ==
+      Types.ResolveInFrameA.frame_a then Types.ResolveInFrameAB.frame_a else Types.ResolveInFrameAB.frame_resolve)
+    "Resolves the output";
+  Modelica.Mechanics.MultiBody.Interfaces.ZeroPosition zeroPosition if not resolveInFrame == Modelica.Mechanics.MultiBody.Types.ResolveInFrameA.frame_resolve
+    "Unused frame";
+equation
+  r = resolveVector.v;
+  connect(frame_a, resolveVector.frame_a);
+  connect(frame_a, resolveVector.frame_b);
+  connect(frame_resolve, resolveVector.frame_resolve);
+  connect(zeroPosition.frame_resolve, resolveVector.frame_resolve);
+  annotation (Documentation(info="<html>
+<p>Position of the origin of frame_a from the origin of the world frame. The output is resolved in the world frame, in frame_a or in the frame connected to <code>frame_resolve</code>.</p></html>"));
+end AbsolutePosition;

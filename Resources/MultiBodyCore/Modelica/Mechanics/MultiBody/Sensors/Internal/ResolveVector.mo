@@ -1,0 +1,27 @@
+within Modelica.Mechanics.MultiBody.Sensors.Internal;
+model ResolveVector "Resolves a vector in a frame that a parameter chooses"
+  import Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB;
+  parameter Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB resolveInFrame "Frame the output is resolved in";
+  input Real v_0[3] "Vector in coordinates of the world frame";
+  output Real v[3] "The same vector in coordinates of the chosen frame";
+  Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame_a "Frame to resolve in for resolveInFrame = frame_a";
+  Modelica.Mechanics.MultiBody.Interfaces.Frame_b frame_b "Frame to resolve in for resolveInFrame = frame_b";
+  Modelica.Mechanics.MultiBody.Interfaces.Frame_resolve frame_resolve "Frame to resolve in for resolveInFrame = frame_resolve";
+equation
+  if resolveInFrame == ResolveInFrameAB.world then
+    v = v_0;
+  elseif resolveInFrame == ResolveInFrameAB.frame_a then
+    v = Frames.resolve2(frame_a.R, v_0);
+  elseif resolveInFrame == ResolveInFrameAB.frame_b then
+    v = Frames.resolve2(frame_b.R, v_0);
+  else
+    v = Frames.resolve2(frame_resolve.R, v_0);
+  end if;
+  frame_a.f = zeros(3);
+  frame_a.t = zeros(3);
+  frame_b.f = zeros(3);
+  frame_b.t = zeros(3);
+  frame_resolve.f = zeros(3);
+  frame_resolve.t = zeros(3);
+  annotation (Documentation(info="<html><p>Takes no force and no torque.</p></html>"));
+end ResolveVector;

@@ -1,0 +1,5 @@
+within Modelica.Mechanics.Rotational;
+package Components "Elements of drive trains"
+  extends Modelica.Icons.Package;
+  annotation (Documentation(info="<html><p>Inertias, springs, dampers, gears.</p></html>"));
+end Components;

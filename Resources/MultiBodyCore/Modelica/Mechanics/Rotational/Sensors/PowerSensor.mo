@@ -1,0 +1,9 @@
+within Modelica.Mechanics.Rotational.Sensors;
+model PowerSensor "Power between two flanges"
+  extends Modelica.Mechanics.Rotational.Interfaces.PartialRelativeSensor;
+  Modelica.Blocks.Interfaces.RealOutput power(unit="W") "Power that flange_a takes" annotation (Placement(transformation(extent={{-10,-10},{10,10}}, rotation=270, origin={0,-110})));
+equation
+  flange_a.phi = flange_b.phi;
+  power = flange_a.tau*der(flange_a.phi);
+  annotation (Documentation(info="<html><p>Power that passes from flange_a to flange_b; the two move as one.</p></html>"));
+end PowerSensor;

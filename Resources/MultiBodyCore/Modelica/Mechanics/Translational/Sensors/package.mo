@@ -1,0 +1,5 @@
+within Modelica.Mechanics.Translational;
+package Sensors "Sensors"
+  extends Modelica.Icons.SensorsPackage;
+  annotation (Documentation(info="<html><p>Sensors of flanges.</p></html>"));
+end Sensors;

@@ -1,0 +1,5 @@
+within Modelica.Thermal;
+package HeatTransfer "Heat transfer"
+  extends Modelica.Icons.Package;
+  annotation (Documentation(info="<html><p>The connector through which elements with friction give off heat.</p></html>"));
+end HeatTransfer;
