@@ -1,5 +1,5 @@
 within ContactMultiBody.Internal;
-pure function elasticEnergy "Energy stored in the normal springs of all points"
+pure function springEnergy "Energy stored in the normal springs of all points"
   extends Modelica.Icons.Function;
   input Modelica.Units.SI.Length depth[:, :] "Penetration depths";
   input Real weight[size(depth, 1), size(depth, 2)](each unit="1") "Weights of the points";
@@ -16,4 +16,4 @@ algorithm
   annotation (Documentation(info="<html>
 <p>Integral of K x<sup>n</sup> over the depth.</p>
 </html>"));
-end elasticEnergy;
+end springEnergy;
