@@ -57,10 +57,10 @@ void clip(Rim &rim, const Vec3 &direction, double limit) {
   if (kept.count > 0) rim = kept;  // nothing left: rounding; the unclipped part is as near as can be
 }
 
-// A point of A's rim that lies over B's, seen along m.
-Vec3 common_point(const Rim &rim_a, const Rim &rim_b, const Vec3 &m, double depth) {
+// A point common to both rims, seen along m; its height along m is either rim's.
+Vec3 common_point(const Rim &rim_a, const Rim &rim_b, const Vec3 &m) {
   if (rim_a.count == 1) return rim_a.point[0];
-  if (rim_b.count == 1) return rim_b.point[0] + depth * m;
+  if (rim_b.count == 1) return rim_b.point[0];
   if (rim_a.count == 2 && rim_b.count == 2) {
     const Vec3 u = rim_a.point[1] - rim_a.point[0], v = rim_b.point[1] - rim_b.point[0];
     const Vec3 side = cross(v, m);  // normal, in the plane, to B's edge
@@ -70,20 +70,17 @@ Vec3 common_point(const Rim &rim_a, const Rim &rim_b, const Vec3 &m, double dept
       return rim_a.point[0] + std::clamp(t, 0.0, 1.0) * u;
     }
   }
-  Rim common = rim_a;
-  if (rim_b.count == 2) {
-    const Vec3 v = rim_b.point[1] - rim_b.point[0];
-    clip(common, v, dot(v, rim_b.point[1]));
-    clip(common, -v, -dot(v, rim_b.point[0]));
-    if (rim_a.count == 4) {
-      const Vec3 side = cross(v, m);  // the line itself, from both sides
-      clip(common, side, dot(side, rim_b.point[0]));
-      clip(common, -side, -dot(side, rim_b.point[0]));
-    }
+  const bool b_smaller = rim_b.count < rim_a.count;
+  Rim common = b_smaller ? rim_b : rim_a;
+  const Rim &other = b_smaller ? rim_a : rim_b;
+  if (other.count == 2) {  // parallel edges
+    const Vec3 v = other.point[1] - other.point[0];
+    clip(common, v, dot(v, other.point[1]));
+    clip(common, -v, -dot(v, other.point[0]));
   } else {
-    const Vec3 middle = 0.5 * (rim_b.point[0] + rim_b.point[2]);
+    const Vec3 middle = 0.5 * (other.point[0] + other.point[2]);
     for (int k = 0; k < 4; ++k) {
-      const Vec3 &p = rim_b.point[k], &q = rim_b.point[(k + 1) % 4];
+      const Vec3 &p = other.point[k], &q = other.point[(k + 1) % 4];
       Vec3 side = cross(q - p, m);
       if (dot(side, middle - p) > 0.0) side = -side;
       clip(common, side, dot(side, p));
@@ -168,7 +165,7 @@ BoxAxes box_axes(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a) {
   const double slack = 1e-10 * scale;
   const Rim rim_a = farthest_rim(half_a, Pose{}, m, slack);
   const Rim rim_b = farthest_rim(half_b, b_in_a, -transposed_times(r, m), slack);
-  const Vec3 p = common_point(rim_a, rim_b, m, -best);
+  const Vec3 p = common_point(rim_a, rim_b, m);
   // Exactly in A's supporting plane, and its partner in B's.
   const double plane = half_a.x * std::fabs(m.x) + half_a.y * std::fabs(m.y) + half_a.z * std::fabs(m.z);
   result.a = p + (plane - dot(m, p)) * m;
