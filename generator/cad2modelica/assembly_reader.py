@@ -49,6 +49,7 @@ DEFAULT_TOLERANCE = 1e-6
 ROTATION_TOLERANCE = 1e-4  # elements of a matrix in an export may be rounded that much
 RIGHT_ANGLE_TOLERANCE = 1e-6
 MAXIMUM_PARTS = 2000
+MAXIMUM_NESTING = 100
 
 
 def read_assembly(path: Path, progress: Progress = silent) -> Assembly:
@@ -97,6 +98,7 @@ class _JointDescription:
 class _Unfolded:
     parts: list[_PartDescription] = field(default_factory=list)
     joints: list[_JointDescription] = field(default_factory=list)
+    instances: int = 0
 
 
 class _Reader:
@@ -117,7 +119,7 @@ class _Reader:
         materials = self._materials()
         planes = self._planes(materials)
         unfolded = _Unfolded()
-        self._unfold(root, IDENTITY, "", (), self._definitions(), unfolded)
+        self._unfold(root, IDENTITY, "", self._definitions(), unfolded)
         self._problems.raise_if_any()
         self._check_names(unfolded)
         parts = tuple(self._part(item, materials, len(unfolded.parts), k) for k, item in enumerate(unfolded.parts))
@@ -224,14 +226,42 @@ class _Reader:
             if name in definitions:
                 self._duplicate("definition", name, element)
             definitions[name] = element
+        self._refuse_circles(definitions)
         return definitions
+
+    def _refuse_circles(self, definitions: dict[str, etree._Element]) -> None:
+        """Definitions must not contain themselves, whether they are used or not."""
+        finished: set[str] = set()
+
+        def visit(name: str, opened: tuple[str, ...]) -> None:
+            if name in finished or name not in definitions:
+                return
+            for element in definitions[name].iterfind(f"{{{NAMESPACE}}}instances/{{{NAMESPACE}}}instance"):
+                inner = element.get("of", "")
+                if inner in (*opened, name):
+                    circle = " in ".join(repr(item) for item in (inner, name, *reversed(opened)))
+                    raise InputError(
+                        f"the definition contains itself: {circle}",
+                        place=self._place(element),
+                        remedy="Break the circle: an assembly cannot be a part of itself.",
+                    )
+                if len(opened) >= MAXIMUM_NESTING:
+                    raise InputError(
+                        f"definitions are nested deeper than {MAXIMUM_NESTING}",
+                        place=self._place(element),
+                        remedy="Simplify the assembly.",
+                    )
+                visit(inner, (*opened, name))
+            finished.add(name)
+
+        for name in definitions:
+            visit(name, ())
 
     def _unfold(
         self,
         content: etree._Element,
         outer: Pose,
         prefix: str,
-        open_definitions: tuple[str, ...],
         definitions: dict[str, etree._Element],
         result: _Unfolded,
     ) -> None:
@@ -251,17 +281,16 @@ class _Reader:
             definition = element.get("of", "")
             if definition not in definitions:
                 self._unknown("the instance", definition, definitions, element)
-            elif definition in open_definitions:
-                circle = " in ".join(repr(item) for item in (definition, *reversed(open_definitions)))
-                raise InputError(
-                    f"the definition contains itself: {circle}",
-                    place=self._place(element),
-                    remedy="Break the circle: an assembly cannot be a part of itself.",
-                )
             else:
+                result.instances += 1
+                if result.instances > MAXIMUM_PARTS:
+                    raise InputError(
+                        f"unfolds to more than {MAXIMUM_PARTS} instances",
+                        place=self._place(element),
+                        remedy="Simplify the assembly.",
+                    )
                 inner = outer @ self._pose(element.find(f"{{{NAMESPACE}}}pose"))
-                opened = (*open_definitions, definition)
-                self._unfold(definitions[definition], inner, f"{prefix}{name}/", opened, definitions, result)
+                self._unfold(definitions[definition], inner, f"{prefix}{name}/", definitions, result)
         joint_names: set[str] = set()
         for element in content.iterfind(f"{{{NAMESPACE}}}joints/{{{NAMESPACE}}}joint"):
             name = self._own_name("joint", element, joint_names)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from cmb_base.errors import InputError, Place
+from cmb_base.errors import CmbError, InputError, Place
 
 from cad2modelica.file_reference import resolve_inside
 from cad2modelica.mesh import Mesh
@@ -42,6 +42,7 @@ class GeometryReader:
 
     folder: Path
     _scenes: dict[Path, VrmlScene] = field(default_factory=dict)
+    _broken: dict[Path, CmbError] = field(default_factory=dict)
     _matched: dict[Path, set[int]] = field(default_factory=dict)
 
     def meshes(self, reference: GeometryReference, pose_in_assembly: Pose) -> tuple[Mesh, ...]:
@@ -51,10 +52,7 @@ class GeometryReader:
             InputError: the file is missing or broken, or holds no such node, or the node no surface.
         """
         file = resolve_inside(self.folder, reference.file, reference.place)
-        if file not in self._scenes:
-            self._scenes[file] = read_scene(file, self.folder)
-            self._matched[file] = set()
-        scene = self._scenes[file]
+        scene = self._scene(file)
         chosen = self._choose(scene, reference)
         blocks: dict[tuple[str, tuple[float, float, float]], list[Mesh]] = {}
         for shape, depth in chosen:
@@ -65,6 +63,18 @@ class GeometryReader:
             name = next((level.name for level in reversed(shape.levels) if level.name), file.stem)
             blocks.setdefault((name, shape.color), []).append(Mesh(name, vertices, triangles, shape.color))
         return tuple(_merge(meshes) for meshes in blocks.values())
+
+    def _scene(self, file: Path) -> VrmlScene:
+        if file in self._broken:
+            raise self._broken[file]
+        if file not in self._scenes:
+            try:
+                self._scenes[file] = read_scene(file, self.folder)
+            except CmbError as error:
+                self._broken[file] = error
+                raise
+            self._matched[file] = set()
+        return self._scenes[file]
 
     def notes(self) -> list[str]:
         """Remarks on the reading, and every piece of geometry that no part asked for."""

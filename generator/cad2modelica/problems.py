@@ -17,8 +17,9 @@ class Problems:
         self._found.append(InputError(message, place=place, remedy=remedy))
 
     def record(self, error: CmbError) -> None:
-        """Records a problem that was raised as an error."""
-        self._found.append(error)
+        """Records a problem that was raised as an error, once: several parts may share a broken file."""
+        if all(str(error) != str(known) for known in self._found):
+            self._found.append(error)
 
     def raise_if_any(self) -> None:
         """Ends the reading if problems were recorded.
