@@ -39,7 +39,7 @@ class Case:
         name: the file's name without ending, or as given.
         description: what the case shows.
         model: Modelica class, or "" if an FMU is named.
-        package: file or folder of the Modelica package that holds the model, or None.
+        package: file or folder of the Modelica package that holds the model; None with an FMU.
         sources: further Modelica files or folders that the model needs.
         fmu: a ready FMU, or None.
         requires: what the case needs beyond the project, e.g. "msl"; the caller decides.
@@ -266,6 +266,8 @@ class _CaseReader:
         model, fmu, package = table.text("model", ""), table.file("fmu", folder), table.file("package", folder)
         if bool(model) == (fmu is not None):
             table.wrong("model", "give either model or fmu")
+        if model and package is None:
+            table.wrong("package", "is missing: the file or folder of the package that holds the model")
         sources = (table.below("sources", text, folder) for text in table.texts("sources"))
         case = Case(
             path=self._path,

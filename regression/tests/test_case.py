@@ -101,6 +101,7 @@ def test_everything_is_read(tmp_path: Path) -> None:
         ('model = "Package.Model"', "", r"case\.model: give either model or fmu"),
         ('package = "Package.mo"', 'package = "/etc/Package.mo"', r"case\.package: .* must be relative"),
         ('reference = "mass.csv"', "", r"case\.reference: is missing"),
+        ('package = "Package.mo"', "", r"case\.package: is missing"),
         ("[[signal]]", "[[signals]]", "signals: is not a table of a case"),
         ("[[signal]]", "[signal]", "signal: is not a list of tables"),
         ('name = "a[1]"', "", r"signal\[1\]\.name: is missing"),

@@ -19,6 +19,7 @@ FIRST = math.sqrt(0.2)
 HEAD = """
 [case]
 model = "BouncingMass"
+package = "BouncingMass.mo"
 stop = 1.1
 tolerance = 1e-9
 interval = 0.01
