@@ -33,6 +33,7 @@ static cmb_result dispatch(cmb_values *values, cmb_model_function function, void
     case CMB_CALL_INDICATORS:
       return cmb_model.indicators != NULL ? cmb_model.indicators(values, argument) : CMB_RESULT_OK;
     case CMB_CALL_DISCRETE: return cmb_model.discrete != NULL ? cmb_model.discrete(values, argument) : CMB_RESULT_OK;
+    case CMB_CALL_JACOBIAN: return cmb_model.jacobian(values, argument);
   }
   return CMB_RESULT_ERROR;
 }

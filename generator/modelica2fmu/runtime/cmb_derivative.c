@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cmb_call.h"
 #include "cmb_evaluate.h"
 
 static double nominal(unsigned slot) {
@@ -70,6 +71,41 @@ static cmb_result differentiate(const perturbation *known, const unsigned *unkno
   return CMB_RESULT_OK;
 }
 
+/* Position of a slot in a table of the model, the table's size if it is not there. */
+static size_t position(const unsigned *table, unsigned slot) {
+  size_t i = 0;
+  while (i < cmb_model.state_count && table[i] != slot) ++i;
+  return i;
+}
+
+static int all_in(const unsigned *table, const unsigned *slots, size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    if (position(table, slots[i]) == cmb_model.state_count) return 0;
+  }
+  return 1;
+}
+
+static cmb_result no_memory(cmb_instance *instance) {
+  snprintf(instance->message, sizeof instance->message, "No memory for a directional derivative");
+  return CMB_RESULT_ERROR;
+}
+
+static cmb_result multiply_jacobian(cmb_instance *instance, const unsigned *unknown, size_t unknown_count,
+                                    const unsigned *known, size_t known_count, const double *seed,
+                                    double *sensitivity) {
+  const size_t n = cmb_model.state_count;
+  double *jacobian = calloc(n * n, sizeof *jacobian);
+  if (jacobian == NULL) return no_memory(instance);
+  const cmb_result result = cmb_call_model(instance, CMB_CALL_JACOBIAN, jacobian);
+  for (size_t i = 0; result == CMB_RESULT_OK && i < unknown_count; ++i) {
+    const double *row = jacobian + position(cmb_model.derivative, unknown[i]);
+    sensitivity[i] = 0.0;
+    for (size_t j = 0; j < known_count; ++j) sensitivity[i] += row[position(cmb_model.state, known[j]) * n] * seed[j];
+  }
+  free(jacobian);
+  return result;
+}
+
 cmb_result cmb_directional_derivative(cmb_instance *instance, const unsigned *unknown, size_t unknown_count,
                                       const unsigned *known, size_t known_count, const double *seed,
                                       double *sensitivity) {
@@ -81,6 +117,11 @@ cmb_result cmb_directional_derivative(cmb_instance *instance, const unsigned *un
   }
   cmb_result result = cmb_update_values(instance);
   if (result != CMB_RESULT_OK) return result;
+
+  if (cmb_model.jacobian != NULL && instance->situation.phase != CMB_PHASE_INITIALIZATION && known_count > 0 &&
+      all_in(cmb_model.derivative, unknown, unknown_count) && all_in(cmb_model.state, known, known_count)) {
+    return multiply_jacobian(instance, unknown, unknown_count, known, known_count, seed, sensitivity);
+  }
 
   /* Central differences are best at the cube root of the rounding error (Nocedal and Wright, section 8.1). */
   double rate = 0.0;
@@ -97,8 +138,7 @@ cmb_result cmb_directional_derivative(cmb_instance *instance, const unsigned *un
   knowns.was_set = malloc(known_count * sizeof *knowns.was_set);
   const int event_pending = instance->situation.event_pending;
   if (knowns.base == NULL || knowns.was_set == NULL) {
-    snprintf(instance->message, sizeof instance->message, "No memory for a directional derivative");
-    result = CMB_RESULT_ERROR;
+    result = no_memory(instance);
   } else {
     for (size_t i = 0; i < known_count; ++i) {
       knowns.base[i] = instance->values.real[known[i]];

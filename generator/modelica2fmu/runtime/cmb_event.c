@@ -25,8 +25,7 @@ static cmb_result compute_indicators(cmb_instance *instance) {
 }
 
 static double hysteresis(size_t indicator) {
-  (void)indicator;
-  return CMB_HYSTERESIS;
+  return CMB_HYSTERESIS * (cmb_model.indicator_nominal != NULL ? cmb_model.indicator_nominal[indicator] : 1.0);
 }
 
 cmb_result cmb_event_indicators(cmb_instance *instance, double *shifted) {
@@ -47,8 +46,9 @@ static cmb_result update_relations(cmb_instance *instance, int *changed) {
     const double shift = hysteresis(i);
     const int relation = instance->values.relation[i] ? instance->indicator[i] > -shift : instance->indicator[i] >= shift;
     if (relation == instance->values.relation[i]) continue;
-    cmb_log(instance, CMB_LOG_DEBUG, CMB_LOG_EVENTS, "Time %.15g: event indicator %zu becomes %s", instance->values.time,
-            i + 1, relation ? "positive" : "negative");
+    cmb_log(instance, CMB_LOG_DEBUG, CMB_LOG_EVENTS, "Time %.15g: event indicator %zu%s%s becomes %s",
+            instance->values.time, i + 1, cmb_model.indicator_text != NULL ? ", " : "",
+            cmb_model.indicator_text != NULL ? cmb_model.indicator_text[i] : "", relation ? "positive" : "negative");
     instance->values.relation[i] = relation;
     instance->situation.continuous_stale = 1;
     *changed = 1;

@@ -77,6 +77,14 @@ typedef struct cmb_model_description {
    * (*states_changed = 1). Sets next_time_event. The runtime repeats (indicators -> relation, copy to pre,
    * discrete) until neither discrete values nor relations change. */
   cmb_result (*discrete)(cmb_values *values, int *states_changed);
+
+  /* Optional members; NULL where left out. */
+
+  const double *indicator_nominal;   /* [indicator_count] sizes for the hysteresis; 1 where left out */
+  const char *const *indicator_text; /* [indicator_count] the relations as the modeller wrote them, for messages */
+  /* d(derivative)/d(state) at the values after `continuous`, relations and discrete variables held:
+   * jacobian[i + j * state_count] is the derivative of derivative i by state j. */
+  cmb_result (*jacobian)(cmb_values *values, double *jacobian);
 } cmb_model_description;
 
 extern const cmb_model_description cmb_model;

@@ -11,6 +11,7 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
+#include "cmb_call.h"
 #include "cmb_evaluate.h"
 #include "cmb_event.h"
 
@@ -61,6 +62,18 @@ static int roots(realtype time, N_Vector state, realtype *indicator, void *data)
   cmb_solver *solver = data;
   cmb_set_point(solver->instance, time, NV_DATA_S(state));
   return to_cvode(solver, cmb_event_indicators(solver->instance, indicator));
+}
+
+static int jacobian(realtype time, N_Vector state, N_Vector derivative, SUNMatrix matrix, void *data, N_Vector first,
+                    N_Vector second, N_Vector third) {
+  cmb_solver *solver = data;
+  (void)derivative, (void)first, (void)second, (void)third;
+  cmb_set_point(solver->instance, time, NV_DATA_S(state));
+  cmb_result result = cmb_update_continuous(solver->instance);
+  if (result == CMB_RESULT_OK) {
+    result = cmb_call_model(solver->instance, CMB_CALL_JACOBIAN, SUNDenseMatrix_Data(matrix));
+  }
+  return to_cvode(solver, result);
 }
 
 cmb_solver *cmb_solver_create(cmb_instance *instance) {
@@ -133,6 +146,9 @@ static int first_start(cmb_solver *solver) {
   if (flag == CV_SUCCESS) flag = set_tolerances(solver);
   if (flag == CV_SUCCESS) flag = CVodeSetUserData(solver->memory, solver);
   if (flag == CV_SUCCESS) flag = CVodeSetLinearSolver(solver->memory, solver->linear, solver->matrix);
+  if (flag == CV_SUCCESS && cmb_model.jacobian != NULL && solver->state_count > 0) {
+    flag = CVodeSetJacFn(solver->memory, jacobian);
+  }
   if (flag == CV_SUCCESS) flag = CVodeSetMaxNumSteps(solver->memory, MAXIMUM_STEPS);
   if (flag == CV_SUCCESS) flag = CVodeSetMaxHnilWarns(solver->memory, -1);
   if (flag == CV_SUCCESS && cmb_model.indicator_count > 0) {

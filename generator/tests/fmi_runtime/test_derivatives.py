@@ -31,6 +31,22 @@ def test_in_continuous_time_mode(oscillator: Path, tmp_path: Path) -> None:
     instance.freeInstance()
 
 
+def test_the_models_jacobian_is_used(oscillator: Path, tmp_path: Path) -> None:
+    importer = Importer(oscillator, tmp_path)
+    instance = importer.make(FMU2Slave)
+    importer.initialize(instance, mass=3.0, stiffness=50.0, damping=4.0, tolerance=1e-8)
+    refs = importer.references
+    unknown, known = [refs["der(v)"], refs["der(s)"]], [refs["v"], refs["s"]]
+    exact = [-4.0 / 3.0 * 2.0 + -50.0 / 3.0 * 5.0, 2.0]
+    assert instance.getDirectionalDerivative(unknown, known, [2.0, 5.0]) == exact  # to the last bit
+    instance.doStep(0.0, 1.0)
+    counters = [refs[f"cmbSolver.{name}"] for name in ("evaluations", "jacobians", "steps")]
+    evaluations, jacobians, steps = instance.getInteger(counters)
+    assert jacobians > 0
+    assert evaluations < 2.5 * steps  # differences would take two more for each Jacobian
+    instance.freeInstance()
+
+
 def test_in_initialization_mode(schedule: Path, tmp_path: Path) -> None:
     importer = Importer(schedule, tmp_path)
     instance = importer.make(FMU2Slave)

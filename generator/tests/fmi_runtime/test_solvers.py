@@ -1,0 +1,150 @@
+"""The linear and nonlinear solvers that generated code calls, against numpy and known roots."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import fixture_models as models
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from modelica2fmu.packaging.package import RUNTIME
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+OK, DISCARD, ERROR = 0, 1, 2
+
+
+def pointer(array: NDArray[np.float64] | NDArray[np.int32]) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data)
+
+
+@pytest.fixture(scope="session")
+def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
+    target = tmp_path_factory.mktemp("solvers") / "solvers.so"
+    sources = [RUNTIME / "cmb_linear.c", RUNTIME / "cmb_nonlinear.c", models.FIXTURES / "systems.c"]
+    command = ["gcc", "-std=c11", "-O2", "-ffp-contract=off", "-shared", "-fPIC", f"-I{RUNTIME}", *map(str, sources)]
+    subprocess.run([*command, "-lm", "-o", str(target)], check=True)
+    loaded = ctypes.CDLL(str(target))
+    loaded.last_message.restype = ctypes.c_char_p
+    return loaded
+
+
+@pytest.fixture(scope="session")
+def solve(library: ctypes.CDLL) -> Callable[[Array, Array], tuple[int, Array]]:
+    def solve_linear(a: Array, b: Array) -> tuple[int, Array]:
+        matrix, x = np.array(a, order="F", copy=True), b.copy()
+        pivot = np.zeros(len(b), dtype=np.int32)
+        result = library.cmb_solve_linear(len(b), pointer(matrix), pointer(x), pointer(pivot))
+        return result, x
+
+    return solve_linear
+
+
+def test_random_systems_are_solved_to_rounding(solve: Callable[[Array, Array], tuple[int, Array]]) -> None:
+    random = np.random.default_rng(1)
+    for n in (1, 2, 3, 5, 10, 24, 60, 150):
+        a, x = random.standard_normal((n, n)), random.standard_normal(n)
+        result, found = solve(a, a @ x)
+        assert result == 0
+        assert np.linalg.norm(a @ found - a @ x) <= 1e-13 * n * np.linalg.norm(a) * np.linalg.norm(x)
+        assert np.allclose(found, x, rtol=0.0, atol=1e-14 * n * np.linalg.cond(a))
+
+
+def test_rows_and_columns_of_different_units(solve: Callable[[Array, Array], tuple[int, Array]]) -> None:
+    random = np.random.default_rng(2)
+    a = random.standard_normal((12, 12))
+    x = random.standard_normal(12)
+    rows, columns = 10.0 ** random.integers(-12, 12, 12), 10.0 ** random.integers(-12, 12, 12)
+    result, found = solve(a * rows[:, None] * columns, rows * (a @ x))
+    assert result == 0
+    assert np.allclose(found * columns, x, rtol=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("matrix", "column"),
+    [
+        ([[0.0]], 1),
+        ([[1.0, 2.0], [2.0, 4.0]], 2),
+        ([[0.0, 1.0], [0.0, 3.0]], 1),
+        ([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]], 3),
+        ([[1e-8, 2e-8], [2e8, 4e8]], 2),
+        ([[1.0, 0.0], [0.0, np.nan]], 2),
+        ([[1.0, np.inf], [1.0, 1.0]], 2),
+    ],
+)
+def test_singular_systems_name_their_column(
+    matrix: list[list[float]], column: int, solve: Callable[[Array, Array], tuple[int, Array]]
+) -> None:
+    assert solve(np.array(matrix), np.ones(len(matrix)))[0] == column
+
+
+@settings(deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.lists(st.lists(st.integers(-3, 3), min_size=4, max_size=4), min_size=4, max_size=4))
+def test_small_integer_systems(solve: Callable[[Array, Array], tuple[int, Array]], rows: list[list[int]]) -> None:
+    a = np.array(rows, dtype=float)
+    determinant = round(float(np.linalg.det(a)))
+    result, x = solve(a, a @ np.arange(1.0, 5.0))
+    assert (result == 0) == (determinant != 0)
+    if determinant != 0:
+        assert np.allclose(x, np.arange(1.0, 5.0), rtol=1e-11)
+
+
+@pytest.fixture(scope="session")
+def solve_system(library: ctypes.CDLL) -> Callable[[int, list[float]], tuple[int, Array, str]]:
+    def run(number: int, start: list[float]) -> tuple[int, Array, str]:
+        n = len(start)
+        x, work = np.array(start), np.full(n * n + 6 * n + 1, 0.25)
+        integers = np.zeros(n, dtype=np.int32)
+        result = library.solve_system(number, n, pointer(x), ctypes.c_double(1e-10), pointer(work), pointer(integers))
+        assert work[-1] == 0.25  # not a number more than promised
+        return result, x, library.last_message().decode()
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("number", "start", "root"),
+    [
+        (0, [-1.2, 1.0], [1.0, 1.0]),
+        (1, [0.0, 1.0], [1.098159e-5, 9.106146]),
+        (2, [10.0], [1.0]),
+        (7, [3.0], [0.0]),
+        (7, [0.0], [0.0]),
+    ],
+)
+def test_roots_are_found(
+    number: int, start: list[float], root: list[float], solve_system: Callable[..., tuple[int, Array, str]]
+) -> None:
+    result, x, _ = solve_system(number, start)
+    assert result == OK
+    assert x == pytest.approx(root, rel=1e-6, abs=1e-10)
+
+
+def test_a_linkage_closes(solve_system: Callable[..., tuple[int, Array, str]]) -> None:
+    result, (p, q), _ = solve_system(4, [1.0, 0.5])
+    assert result == OK
+    # law of cosines in the triangle of the sides 1, 2, 2.5
+    assert np.cos(p) == pytest.approx((1.0 + 6.25 - 4.0) / 5.0, abs=1e-12)
+    assert np.cos(q) == pytest.approx((4.0 + 6.25 - 1.0) / 10.0, abs=1e-12)
+
+
+def test_what_has_no_root_is_discarded(solve_system: Callable[..., tuple[int, Array, str]]) -> None:
+    result, _, message = solve_system(3, [2.0])
+    assert result == DISCARD
+    assert "does not converge" in message or "singular" in message
+    assert solve_system(2, [-1.0])[0] == DISCARD
+    assert solve_system(6, [1.0])[0] == ERROR
+
+
+def test_a_singular_jacobian_at_the_root_is_no_failure(solve_system: Callable[..., tuple[int, Array, str]]) -> None:
+    result, x, _ = solve_system(5, [1.0, 7.0])
+    assert result == OK
+    assert x.tolist() == [1.0, 7.0]
+    result, _, message = solve_system(5, [3.0, 7.0])
+    assert result == DISCARD
+    assert "singular in unknown 2" in message
