@@ -1,0 +1,79 @@
+"""Finds what the external C functions of a model need: include texts, folders and libraries."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Final
+
+from cmb_base.errors import InputError
+
+from modelica2fmu.description import ExternalCode
+
+_SCHEME: Final = "modelica://"
+# Modelica 3.6, 12.9.4: the folder of the platform comes before the library folder itself.
+_PLATFORM_FOLDERS: Final = ("linux64", "x86_64-linux-gnu", "")
+
+
+def find_external_code(
+    annotations: Iterable[tuple[str, tuple[str, ...]]], roots: Sequence[Path], package: str
+) -> ExternalCode:
+    """Resolves the annotations of external functions.
+
+    Args:
+        annotations: names (Include, IncludeDirectory, Library, LibraryDirectory) with their texts.
+        roots: folders that contain the packages.
+        package: top-level package of the model, whose Resources folders are used where no annotation names one.
+
+    Raises:
+        InputError: a folder that an annotation names does not exist.
+    """
+    includes: dict[str, None] = {}
+    include_directories: dict[Path, None] = {}
+    libraries: dict[str, None] = {}
+    library_directories: dict[Path, None] = {}
+    for name, texts in annotations:
+        for text in texts:
+            if name == "Include":
+                includes[text] = None
+            elif name == "Library":
+                libraries[text] = None
+            elif name == "IncludeDirectory":
+                include_directories[_folder(text, roots)] = None
+            elif name == "LibraryDirectory":
+                library_directories.update(dict.fromkeys(_platform_folders(_folder(text, roots))))
+    for root in roots:
+        resources = root / package / "Resources"
+        if (resources / "Include").is_dir():
+            include_directories.setdefault(resources / "Include")
+        if (resources / "Library").is_dir():
+            for folder in _platform_folders(resources / "Library"):
+                library_directories.setdefault(folder)
+    return ExternalCode(
+        includes=tuple(includes),
+        include_directories=tuple(include_directories),
+        libraries=tuple(libraries),
+        library_directories=tuple(library_directories),
+    )
+
+
+def _platform_folders(folder: Path) -> list[Path]:
+    return [path for name in _PLATFORM_FOLDERS if (path := folder / name).is_dir()]
+
+
+def _folder(uri: str, roots: Sequence[Path]) -> Path:
+    if not uri.lower().startswith(_SCHEME):
+        path = Path(uri.removeprefix("file://"))
+        if path.is_dir():
+            return path
+        raise InputError(f"the folder {uri} of an external function does not exist")
+    relative = Path(uri[len(_SCHEME) :])
+    if ".." in relative.parts:
+        raise InputError(f"the folder {uri} of an external function leaves its package")
+    for root in roots:
+        if (path := root / relative).is_dir():
+            return path
+    raise InputError(
+        f"the folder {uri} of an external function does not exist",
+        remedy="build and install the library's C part into its Resources folder first",
+    )

@@ -1,0 +1,921 @@
+"""Expands a flat model to scalars: arrays, functions, loops, when-clauses and algorithms."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Final
+
+import numpy as np
+from cmb_base.errors import InputError, UnsupportedModelError
+
+from modelica2fmu import arrays, ir
+from modelica2fmu import expression as ex
+from modelica2fmu.arrays import Record, Scalar, Text, Value
+from modelica2fmu.expression import Node
+from modelica2fmu.interpreter import Interpreter, relation
+from modelica2fmu.scalar_model import (
+    INITIAL,
+    TERMINAL,
+    TIME,
+    CallArgument,
+    ExternalCall,
+    Kind,
+    Reinitialization,
+    Relation,
+    SampleCounter,
+    ScalarAssert,
+    ScalarEquation,
+    ScalarModel,
+    ScalarVariable,
+    Termination,
+    derivative_name,
+    previous_name,
+    relation_name,
+    unwrapped,
+)
+from modelica2fmu.source_map import SourceMap
+
+_BASE_TYPES: Final = frozenset({"Real", "Integer", "Boolean", "String"})
+_KNOWN_KINDS: Final = frozenset({Kind.CONSTANT, Kind.PARAMETER})
+
+
+def scalarize(model: ir.FlatModel, source_map: SourceMap) -> ScalarModel:
+    """The scalar form of ``model``.
+
+    Raises:
+        UnsupportedModelError: a construct that is not translated.
+        InputError: the model is wrong (a parameter without value, operands that do not fit).
+    """
+    return _Scalarizer(model, source_map).run()
+
+
+def element_names(name: str, shape: tuple[int, ...]) -> list[str]:
+    """Names of the elements of a variable, row-major."""
+    if not shape:
+        return [name]
+    return [f"{name}[{','.join(str(number + 1) for number in index)}]" for index in np.ndindex(*shape)]
+
+
+class _Scalarizer:
+    """Host of the interpreter and builder of the scalar model."""
+
+    def __init__(self, model: ir.FlatModel, source_map: SourceMap) -> None:
+        self._model = model
+        self._source_map = source_map
+        self._interpreter = Interpreter(model, self, source_map)
+        self._result = ScalarModel(model.name, model.description)
+        self._values: dict[str, Value] = {}
+        self._in_progress: set[str] = set()
+        self._relations: dict[Node, Relation] = {}
+        self._calls: dict[tuple[Any, ...], tuple[Value, ...]] = {}
+        self._call_outputs: dict[str, ExternalCall] = {}
+        self._samples: dict[tuple[Any, Any], str] = {}
+        self._time_relations: dict[Node, str] = {}
+        self._assigned_in_when = self._targets_of_whens()
+        self._enumeration_names = {literal.rsplit(".", 1)[0] for literal in model.enumeration_literals}
+        self._structural: set[str] = set()
+
+    # --- run ---
+
+    def run(self) -> ScalarModel:
+        model, result = self._model, self._result
+        for variable in model.variables.values():
+            self._declare(variable)
+        for variable in model.variables.values():
+            self._attributes(variable)
+        for variable in model.variables.values():
+            if variable.binding is not None and variable.variability not in ("parameter", "constant"):
+                if variable.causality == "input" and variable.is_top_level and "." not in variable.name:
+                    continue  # a default value of a top-level input
+                self._equation_of_binding(variable)
+        for equation in model.equations:
+            result.equations.extend(self._equation(equation))
+        for algorithm in model.algorithms:
+            self._algorithm(algorithm)
+        for position, when in enumerate(model.whens):
+            self._when([(branch.condition, branch.body) for branch in when.branches], f"$when[{position + 1}]")
+        for equation in model.initial_equations:
+            result.initial_equations.extend(self._equation(equation, events=False))
+        for algorithm in model.initial_algorithms:
+            self._initial_algorithm(algorithm)
+        for item in (*model.asserts, *model.initial_asserts):
+            self._assert(item)
+        for name in self._structural:
+            variable_ = result.variables[name]
+            if variable_.kind is Kind.PARAMETER:
+                variable_.kind = Kind.CONSTANT
+                variable_.value = self._parameter_number(name, None)
+        result.enumerations = self._enumerations()
+        return result
+
+    # --- variables ---
+
+    def _targets_of_whens(self) -> set[str]:
+        """Names (without subscripts) of the variables that when-clauses assign."""
+        names: set[str] = set()
+
+        def visit(statements: tuple[ir.Statement, ...], inside: bool) -> None:
+            for statement in statements:
+                match statement:
+                    case ir.Assignment(target=target) if inside:
+                        names.add(target.name)
+                    case ir.CallAssignment(targets=targets) if inside:
+                        names.update(target.name for target in targets if target is not None)
+                    case ir.IfStatement(branches=branches, otherwise=otherwise):
+                        for _, body in branches:
+                            visit(body, inside)
+                        visit(otherwise, inside)
+                    case ir.For(body=body):
+                        visit(body, inside)
+                    case ir.WhenStatement(branches=branches):
+                        for _, body in branches:
+                            visit(body, True)
+
+        for when in self._model.whens:
+            for branch in when.branches:
+                visit(branch.body, True)
+        for algorithm in self._model.algorithms:
+            visit(algorithm.statements, False)
+        return names
+
+    def _kind(self, variable: ir.Variable) -> Kind:
+        if variable.variability == "constant":
+            return Kind.CONSTANT
+        if variable.variability == "parameter":
+            if variable.fixed is not None and not all(variable.fixed):
+                return Kind.FREE_PARAMETER
+            return Kind.PARAMETER
+        if variable.causality == "input" and variable.is_top_level and "." not in variable.name:
+            return Kind.INPUT
+        is_discrete = (
+            variable.type != "Real"
+            or variable.variability == "discrete"
+            or variable.name in self._assigned_in_when
+            or any(name in self._assigned_in_when for name in element_names(variable.name, variable.shape))
+        )
+        return Kind.DISCRETE if is_discrete else Kind.CONTINUOUS
+
+    def _declare(self, variable: ir.Variable) -> None:
+        kind = self._kind(variable)
+        names = element_names(variable.name, variable.shape)
+        fixed = variable.fixed or (False,)
+        for position, name in enumerate(names):
+            orientation = None
+            if variable.orientation is not None and variable.shape == (3, 3):
+                orientation = (variable.orientation, position // 3, position % 3)
+            self._result.variables[name] = ScalarVariable(
+                name=name,
+                type=variable.type if variable.type in _BASE_TYPES else self._enumeration(variable.type),
+                kind=kind,
+                fixed=fixed[position] if len(fixed) == len(names) else fixed[0],
+                state_select=variable.state_select,
+                orientation=orientation,
+                declaration=variable,
+                is_output=variable.causality == "output" and variable.is_top_level,
+                span=variable.span,
+            )
+
+    def _enumeration(self, name: str) -> str:
+        """The full name of an enumeration type that is known by ``name`` in its scope."""
+        candidates = [full for full in self._enumeration_names if full == name or full.endswith("." + name)]
+        return max(candidates, key=lambda full: (len(full), full)) if candidates else name
+
+    def enumeration_type(self, name: str) -> str | None:
+        """See :class:`interpreter.Host`."""
+        variable = self._model.variables.get(name)
+        if variable is None or variable.type in _BASE_TYPES:
+            return None
+        return self._enumeration(variable.type)
+
+    def _enumerations(self) -> dict[str, tuple[str, ...]]:
+        used = {variable.type for variable in self._result.variables.values()} - _BASE_TYPES
+        result: dict[str, tuple[str, ...]] = {}
+        for name in sorted(used):
+            literals = {
+                ordinal: literal.rsplit(".", 1)[-1]
+                for literal, ordinal in self._model.enumeration_literals.items()
+                if literal.rsplit(".", 1)[0] == name and not literal.endswith("'")
+            }
+            result[name] = tuple(literals[ordinal] for ordinal in sorted(literals))
+        return result
+
+    def _attributes(self, variable: ir.Variable) -> None:
+        names = element_names(variable.name, variable.shape)
+        if not names:
+            return
+        if variable.variability in ("parameter", "constant"):
+            self.variable(variable.name)
+        elif variable.start is not None:
+            for name, start in zip(names, self._broadcast(variable.start, names), strict=True):
+                self._result.variables[name].start = self._plain(start)
+        if self._result.variables[names[0]].kind is Kind.FREE_PARAMETER and variable.start is not None:
+            for name, start in zip(names, self._broadcast(variable.start, names), strict=True):
+                self._result.variables[name].start = self._plain(start)
+        for attribute in ("minimum", "maximum", "nominal"):
+            expression = getattr(variable, attribute)
+            if expression is None:
+                continue
+            for name, value in zip(names, self._broadcast(expression, names), strict=True):
+                if isinstance(value, float | int):
+                    setattr(self._result.variables[name], attribute, float(value))
+
+    def _broadcast(self, expression: ir.Expression, names: list[str]) -> list[Scalar]:
+        items = arrays.scalars(self._interpreter.evaluate(expression, events=False))
+        if len(items) == 1 and len(names) != 1:
+            items = items * len(names)
+        if len(items) != len(names):
+            raise InputError(
+                f"an attribute of {names[0]} has {len(items)} elements instead of {len(names)}",
+                place=self._source_map.place(expression.span),
+            )
+        return items
+
+    @staticmethod
+    def _plain(value: Scalar) -> float | str | Node | None:
+        return None if isinstance(value, Text) else value
+
+    # --- Host ---
+
+    def variable(self, name: str) -> Value | None:
+        """See :class:`interpreter.Host`."""
+        value = self._values.get(name)
+        if value is not None:
+            return value
+        declared = self._model.variables.get(name)
+        if declared is None:
+            record = self._model.records.get(name)
+            if record is not None:
+                fields = {item: self.variable(f"{name}.{item}") for item in record.fields}
+                return Record({item: field for item, field in fields.items() if field is not None})
+            scalar = self._result.variables.get(name)
+            return ex.symbol(name) if scalar is not None else None
+        if name in self._in_progress:
+            raise InputError(f"the binding of {name} depends on itself", place=self._source_map.place(declared.span))
+        self._in_progress.add(name)
+        try:
+            value = self._parameter(declared) if declared.variability in ("parameter", "constant") else None
+        finally:
+            self._in_progress.discard(name)
+        if value is None:
+            value = self._symbols(declared)
+        self._values[name] = value
+        return value
+
+    @staticmethod
+    def _symbols(variable: ir.Variable) -> Value:
+        if not variable.shape:
+            return ex.symbol(variable.name)
+        result: arrays.Array = np.empty(variable.shape, dtype=object)
+        flat = result.reshape(-1)
+        for position, name in enumerate(element_names(variable.name, variable.shape)):
+            flat[position] = ex.symbol(name)
+        return result
+
+    def _parameter(self, variable: ir.Variable) -> Value | None:
+        """Evaluates a parameter; its constants as they are, what can change as symbols."""
+        names = element_names(variable.name, variable.shape)
+        scalars = [self._result.variables[name] for name in names]
+        if scalars and scalars[0].kind is Kind.FREE_PARAMETER:
+            return None
+        expression = variable.binding if variable.binding is not None else variable.start
+        if expression is None:
+            if not names:
+                return arrays.filled(variable.shape, 0)
+            if variable.type == "String":
+                items: list[Scalar] = [""] * len(names)
+            else:
+                raise InputError(
+                    f"the parameter {variable.name} has no value",
+                    place=self._source_map.place(variable.span, variable.name),
+                    remedy="give it a value in the model",
+                )
+        else:
+            items = self._broadcast(expression, names)
+        values: list[Scalar] = []
+        for scalar, item in zip(scalars, items, strict=True):
+            if isinstance(item, Text):
+                raise UnsupportedModelError(
+                    f"the String parameter {scalar.name} depends on variables",
+                    place=self._source_map.place(variable.span),
+                )
+            if scalar.type == "Integer" and isinstance(item, float) and item.is_integer():
+                item = int(item)
+            scalar.value = item
+            is_constant = not isinstance(item, Node) and (
+                variable.variability == "constant" or variable.evaluate or isinstance(item, str)
+            )
+            if is_constant:
+                scalar.kind = Kind.CONSTANT
+                values.append(item)
+            else:
+                values.append(ex.symbol(scalar.name))
+        if not variable.shape:
+            return values[0]
+        result: arrays.Array = np.empty(variable.shape, dtype=object)
+        flat = result.reshape(-1)
+        for position, value in enumerate(values):
+            flat[position] = value
+        return result
+
+    def derivative(self, value: float | Node, span: ir.Span | None) -> float | Node:
+        """See :class:`interpreter.Host`."""
+
+        def rate(name: str) -> float | Node:
+            if name == TIME:
+                return 1
+            variable = self._result.variables.get(name)
+            if variable is None or variable.kind is Kind.CONTINUOUS:
+                return ex.symbol(derivative_name(name))
+            if variable.kind is Kind.INPUT:
+                raise UnsupportedModelError(
+                    f"the derivative of the input {name} is not translated", place=self._source_map.place(span)
+                )
+            return 0
+
+        return ex.Differentiation(rate)(value)
+
+    def previous(self, value: float | Node, span: ir.Span | None) -> float | Node:
+        """See :class:`interpreter.Host`."""
+        del span
+        mapping: dict[str, float | Node] = {}
+        for name in ex.symbols(value):
+            variable = self._result.variables.get(name)
+            if variable is not None and variable.kind not in _KNOWN_KINDS:
+                mapping[name] = ex.symbol(previous_name(name))
+        return ex.Substitution(mapping)(value)
+
+    def relation(self, op: str, left: float | Node, right: float | Node) -> bool | Node:
+        """See :class:`interpreter.Host`."""
+        plain = relation(op, left, right)
+        if not isinstance(plain, Node) or self._is_discrete(plain):
+            return plain
+        greater, smaller = (left, right) if op in ("gt", "le") else (right, left)
+        indicator = ex.subtract(greater, smaller)
+        if not isinstance(indicator, Node):
+            return plain
+        threshold = self._time_threshold(indicator)
+        if threshold is not None:
+            return self._time_relation(plain, indicator, threshold)
+        held = self._relations.get(indicator)
+        if held is None:
+            held = Relation(len(self._result.relations) + 1, indicator)
+            self._relations[indicator] = held
+            self._result.relations.append(held)
+        node = ex.symbol(held.name)
+        return ex.logical_not(node) if op in ("le", "ge") else node
+
+    def _time_relation(self, plain: Node, indicator: Node, threshold: float | Node) -> bool | Node:
+        """A relation between the time and something discrete: a Boolean that changes at a known time.
+
+        At that time itself it has its later value, whether it is strict or not, since no event would follow.
+        """
+        rises = ex.Differentiation(lambda name: 1 if name == TIME else 0)(indicator) == 1
+        passed = ex.less_equal(threshold, ex.symbol(TIME))
+        after = passed if rises else ex.logical_not(passed)
+        if plain.op == "le":  # the indicator is that of the negation
+            after = ex.logical_not(after)
+        name = self._time_relations.get(ex.node_of(after))
+        if name is None:
+            name = f"$time[{len(self._time_relations) + 1}]"
+            self._time_relations[ex.node_of(after)] = name
+            self._result.variables[name] = ScalarVariable(name, "Boolean", Kind.DISCRETE, start=False)
+            value = ex.select(ex.symbol(INITIAL), plain, after)
+            self._result.equations.append(ScalarEquation(ex.symbol(name), value, target=name))
+            self._result.time_thresholds.append(threshold)
+        return ex.symbol(name)
+
+    def _time_threshold(self, indicator: Node) -> float | Node | None:
+        """The time at which an indicator that is linear in time alone vanishes."""
+        rate = ex.Differentiation(lambda name: 1 if name == TIME else 0)(indicator)
+        if rate not in (1, -1):
+            return None
+        rest = ex.Substitution({TIME: 0})(indicator)
+        if isinstance(rest, Node) and not self._is_discrete(rest):
+            return None
+        return ex.negate(rest) if rate == 1 else rest
+
+    def _is_discrete(self, node: Node) -> bool:
+        for name in ex.symbols(node):
+            wrapper, inner = unwrapped(name)
+            if wrapper == "pre" or name in (INITIAL, TERMINAL) or name.startswith("relation["):
+                continue
+            variable = self._result.variables.get(inner)
+            if wrapper == "der" or name == TIME or variable is None:
+                return False
+            if variable.kind in (Kind.CONTINUOUS, Kind.INPUT) and variable.type == "Real":
+                return False
+        return True
+
+    def sample(self, start: float | Node, interval: float | Node, span: ir.Span | None) -> bool | Node:
+        """See :class:`interpreter.Host`; true in the event iteration in which the count of samples rises."""
+        for value in (start, interval):
+            if isinstance(value, Node) and not self._only_parameters(value):
+                raise UnsupportedModelError(
+                    "sample() with a start or interval that changes is not translated",
+                    place=self._source_map.place(span),
+                )
+        key = (start, interval)
+        name = self._samples.get(key)
+        if name is None:
+            name = f"$sample[{len(self._samples) + 1}]"
+            self._samples[key] = name
+            self._result.variables[name] = ScalarVariable(name, "Integer", Kind.DISCRETE, start=0)
+            self._result.samples.append(SampleCounter(name, start, interval))
+            since = ex.subtract(ex.symbol(TIME), start)
+            # Half a billionth of an interval covers the rounding of event times.
+            reached = ex.add(ex.unary("floor", ex.add(ex.divide(since, interval), 5e-10)), 1)
+            before = ex.unary("ceil", ex.subtract(ex.divide(since, interval), 5e-10))
+            count = ex.select(ex.symbol(INITIAL), ex.binary("max", before, 0), ex.binary("max", reached, 0))
+            self._result.equations.append(ScalarEquation(ex.symbol(name), count, span, target=name))
+        node = ex.symbol(name)
+        changed = ex.not_equal(node, ex.symbol(previous_name(name)))
+        return ex.logical_and(ex.logical_not(ex.symbol(INITIAL)), changed)
+
+    def _only_parameters(self, node: Node) -> bool:
+        return all(
+            (variable := self._result.variables.get(name)) is not None and variable.kind in _KNOWN_KINDS
+            for name in ex.symbols(node)
+        )
+
+    def constant(self, value: Node, span: ir.Span | None, purpose: str) -> float:
+        """See :class:`interpreter.Host`; the parameters it depends on can no longer be changed."""
+        numbers: dict[str, float | Node] = {}
+        for name in ex.symbols(value):
+            variable = self._result.variables.get(name)
+            if variable is None or variable.kind not in _KNOWN_KINDS:
+                raise UnsupportedModelError(
+                    f"{purpose or 'a value'} that depends on the variable {name} is not translated",
+                    place=self._source_map.place(span),
+                )
+        for name in ex.symbols(value):
+            numbers[name] = self._parameter_number(name, span)
+        if purpose:
+            self._structural.update(numbers)
+        result = ex.Substitution(numbers)(value)
+        if isinstance(result, Node):
+            raise InputError(f"no finite value: {result}", place=self._source_map.place(span))
+        return result
+
+    def _parameter_number(self, name: str, span: ir.Span | None) -> float:
+        value = self._result.variables[name].value
+        if value is None:
+            declared = self._result.variables[name].declaration
+            if declared is not None:
+                self.variable(declared.name)
+            value = self._result.variables[name].value
+        if isinstance(value, Node):
+            return self.constant(value, span, f"the parameter {name}")
+        if isinstance(value, float | int):
+            return value
+        raise UnsupportedModelError(f"the parameter {name} has no value at translation")
+
+    def function_assert(self, condition: Scalar, message: Scalar, is_warning: bool) -> None:
+        """See :class:`interpreter.Host`."""
+        if isinstance(condition, str | Text) or not isinstance(message, str | Text):
+            return
+        if isinstance(condition, Node):
+            # Checked when it depends on parameters alone; an assertion of an inlined function on variables may
+            # stand in a branch that is not taken, so it cannot be lifted out of it.
+            if self._only_parameters(condition):
+                self._result.asserts.append(ScalarAssert(condition, _text(message), is_warning))
+        elif not condition and not is_warning:
+            raise InputError(
+                f"an assertion of the model fails: {message if isinstance(message, str) else message.parts}"
+            )
+
+    # --- external functions ---
+
+    def external(self, function: ir.Function, args: Mapping[str, Value], span: ir.Span | None) -> tuple[Value, ...]:
+        """See :class:`interpreter.Host`; the outputs become symbols."""
+        external = function.external
+        assert external is not None
+        key = (
+            function.name,
+            *(
+                (name.name, tuple(_hashable(item) for item in arrays.scalars(args[name.name])))
+                for name in function.inputs
+            ),
+        )
+        known = self._calls.get(key)
+        if known is not None:
+            return known
+        number = len(self._result.calls) + 1
+        outputs: dict[str, Value] = {}
+        for variable in function.outputs:
+            shape = self._interpreter.function_shape(variable, args)
+            names = element_names(f"$call[{number}].{variable.name}", shape)
+            outputs[variable.name] = (
+                arrays.stack([ex.symbol(name) for name in names]).reshape(shape) if shape else ex.symbol(names[0])
+            )
+            if variable.type == "String":
+                raise UnsupportedModelError(
+                    f"the String output {variable.name} of the external function {function.name} is not translated",
+                    place=self._source_map.place(function.span),
+                )
+        arguments = tuple(self._argument(function, argument, args, outputs) for argument in external.args)
+        inputs = [
+            item for argument in arguments if not argument.is_output for item in argument.values
+            if isinstance(item, Node)
+        ]  # fmt: skip
+        of_parameters = all(self._only_parameters(item) for item in inputs)
+        is_whole = {variable.name: variable.type != "Real" for variable in function.outputs}
+        for variable in function.outputs:
+            for item in arrays.scalars(outputs[variable.name]):
+                assert isinstance(item, Node)
+                if of_parameters:
+                    kind = Kind.PARAMETER
+                else:
+                    kind = Kind.DISCRETE if is_whole[variable.name] else Kind.CONTINUOUS
+                type_name = variable.type if variable.type in _BASE_TYPES else "Integer"
+                self._result.variables[item.name] = ScalarVariable(item.name, type_name, kind, value=item)
+        result = None
+        if external.result is not None:
+            (node,) = arrays.scalars(outputs[external.result])
+            assert isinstance(node, Node)
+            result = (node.name, self._result.variables[node.name].type)
+        call = ExternalCall(
+            number=number,
+            function=function.name,
+            symbol=external.name,
+            args=arguments,
+            result=result,
+            outputs=tuple(
+                item.name for value in outputs.values() for item in arrays.scalars(value) if isinstance(item, Node)
+            ),
+            has_prototype=any(name == "Include" for name, _ in external.annotations),
+            span=span,
+        )
+        self._result.calls.append(call)
+        for annotation in external.annotations:
+            if annotation not in self._result.external_annotations:
+                self._result.external_annotations.append(annotation)
+        value = tuple(outputs[variable.name] for variable in function.outputs)
+        self._calls[key] = value
+        return value
+
+    def _argument(
+        self,
+        function: ir.Function,
+        expression: ir.Expression,
+        args: Mapping[str, Value],
+        outputs: Mapping[str, Value],
+    ) -> CallArgument:
+        if isinstance(expression, ir.Builtin) and expression.name == "size":
+            size = self._interpreter.evaluate_in_function(expression, {**args, **outputs})
+            return CallArgument("size", (int(_as_float(size)),), is_array=False, is_output=False)
+        types = {variable.name: variable for variable in (*function.inputs, *function.outputs, *function.locals)}
+        name = expression.name if isinstance(expression, ir.Reference) and not expression.subscripts else ""
+        if name in outputs:
+            value = outputs[name]
+            names = tuple(item for item in arrays.scalars(value) if isinstance(item, Node))
+            return CallArgument(_c_type(types[name].type), names, isinstance(value, np.ndarray), is_output=True)
+        value = args[name] if name in args else self._interpreter.evaluate_in_function(expression, args)
+        if isinstance(value, Record | tuple):
+            raise UnsupportedModelError(
+                f"a record as argument of the external function {function.name} is not translated",
+                place=self._source_map.place(function.span),
+            )
+        items = arrays.scalars(value)
+        if name in types:
+            type_name = _c_type(types[name].type)
+        else:
+            type_name = "String" if any(isinstance(item, str) for item in items) else "Real"
+            if all(isinstance(item, int) for item in items):
+                type_name = "Integer"
+        values = []
+        for item in items:
+            if isinstance(item, Text):
+                raise UnsupportedModelError(
+                    f"a String that depends on variables as argument of {function.name} is not translated",
+                    place=self._source_map.place(function.span),
+                )
+            values.append(item)
+        return CallArgument(type_name, tuple(values), isinstance(value, np.ndarray), is_output=False)
+
+    # --- equations ---
+
+    def _equation_of_binding(self, variable: ir.Variable) -> None:
+        assert variable.binding is not None
+        names = element_names(variable.name, variable.shape)
+        if variable.type == "String":
+            items = self._broadcast(variable.binding, names)
+            for name, item in zip(names, items, strict=True):
+                if not isinstance(item, str):
+                    raise UnsupportedModelError(
+                        f"the String variable {name} changes, which is not translated",
+                        place=self._source_map.place(variable.span),
+                    )
+                self._result.variables[name].kind = Kind.CONSTANT
+                self._result.variables[name].value = item
+            return
+        for name, item in zip(names, self._broadcast_events(variable.binding, names), strict=True):
+            self._result.equations.append(ScalarEquation(ex.symbol(name), _as_number(item), variable.span))
+
+    def _broadcast_events(self, expression: ir.Expression, names: list[str]) -> list[Scalar]:
+        items = arrays.scalars(self._interpreter.evaluate(expression))
+        return items * len(names) if len(items) == 1 else items
+
+    def _equation(self, equation: ir.Equation, events: bool = True) -> list[ScalarEquation]:
+        residual = equation.residual
+        if isinstance(residual, ir.Binary) and residual.op in ("Sub", "SubElem"):
+            left = self._sides(residual.left, events)
+            right = self._sides(residual.right, events)
+            if len(left) == 1 and len(right) > 1 and isinstance(residual.left, ir.Literal):
+                left = left * len(right)
+            if len(right) == 1 and len(left) > 1:
+                right = right * len(left)
+        else:
+            left = self._sides(residual, events)
+            right = [0] * len(left)
+        if len(left) != len(right):
+            raise InputError(
+                f"the sides of an equation have {len(left)} and {len(right)} elements",
+                place=self._source_map.place(equation.span),
+            )
+        result = []
+        for a, b in zip(left, right, strict=True):
+            if a is None:
+                continue
+            if isinstance(a, str | Text) or isinstance(b, str | Text):
+                if a == b:
+                    continue
+                raise UnsupportedModelError(
+                    "an equation between Strings is not translated", place=self._source_map.place(equation.span)
+                )
+            result.append(ScalarEquation(_as_number(a), _as_number(b), equation.span))
+        return result
+
+    def _sides(self, expression: ir.Expression, events: bool) -> list[Any]:
+        """Scalars of one side of an equation; ``None`` for outputs that are left out (only their number is known)."""
+        if isinstance(expression, ir.TupleExpression):
+            sides: list[Any] = []
+            for element in expression.elements:
+                if element is None:
+                    raise UnsupportedModelError(
+                        "an equation with outputs left out is not translated",
+                        place=self._source_map.place(expression.span),
+                        remedy="give each output of the function a variable",
+                    )
+                sides.extend(arrays.scalars(self._interpreter.evaluate(element, events=events)))
+            return sides
+        value = self._interpreter.evaluate(expression, events=events)
+        return list(arrays.scalars(value))
+
+    # --- when, algorithms ---
+
+    def _triggers(self, condition: ir.Expression, label: str) -> float | Node:
+        """True in the event iteration in which a when-clause is active."""
+        if isinstance(condition, ir.ArrayConstructor):
+            elements = condition.elements
+        else:
+            value = self._interpreter.evaluate(condition)
+            if isinstance(value, np.ndarray):
+                return self._trigger_of_values(list(value.reshape(-1)), label, condition.span)
+            elements = (condition,)
+        values = [self._interpreter.evaluate(element) for element in elements]
+        return self._trigger_of_values(values, label, condition.span)
+
+    def _trigger_of_values(self, values: list[Any], label: str, span: ir.Span | None) -> float | Node:
+        trigger: float | Node = False
+        for position, value in enumerate(values):
+            if isinstance(value, Node) and value.op == "symbol" and value.name == INITIAL:
+                trigger = ex.logical_or(trigger, value)
+                continue
+            name = f"{label}.condition[{position + 1}]"
+            self._result.variables[name] = ScalarVariable(name, "Boolean", Kind.DISCRETE, start=False, span=span)
+            self._result.equations.append(ScalarEquation(ex.symbol(name), value, span, target=name))
+            rising = ex.logical_and(ex.symbol(name), ex.logical_not(ex.symbol(previous_name(name))))
+            trigger = ex.logical_or(trigger, ex.logical_and(ex.logical_not(ex.symbol(INITIAL)), rising))
+        return trigger
+
+    def _when(
+        self,
+        branches: list[tuple[ir.Expression, tuple[ir.Statement, ...]]],
+        label: str,
+        values: dict[str, Value | None] | None = None,
+    ) -> None:
+        """Expands a when-clause: every variable that it assigns gets one equation, reinit and the like actions.
+
+        With ``values``, the clause stands in an algorithm and works on these.
+        """
+        assigned: dict[str, float | Node] = {}
+        blocked: float | Node = False
+        updates: list[tuple[float | Node, dict[str, float | Node]]] = []
+        for position, (condition, body) in enumerate(branches):
+            trigger = self._triggers(condition, f"{label}.{position + 1}" if len(branches) > 1 else label)
+            active = ex.logical_and(trigger, ex.logical_not(blocked))
+            blocked = ex.logical_or(blocked, trigger)
+            update: dict[str, float | Node] = {}
+            self._when_body(body, active, update, values)
+            updates.append((active, update))
+        for _, update in updates:
+            for name in update:
+                assigned.setdefault(name, self._unassigned(name, values))
+        for active, update in reversed(updates):
+            for name in assigned:
+                if name in update:
+                    assigned[name] = ex.select(active, update[name], assigned[name])
+        for name, value in assigned.items():
+            if values is None:
+                self._result.equations.append(ScalarEquation(ex.symbol(name), value, target=name))
+            else:
+                values[name] = value
+
+    def _unassigned(self, name: str, values: dict[str, Value | None] | None) -> float | Node:
+        if values is not None and isinstance(values.get(name), float | int | Node):
+            value = values[name]
+            assert isinstance(value, float | int | Node)
+            return value
+        return ex.symbol(previous_name(name))
+
+    def _when_body(
+        self,
+        body: tuple[ir.Statement, ...],
+        active: float | Node,
+        update: dict[str, float | Node],
+        values: dict[str, Value | None] | None,
+    ) -> None:
+        for statement in body:
+            match statement:
+                case ir.Assignment(target=target, value=expression):
+                    names = self._target_names(target)
+                    items = arrays.scalars(self._evaluate_local(expression, update, values))
+                    self._update(update, names, items, statement.span)
+                case ir.CallAssignment(targets=targets, call=call):
+                    outputs = self._evaluate_local(call, update, values)
+                    outputs = outputs if isinstance(outputs, tuple) else (outputs,)
+                    for reference, output in zip(targets, outputs, strict=False):
+                        if reference is not None:
+                            self._update(update, self._target_names(reference), arrays.scalars(output), statement.span)
+                case ir.IfStatement(branches=branches, otherwise=otherwise):
+                    self._when_if(branches, otherwise, active, update, values)
+                case ir.Reinit(state=state, value=expression):
+                    items = arrays.scalars(self._evaluate_local(expression, update, values))
+                    for name, item in zip(self._target_names(state), items, strict=True):
+                        self._result.reinitializations.append(
+                            Reinitialization(active, name, _as_number(item), statement.span)
+                        )
+                case ir.Assert(condition=condition, message=message, is_warning=is_warning):
+                    checked = self._evaluate_local(condition, update, values)
+                    text = _text(self._interpreter.evaluate(message, events=False))
+                    self._result.asserts.append(ScalarAssert(_as_number(checked), text, is_warning, active))
+                case ir.Terminate(message=message):
+                    text = _text(self._interpreter.evaluate(message, events=False))
+                    self._result.terminations.append(Termination(active, text))
+                case _:
+                    raise self._interpreter.unsupported(f"{type(statement).__name__} in a when-clause", statement.span)
+
+    def _when_if(
+        self,
+        branches: tuple[tuple[ir.Expression, tuple[ir.Statement, ...]], ...],
+        otherwise: tuple[ir.Statement, ...],
+        active: float | Node,
+        update: dict[str, float | Node],
+        values: dict[str, Value | None] | None,
+    ) -> None:
+        remaining: float | Node = active
+        parts: list[tuple[float | Node, dict[str, float | Node]]] = []
+        for condition, body in branches:
+            chosen = _as_number(self._evaluate_local(condition, update, values))
+            part = dict(update)
+            self._when_body(body, ex.logical_and(remaining, chosen), part, values)
+            remaining = ex.logical_and(remaining, ex.logical_not(chosen))
+            parts.append((chosen, part))
+        rest = dict(update)
+        self._when_body(otherwise, remaining, rest, values)
+        for name in {name: None for part in (*(part for _, part in parts), rest) for name in part}:
+            value = rest.get(name, self._unassigned(name, values))
+            for chosen, part in reversed(parts):
+                value = ex.select(chosen, part.get(name, self._unassigned(name, values)), value)
+            update[name] = value
+
+    def _evaluate_local(
+        self, expression: ir.Expression, update: dict[str, float | Node], values: dict[str, Value | None] | None
+    ) -> Value:
+        value = self._interpreter.evaluate(expression, events=False)
+        if values is None:
+            return value  # equations: what stands on the right is the solution, not the last assignment
+        local: dict[str, float | Node] = {
+            name: item for name, item in values.items() if isinstance(item, float | int | Node)
+        }
+        local.update(update)
+        substitution = ex.Substitution(local)
+        return arrays.elementwise(lambda item: substitution(item) if isinstance(item, Node) else item, value)
+
+    def _update(
+        self, update: dict[str, float | Node], names: list[str], items: list[Scalar], span: ir.Span | None
+    ) -> None:
+        if len(items) == 1 and len(names) > 1:
+            items = items * len(names)
+        if len(items) != len(names):
+            raise InputError("the sides of an assignment do not fit", place=self._source_map.place(span))
+        for name, item in zip(names, items, strict=True):
+            update[name] = _as_number(item)
+
+    def _target_names(self, target: ir.Reference) -> list[str]:
+        value = self._interpreter.evaluate(target, events=False)
+        return [item.name for item in arrays.scalars(value) if isinstance(item, Node)]
+
+    def _algorithm(self, algorithm: ir.Algorithm) -> None:
+        """An algorithm becomes one equation for each variable that it assigns."""
+        values: dict[str, Value | None] = {}
+        outputs: dict[str, None] = {}
+        for name in algorithm.outputs:
+            declared = self._model.variables.get(name)
+            names = element_names(name, declared.shape) if declared is not None else [name]
+            outputs.update(dict.fromkeys(names))
+        for name in outputs:
+            variable = self._result.variables[name]
+            values[name] = (
+                ex.symbol(previous_name(name)) if variable.kind is Kind.DISCRETE else _as_number(variable.start or 0)
+            )
+        label = f"$algorithm[{self._model.algorithms.index(algorithm) + 1}]"
+        for position, statement in enumerate(algorithm.statements):
+            if isinstance(statement, ir.WhenStatement):
+                self._when(list(statement.branches), f"{label}.when[{position + 1}]", values)
+            else:
+                values = self._run_statement(statement, values)
+        for name in outputs:
+            value = values[name]
+            assert isinstance(value, float | int | Node)
+            self._result.equations.append(ScalarEquation(ex.symbol(name), value, algorithm.span, target=name))
+
+    def _run_statement(self, statement: ir.Statement, values: dict[str, Value | None]) -> dict[str, Value | None]:
+        grouped = dict(values)
+        shaped: dict[str, list[str]] = {}
+        for declared in self._model.variables.values():
+            if declared.shape:
+                names = element_names(declared.name, declared.shape)
+                if names and all(name in values for name in names):
+                    shaped[declared.name] = names
+                    array: arrays.Array = np.empty(declared.shape, dtype=object)
+                    flat = array.reshape(-1)
+                    for position, name in enumerate(names):
+                        flat[position] = grouped.pop(name)
+                    grouped[declared.name] = array
+        after = self._interpreter.execute_algorithm((statement,), grouped, events=True)
+        result: dict[str, Value | None] = {}
+        for name, value in after.items():
+            if name in shaped:
+                assert isinstance(value, np.ndarray)
+                result.update(zip(shaped[name], value.reshape(-1), strict=True))
+            else:
+                result[name] = value
+        return result
+
+    def _initial_algorithm(self, algorithm: ir.Algorithm) -> None:
+        values: dict[str, Value | None] = {}
+        outputs: dict[str, None] = {}
+        for name in algorithm.outputs:
+            declared = self._model.variables.get(name)
+            outputs.update(dict.fromkeys(element_names(name, declared.shape) if declared is not None else [name]))
+        for name in outputs:
+            values[name] = _as_number(self._result.variables[name].start or 0)
+        for statement in algorithm.statements:
+            values = self._run_statement(statement, values)
+        for name in outputs:
+            value = values[name]
+            assert isinstance(value, float | int | Node)
+            self._result.initial_equations.append(ScalarEquation(ex.symbol(name), value, algorithm.span))
+
+    def _assert(self, item: ir.Assert) -> None:
+        condition = _as_number(self._interpreter.evaluate(item.condition, events=False))
+        message = _text(self._interpreter.evaluate(item.message, events=False))
+        if isinstance(condition, Node):
+            self._result.asserts.append(ScalarAssert(condition, message, item.is_warning))
+        elif not condition and not item.is_warning:
+            raise InputError(
+                "an assertion of the model fails: " + "".join(str(part) for part in message.parts),
+                place=self._source_map.place(item.span),
+            )
+
+
+def _as_number(value: Any) -> float | Node:
+    if isinstance(value, float | int | Node):
+        return value
+    if isinstance(value, np.ndarray) and value.size == 1:
+        return _as_number(value.reshape(-1)[0])
+    raise arrays.ShapeError(f"a scalar number is needed here, not {type(value).__name__}")
+
+
+def _as_float(value: Value) -> float:
+    number = _as_number(value)
+    assert not isinstance(number, Node)
+    return number
+
+
+def _text(value: Value) -> Text:
+    if isinstance(value, Text):
+        return value
+    return Text((str(value),))
+
+
+def _hashable(value: Scalar) -> object:
+    return value
+
+
+def _c_type(name: str) -> str:
+    return name if name in _BASE_TYPES else "Integer"
+
+
+__all__ = ["element_names", "relation_name", "scalarize"]

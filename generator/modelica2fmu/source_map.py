@@ -1,0 +1,54 @@
+"""From the front end's spans to file and line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from cmb_base.errors import Place
+
+from modelica2fmu.ir import Span
+
+_FNV_OFFSET = 0xCBF29CE484222325
+_FNV_PRIME = 0x100000001B3
+
+
+def source_number(path: str) -> int:
+    """The front end's number of a source file: FNV-1a (64 bit) of the path it was given."""
+    number = _FNV_OFFSET
+    for byte in path.encode():
+        number = (number ^ byte) * _FNV_PRIME & 0xFFFFFFFFFFFFFFFF
+    return number
+
+
+class SourceMap:
+    """Finds the file and the line of a span.
+
+    Files are only looked for when a place is first asked for, that is, when there is something to report.
+
+    Args:
+        roots: files and folders that were given to the front end.
+    """
+
+    def __init__(self, roots: Sequence[Path]) -> None:
+        self._roots = tuple(roots)
+        self._files: dict[int, Path] | None = None
+
+    def place(self, span: Span | None, component: str | None = None) -> Place:
+        """The place of ``span``; without file where it is not known."""
+        if span is None:
+            return Place(component=component)
+        path = self._known_files().get(span.source)
+        if path is None:
+            return Place(component=component)
+        line = path.read_bytes().count(b"\n", 0, span.start) + 1
+        return Place(file=path, line=line, component=component)
+
+    def _known_files(self) -> dict[int, Path]:
+        if self._files is None:
+            self._files = {}
+            for root in self._roots:
+                for path in sorted(root.rglob("*.mo")) if root.is_dir() else [root]:
+                    for name in {str(path), str(path.resolve())}:
+                        self._files[source_number(name)] = path
+        return self._files

@@ -1,0 +1,284 @@
+"""The two systems that a generated model solves: while simulating, and at initialization."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from cmb_base.errors import Place, UnsupportedModelError
+
+from modelica2fmu import expression as ex
+from modelica2fmu import ir
+from modelica2fmu.alias import ReducedModel
+from modelica2fmu.blocks import (
+    Assignment,
+    Block,
+    Entry,
+    Residual,
+    solve_order,
+)
+from modelica2fmu.expression import Node
+from modelica2fmu.index_reduction import ReducedSystem, reduce_index
+from modelica2fmu.matching import Matching
+from modelica2fmu.scalar_model import (
+    INITIAL,
+    ExternalCall,
+    Kind,
+    ScalarEquation,
+    ScalarModel,
+    derivative_name,
+    previous_name,
+    start_name,
+    unwrapped,
+)
+
+PlaceOf = Callable[[ir.Span | None], Place]
+
+
+@dataclass
+class Systems:
+    """Everything that code generation needs.
+
+    Attributes:
+        model: variables, relations and actions.
+        reduction: equations of index one and states.
+        simulation: blocks while simulating, discrete ones included.
+        initialization: blocks at initialization.
+        warnings: remarks for the build log (start values assumed, initial equations left out).
+    """
+
+    model: ScalarModel
+    reduction: ReducedSystem
+    simulation: list[Block]
+    initialization: list[Block]
+    warnings: list[str] = field(default_factory=list)
+
+
+def build_systems(reduced: ReducedModel, place: PlaceOf) -> Systems:
+    """Partitions, reduces the index, and sorts both systems.
+
+    Raises:
+        InputError: a system is structurally singular.
+        UnsupportedModelError: the structure is one that is not translated.
+    """
+    return _Builder(reduced, place).run()
+
+
+class _Builder:
+    def __init__(self, reduced: ReducedModel, place: PlaceOf) -> None:
+        self._reduced = reduced
+        self._model = reduced.model
+        self._place = place
+        self._warnings: list[str] = []
+        removed = {*reduced.replacements, *(name for name, _ in reduced.invariants)}
+        self._live = {name: variable for name, variable in self._model.variables.items() if name not in removed}
+        self._calls = [call for call in self._model.calls if not self._is_known(call)]
+        self._outputs = {name for call in self._calls for name in call.outputs}
+
+    def _is_known(self, call: ExternalCall) -> bool:
+        """A call that depends on parameters alone."""
+        return all(self._model.variables[name].kind is Kind.PARAMETER for name in call.outputs) and bool(call.outputs)
+
+    def run(self) -> Systems:
+        assignments, residuals = self._partition()
+        unknowns = [
+            name
+            for name, variable in self._live.items()
+            if variable.kind is Kind.CONTINUOUS and name not in self._outputs
+        ]
+        others = [item for call in self._calls for item in call.inputs()]
+        others += [assignment.value for assignment in assignments]
+        others += [item.indicator for item in self._model.relations]
+        others += [item.value for item in self._model.reinitializations]
+        reduction = reduce_index(
+            self._model,
+            [(ex.subtract(equation.left, equation.right), equation.span) for equation in residuals],
+            unknowns,
+            others,
+            self._resolve,
+            self._place,
+        )
+        return Systems(
+            model=self._model,
+            reduction=reduction,
+            simulation=self._simulation(assignments, reduction),
+            initialization=self._initialization(assignments, reduction),
+            warnings=self._warnings,
+        )
+
+    def _resolve(self, name: str) -> float | Node:
+        replacement = self._reduced.replacements.get(name)
+        return ex.symbol(name) if replacement is None else replacement
+
+    # --- discrete and continuous ---
+
+    def _partition(self) -> tuple[list[Assignment], list[ScalarEquation]]:
+        """Assignments to discrete variables, and the continuous equations."""
+        assignments: dict[str, Assignment] = {}
+        rest: list[ScalarEquation] = []
+        for equation in self._reduced.equations:
+            target = equation.target
+            if target is not None and self._model.variables[target].kind is Kind.DISCRETE:
+                assignments[target] = Assignment(target, equation.right, is_discrete=True, span=equation.span)
+            else:
+                rest.append(equation)
+        discrete = [
+            name
+            for name, variable in self._live.items()
+            if variable.kind is Kind.DISCRETE and name not in assignments and name not in self._outputs
+        ]
+        candidates: dict[str, dict[int, float | Node]] = {name: {} for name in discrete}
+        for number, equation in enumerate(rest):
+            for side, other in ((equation.left, equation.right), (equation.right, equation.left)):
+                name, value = _explicit(side, other)
+                if name in candidates and name not in ex.symbols(value):
+                    candidates[name].setdefault(number, value)
+        matching = Matching(
+            {position: [str(number) for number in candidates[name]] for position, name in enumerate(discrete)}
+        )
+        used: set[int] = set()
+        for position, name in enumerate(discrete):
+            if not matching.augment(position):
+                variable = self._model.variables[name]
+                raise UnsupportedModelError(
+                    f"no equation gives the discrete variable {name} explicitly",
+                    place=self._place(variable.span),
+                    remedy=f"write it as {name} = ...",
+                )
+        for position, name in enumerate(discrete):
+            number = int(matching.column_of[position])
+            used.add(number)
+            assignments[name] = Assignment(name, candidates[name][number], is_discrete=True, span=rest[number].span)
+        return list(assignments.values()), [item for number, item in enumerate(rest) if number not in used]
+
+    # --- simulation ---
+
+    def _simulation(self, assignments: Sequence[Assignment], reduction: ReducedSystem) -> list[Block]:
+        running = ex.Substitution({INITIAL: 0})
+        entries: list[Entry] = [
+            Residual(reduction.stabilized.get(equation.number, equation.residual), equation.span)
+            for equation in reduction.equations
+            if not equation.is_invariant
+        ]
+        entries.extend(
+            Assignment(item.target, running(item.value), is_discrete=True, span=item.span) for item in assignments
+        )
+        entries.extend(self._calls)
+        states = set(reduction.states)
+        unknowns = [name for name in reduction.unknowns if name not in states]
+        unknowns += [item.target for item in assignments]
+        unknowns += [name for call in self._calls for name in call.outputs]
+        preferred = [derivative_name(name) for name in reduction.states]
+        return solve_order(entries, unknowns, preferred, self._place)
+
+    # --- initialization ---
+
+    def _initialization(self, assignments: Sequence[Assignment], reduction: ReducedSystem) -> list[Block]:
+        mapping: dict[str, float | Node] = {INITIAL: 1}
+        for name in reduction.unknowns:
+            mapping[previous_name(name)] = ex.symbol(name)
+        starting = ex.Substitution(mapping)
+        entries: list[Entry] = [Residual(starting(item.residual), item.span) for item in reduction.equations]
+        before: dict[str, float | Node] = {}
+        initial_residuals: list[Residual] = []
+        for equation in self._reduced.initial_equations:
+            name, value = self._discrete_initial(equation)
+            if name is not None:
+                before[name] = starting(value)
+                continue
+            initial_residuals.append(Residual(starting(ex.subtract(equation.left, equation.right)), equation.span))
+        unknowns: dict[str, None] = dict.fromkeys(reduction.unknowns)
+        for item in assignments:
+            entries.append(Assignment(item.target, starting(item.value), is_discrete=True, span=item.span))
+            unknowns[item.target] = None
+        for name, value in before.items():
+            entries.append(Assignment(previous_name(name), value, is_discrete=True))
+            unknowns[previous_name(name)] = None
+        entries.extend(self._calls)
+        outputs = {name for call in self._calls for name in call.outputs}
+        unknowns.update(dict.fromkeys(outputs))
+        free = [name for name, variable in self._live.items() if variable.kind is Kind.FREE_PARAMETER]
+        unknowns.update(dict.fromkeys(free))
+        given = {item.target for item in entries if isinstance(item, Assignment)} | outputs
+        entries.extend(self._initial_conditions(entries, initial_residuals, unknowns, given, reduction, free))
+        return solve_order(entries, list(unknowns), [], self._place)
+
+    def _discrete_initial(self, equation: ScalarEquation) -> tuple[str | None, float | Node]:
+        """The discrete variable whose first pre() value an initial equation gives."""
+        for side, other in ((equation.left, equation.right), (equation.right, equation.left)):
+            if isinstance(side, Node) and side.op == "symbol":
+                wrapper, inner = unwrapped(side.name)
+                variable = self._live.get(inner)
+                if variable is not None and variable.kind is Kind.DISCRETE and wrapper in ("", "pre"):
+                    return inner, other
+        return None, 0
+
+    def _initial_conditions(
+        self,
+        entries: Sequence[Entry],
+        initial_residuals: Sequence[Residual],
+        unknowns: dict[str, None],
+        given: set[str],
+        reduction: ReducedSystem,
+        free: Sequence[str],
+    ) -> list[Residual]:
+        """The start values and initial equations that complete the initialization problem."""
+        matching = Matching()
+        open_unknowns = {name for name in unknowns if name not in given}
+
+        def attempt(residual: float | Node) -> bool:
+            number = len(matching.incidence)
+            matching.incidence[number] = [name for name in ex.symbols(residual) if name in open_unknowns]
+            if matching.augment(number):
+                return True
+            matching.incidence[number] = []
+            return False
+
+        for entry in entries:
+            if isinstance(entry, Residual):
+                attempt(entry.residual)
+        chosen: list[Residual] = []
+        fixed = [name for name in reduction.unknowns if (item := self._live.get(name)) is not None and item.fixed]
+        conditions = [(self._start_condition(name), f"the start value of {name}") for name in fixed]
+        conditions += [(item, f"the initial equation 0 = {item.residual}") for item in initial_residuals]
+        for condition, text in conditions:
+            if attempt(condition.residual):
+                chosen.append(condition)
+            else:
+                self._warnings.append(f"too many initial conditions: {text} is not used")
+        states = sorted(
+            (name for name in reduction.states if name not in fixed),
+            key=lambda name: -self._preference(name),
+        )
+        others = [name for name in unknowns if name not in states and name not in given]
+        for name in [*free, *states, *others]:
+            if len(matching.row_of) == len(open_unknowns):
+                break
+            condition = self._start_condition(name)
+            if attempt(condition.residual):
+                chosen.append(condition)
+                self._warnings.append(f"start value of {name} used as initial condition")
+        return chosen
+
+    def _preference(self, name: str) -> int:
+        variable = self._live.get(name)
+        return variable.state_select.value if variable is not None else 0
+
+    def _start_condition(self, name: str) -> Residual:
+        variable = self._live.get(name)
+        return Residual(
+            ex.subtract(ex.symbol(name), ex.symbol(start_name(name))), variable.span if variable is not None else None
+        )
+
+
+def _explicit(side: float | Node, other: float | Node) -> tuple[str, float | Node]:
+    """Name and value if ``side`` is a symbol, its negative or its negation."""
+    if not isinstance(side, Node):
+        return "", 0
+    if side.op == "symbol":
+        return side.name, other
+    if side.op == "neg" and side.args[0].op == "symbol":
+        return side.args[0].name, ex.negate(other)
+    if side.op == "not" and side.args[0].op == "symbol":
+        return side.args[0].name, ex.logical_not(other)
+    return "", 0
