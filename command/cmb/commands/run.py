@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
@@ -32,6 +33,8 @@ EXAMPLES = """examples:
   cmb run robot/robot.xml --output out/robot --stop 10 --tolerance 1e-5 --mode cs
 """
 
+PACKAGE_FOLDER = "model"
+
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
@@ -51,16 +54,23 @@ def run(arguments: Namespace) -> int:
     assembly = find_assembly(arguments.assembly)
     output = arguments.output or Path("out") / assembly.stem
     with progress_bars() as progress, whole_folder(output) as staging:
+        _keep_package(output / PACKAGE_FOLDER, staging / PACKAGE_FOLDER)
         result, scene = _carry_out(arguments, assembly, staging, progress)
     print(summarise(result, scene))
     print(f"\nresults in {output}: the Modelica package, the FMU, result.csv, report.html")
     return 0
 
 
+def _keep_package(earlier: Path, now: Path) -> None:
+    """Hands an earlier package on, because the generator keeps the modeller's own part of it."""
+    if earlier.is_dir():
+        shutil.copytree(earlier, now)
+
+
 def _carry_out(
     arguments: Namespace, assembly: Path, folder: Path, progress: Progress
 ) -> tuple[SimulationResult, Scene]:
-    package = generate(assembly, folder / "model", progress=progress)
+    package = generate(assembly, folder / PACKAGE_FOLDER, progress=progress)
     fmu = folder / f"{assembly.stem}.fmu"
     build_fmu(package.mechatronics, (package.root, LIBRARY), fmu, BuildOptions(msl=arguments.msl), progress)
     scene = load_scene(package.scene)
