@@ -49,17 +49,18 @@ def scene(tmp_path: Path, text: str):
 
 
 # VTK's importer ignores center and scaleOrientation, applies the fields in the order of the text instead of the
-# standard's, and cannot read numbers like .5; the oracle gets what it understands. test_transform_follows_the_standard
-# covers the rest.
+# standard's, loses shear (a rotation below unequal scales), and cannot read numbers like .5; the oracle gets what it
+# understands. test_transform_follows_the_standard covers the rest.
 FOR_VTK = """
 DEF outer Transform {
   translation 1 -2 3.5
   rotation 0.6 0 0.8 0.7
-  scale 1.5 0.5 2
+  scale 2 2 2
   children [
     Transform {
       translation 0 7 0
       rotation 1 2 3 -1.1
+      scale 1.5 0.5 2
       children Shape {
         geometry IndexedFaceSet {
           coord Coordinate { point [ 0 0 0, 1 0 0, 0 2 0, 0 0 3 ] }
