@@ -1,0 +1,14 @@
+within ContactMultiBody.Parts;
+model BodyBox "Rigid box that can collide; mass and animation follow from size and density"
+  extends Modelica.Mechanics.MultiBody.Parts.BodyBox;
+  parameter String geometry=Shapes.box({length,width,height}, r_CM, R.T) "Descriptor of the geometry in frame_a, see Shapes"
+    annotation (Dialog(group="Contact"));
+  parameter Materials.Material material "Material of the surface" annotation (Dialog(group="Contact"), choicesAllMatching=true);
+  annotation (Documentation(info="<html>
+<p>
+Modelica.Mechanics.MultiBody.Parts.BodyBox whose geometry is by default the box itself, holes filled. Neither geometry nor
+material adds an equation; contacts are computed by the <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a>
+frame_a is connected to.
+</p>
+</html>"));
+end BodyBox;
