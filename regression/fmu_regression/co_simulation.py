@@ -8,7 +8,17 @@ from fmpy.fmi1 import FMICallException
 
 from fmu_regression.fmu import Instance, StartValue, Variable
 from fmu_regression.recorder import Recorder
-from fmu_regression.result import FloatArray
+from fmu_regression.result import FloatArray, SolverCounters
+
+_COUNTERS = {
+    "steps": "cmbSolver.steps",
+    "evaluations": "cmbSolver.evaluations",
+    "jacobians": "cmbSolver.jacobians",
+    "error_test_failures": "cmbSolver.errorTestFailures",
+    "convergence_failures": "cmbSolver.convergenceFailures",
+    "state_events": "cmbSolver.stateEvents",
+    "time_events": "cmbSolver.timeEvents",
+}
 
 
 def step_through(
@@ -18,8 +28,10 @@ def step_through(
     tolerance: float,
     start_values: Mapping[str, StartValue],
     watch: Callable[[float], None],
-) -> Recorder:
+) -> tuple[Recorder, SolverCounters | None]:
     """Simulates a fresh co-simulation instance; rows are recorded at the grid only, as FMI 2.0 shows no events.
+
+    The counters are those that an FMU of ContactMultiBody shows as variables ``cmbSolver.*``; other FMUs have none.
 
     Args:
         instance: a fresh instance.
@@ -47,7 +59,18 @@ def step_through(
             time = target
             recorder.sample(time)
             watch(time)
+        counters = _counters(instance)
         raw.terminate()
     except FMICallException as error:
         raise instance.failure(f"the simulation failed after t = {time:.9g}", error) from error
-    return recorder
+    return recorder, counters
+
+
+def _counters(instance: Instance) -> SolverCounters | None:
+    variables = instance.description.variables
+    found: dict[str, int] = {}
+    for attribute, name in _COUNTERS.items():
+        if name not in variables or variables[name].kind != "Integer":
+            return None
+        found[attribute] = int(instance.raw.getInteger([variables[name].reference])[0])
+    return SolverCounters(**found)

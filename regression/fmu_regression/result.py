@@ -55,7 +55,7 @@ class SimulationResult:
         mode: "me" (model exchange), "cs" (co-simulation) or "" (read from a file).
         tolerance: relative tolerance of the integration, if known.
         interval: output interval in s, if known.
-        counters: the integrator's work, if known (model exchange only).
+        counters: the integrator's work, if known.
         wall_time: seconds the simulation took, if known; initialization included.
         log: warnings of the FMU.
     """

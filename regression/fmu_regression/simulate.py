@@ -19,6 +19,8 @@ DEFAULT_TOLERANCE = 1e-6
 DEFAULT_ROWS = 500
 MAX_ROWS = 20_000_000
 _PROGRESS_PERIOD = 0.1
+_LONGEST_STEP = "cmbSolver.maximumStep"
+"""The parameter by which FMUs of ContactMultiBody limit their own solver."""
 
 
 def simulate(
@@ -45,8 +47,8 @@ def simulate(
         tolerance: relative tolerance; that of the default experiment, else 1e-6, if None.
         interval: output interval in s; that of the default experiment, else a 500th of the time, if None.
         mode: "me" (model exchange, integrated by CVODE) or "cs" (co-simulation, the FMU integrates).
-        max_step: longest step of the integrator in s (model exchange); the output interval if None, so that a contact
-            long enough to show in the output is not stepped over.
+        max_step: longest step of the integrator in s; if None, the output interval for model exchange, so that a
+            contact long enough to show in the output is not stepped over, and the FMU's own choice for co-simulation.
         parameters: start values by name.
         time_limit: seconds of wall time after which the simulation is given up.
         progress: receives the phase "simulate" with the share of the time that is done.
@@ -70,12 +72,14 @@ def simulate(
         variables = check_signals(description, default_signals(description) if signals is None else signals)
         values = check_start_values(description, parameters or {})
         watch = _Watch(first, last, began, time_limit, progress, description.name)
-        counters: SolverCounters | None = None
         with opened.instantiate(mode) as instance:
+            counters: SolverCounters | None
             if mode == "me":
                 recorder, counters = integrate(instance, variables, grid, accuracy, values, max_step or step, watch)
             else:
-                recorder = step_through(instance, variables, grid, accuracy, values, watch)
+                recorder, counters = step_through(
+                    instance, variables, grid, accuracy, _with_longest_step(description, values, max_step), watch
+                )
             log = tuple(instance.messages)
         time, columns = recorder.table()
     progress("simulate", 1.0)
@@ -100,6 +104,14 @@ def default_signals(description: ModelDescription) -> list[str]:
         for v in description.variables.values()
         if v.kind != "String" and (v.causality == "output" or v.name in states)
     ]
+
+
+def _with_longest_step(
+    description: ModelDescription, values: Mapping[str, StartValue], max_step: float | None
+) -> Mapping[str, StartValue]:
+    if max_step is None or _LONGEST_STEP not in description.variables:
+        return values
+    return {_LONGEST_STEP: max_step, **values}
 
 
 class _Watch:
