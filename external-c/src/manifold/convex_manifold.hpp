@@ -2,13 +2,21 @@
 #pragma once
 
 #include "backend/distance_backend.hpp"
+#include "manifold/axis_manifold.hpp"
 #include "manifold/contact_set.hpp"
+#include "manifold/polytope_manifold.hpp"
 
 namespace cmb {
+
+// Room that manifolds are made in; one for each thread.
+struct ManifoldScratch {
+  PolytopeManifoldScratch polytope;
+  AxisManifoldScratch axis;
+};
 
 // Appends the contact of shapes A and B (no half-spaces), whose signed distance is `answer`. distance, normal and
 // witness of `result` are set.
 void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
-                    BackendScratch &scratch, ContactSet &result);
+                    ManifoldScratch &scratch, ContactSet &result);
 
 }  // namespace cmb

@@ -3,19 +3,12 @@
 #include <cmath>
 #include <utility>
 
-#include "manifold/convex_manifold.hpp"
 #include "manifold/halfspace_manifold.hpp"
+#include "scene/pose_algebra.hpp"
 
 namespace cmb {
 
 namespace {
-
-// point_in_world = result(point_in_shape)
-Pose shape_pose(const Shape &shape, const Pose &body) {
-  const Mat3 axes = transposed(shape.in_body.rotation);  // rows: the shape's axes in the body
-  const Mat3 in_world{{body.rotation * axes.row[0], body.rotation * axes.row[1], body.rotation * axes.row[2]}};
-  return {transposed(in_world), body(shape.in_body.translation)};
-}
 
 Plane world_plane(const Pose &pose) {
   const Vec3 normal = pose.rotation.column(2);
@@ -81,7 +74,7 @@ void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const 
     return;
   }
   const ConvexAnswer answer = convex_answer(scene, a, pose_a, b, pose_b, scratch.backend, who);
-  convex_contact(a, pose_a, b, pose_b, answer, scratch.backend, result);
+  convex_contact(a, pose_a, b, pose_b, answer, scratch.manifold, result);
 }
 
 }  // namespace
@@ -108,8 +101,8 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
   report = {};
   scratch.poses_a.clear();
   scratch.poses_b.clear();
-  for (const Shape &shape : a) scratch.poses_a.push_back(shape_pose(shape, pose_a));
-  for (const Shape &shape : b) scratch.poses_b.push_back(shape_pose(shape, pose_b));
+  for (const Shape &shape : a) scratch.poses_a.push_back(compose(pose_a, shape.in_body));
+  for (const Shape &shape : b) scratch.poses_b.push_back(compose(pose_b, shape.in_body));
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
       const double bound = distance_bound(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);

@@ -6,6 +6,7 @@
 
 #include "backend/distance_backend.hpp"
 #include "manifold/contact_set.hpp"
+#include "manifold/convex_manifold.hpp"
 #include "scene/scene.hpp"
 
 namespace cmb {
@@ -16,6 +17,7 @@ Pose body_pose(const double *position, const double *rotation);
 // Room that queries work in; one for each thread.
 struct QueryScratch {
   BackendScratch backend;
+  ManifoldScratch manifold;
   ContactSet contact;
   ContactSet shape_contact;
   std::vector<Pose> poses_a, poses_b;

@@ -1,0 +1,140 @@
+#include "manifold/axis_manifold.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manifold/axis_share.hpp"
+
+namespace cmb {
+
+namespace {
+
+using Station = AxisManifoldScratch::Station;
+
+// Stations nearer than this, relative to the axis' length, count as one.
+constexpr double station_spacing = 1e-7;
+// Faces inclined less than acos of this to the contact plane put stations where the axis passes their borders.
+constexpr double supporting_cosine = 0.5;
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+// The axis in world axes.
+struct Axis {
+  Vec3 middle, direction;
+  double half = 0.0;
+
+  Axis(const Shape &capsule, const Pose &pose)
+      : middle(pose.translation), direction(pose.rotation.column(2)), half(capsule.body.half.z) {}
+  double place(const Vec3 &p) const { return std::clamp(dot(p - middle, direction), -half, half); }
+  Vec3 operator()(double along) const { return middle + along * direction; }
+};
+
+void add_station(double along, std::vector<Station> &stations) {
+  Station station;
+  station.along = along;
+  stations.push_back(station);
+}
+
+// Stations where the axis, seen along `normal`, passes the borders of the faces it lies above.
+void add_face_borders(const Axis &axis, const ContactPolytope &body, const Pose &pose, const Vec3 &normal,
+                      std::vector<Station> &stations) {
+  const convex::Polytope &geometry = body.geometry();
+  const Vec3 local_normal = transposed_times(pose.rotation, normal);
+  const Vec3 middle = transposed_times(pose.rotation, axis.middle - pose.translation);
+  const Vec3 direction = transposed_times(pose.rotation, axis.direction);
+  for (const convex::Polytope::Face &face : geometry.faces()) {
+    if (dot(face.normal, local_normal) < supporting_cosine) continue;
+    double begin = -axis.half, end = axis.half;
+    for (std::int32_t k = 0; k < face.count && begin < end; ++k) {
+      const Vec3 &from = geometry.vertices()[index(geometry.face_vertices()[index(face.first + k)])];
+      const Vec3 &to = geometry.vertices()[index(geometry.face_vertices()[index(face.first + (k + 1) % face.count)])];
+      const Vec3 outward = cross(to - from, face.normal);
+      const double rate = dot(outward, direction), height = dot(outward, middle - from);
+      if (rate > 0.0) end = std::min(end, -height / rate);
+      if (rate < 0.0) begin = std::max(begin, -height / rate);
+      if (rate == 0.0 && height > 0.0) end = begin;
+    }
+    if (begin < end) {
+      add_station(begin, stations);
+      add_station(end, stations);
+    }
+  }
+}
+
+// Appends what the stations of one capsule's axis carry. `towards` is +1 where the capsule is the first body.
+void add_axis(const Shape &capsule, const Pose &pose, const Shape &other, const Pose &other_pose,
+              const Vec3 &deepest, const Vec3 &normal, double towards, double part, AxisManifoldScratch &scratch,
+              std::vector<ContactPoint> &points) {
+  const Axis axis(capsule, pose);
+  std::vector<Station> &stations = scratch.stations;
+  stations.clear();
+  add_station(-axis.half, stations);
+  add_station(axis.half, stations);
+  add_station(axis.place(deepest), stations);
+  if (other.kind == ShapeKind::capsule) {
+    const Axis other_axis(other, other_pose);
+    add_station(axis.place(other_axis(-other_axis.half)), stations);
+    add_station(axis.place(other_axis(other_axis.half)), stations);
+  } else if (other.polytope) {
+    add_face_borders(axis, *other.polytope, other_pose, normal, stations);
+  }
+  std::sort(stations.begin(), stations.end(), [](const Station &x, const Station &y) { return x.along < y.along; });
+  const double spacing = station_spacing * axis.half;
+  stations.erase(std::unique(stations.begin(), stations.end(),
+                             [&](const Station &x, const Station &y) { return y.along - x.along <= spacing; }),
+                 stations.end());
+
+  Shape sphere;
+  sphere.kind = ShapeKind::sphere;
+  sphere.body = convex::make_sphere(capsule.body.radius);
+  sphere.bound_radius = capsule.body.radius;
+  for (Station &station : stations) {
+    const ConvexAnswer answer =
+        *exact_distance(sphere, {{}, axis(station.along)}, other, other_pose, scratch.backend);
+    station.depth = -answer.distance;
+    station.normal = towards * answer.normal;
+    station.position = 0.5 * (answer.point_a + answer.point_b);
+  }
+  // Between two stations the depth rises with the sine of the inclination at which both would be equally deep.
+  double shallower = 1.0;  // share of the inclinations under which a station further on is the deepest
+  double load = 0.0, missing = 0.0;
+  const std::size_t first_point = points.size();
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    double further = 0.0;
+    if (i + 1 < stations.size()) {
+      const double sine = std::clamp((stations[i + 1].depth - stations[i].depth) /
+                                         (stations[i + 1].along - stations[i].along),
+                                     -1.0, 1.0);
+      further = std::min(shallower, 0.5 * (1.0 + end_share_difference(sine)));
+      const double here = std::fmax(stations[i].depth, 0.0), next = std::fmax(stations[i + 1].depth, 0.0);
+      missing += 0.25 * part * end_share_slope(sine) * (next * next - here * here);
+    }
+    const double weight = part * (shallower - further);
+    shallower = further;
+    if (stations[i].depth > 0.0 && weight > 0.0) {
+      points.push_back({stations[i].depth, weight, stations[i].normal, stations[i].position});
+      load += weight * stations[i].depth;
+    }
+  }
+  if (!(load > 0.0)) return;
+  // Shares that change with the inclination alone ask for a torque; a shift along the axis supplies it.
+  for (std::size_t i = first_point; i < points.size(); ++i) {
+    const Vec3 tangential = axis.direction - dot(axis.direction, points[i].normal) * points[i].normal;
+    points[i].position = points[i].position + (missing / load) * tangential;
+  }
+}
+
+}  // namespace
+
+void axis_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+                  AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+  const double part = a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule ? 0.5 : 1.0;
+  if (a.kind == ShapeKind::capsule) {
+    add_axis(a, pose_a, b, pose_b, answer.point_a, answer.normal, 1.0, part, scratch, points);
+  }
+  if (b.kind == ShapeKind::capsule) {
+    add_axis(b, pose_b, a, pose_a, answer.point_b, -answer.normal, -1.0, part, scratch, points);
+  }
+}
+
+}  // namespace cmb

@@ -1,0 +1,48 @@
+// Contact of two polytopes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "convex/convex_overlap.hpp"
+#include "manifold/contact_polytope.hpp"
+#include "manifold/contact_set.hpp"
+#include "scene/shape.hpp"
+
+namespace cmb {
+
+// Room that polytope contacts are made in; one for each thread.
+struct PolytopeManifoldScratch {
+  // An edge of the overlap.
+  struct Edge {
+    std::int32_t from, to;  // of the overlap's vertices
+    bool lower, upper;      // whether a face of the lower, the upper side of the overlap meets in it; walls are both
+  };
+  // A vertex of either body near the contact, and what it would carry if its normal cone filled the hemisphere.
+  struct Anchor {
+    double x, y;  // in the contact plane's axes
+    double influence;
+    double stiffness;
+  };
+  // A corner of the graph of the overlap's depth over the contact plane.
+  struct Corner {
+    Vec3 lifted;    // in the contact plane's axes: two coordinates in the plane, and the depth
+    Vec3 position;  // half way between the surfaces, in A's frame
+  };
+  convex::OverlapScratch overlap;
+  std::vector<Edge> edges;
+  std::vector<Anchor> anchors;
+  std::vector<Corner> corners;
+};
+
+// Appends the points at which polytopes A and B touch; none where they do not overlap, or where one contains the
+// other. `normal` is the direction, from B to A, of the shortest translation that parts them.
+//
+// The overlap's depth, measured along the contact normal, is a concave function over the contact plane; the points are the corners of its graph. A corner's weight is the part of the hemisphere of directions in
+// which it is the graph's farthest point (its normal cone), scaled so that a vertex of one body inside a face of
+// the other carries its share in that face. This measure of a convex body changes continuously with the body
+// (Schneider, Convex Bodies, section 4.2), so corners may appear, merge and vanish without a jump.
+void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
+                      const Vec3 &normal, PolytopeManifoldScratch &scratch, std::vector<ContactPoint> &points);
+
+}  // namespace cmb
