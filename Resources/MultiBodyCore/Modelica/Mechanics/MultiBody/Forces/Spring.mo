@@ -17,9 +17,9 @@ model Spring "Linear spring between two frames"
   input Types.Color massColor=Modelica.Mechanics.MultiBody.Types.Defaults.BodyColor "Colour of the mass" annotation (Dialog(tab="Animation"));
   parameter SI.Distance s_small=1e-10 "The distance counts as at least this, so that nothing is divided by zero" annotation (Dialog(tab="Advanced"));
   parameter Boolean fixedRotationAtFrame_a=false "= true, if frame_a shall be parallel to the world frame because nothing else turns it"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Boolean fixedRotationAtFrame_b=false "= true, if frame_b shall be parallel to the world frame because nothing else turns it"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   SI.Position r_rel_a[3] "Position of frame_b from the origin of frame_a, in coordinates of frame_a";
   Real e_a[3](each final unit="1") "Its direction";
   SI.Force f "Force that pulls the ends together";

@@ -3,9 +3,9 @@ partial model LineForceBase "Force along the line between two frames"
   extends PartialTwoFrames;
   parameter SI.Distance s_small=1e-10 "The distance counts as at least this, so that nothing is divided by zero" annotation (Dialog(tab="Advanced"));
   parameter Boolean fixedRotationAtFrame_a=false "= true, if frame_a shall be parallel to the world frame because nothing else turns it"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Boolean fixedRotationAtFrame_b=false "= true, if frame_b shall be parallel to the world frame because nothing else turns it"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   SI.Distance length "Distance of the frames";
   SI.Position s "The same, but at least s_small";
   SI.Position r_rel_0[3] "Position of frame_b from the origin of frame_a, in coordinates of the world frame";

@@ -25,9 +25,9 @@ model FreeMotion "No constraint between two frames; position and orientation can
     annotation (Dialog(tab="Initialization"));
   input Types.Color arrowColor=Modelica.Mechanics.MultiBody.Types.Defaults.SensorColor "Colour of the arrow" annotation (Dialog(tab="Animation"));
   input Types.SpecularCoefficient specularCoefficient=world.defaultSpecularCoefficient "Reflection of light" annotation (Dialog(tab="Animation"));
-  parameter Boolean enforceStates=true "= true, if the joint's coordinates shall be states" annotation (Dialog(tab="Advanced"));
-  parameter Boolean useQuaternions=true "= true, if the states of the orientation are quaternions, else angles" annotation (Dialog(tab="Advanced"));
-  parameter Types.RotationSequence sequence_angleStates={1,2,3} "Axes of the angles, if these are states" annotation (Dialog(tab="Advanced"));
+  parameter Boolean enforceStates=true "= true, if the joint's coordinates shall be states" annotation (Evaluate=true, Dialog(tab="Advanced"));
+  parameter Boolean useQuaternions=true "= true, if the states of the orientation are quaternions, else angles" annotation (Evaluate=true, Dialog(tab="Advanced"));
+  parameter Types.RotationSequence sequence_angleStates={1,2,3} "Axes of the angles, if these are states" annotation (Evaluate=true, Dialog(tab="Advanced"));
   final parameter Frames.Orientation R_rel_start=Frames.axesRotations(sequence_start, angles_start, zeros(3))
     "Orientation of frame_b with respect to frame_a that angles_start mean";
 protected

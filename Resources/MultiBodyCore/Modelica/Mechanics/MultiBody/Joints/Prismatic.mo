@@ -6,7 +6,7 @@ model Prismatic "Joint that slides along an axis"
     annotation (Placement(transformation(extent={{90,50},{70,70}})));
   Modelica.Mechanics.Translational.Interfaces.Flange_b support(s=0) if useAxisFlange "Flange of the housing, at rest in frame_a"
     annotation (Placement(transformation(extent={{-50,50},{-30,70}})));
-  parameter Boolean useAxisFlange=false "= true, if the flanges axis and support exist";
+  parameter Boolean useAxisFlange=false "= true, if the flanges axis and support exist" annotation (Evaluate=true);
   parameter Boolean animation=true "= true, if a box is shown";
   parameter Types.Axis n={1,0,0} "Axis of translation, the same in frame_a and frame_b";
   parameter Types.Axis boxWidthDirection={0,1,0} "Direction of the width of the box" annotation (Dialog(tab="Animation"));

@@ -6,7 +6,7 @@ model Revolute "Joint that turns about an axis"
     annotation (Placement(transformation(extent={{10,90},{-10,110}})));
   Modelica.Mechanics.Rotational.Interfaces.Flange_b support(phi=0) if useAxisFlange "Flange of the housing, at rest in frame_a"
     annotation (Placement(transformation(extent={{-70,90},{-50,110}})));
-  parameter Boolean useAxisFlange=false "= true, if the flanges axis and support exist";
+  parameter Boolean useAxisFlange=false "= true, if the flanges axis and support exist" annotation (Evaluate=true);
   parameter Boolean animation=true "= true, if a cylinder is shown";
   parameter Types.Axis n={0,0,1} "Axis of rotation, the same in frame_a and frame_b";
   parameter SI.Distance cylinderLength=world.defaultJointLength "Length of the cylinder" annotation (Dialog(tab="Animation"));

@@ -21,9 +21,9 @@ model Spherical "Joint that turns about a point"
     annotation (Dialog(tab="Initialization"));
   parameter SI.AngularAcceleration z_rel_a_start[3]={0,0,0} "Derivative of the angular velocity, in coordinates of frame_a"
     annotation (Dialog(tab="Initialization"));
-  parameter Boolean enforceStates=false "= true, if the joint's coordinates shall be states" annotation (Dialog(tab="Advanced"));
-  parameter Boolean useQuaternions=true "= true, if the states of the orientation are quaternions, else angles" annotation (Dialog(tab="Advanced"));
-  parameter Types.RotationSequence sequence_angleStates={1,2,3} "Axes of the angles, if these are states" annotation (Dialog(tab="Advanced"));
+  parameter Boolean enforceStates=false "= true, if the joint's coordinates shall be states" annotation (Evaluate=true, Dialog(tab="Advanced"));
+  parameter Boolean useQuaternions=true "= true, if the states of the orientation are quaternions, else angles" annotation (Evaluate=true, Dialog(tab="Advanced"));
+  parameter Types.RotationSequence sequence_angleStates={1,2,3} "Axes of the angles, if these are states" annotation (Evaluate=true, Dialog(tab="Advanced"));
   final parameter Frames.Orientation R_rel_start=Frames.axesRotations(sequence_start, angles_start, zeros(3))
     "Orientation of frame_b with respect to frame_a that angles_start mean";
 protected

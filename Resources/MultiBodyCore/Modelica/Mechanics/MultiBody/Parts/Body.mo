@@ -38,11 +38,11 @@ model Body "Rigid body with one frame"
   input Types.Color cylinderColor=sphereColor "Colour of the cylinder" annotation (Dialog(tab="Animation"));
   input Types.SpecularCoefficient specularCoefficient=world.defaultSpecularCoefficient "Reflection of light" annotation (Dialog(tab="Animation"));
   parameter Boolean enforceStates=false "= true, if the body's coordinates shall be states"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Boolean useQuaternions=true "= true, if a free body's orientation states are quaternions, else angles"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Types.RotationSequence sequence_angleStates={1,2,3} "Axes of the angles, if these are states"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   final parameter SI.Inertia I[3, 3]=[I_11, I_21, I_31; I_21, I_22, I_32; I_31, I_32, I_33]
     "Inertia tensor about the centre of mass, in coordinates of frame_a";
   final parameter Frames.Orientation R_start=Frames.axesRotations(sequence_start, angles_start, zeros(3))

@@ -39,11 +39,11 @@ model BodyBox "Rigid box; mass and inertia follow from size and density"
   parameter SI.AngularAcceleration z_0_start[3]={0,0,0} "Angular acceleration of frame_a, in coordinates of the world frame"
     annotation (Dialog(tab="Initialization"));
   parameter Boolean enforceStates=false "= true, if the body's coordinates shall be states"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Boolean useQuaternions=true "= true, if a free body's orientation states are quaternions, else angles"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Types.RotationSequence sequence_angleStates={1,2,3} "Axes of the angles, if these are states"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   final parameter SI.Mass mo(min=0) = density*length*width*height "Mass without the hole";
   final parameter SI.Mass mi(min=0) = density*length*innerWidth*innerHeight "Mass missing in the hole";
   final parameter SI.Mass m(min=0) = mo - mi "Mass";

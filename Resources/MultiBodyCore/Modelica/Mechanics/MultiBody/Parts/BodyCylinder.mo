@@ -37,11 +37,11 @@ model BodyCylinder "Rigid cylinder; mass and inertia follow from size and densit
   parameter SI.AngularAcceleration z_0_start[3]={0,0,0} "Angular acceleration of frame_a, in coordinates of the world frame"
     annotation (Dialog(tab="Initialization"));
   parameter Boolean enforceStates=false "= true, if the body's coordinates shall be states"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Boolean useQuaternions=true "= true, if a free body's orientation states are quaternions, else angles"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Types.RotationSequence sequence_angleStates={1,2,3} "Axes of the angles, if these are states"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   final parameter SI.Distance radius=diameter/2 "Radius";
   final parameter SI.Distance innerRadius=innerDiameter/2 "Radius of the bore";
   final parameter SI.Mass mo(min=0) = density*pi*radius^2*length "Mass without the bore";

@@ -48,11 +48,11 @@ model BodyShape "Rigid body with two frames"
   parameter SI.Diameter sphereDiameter=2*width "Diameter of the sphere" annotation (Dialog(tab="Animation"));
   input Types.Color sphereColor=color "Colour of the sphere" annotation (Dialog(tab="Animation"));
   parameter Boolean enforceStates=false "= true, if the body's coordinates shall be states"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Boolean useQuaternions=true "= true, if a free body's orientation states are quaternions, else angles"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Types.RotationSequence sequence_angleStates={1,2,3} "Axes of the angles, if these are states"
-    annotation (Dialog(tab="Advanced"));
+    annotation (Evaluate=true, Dialog(tab="Advanced"));
   FixedTranslation frameTranslation(r=r, animation=false) "From frame_a to frame_b";
   Body body(
     r_CM=r_CM,

@@ -10,15 +10,13 @@ model AbsolutePosition "Position of a frame"
   parameter Modelica.Mechanics.MultiBody.Types.ResolveInFrameA resolveInFrame=
     Modelica.Mechanics.MultiBody.Types.ResolveInFrameA.frame_a "Frame the output is resolved in";
 protected
-  Internal.ResolveVector resolveVector(v_0=frame_a.r_0, resolveInFrame=if resolveInFrame == Types.ResolveInFrameA.world then Types.ResolveInFrameAB.world else if resolveInFrame ==
-      Types.ResolveInFrameA.frame_a then Types.ResolveInFrameAB.frame_a else Types.ResolveInFrameAB.frame_resolve)
+  Internal.ResolveAbsoluteVector resolveVector(v_0=frame_a.r_0, resolveInFrame=resolveInFrame)
     "Resolves the output";
   Modelica.Mechanics.MultiBody.Interfaces.ZeroPosition zeroPosition if not resolveInFrame == Modelica.Mechanics.MultiBody.Types.ResolveInFrameA.frame_resolve
     "Unused frame";
 equation
   r = resolveVector.v;
   connect(frame_a, resolveVector.frame_a);
-  connect(frame_a, resolveVector.frame_b);
   connect(frame_resolve, resolveVector.frame_resolve);
   connect(zeroPosition.frame_resolve, resolveVector.frame_resolve);
   annotation (Documentation(info="<html>

@@ -7,15 +7,13 @@ model CutTorque "Torque that passes between two frames"
   parameter Boolean positiveSign=true "= true, if the output is the cut torque of frame_a, else that of frame_b";
   extends Internal.PartialCutForceSensor;
 protected
-  Internal.ResolveVector resolveVector(v_0=Frames.resolve1(frame_a.R, frame_a.t), resolveInFrame=if resolveInFrame == Types.ResolveInFrameA.world then Types.ResolveInFrameAB.world else if resolveInFrame ==
-      Types.ResolveInFrameA.frame_a then Types.ResolveInFrameAB.frame_a else Types.ResolveInFrameAB.frame_resolve)
+  Internal.ResolveAbsoluteVector resolveVector(v_0=Frames.resolve1(frame_a.R, cut.frame_a.t), resolveInFrame=resolveInFrame)
     "Resolves the output";
   Modelica.Mechanics.MultiBody.Interfaces.ZeroPosition zeroPosition if not resolveInFrame == Modelica.Mechanics.MultiBody.Types.ResolveInFrameA.frame_resolve
     "Unused frame";
 equation
   torque = if positiveSign then resolveVector.v else -resolveVector.v;
   connect(frame_a, resolveVector.frame_a);
-  connect(frame_a, resolveVector.frame_b);
   connect(frame_resolve, resolveVector.frame_resolve);
   connect(zeroPosition.frame_resolve, resolveVector.frame_resolve);
   annotation (Documentation(info="<html>

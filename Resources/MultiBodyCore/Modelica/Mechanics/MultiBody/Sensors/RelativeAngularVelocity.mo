@@ -10,7 +10,7 @@ model RelativeAngularVelocity "Angular velocity of a frame with respect to anoth
   parameter Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB resolveInFrame=
     Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB.frame_a "Frame the output is resolved in";
 protected
-  Internal.ResolveVector resolveVector(v_0=Frames.angularVelocity1(frame_b.R) - Frames.angularVelocity1(frame_a.R), resolveInFrame=resolveInFrame) "Resolves the output";
+  Internal.ResolveRelativeVector resolveVector(v_0=Frames.angularVelocity1(frame_b.R) - Frames.angularVelocity1(frame_a.R), resolveInFrame=resolveInFrame) "Resolves the output";
   Modelica.Mechanics.MultiBody.Interfaces.ZeroPosition zeroPosition if not resolveInFrame == Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB.frame_resolve
     "Unused frame";
 equation

@@ -10,7 +10,7 @@ model RelativePosition "Position of a frame with respect to another"
   parameter Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB resolveInFrame=
     Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB.frame_a "Frame the output is resolved in";
 protected
-  Internal.ResolveVector resolveVector(v_0=frame_b.r_0 - frame_a.r_0, resolveInFrame=resolveInFrame) "Resolves the output";
+  Internal.ResolveRelativeVector resolveVector(v_0=frame_b.r_0 - frame_a.r_0, resolveInFrame=resolveInFrame) "Resolves the output";
   Modelica.Mechanics.MultiBody.Interfaces.ZeroPosition zeroPosition if not resolveInFrame == Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB.frame_resolve
     "Unused frame";
 equation

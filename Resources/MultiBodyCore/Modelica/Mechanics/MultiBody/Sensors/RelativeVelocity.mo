@@ -11,7 +11,7 @@ model RelativeVelocity "Velocity of a frame with respect to another"
     Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB.frame_a "Frame the output is resolved in";
 protected
   SI.Position r_rel_a[3] "Position of frame_b from the origin of frame_a, in coordinates of frame_a";
-  Internal.ResolveVector resolveVector(v_0=Frames.resolve1(frame_a.R, der(r_rel_a)), resolveInFrame=resolveInFrame) "Resolves the output";
+  Internal.ResolveRelativeVector resolveVector(v_0=Frames.resolve1(frame_a.R, der(r_rel_a)), resolveInFrame=resolveInFrame) "Resolves the output";
   Modelica.Mechanics.MultiBody.Interfaces.ZeroPosition zeroPosition if not resolveInFrame == Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB.frame_resolve
     "Unused frame";
 equation

@@ -12,11 +12,9 @@ partial model PartialCutForceSensor "Sensor of what passes between two frames"
     Modelica.Mechanics.MultiBody.Types.ResolveInFrameA.frame_a "Frame the output is resolved in";
 protected
   outer Modelica.Mechanics.MultiBody.World world;
+  Cut cut "What is measured passes through here";
 equation
-  Connections.branch(frame_a.R, frame_b.R);
-  frame_a.r_0 = frame_b.r_0;
-  frame_a.R = frame_b.R;
-  zeros(3) = frame_a.f + frame_b.f;
-  zeros(3) = frame_a.t + frame_b.t;
+  connect(frame_a, cut.frame_a);
+  connect(cut.frame_b, frame_b);
   annotation (Documentation(info="<html><p>Base class of sensors of cut forces and torques. The two frames coincide.</p></html>"));
 end PartialCutForceSensor;

@@ -1,7 +1,8 @@
 within Modelica.Mechanics.MultiBody.Sensors.Internal;
-model ResolveVector "Resolves a vector in a frame that a parameter chooses"
+model ResolveRelativeVector "Resolves a vector in a frame that a parameter chooses"
   import Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB;
-  parameter Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB resolveInFrame "Frame the output is resolved in";
+  parameter Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB resolveInFrame=
+    Modelica.Mechanics.MultiBody.Types.ResolveInFrameAB.frame_a "Frame the output is resolved in";
   input Real v_0[3] "Vector in coordinates of the world frame";
   output Real v[3] "The same vector in coordinates of the chosen frame";
   Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame_a "Frame to resolve in for resolveInFrame = frame_a";
@@ -24,4 +25,4 @@ equation
   frame_resolve.f = zeros(3);
   frame_resolve.t = zeros(3);
   annotation (Documentation(info="<html><p>Takes no force and no torque.</p></html>"));
-end ResolveVector;
+end ResolveRelativeVector;
