@@ -245,8 +245,8 @@ class _CaseReader:
 
     def read(self) -> Case:
         folder = self._path.parent
-        kinds: dict[str, Callable[[_Table], Check]] = {
-            "signal": _signal,
+        kinds: dict[str, Callable[[_Table], Check | tuple[Check, ...]]] = {
+            "signal": _signals,
             "value": _value,
             "event": _event,
             "mean": _mean,
@@ -298,15 +298,16 @@ class _CaseReader:
             raise ProblemList(str(self._path), self._problems)
         return case
 
-    def _checks(self, kind: str, read: Callable[[_Table], Check]) -> list[Check]:
+    def _checks(self, kind: str, read: Callable[[_Table], Check | tuple[Check, ...]]) -> list[Check]:
         entries = self._content.get(kind, [])
         if not isinstance(entries, list):
             self._problem(kind, f"is not a list of tables; write [[{kind}]]")
             return []
-        checks = []
+        checks: list[Check] = []
         for k, entry in enumerate(entries):
             table = _Table(self._path, f"{kind}[{k + 1}]", entry, self._problems)
-            checks.append(read(table))
+            found = read(table)
+            checks += found if isinstance(found, tuple) else (found,)
             table.done()
         return checks
 
@@ -314,14 +315,15 @@ class _CaseReader:
         self._problems.append(InputError(what, place=Place(file=self._path, component=key)))
 
 
-def _signal(table: _Table) -> SignalCheck:
-    return SignalCheck(
-        name=table.text("name"),
-        tolerance=table.number("tolerance", positive=True),
-        nominal=table.number("nominal", _DEFAULT_NOMINAL, positive=True),
-        window=table.window(),
-        tube=table.number("tube", 0.0, least=0.0),
-    )
+def _signals(table: _Table) -> tuple[SignalCheck, ...]:
+    """One check for ``name``, or one for each of ``names``."""
+    if table.has("name") == table.has("names"):
+        table.wrong("name", "give either name (one signal) or names (a list of signals)")
+    names = table.texts("names") if table.has("names") else (table.text("name"),)
+    tolerance = table.number("tolerance", positive=True)
+    nominal = table.number("nominal", _DEFAULT_NOMINAL, positive=True)
+    window, tube = table.window(), table.number("tube", 0.0, least=0.0)
+    return tuple(SignalCheck(name, tolerance, nominal, window, tube) for name in names)
 
 
 def _value(table: _Table) -> ValueCheck:

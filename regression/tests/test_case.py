@@ -104,7 +104,8 @@ def test_everything_is_read(tmp_path: Path) -> None:
         ('package = "Package.mo"', "", r"case\.package: is missing"),
         ("[[signal]]", "[[signals]]", "signals: is not a table of a case"),
         ("[[signal]]", "[signal]", "signal: is not a list of tables"),
-        ('name = "a[1]"', "", r"signal\[1\]\.name: is missing"),
+        ('name = "a[1]"', "", r"signal\[1\]\.name: give either name"),
+        ('name = "a[1]"', "names = 1", r"signal\[1\]\.names: is not a list of texts"),
         ("window = [0, 1.5]", "window = [1.5, 0]", r"signal\[1\]\.window: is not \[from, to\]"),
         ("value_tolerance = 1e-3", "", r"event\[1\]\.value_of: give value_of and value_tolerance"),
         ('sum = ["a", "b"]', 'sum = ["a", 1]', r"value\[1\]\.sum: is not a list of texts"),
@@ -136,6 +137,14 @@ def test_no_toml(tmp_path: Path, content: bytes, message: str) -> None:
     path.write_bytes(content)
     with pytest.raises(InputError, match=message):
         load_case(path)
+
+
+def test_one_table_may_name_many_signals(tmp_path: Path) -> None:
+    case = load_case(write(tmp_path, GOOD.replace('name = "a[1]"', 'names = ["a[1]", "a[2]"]')))
+    assert case.checks[:2] == (
+        SignalCheck("a[1]", 1e-6, 1e-3, (0, 1.5), 1e-3),
+        SignalCheck("a[2]", 1e-6, 1e-3, (0, 1.5), 1e-3),
+    )
 
 
 def test_finding_cases(tmp_path: Path) -> None:
