@@ -138,7 +138,7 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
   const double tolerance = (polyhedral ? 1e-14 : 1e-11) * difference.scale;
   const GjkResult gjk = gjk_distance(difference, first, tolerance);
   const auto gjk_answer = [&] {
-    CoreDistance result{norm(gjk.closest), normalized(-gjk.closest), {}, {}, DistanceMethod::gjk, true};
+    CoreDistance result{norm(gjk.closest), gjk.direction, {}, {}, DistanceMethod::gjk, true};
     for (int k = 0; k < gjk.count; ++k) {
       result.a = result.a + gjk.weight[k] * gjk.simplex[k].a;
       result.b = result.b + gjk.weight[k] * gjk.simplex[k].b;
@@ -171,7 +171,7 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
   CoreDistance best = refined(result, -inside.lower);
   for (int k = 0; k < inside.other_count; ++k) {
     result.direction = inside.other[k];
-    const RefinedDirection r = refine_direction(difference, result.direction, result.a, result.b);
+    const RefinedDirection r = refine_direction(difference, result.direction, result.a, result.b, 0.2);
     if (-r.height > best.distance + 1e-13 * difference.scale) {
       best.distance = -r.height, best.direction = r.direction, best.a = r.a, best.b = r.b;
     }

@@ -116,35 +116,59 @@ double curvature(const MinkowskiDifference &difference, const Vec3 &m, const Vec
          core_curvature(difference.body_b, -transposed_times(r, m), transposed_times(r, s), transposed_times(r, t));
 }
 
-constexpr double largest_step = 0.05;
-constexpr int most_steps = 8;
+constexpr double largest_step = 0.2;
+constexpr int most_steps = 24;  // far from the minimum; near it three or four suffice
 
-// Newton's method on the sphere; false where it does not converge to a minimum.
+// Newton's method on the sphere, with shortened steps while far from a minimum; false where it ends
+// elsewhere.
 bool newton_on_sphere(const MinkowskiDifference &difference, Vec3 &m) {
+  Vec3 w = difference.support(m).w;
   for (int step = 0; step < most_steps; ++step) {
-    const Vec3 w = difference.support(m).w;
     const double height = dot(w, m);
     const Vec3 u = any_perpendicular(m), v = cross(m, u);
     const double gu = dot(w, u), gv = dot(w, v);
     const double uu = curvature(difference, m, u, u) - height, vv = curvature(difference, m, v, v) - height,
                  uv = curvature(difference, m, u, v);
     const double determinant = uu * vv - uv * uv;
-    if (!(uu > 0.0) || !(determinant > 1e-14 * uu * vv)) return false;
-    const double du = (gv * uv - gu * vv) / determinant, dv = (gu * uv - gv * uu) / determinant;
+    const bool convex = uu > 0.0 && determinant > 1e-14 * uu * vv;
+    if (!convex && !(std::fabs(height) > 0.0)) return false;
+    double du = convex ? (gv * uv - gu * vv) / determinant : -gu / std::fabs(height);
+    double dv = convex ? (gu * uv - gv * uu) / determinant : -gv / std::fabs(height);
     const double size = std::sqrt(du * du + dv * dv);
-    if (!(size < largest_step)) return false;
-    m = normalized(m + du * u + dv * v);
-    if (size < 1e-9) return true;  // the next step would be below rounding
+    if (convex && size < 1e-9) {  // the next step would be below rounding
+      m = normalized(m + du * u + dv * v);
+      return true;
+    }
+    double factor = size > largest_step ? largest_step / size : 1.0;
+    // Near the minimum rounding hides the decrease; Newton's step is then right without it.
+    const double slack = size < 1e-5 ? INFINITY : 0.0;
+    for (int halving = 0;; ++halving, factor *= 0.5) {
+      if (halving == 12) return false;
+      const Vec3 next = normalized(m + (factor * du) * u + (factor * dv) * v);
+      const Vec3 next_w = difference.support(next).w;
+      if (!(dot(next_w, next) < height + slack)) continue;
+      m = next;
+      w = next_w;
+      break;
+    }
   }
   return false;
 }
 
-// The same along a crease.
-bool newton_on_crease(const MinkowskiDifference &difference, const Crease &crease, Vec3 &m) {
-  const double radius = std::sqrt(std::max(0.0, 1.0 - crease.height * crease.height));
+double crease_radius(const Crease &crease) { return std::sqrt(std::max(0.0, 1.0 - crease.height * crease.height)); }
+
+// Moves m to the crease's nearest point; false where all are equally near.
+bool project_on_crease(const Crease &crease, Vec3 &m) {
   const Vec3 outward = m - dot(m, crease.axis) * crease.axis;
   if (!(norm2(outward) > 1e-6)) return false;
-  Vec3 e = normalized(outward);
+  m = crease.height * crease.axis + crease_radius(crease) * normalized(outward);
+  return true;
+}
+
+// Newton's method along a crease, from a point m on it.
+bool newton_on_crease(const MinkowskiDifference &difference, const Crease &crease, Vec3 &m) {
+  const double radius = crease_radius(crease);
+  Vec3 e = normalized(m - dot(m, crease.axis) * crease.axis);
   for (int step = 0; step < most_steps; ++step) {
     m = crease.height * crease.axis + radius * e;
     const Vec3 tangent = cross(crease.axis, e);
@@ -209,8 +233,7 @@ void find_witness(const MinkowskiDifference &difference, RefinedDirection &resul
 }  // namespace
 
 RefinedDirection refine_direction(const MinkowskiDifference &difference, const Vec3 &direction, const Vec3 &a,
-                                  const Vec3 &b) {
-  constexpr double nearby = 3e-3;
+                                  const Vec3 &b, double nearby) {
   RefinedDirection result{direction, dot(difference.support(direction).w, direction), a, b};
   // A candidate that is as low to rounding replaces one found by less exact means.
   const double rounding = 1e-15 * difference.scale;
@@ -229,7 +252,10 @@ RefinedDirection refine_direction(const MinkowskiDifference &difference, const V
   Vec3 m = start;
   if (newton_on_sphere(difference, m)) attempt(m);
   for (int k = 0; k < all.count; ++k) {
+    // All of a crease is equally low where both bodies are of revolution about its axis.
     m = start;
+    if (!project_on_crease(all.crease[k], m)) continue;
+    attempt(m);
     if (newton_on_crease(difference, all.crease[k], m)) attempt(m);
   }
   for (int k = 0; k < all.count; ++k) {

@@ -170,7 +170,7 @@ void ExpandingPolytope::other_directions(PenetrationResult &result) {
     const ExpandingHull::Face &face = hull_.face(queue_.back().second);
     queue_.pop_back();
     if (!face.alive || face.offset >= result.depth) continue;
-    const auto near = [&face](const Vec3 &d) { return dot(d, face.normal) > 0.9; };
+    const auto near = [&face](const Vec3 &d) { return dot(d, face.normal) > 0.97; };
     if (near(result.direction) || std::any_of(result.other, result.other + result.other_count, near)) continue;
     result.other[result.other_count++] = face.normal;
   }

@@ -18,7 +18,7 @@ struct PenetrationResult {
   bool proven = false;
   int steps = 0;
   // Where not proven: directions, well apart from each other, in which the surface may be nearer.
-  static constexpr int most_others = 6;
+  static constexpr int most_others = 24;
   Vec3 other[most_others];
   int other_count = 0;
 };

@@ -113,15 +113,25 @@ Lowest lowest_direction(const MinkowskiDifference &difference, const Features &a
 }
 
 struct Shortest {
+  const MinkowskiDifference &difference;
+  Lowest parting;  // the direction that parts the bodies most, of all tried
   double distance2 = INFINITY;
   Vec3 a, b;
-  Vec3 direction;  // along b - a, but normal to the features to rounding however near they are
 };
 
+// `direction` runs along b - a, but is normal to the features to rounding however near they are. Where
+// pairs are equally short to rounding (a vertex and the edge beside it), each direction is tried.
 void keep_shorter(Shortest &best, const Vec3 &a, const Vec3 &b, const Vec3 &direction) {
   const double distance2 = norm2(a - b);
+  if (distance2 > best.distance2 * (1.0 + 1e-9)) return;
+  const double length = norm(direction);
+  if (length > 0.0) {
+    try_direction(best.difference, (dot(direction, b - a) < 0.0 ? -1.0 / length : 1.0 / length) * direction, best.parting);
+  }
   if (distance2 >= best.distance2) return;
-  best = {distance2, a, b, normalized(dot(direction, b - a) < 0.0 ? -direction : direction)};
+  best.distance2 = distance2;
+  best.a = a;
+  best.b = b;
 }
 
 Vec3 normal_part(const Vec3 &d, const Vec3 &edge) {
@@ -147,7 +157,7 @@ void points_against_faces(const Features &points, const Features &faces, bool ex
     for (std::int32_t v = 0; v < points.vertex_count(); ++v) {
       const Vec3 p = points.vertex(v);
       const double height = dot(n, p - corner);
-      if (height < 0.0 || height * height >= best.distance2) continue;
+      if (height < 0.0 || height * height > best.distance2 * (1.0 + 1e-9)) continue;
       bool inside = true;
       for (std::int32_t k = 0; inside && k < faces.face_size(f); ++k) {
         const Vec3 q0 = faces.vertex(faces.face_vertex(f, k));
@@ -161,8 +171,7 @@ void points_against_faces(const Features &points, const Features &faces, bool ex
   }
 }
 
-Shortest shortest_pair(const Features &a, const Features &b) {
-  Shortest best;
+void find_shortest(const Features &a, const Features &b, Shortest &best) {
   points_against_faces(a, b, false, best);
   points_against_faces(b, a, true, best);
   // Edges against edges: inside of both, then ends against edges.
@@ -189,7 +198,6 @@ Shortest shortest_pair(const Features &a, const Features &b) {
   for (std::int32_t e = 0; b.edge_count() == 0 && e < a.edge_count(); ++e) {
     vertex_against_edge(b.vertex(0), a.vertex(a.edge_vertex(e, 0)), a.vertex(a.edge_vertex(e, 1)), true, best);
   }
-  return best;
 }
 
 }  // namespace
@@ -200,12 +208,12 @@ EnumerationResult enumerate_features(const MinkowskiDifference &difference) {
   const Lowest lowest = lowest_direction(difference, a, b);
   EnumerationResult result{-lowest.height, lowest.direction, lowest.support.a, lowest.support.b};
   if (lowest.height >= 0.0) return result;
-  const Shortest shortest = shortest_pair(a, b);
-  const double distance = std::sqrt(shortest.distance2);
+  Shortest shortest{difference, lowest, INFINITY, {}, {}};
+  find_shortest(a, b, shortest);
   result.a = shortest.a;
   result.b = shortest.b;
-  if (distance > 1e-13 * difference.scale) result.direction = shortest.direction;
-  result.distance = distance;
+  result.distance = std::sqrt(shortest.distance2);
+  result.direction = shortest.parting.direction;
   return result;
 }
 

@@ -104,7 +104,10 @@ GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first,
     }
     const DifferencePoint candidate = difference.support(-result.closest);
     const double height = dot(candidate.w, result.closest) / distance;
-    result.lower = std::max(result.lower, height);
+    if (height > result.lower || result.steps == 1) {
+      result.lower = std::max(0.0, height);
+      result.direction = (-1.0 / distance) * result.closest;
+    }
     bool repeated = false;
     for (int k = 0; k < result.count; ++k) repeated = repeated || same_vertices(candidate, result.simplex[k]);
     // A repeated point means that rounding alone is left of the gap, unless the simplex is bad.

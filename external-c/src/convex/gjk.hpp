@@ -13,6 +13,7 @@ struct GjkResult {
   Status status = Status::uncertain;
   Vec3 closest;        // point of A - B nearest to the origin
   double lower = 0.0;  // proven lower bound of the distance (where apart)
+  Vec3 direction;      // unit, from A to B: the direction that proves it
   DifferencePoint simplex[4];
   double weight[4] = {1, 0, 0, 0};  // convex combination of the simplex that gives `closest`
   int count = 0;

@@ -1,6 +1,6 @@
 // Random and adversarial poses against the independent references.
 //
-//   stress_convex_distance [samples [seed]]
+//   stress_convex_distance [samples [seed [class]]]
 //
 // For every class of pairs: largest errors of distance, normal and witness points relative to the
 // size, of the exchange of A and B, of continuity under a small motion; repeated queries must agree to
@@ -204,6 +204,15 @@ bool run(const Class &c, long samples, std::uint64_t seed) {
                   "%.2g repeatable %d method %d\n",
                   c.name, k, d.distance, e.distance / size, e.normal / size, e.witness / size, exchange, jump,
                   repeatable, static_cast<int>(d.method));
+      for (const Sample *sample : {&a, &b}) {
+        const Vec3 &h = sample->body.half;
+        std::printf("    body of pool %ld: core %d half %a %a %a radius %a\n", static_cast<long>(sample - pool.data()),
+                    static_cast<int>(sample->body.core), h.x, h.y, h.z, sample->body.radius);
+      }
+      const Vec3 *r = pose.rotation.row;
+      std::printf("    pose {{{%a, %a, %a}, {%a, %a, %a}, {%a, %a, %a}}}, {%a, %a, %a}\n", r[0].x, r[0].y, r[0].z,
+                  r[1].x, r[1].y, r[1].z, r[2].x, r[2].y, r[2].z, pose.translation.x, pose.translation.y,
+                  pose.translation.z);
     }
   }
   std::printf("%-18s %9ld poses, %4.1f %% apart: distance %.1Le normal %.1Le witness %.1Le exchange %.1e jump %.1e; "
@@ -222,6 +231,9 @@ int main(int argc, char **argv) {
   const long samples = argc > 1 ? std::atol(argv[1]) : 60000;
   const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
   bool good = true;
-  for (const Class &c : classes) good = run(c, std::max(20L, samples * c.share / 1000), seed) && good;
+  const char *only = argc > 3 ? argv[3] : "";  // part of a class's name
+  for (const Class &c : classes) {
+    if (std::strstr(c.name, only) != nullptr) good = run(c, std::max(20L, samples * c.share / 1000), seed) && good;
+  }
   return good ? 0 : 1;
 }
