@@ -254,7 +254,7 @@ def _all_signals(result: SimulationResult) -> Section:
         groups[name.split("[", 1)[0]].append(Series(name, result.time, values))
     plots: list[Plot] = []
     for k, (name, series) in enumerate(groups.items()):
-        plots += _plots_of(f"signal-{k}", name, "value", series)
+        plots += _plots_of(f"signal-{k}", name, result.axis_label(series[0].name), series)
     notes = (f"{len(plots) - _MAX_PLOTS} further plots are left out",) if len(plots) > _MAX_PLOTS else ()
     return Section("signals", "Signals", plots=tuple(plots[:_MAX_PLOTS]), notes=notes)
 

@@ -58,6 +58,7 @@ class SimulationResult:
         counters: the integrator's work, if known.
         wall_time: seconds the simulation took, if known; initialization included.
         log: warnings of the FMU.
+        units: unit of each signal, where known; no entry counts as unknown.
     """
 
     time: FloatArray
@@ -69,6 +70,7 @@ class SimulationResult:
     counters: SolverCounters | None = None
     wall_time: float | None = None
     log: tuple[str, ...] = field(default=())
+    units: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if self.time.ndim != 1:
@@ -100,6 +102,10 @@ class SimulationResult:
     def vector(self, names: Sequence[str]) -> FloatArray:
         """Several signals side by side, shape (n, len(names))."""
         return np.column_stack([self[name] for name in names]) if names else np.empty((self.time.size, 0))
+
+    def axis_label(self, name: str) -> str:
+        """Text for the axis of a signal: its unit where known."""
+        return f"value in {self.units[name]}" if self.units.get(name) else "value"
 
     def event_rows(self) -> NDArray[np.intp]:
         """Indices k of rows with time[k] == time[k + 1]: the left side of every event."""

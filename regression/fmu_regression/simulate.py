@@ -93,6 +93,7 @@ def simulate(
         counters=counters,
         wall_time=clock.perf_counter() - began,
         log=log,
+        units={variable.name: variable.unit for variable in variables if variable.unit},
     )
 
 

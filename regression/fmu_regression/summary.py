@@ -153,14 +153,15 @@ def _plots(number: int, result: CaseResult) -> list[Plot]:
             if run.result is not None and name in run.result
         ]
         series += _reference_series(result.reference, name)
-        plots.append(Plot(f"plot-{number + 1}-{k + 1}", name, "time in s", "value", tuple(series)))
+        label = next((run.result.axis_label(name) for run in result.runs if run.result is not None), "value")
+        plots.append(Plot(f"plot-{number + 1}-{k + 1}", name, "time in s", label, tuple(series)))
     return plots
 
 
 def _reference_series(reference: SimulationResult | None, name: str) -> list[Series]:
     if reference is None or name not in reference:
         return []
-    return [Series("reference", reference.time, reference[name], dashed=True, color=1)]
+    return [Series("reference", reference.time, reference[name], dashed=True, color=7)]
 
 
 def _strain(outcome: Outcome) -> float:
