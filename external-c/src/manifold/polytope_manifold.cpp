@@ -13,6 +13,8 @@ namespace {
 using Scratch = PolytopeManifoldScratch;
 
 constexpr double pi = 3.14159265358979323846;
+// What counts as on the overlap's surface, relative to the bodies' size.
+constexpr double surface_tolerance = 1e-11;
 // Corners nearer than this, relative to the bodies' size, are one.
 constexpr double corner_tolerance = 1e-12;
 // Faces at right angles to the contact plane to this cosine are walls.
@@ -29,9 +31,9 @@ constexpr double anchor_reach = 3.0;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// Smaller angles between the mean normal of the overlap's sides and that of the shortest way out come from walls
-// that are as low as the overlap is deep, and are suppressed.
-constexpr double wall_angle = 15.0 * pi / 180.0;
+// Directions along which the bodies are this many times as deep in each other as along the shortest way out have no
+// say in the contact normal.
+constexpr double depth_ratio = 2.0;
 
 // The contact plane's axes.
 struct PlaneAxes {
@@ -40,57 +42,122 @@ struct PlaneAxes {
       : up(normal), first(convex::any_perpendicular(normal)), second(cross(normal, first)) {}
 };
 
-// The mean normal of the overlap's two sides, from B to A, not unit.
-Vec3 mean_normal(const convex::OverlapScratch &overlap) {
-  Vec3 mean;
-  for (const convex::OverlapScratch::Face &face : overlap.faces()) {
-    const auto corner = [&](std::int32_t k) {
-      return overlap.vertices()[index(overlap.corners()[index(face.first + k)])];
-    };
-    double area = 0.0;
-    for (std::int32_t k = 1; k + 1 < face.count; ++k) {
-      area += 0.5 * dot(face.normal, cross(corner(k) - corner(0), corner(k + 1) - corner(0)));
-    }
-    mean = mean + (face.from_b ? area : -area) * face.normal;
+const Vec3 &corner(const convex::OverlapScratch &overlap, const convex::OverlapScratch::Face &face, std::int32_t k) {
+  return overlap.vertices()[index(overlap.corners()[index(face.first + k)])];
+}
+
+double area(const convex::OverlapScratch &overlap, const convex::OverlapScratch::Face &face) {
+  const Vec3 &origin = corner(overlap, face, 0);
+  double sum = 0.0;
+  for (std::int32_t k = 1; k + 1 < face.count; ++k) {
+    sum += dot(face.normal, cross(corner(overlap, face, k) - origin, corner(overlap, face, k + 1) - origin));
   }
-  return mean;
+  return 0.5 * sum;
 }
 
-// The contact plane's normal: that of the shortest way out, `shortest` (unit), which is a face's where a face rests.
-// Where a body slips off the other's border the shortest way turns at once from one face's normal to the next one's;
-// the mean normal of the overlap's sides, which turns steadily, leads over.
-Vec3 contact_normal(const Vec3 &shortest, const Vec3 &mean) {
-  const Vec3 across = mean - dot(mean, shortest) * shortest;
-  const double angle = std::atan2(norm(across), dot(mean, shortest));
-  if (angle >= wall_angle) return normalized(mean);
-  const double ratio = angle / wall_angle, turned = wall_angle * ratio * ratio * ratio;
-  return normalized(std::cos(turned) * shortest + std::sin(turned) * normalized(across, {}));
-}
-
-void collect_edges(const convex::OverlapScratch &overlap, const Vec3 &up, std::vector<Scratch::Edge> &edges) {
+void collect_edges(const convex::OverlapScratch &overlap, std::vector<Scratch::Edge> &edges) {
   edges.clear();
-  for (const convex::OverlapScratch::Face &face : overlap.faces()) {
-    const double cosine = dot(face.normal, up);
+  for (std::size_t f = 0; f < overlap.faces().size(); ++f) {
+    const convex::OverlapScratch::Face &face = overlap.faces()[f];
+    const auto number = static_cast<std::int32_t>(f);
     for (std::int32_t k = 0; k < face.count; ++k) {
       const std::int32_t from = overlap.corners()[index(face.first + k)];
       const std::int32_t to = overlap.corners()[index(face.first + (k + 1) % face.count)];
-      if (from == to) continue;
-      edges.push_back({std::min(from, to), std::max(from, to), cosine < wall_cosine, cosine > -wall_cosine});
+      if (from != to) edges.push_back({std::min(from, to), std::max(from, to), {number, number}});
     }
   }
   std::sort(edges.begin(), edges.end(), [](const Scratch::Edge &a, const Scratch::Edge &b) {
-    return a.from != b.from ? a.from < b.from : a.to < b.to;
+    if (a.from != b.from) return a.from < b.from;
+    return a.to != b.to ? a.to < b.to : a.face[0] < b.face[0];
   });
   std::size_t count = 0;
   for (const Scratch::Edge &edge : edges) {
     if (count > 0 && edges[count - 1].from == edge.from && edges[count - 1].to == edge.to) {
-      edges[count - 1].lower = edges[count - 1].lower || edge.lower;
-      edges[count - 1].upper = edges[count - 1].upper || edge.upper;
+      edges[count - 1].face[1] = edge.face[0];
     } else {
       edges[count++] = edge;
     }
   }
   edges.resize(count);
+}
+
+Vec3 edge_vector(const convex::OverlapScratch &overlap, const Scratch::Edge &edge) {
+  return overlap.vertices()[index(edge.to)] - overlap.vertices()[index(edge.from)];
+}
+
+// The parts in the overlap of the edges at those faces of a body that bound it. Edges on the overlap's surface count,
+// whichever body the faces there belong to.
+void collect_segments(const convex::OverlapScratch &overlap, const convex::Polytope &body, const Pose &to_a,
+                      bool is_b, double slack, std::vector<std::uint8_t> &bounds,
+                      std::vector<Scratch::Segment> &segments) {
+  bounds.assign(body.faces().size(), 0);
+  for (const convex::OverlapScratch::Face &face : overlap.faces()) {
+    if (face.from_b == is_b) bounds[index(face.source_face)] = 1;
+  }
+  segments.clear();
+  for (const convex::Polytope::Edge &edge : body.edges()) {
+    if (bounds[index(edge.face[0])] == 0 && bounds[index(edge.face[1])] == 0) continue;
+    const Vec3 from = to_a(body.vertices()[index(edge.vertex[0])]), to = to_a(body.vertices()[index(edge.vertex[1])]);
+    double begin = 0.0, end = 1.0;
+    for (const convex::OverlapScratch::Face &face : overlap.faces()) {
+      const double at_from = dot(face.normal, from) - face.offset - slack;
+      const double at_to = dot(face.normal, to) - face.offset - slack;
+      if (at_from > 0.0 && at_to > 0.0) end = -1.0;
+      if (at_from > 0.0 && at_to <= 0.0) begin = std::max(begin, at_from / (at_from - at_to));
+      if (at_from <= 0.0 && at_to > 0.0) end = std::min(end, at_from / (at_from - at_to));
+    }
+    if (begin < end) segments.push_back({from + begin * (to - from), (end - begin) * (to - from)});
+  }
+}
+
+// How deep A and B are in each other along unit directions of A's frame.
+class DepthAlong {
+ public:
+  DepthAlong(const convex::Polytope &a, const convex::Polytope &b, const Pose &b_in_a) : a_(a), b_(b), b_in_a_(b_in_a) {}
+
+  double operator()(const Vec3 &direction) const {
+    const Vec3 in_b = transposed_times(b_in_a_.rotation, direction);
+    return dot(in_b, b_.vertices()[index(b_.support_vertex(in_b))]) + dot(direction, b_in_a_.translation) -
+           dot(direction, a_.vertices()[index(a_.support_vertex(-direction))]);
+  }
+
+ private:
+  const convex::Polytope &a_;
+  const convex::Polytope &b_;
+  const Pose &b_in_a_;
+};
+
+// The contact plane's normal: that of the shortest way out, `shortest` (unit), which is a face's where a face rests.
+// Where two ways out are about as short, the shortest one jumps from one to the other; a mean leads over. The ways
+// considered are the normals of the overlap's faces and of the crossings of its edges, each with a say that fades
+// away with the depth along it and with the size of the face or edges in the overlap.
+Vec3 contact_normal(const Vec3 &shortest, const DepthAlong &depth_along, const Scratch &scratch) {
+  const convex::OverlapScratch &overlap = scratch.overlap;
+  const double least = depth_along(shortest);
+  if (!(least > 0.0)) return shortest;
+  Vec3 sum;
+  const auto consider = [&](const Vec3 &direction, double depth, double size) {
+    const double nearness = (depth_ratio - std::max(depth, least) / least) / (depth_ratio - 1.0);
+    if (nearness > 0.0) sum = sum + (nearness * nearness * nearness * size / (size + least * least)) * direction;
+  };
+  for (const convex::OverlapScratch::Face &face : overlap.faces()) {
+    const Vec3 direction = face.from_b ? face.normal : -face.normal;
+    consider(direction, depth_along(direction), std::max(area(overlap, face), 0.0));
+  }
+  for (const Scratch::Segment &e : scratch.segments_a) {
+    for (const Scratch::Segment &f : scratch.segments_b) {
+      const Vec3 across = cross(e.along, f.along);
+      const double product = norm(e.along) * norm(f.along), sine = norm(across) / product;
+      if (!(sine > parallel_sine)) continue;
+      const Vec3 direction = normalized(across);
+      // The gap of the edges' lines is a lower bound of the depth.
+      if (std::fabs(dot(direction, f.from - e.from)) >= depth_ratio * least) continue;
+      for (const double sense : {1.0, -1.0}) {
+        consider(sense * direction, depth_along(sense * direction), sine * sine * product);
+      }
+    }
+  }
+  return normalized(sum, shortest);
 }
 
 // How far a ray from the overlap's point p along the unit vector d runs inside the overlap.
@@ -120,13 +187,18 @@ void collect_corners(const PlaneAxes &axes, double size, Scratch &scratch) {
     const double above = exit_length(p, axes.up, overlap), below = exit_length(p, -axes.up, overlap);
     add(p + 0.5 * (above - below) * axes.up, above + below);
   }
+  // Whether a face of the lower (-1), the upper (+1) side meets in an edge; walls belong to both.
+  const auto meets = [&](const Scratch::Edge &edge, const Vec3 &up, double side) {
+    return side * dot(overlap.faces()[index(edge.face[0])].normal, up) > -wall_cosine ||
+           side * dot(overlap.faces()[index(edge.face[1])].normal, up) > -wall_cosine;
+  };
   for (const Scratch::Edge &e : scratch.edges) {
-    if (!e.lower) continue;
-    const Vec3 &e0 = overlap.vertices()[index(e.from)], de = overlap.vertices()[index(e.to)] - e0;
+    if (!meets(e, axes.up, -1.0)) continue;
+    const Vec3 &e0 = overlap.vertices()[index(e.from)], de = edge_vector(overlap, e);
     const double e_length = norm(de);
     for (const Scratch::Edge &f : scratch.edges) {
-      if (!f.upper || (e.from == f.from && e.to == f.to)) continue;
-      const Vec3 &f0 = overlap.vertices()[index(f.from)], df = overlap.vertices()[index(f.to)] - f0;
+      if (&e == &f || !meets(f, axes.up, 1.0)) continue;
+      const Vec3 &f0 = overlap.vertices()[index(f.from)], df = edge_vector(overlap, f);
       const double area = dot(axes.up, cross(de, df));
       if (std::fabs(area) <= parallel_sine * e_length * norm(df)) continue;
       const Vec3 between = f0 - e0;
@@ -195,11 +267,13 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
   const convex::Overlap overlap =
       convex::convex_overlap(a.geometry(), b.geometry(), b_in_a, shortest, scratch.overlap);
   if (!(overlap.volume > 0.0)) return;
-  const Vec3 mean = mean_normal(scratch.overlap);
-  if (!(norm(mean) > 0.0)) return;
-  const PlaneAxes axes(contact_normal(shortest, mean));
   const double size = a.geometry().radius() + b.geometry().radius();
-  collect_edges(scratch.overlap, axes.up, scratch.edges);
+  collect_edges(scratch.overlap, scratch.edges);
+  collect_segments(scratch.overlap, a.geometry(), {}, false, surface_tolerance * size, scratch.bounds,
+                   scratch.segments_a);
+  collect_segments(scratch.overlap, b.geometry(), b_in_a, true, surface_tolerance * size, scratch.bounds,
+                   scratch.segments_b);
+  const PlaneAxes axes(contact_normal(shortest, DepthAlong(a.geometry(), b.geometry(), b_in_a), scratch));
   collect_corners(axes, size, scratch);
 
   double deepest = 0.0;

@@ -16,7 +16,11 @@ struct PolytopeManifoldScratch {
   // An edge of the overlap.
   struct Edge {
     std::int32_t from, to;  // of the overlap's vertices
-    bool lower, upper;      // whether a face of the lower, the upper side of the overlap meets in it; walls are both
+    std::int32_t face[2];   // of the overlap; twice the same where only one is left of two
+  };
+  // The part of a body's edge that lies in the overlap.
+  struct Segment {
+    Vec3 from, along;  // where it begins, and the vector to its end
   };
   // A vertex of either body near the contact, and what it would carry if its normal cone filled the hemisphere.
   struct Anchor {
@@ -31,6 +35,8 @@ struct PolytopeManifoldScratch {
   };
   convex::OverlapScratch overlap;
   std::vector<Edge> edges;
+  std::vector<std::uint8_t> bounds;  // which faces of a body bound the overlap
+  std::vector<Segment> segments_a, segments_b;
   std::vector<Anchor> anchors;
   std::vector<Corner> corners;
 };
