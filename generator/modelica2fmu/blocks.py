@@ -19,7 +19,7 @@ from modelica2fmu import ir
 from modelica2fmu.expression import Node
 from modelica2fmu.linear_form import LinearForm, LinearForms
 from modelica2fmu.matching import Matching, strongly_connected_components
-from modelica2fmu.scalar_model import ExternalCall
+from modelica2fmu.scalar_model import ExternalCall, unwrapped
 
 
 @dataclass(frozen=True)
@@ -132,10 +132,33 @@ class _Sorter:
             number: [owner[name] for name in dict.fromkeys(self._dependencies[number]) if owner[name] != number]
             for number in range(len(self._entries))
         }
+        self._draw_in(successors, owner)
         blocks: list[Block] = []
         for component in strongly_connected_components(successors):
             blocks.extend(self._component(component, matching.column_of))
         return blocks
+
+    def _draw_in(self, successors: dict[int, list[int]], owner: Mapping[str, int]) -> None:
+        """Adds the equations of preferred unknowns to the component that determines them.
+
+        The derivative of a joint's speed often stands in one equation only, so that it would be computed after
+        the component; as an unknown of the component it is the best one to assume.
+        """
+        components = strongly_connected_components(successors)
+        large: dict[int, int] = {}  # entry -> number of the only large component it follows from, -1 if several
+        for number, component in enumerate(components):
+            if len(component) > 1:
+                large.update(dict.fromkeys(component, number))
+                continue
+            (entry,) = component
+            found = {large[successor] for successor in successors[entry] if successor in large}
+            if found:
+                large[entry] = found.pop() if len(found) == 1 else -1
+        for name in self._unknowns:
+            entry = owner[name]
+            number = large.get(entry, -1)
+            if name in self._preferred and number >= 0 and isinstance(self._entries[entry], Residual):
+                successors[components[number][0]].append(entry)
 
     def _singular(self, unmatched: Sequence[int], missing: Sequence[str]) -> str:
         texts = []
@@ -343,8 +366,11 @@ class _Tearing:
         candidates = [name for name in self._names if name not in self._known and name not in outputs]
         if not candidates:
             candidates = [name for name in self._names if name not in self._known]
-        best = [name for name in candidates if name in self._preferred]
-        candidates = best or candidates
+        candidates = (
+            [name for name in candidates if name in self._preferred]
+            or [name for name in candidates if unwrapped(name)[0] == "der"]
+            or candidates
+        )
         open_rows = {name: [n for n in self._rows_of[name] if n not in self._used] for name in candidates}
 
         def score(name: str) -> tuple[int, int]:

@@ -161,6 +161,8 @@ class _Reducer:
         # Elements of rotation matrices with the equations that define them: they take no part in the search for
         # equations to differentiate, since their derivative is known from the angular velocity.
         self._defined, self._definitions = self._matrix_definitions()
+        self._owners: set[str] = set()  # components whose quaternions are states
+        self._angular_velocities = self._angular_velocity_names()
 
     def _matrix_definitions(self) -> tuple[set[str], set[int]]:
         matrices = [
@@ -181,6 +183,15 @@ class _Reducer:
         defined = {name for name in defined if self._model.variables[name].orientation is not None}
         rows = {int(matching.column_of[position]) for position, name in enumerate(matrices) if name in defined}
         return defined, rows
+
+    def _angular_velocity_names(self) -> set[str]:
+        records = {item.orientation[0] for item in self._model.variables.values() if item.orientation is not None}
+        names = set()
+        for record in records:
+            for index in range(3):
+                by = self._resolve(f"{record}.w[{index + 1}]")
+                names.update(ex.symbols(by))
+        return names
 
     # --- derivatives ---
 
@@ -349,6 +360,7 @@ class _Reducer:
             if len(selects) != 1:
                 continue
             equation.is_invariant = True
+            self._owners.update(name.rpartition(".")[0] for name in self._incidence[equation.number])
             invariants.append(equation.number)
             stabilized[derivative.number] = ex.add(
                 derivative.residual, ex.multiply(STABILIZATION_RATE, equation.residual)
@@ -389,14 +401,19 @@ class _Reducer:
             )
         return chosen
 
-    def _preference(self, derivative: str) -> tuple[int, bool]:
-        """How well the variable with this derivative serves as a state; low values are dropped first."""
+    def _preference(self, derivative: str) -> tuple[int, bool, bool]:
+        """How well the variable with this derivative serves as a state; low values are dropped first.
+
+        Beside a body's quaternions its own angular velocity is the best state: the accelerations of all other
+        bodies follow from its derivative in the direction in which their equations are written.
+        """
         name = unwrapped(derivative)[1]
         wrapper, _ = unwrapped(name)
         if wrapper == "der":
-            return (ir.StateSelect.NEVER.value, False)
+            return (ir.StateSelect.NEVER.value, False, False)
         variable = self._model.variables[name]
-        return (variable.state_select.value, variable.fixed)
+        is_own = name in self._angular_velocities and name.rpartition(".")[0] in self._owners
+        return (variable.state_select.value, is_own, variable.fixed)
 
 
 def explicit_variables(residual: float | Node) -> list[str]:

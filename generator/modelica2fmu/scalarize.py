@@ -302,7 +302,10 @@ class _Scalarizer:
                 item = int(item)
             scalar.value = item
             is_constant = not isinstance(item, Node) and (
-                variable.variability == "constant" or variable.evaluate or isinstance(item, str)
+                variable.variability == "constant"
+                or variable.evaluate
+                or variable.is_protected  # nobody outside can change it
+                or isinstance(item, str)
             )
             if is_constant:
                 scalar.kind = Kind.CONSTANT

@@ -201,7 +201,8 @@ class _Builder:
         unknowns.update(dict.fromkeys(free))
         given = {item.target for item in entries if isinstance(item, Assignment)} | outputs
         entries.extend(self._initial_conditions(entries, initial_residuals, unknowns, given, reduction, free))
-        return solve_order(entries, list(unknowns), [], self._place)
+        preferred = [derivative_name(name) for name in reduction.states]
+        return solve_order(entries, list(unknowns), preferred, self._place)
 
     def _discrete_initial(self, equation: ScalarEquation) -> tuple[str | None, float | Node]:
         """The discrete variable whose first pre() value an initial equation gives."""
