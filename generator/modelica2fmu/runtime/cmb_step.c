@@ -27,7 +27,8 @@ static cmb_result report_chatter(cmb_instance *instance, double since) {
   return CMB_RESULT_ERROR;
 }
 
-cmb_result cmb_do_step(cmb_instance *instance, double target) {
+cmb_result cmb_do_step(cmb_instance *instance, double target, int stop_at_events, int *event_waiting) {
+  *event_waiting = 0;
   cmb_values *values = &instance->values;
   cmb_situation *situation = &instance->situation;
   if (instance->solver == NULL) {
@@ -54,6 +55,11 @@ cmb_result cmb_do_step(cmb_instance *instance, double target) {
     const int time_event = values->time >= values->next_time_event;
     if (stop != CMB_STOP_ROOT && !time_event) continue;
     ++situation->solver_integer[time_event ? CMB_SOLVER_TIME_EVENTS : CMB_SOLVER_STATE_EVENTS];
+    if (stop_at_events) {
+      *event_waiting = 1;
+      situation->event_pending = 1; /* carried out by the next step if the importer does not do it before */
+      break;
+    }
     result = carry_out_event(instance);
     if (result != CMB_RESULT_OK) break;
     if (++events < CHATTER_EVENTS) continue;

@@ -6,7 +6,8 @@
 
 /* Goes from the instance's time to exactly target, through all events between; stops earlier where the model
  * terminates (situation.terminate_requested) or the result is not CMB_RESULT_OK: the instance's time is then
- * the last one reached. */
-cmb_result cmb_do_step(cmb_instance *instance, double target);
+ * the last one reached. With stop_at_events it stops at the first event too, before carrying it out, and sets
+ * *event_waiting to 1 (to 0 otherwise). */
+cmb_result cmb_do_step(cmb_instance *instance, double target, int stop_at_events, int *event_waiting);
 
 #endif
