@@ -1,0 +1,39 @@
+within ContactMultiBody.Examples;
+model BallWithoutEngine "A ball bounces in pure Modelica"
+  extends Modelica.Icons.Example;
+  parameter Real e(min=0, max=1, unit="1")=0.7 "Coefficient of restitution";
+  parameter Modelica.Units.SI.Height height=1 "Height from which the ball is dropped";
+  inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
+    annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
+  Parts.Body ball(
+    m=1,
+    r_CM={0,0,0},
+    I_11=0.004,
+    I_22=0.004,
+    I_33=0.004,
+    material=Materials.Material(restitution=e),
+    r_0(start={0,0,0.1 + height}, each fixed=true),
+    v_0(each fixed=true),
+    angles_fixed=true,
+    w_0_fixed=true,
+    sphereDiameter=0.2) annotation (Placement(transformation(extent={{-40,20},{-20,40}})));
+  Parts.Ground floor(material=Materials.Material(restitution=e))
+    annotation (Placement(transformation(extent={{-40,-60},{-20,-40}})));
+  PureModelica.SphereOnHalfSpace contact(
+    radius=0.1,
+    material={ball.material,floor.material},
+    stiffnessChoice=Types.StiffnessChoice.Given,
+    stiffness={1e6}) annotation (Placement(transformation(extent={{20,-20},{60,20}})));
+equation
+  connect(ball.frame_a, contact.frame[1]) annotation (Line(points={{-40,30},{-60,30},{-60,0},{20,0}}, color={95,95,95}));
+  connect(floor.frame_a, contact.frame[2]) annotation (Line(points={{-30,-40},{-30,0},{20,0}}, color={95,95,95}));
+  annotation (
+    experiment(StopTime=3, Tolerance=1e-8, Interval=0.002),
+    Documentation(info="<html>
+<p>
+As <a href=\"modelica://ContactMultiBody.Examples.BallOnFloor\">BallOnFloor</a>, with
+<a href=\"modelica://ContactMultiBody.PureModelica.SphereOnHalfSpace\">PureModelica.SphereOnHalfSpace</a> instead of the contact engine. Both
+models have the same trajectory.
+</p>
+</html>"));
+end BallWithoutEngine;
