@@ -260,11 +260,13 @@ def locate(model: str, sources: Sequence[Path]) -> tuple[Path, list[Path]]:
             inner = path if (path / "package.mo").is_file() else path / package
             if inner.name == package and (inner / "package.mo").is_file():
                 file = file or inner / "package.mo"
-            roots[inner.parent if (path / "package.mo").is_file() else path] = None
+            # The package's own folder: a front end may read every Modelica file below a root.
+            roots[inner if (inner / "package.mo").is_file() else path] = None
         elif path.suffix == ".mo":
             if path.stem == package or _declares(path, package):
                 file = file or path
-            roots[path.parent] = None
+            else:
+                roots[path.parent] = None
         else:
             raise InputError("a source is a .mo file or a folder of a package", place=Place(file=source))
     if file is None:

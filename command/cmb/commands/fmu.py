@@ -45,7 +45,7 @@ def run(arguments: Namespace) -> int:
             BuildOptions(msl=arguments.msl),
             progress,
         )
-    print(f"{output}: {report.summary}")
+    print(f"{output}: {len(report.states)} states, {report.event_indicators} event indicators")
     if arguments.log:
-        print(report.log)
+        print(report.text())
     return 0

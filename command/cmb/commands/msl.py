@@ -26,5 +26,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Prints name, version, folder and where it was found."""
-    print(find_standard_library(arguments.msl))
+    library = find_standard_library(arguments.msl)
+    version = library.version or "of unknown version"
+    print(f"Modelica {version} from {library.folder} ({library.origin})")
     return 0
