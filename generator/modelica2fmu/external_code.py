@@ -71,7 +71,9 @@ def _folder(uri: str, roots: Sequence[Path]) -> Path:
     if ".." in relative.parts:
         raise InputError(f"the folder {uri} of an external function leaves its package")
     for root in roots:
-        if (path := root / relative).is_dir():
+        # A root is the folder of a package itself or one that holds packages.
+        base = root.parent if root.name == relative.parts[0] else root
+        if (path := base / relative).is_dir():
             return path
     raise InputError(
         f"the folder {uri} of an external function does not exist",
