@@ -41,7 +41,8 @@ class ReducedModel:
         equations: the equations that are left.
         initial_equations: initial equations in terms of what is left.
         replacements: what each removed variable is: a number, a symbol or its negative.
-        invariants: variables that depend on parameters alone, with their values, in order of evaluation.
+        invariants: variables that depend on parameters alone, with their values, in order of evaluation; they are
+            parameters of ``model``.
     """
 
     model: ScalarModel
@@ -325,12 +326,16 @@ class _Eliminator:
         for variable in self._variables.values():
             if isinstance(variable.start, Node):
                 variable.start = apply(variable.start)
+        invariants = self._sorted_invariants()
+        for name, value in invariants:
+            self._variables[name].kind = Kind.PARAMETER
+            self._variables[name].value = value
         return ReducedModel(
             model=reduced,
             equations=equations,
             initial_equations=initial,
             replacements=dict(self._replacements),
-            invariants=self._sorted_invariants(),
+            invariants=invariants,
         )
 
     def _sorted_invariants(self) -> list[tuple[str, float | Node]]:

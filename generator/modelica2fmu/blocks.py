@@ -360,6 +360,13 @@ class _Tearing:
             self._solvable_memo[key] = not isinstance(coefficient, Node) and coefficient != 0
         return self._solvable_memo[key]
 
+    def _gives_other(self, number: int, name: str) -> bool:
+        """True if an equation with two open unknowns gives the other one when ``name`` is known."""
+        if number in self._targets:
+            return False
+        (other,) = self._open[number] - {name}
+        return self._solvable(number, other)
+
     def _next(self) -> str:
         """The unknown to assume next."""
         outputs = {name for targets in self._targets.values() for name in targets}
@@ -374,8 +381,8 @@ class _Tearing:
         open_rows = {name: [n for n in self._rows_of[name] if n not in self._used] for name in candidates}
 
         def score(name: str) -> tuple[int, int]:
-            almost = sum(len(self._open[number]) == 2 for number in open_rows[name])
-            return almost, len(open_rows[name])
+            follow = sum(len(self._open[number]) == 2 and self._gives_other(number, name) for number in open_rows[name])
+            return follow, len(open_rows[name])
 
         return max(candidates, key=score)
 

@@ -337,9 +337,6 @@ class _Generator:
             if variable.kind is Kind.PARAMETER and isinstance(variable.value, Node) and name not in outputs:
                 entries.append(Assignment(name, variable.value))
                 unknowns.append(name)
-        for name, value in self._reduced.invariants:
-            entries.append(Assignment(name, value))
-            unknowns.append(name)
         statements = [
             statement for block in solve_order(entries, unknowns, [], self._place) for statement in self._block(block)
         ]
@@ -353,10 +350,8 @@ class _Generator:
         return statements
 
     def _is_invariant(self, node: Node) -> bool:
-        invariants = {name for name, _ in self._reduced.invariants}
         return all(
-            name in invariants
-            or ((variable := self._model.variables.get(name)) is not None and variable.kind is Kind.PARAMETER)
+            (variable := self._model.variables.get(name)) is not None and variable.kind is Kind.PARAMETER
             for name in ex.symbols(node)
         )
 

@@ -309,42 +309,76 @@ class _Reducer:
     def _select_states(self) -> ReducedSystem:
         names = list(self._names)
         stabilized, invariants = self._invariants()
-        dummies: dict[str, None] = {}
-        level = [
-            equation
-            for equation in self._equations
-            if equation.derivative is None and equation.derivative_of is not None and equation.number not in stabilized
-        ]
-        candidates = [
-            name for name in names if derivative_name(name) not in self._names and unwrapped(name)[0] == "der"
-        ]
-        excluded = {name for equation in invariants for name in map(derivative_name, self._incidence[equation])}
-        candidates = [name for name in candidates if name not in excluded]
-        while level:
-            chosen = self._choose(level, candidates)
-            dummies.update(dict.fromkeys(chosen))
-            level = [
-                previous
-                for equation in level
-                if (previous := self._equations[equation.derivative_of or 0]).derivative_of is not None
-            ]
-            candidates = [inner for name in chosen if unwrapped(inner := unwrapped(name)[1])[0] == "der"]
-        states = [
-            name for name in names if derivative_name(name) in self._names and derivative_name(name) not in dummies
-        ]
-        rejected = [
-            name
-            for name, variable in self._model.variables.items()
-            if variable.state_select is ir.StateSelect.ALWAYS and derivative_name(name) in dummies
-        ]
+        forced = {name for equation in invariants for name in self._incidence[equation]}
+        candidates = [name for name in names if derivative_name(name) in self._names and name not in forced]
+        unknown = self._choose_unknowns(candidates, forced)
+        states = [name for name in names if name in forced or (name in candidates and name not in unknown)]
+        rejected = [name for name in unknown if self._select(name) is ir.StateSelect.ALWAYS]
         return ReducedSystem(
             equations=self._equations,
             unknowns=names,
             states=states,
-            dummies=list(dummies),
+            dummies=[derivative_name(name) for name in unknown],
             stabilized=stabilized,
             rejected_states=rejected,
         )
+
+    def _choose_unknowns(self, candidates: Sequence[str], forced: set[str]) -> dict[str, None]:
+        """The candidates that are no states: poor states first, as long as the equations can determine them.
+
+        The equations must determine everything that is no state. A derivative can only be a state if what it is
+        the derivative of is one; that keeps the choices of all orders of differentiation nested, as the method
+        of dummy derivatives demands.
+        """
+        rows = [equation.number for equation in self._equations if not equation.is_invariant]
+        rows_of: dict[str, list[str]] = {name: [] for name in self._names}
+        for row in rows:
+            for name in self._incidence[row]:
+                rows_of[name].append(str(row))
+        numbers = {name: position for position, name in enumerate(self._names)}
+        matching = Matching({numbers[name]: rows_of[name] for name in self._names})
+        possible = set(candidates)
+        for name in self._names:
+            if name not in possible and name not in forced and not matching.augment(numbers[name]):
+                raise InputError(f"no equation determines {name} once the states are given", place=self._place_of(name))
+        unknown: dict[str, None] = {}
+        constant = self._constant_rates(candidates)
+        for name in sorted(candidates, key=lambda name: (*self._preference(name), name not in constant)):
+            if len(matching.row_of) == len(rows):
+                break
+            derivative = derivative_name(name)
+            if derivative in possible and derivative not in unknown:
+                continue
+            if matching.augment(numbers[name]):
+                unknown[name] = None
+        if len(matching.row_of) < len(rows):
+            row = next(row for row in rows if str(row) not in matching.row_of)
+            raise UnsupportedModelError(
+                "no states can be chosen for a constraint",
+                place=self._place(self._equations[row].span),
+                remedy="give the variables that shall be states stateSelect = StateSelect.always",
+            )
+        return unknown
+
+    def _place_of(self, name: str) -> Place:
+        variable = self._model.variables.get(_inner(name)[1])
+        return self._place(variable.span if variable is not None else None)
+
+    def _constant_rates(self, candidates: Sequence[str]) -> set[str]:
+        """Candidates whose derivative some differentiated equation contains with a constant factor."""
+        found: set[str] = set()
+        rates = {derivative_name(name): name for name in candidates}
+        for equation in self._equations:
+            if equation.derivative_of is None:
+                continue
+            for rate in self._incidence[equation.number]:
+                name = rates.get(rate)
+                if name is None or name in found:
+                    continue
+                slope = ex.Differentiation(lambda other, rate=rate: 1 if other == rate else 0)(equation.residual)
+                if not isinstance(slope, Node):
+                    found.add(name)
+        return found
 
     def _invariants(self) -> tuple[dict[int, float | Node], list[int]]:
         """Norms of vectors of possible states that are all equally eligible."""
@@ -367,53 +401,21 @@ class _Reducer:
             )
         return stabilized, invariants
 
-    def _choose(self, level: Sequence[ContinuousEquation], candidates: Sequence[str]) -> list[str]:
-        """As many candidates as there are equations, those first that make poor states."""
-        allowed = set(candidates)
-        rows_of: dict[str, list[int]] = {name: [] for name in candidates}
-        constant: set[str] = set()
-        for equation in level:
-            for name in self._incidence[equation.number]:
-                if name in allowed:
-                    rows_of[name].append(equation.number)
-                    coefficient = ex.Differentiation(lambda n, name=name: 1 if n == name else 0)(equation.residual)
-                    if not isinstance(coefficient, Node):
-                        constant.add(name)
-        order = sorted(
-            (name for name in candidates if rows_of[name]),
-            key=lambda name: (*self._preference(name), name not in constant),
-        )
-        # The roles are exchanged: candidates are matched one by one with equations.
-        numbers = {name: position for position, name in enumerate(order)}
-        matching = Matching({numbers[name]: [str(row) for row in rows_of[name]] for name in order})
-        chosen = []
-        for name in order:
-            if len(chosen) == len(level):
-                break
-            if matching.augment(numbers[name]):
-                chosen.append(name)
-        if len(chosen) < len(level):
-            unmatched = [equation for equation in level if str(equation.number) not in matching.row_of]
-            raise UnsupportedModelError(
-                "no states can be chosen for a constraint; the states of the model are determined only numerically",
-                place=self._place(unmatched[0].span),
-                remedy="give the variables that shall be states stateSelect = StateSelect.always",
-            )
-        return chosen
+    def _select(self, name: str) -> ir.StateSelect:
+        if unwrapped(name)[0] == "der":
+            return ir.StateSelect.NEVER
+        return self._model.variables[name].state_select
 
-    def _preference(self, derivative: str) -> tuple[int, bool, bool]:
-        """How well the variable with this derivative serves as a state; low values are dropped first.
+    def _preference(self, name: str) -> tuple[bool, int, bool, bool]:
+        """How well a variable serves as a state; low values are dropped first.
 
         Beside a body's quaternions its own angular velocity is the best state: the accelerations of all other
         bodies follow from its derivative in the direction in which their equations are written.
         """
-        name = unwrapped(derivative)[1]
-        wrapper, _ = unwrapped(name)
-        if wrapper == "der":
-            return (ir.StateSelect.NEVER.value, False, False)
-        variable = self._model.variables[name]
+        if unwrapped(name)[0] == "der":
+            return (False, 0, False, False)
         is_own = name in self._angular_velocities and name.rpartition(".")[0] in self._owners
-        return (variable.state_select.value, is_own, variable.fixed)
+        return (True, self._select(name).value, is_own, self._model.variables[name].fixed)
 
 
 def explicit_variables(residual: float | Node) -> list[str]:

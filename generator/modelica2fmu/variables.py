@@ -112,6 +112,11 @@ class _Describer:
         kind = variable.kind
         causality = Causality.OUTPUT if variable.is_output else Causality.LOCAL
         start = variable.start if isinstance(variable.start, float | int | str) else None
+        by = self._reduced.replacements.get(name)
+        if kind is not Kind.CONSTANT and (name in self._invariants or (by is not None and self._is_fixed(by))):
+            # An alias of a parameter, or computed from parameters once.
+            variability = Variability.TUNABLE if variable.type == "Real" else Variability.FIXED
+            return causality, variability, Initial.CALCULATED, None
         if kind is Kind.CONSTANT:
             return causality, Variability.CONSTANT, Initial.EXACT, self._constant(variable)
         if kind is Kind.PARAMETER:
@@ -121,11 +126,6 @@ class _Describer:
             return Causality.PARAMETER, variability, Initial.EXACT, variable.value
         if kind is Kind.FREE_PARAMETER:
             return Causality.CALCULATED_PARAMETER, Variability.FIXED, Initial.CALCULATED, None
-        by = self._reduced.replacements.get(name)
-        if name in self._invariants or (by is not None and self._is_fixed(by)):
-            # An alias of a parameter, or computed from parameters once.
-            variability = Variability.TUNABLE if variable.type == "Real" else Variability.FIXED
-            return causality, variability, Initial.CALCULATED, None
         is_real = variable.type == "Real"
         if kind is Kind.INPUT:
             changing = Variability.CONTINUOUS if is_real else Variability.DISCRETE
