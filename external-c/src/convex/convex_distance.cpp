@@ -239,7 +239,16 @@ SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const P
     result.proven = false;
     return result;
   }
-  const CoreDistance core = core_distance(a, b, b_in_a, scratch);
+  const Vec3 &t = b_in_a.translation;
+  const double largest = std::max({std::fabs(t.x), std::fabs(t.y), std::fabs(t.z)});
+  CoreDistance core;
+  if (largest < 1e100) {
+    core = core_distance(a, b, b_in_a, scratch);
+  } else {
+    // So far away that squares overflow: the bodies are points.
+    const Vec3 shrunk = (1.0 / largest) * t;
+    core = {std::fmin(norm(shrunk) * largest, 1.7e308), normalized(shrunk), {}, t, DistanceMethod::closed_form, false};
+  }
   result.distance = core.distance - a.radius - b.radius;
   result.normal = -core.direction;
   result.point_a = core.a + a.radius * core.direction;

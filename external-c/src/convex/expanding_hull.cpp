@@ -75,7 +75,7 @@ ExpandingHull::Outcome ExpandingHull::expand(std::int32_t seen, const Vec3 &p, d
   visible_.push_back(seen);
   at(seen).mark = pass;
   for (std::size_t k = 0; k < visible_.size(); ++k) {
-    const Face face = at(visible_[k]);
+    const Face &face = at(visible_[k]);
     for (int i = 0; i < 3; ++i) {
       const std::int32_t g = face.neighbour[i];
       Face &other = at(g);

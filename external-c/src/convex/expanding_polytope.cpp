@@ -73,7 +73,7 @@ void ExpandingPolytope::witness(PenetrationResult &result) const {
   double best_inside = -INFINITY;
   double weight[3] = {1, 0, 0};
   const ExpandingHull::Face *best = nullptr;
-  for (std::int32_t f = 0; f < hull_.face_count(); ++f) {
+  for (std::int32_t f = hull_.face_count(); f-- > 0;) {  // the latest faces are most likely the ones
     const ExpandingHull::Face &face = hull_.face(f);
     if (!face.alive || face.sliver || !(dot(face.normal, m) > 0.0)) continue;
     const Vec3 &a = hull_.point(face.vertex[0]), &b = hull_.point(face.vertex[1]), &c = hull_.point(face.vertex[2]);

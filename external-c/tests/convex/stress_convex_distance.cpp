@@ -77,9 +77,40 @@ Sample make_round(Random &random) {
   return sample;
 }
 
+// Cylinders and spheres as CAD systems tessellate them: many symmetric, coplanar and parallel parts.
+Sample make_tessellated(Random &random) {
+  std::vector<Vec3> points;
+  const int around = random.integer(3, 24);
+  const double full = 6.283185307179586, radius = random.log_uniform(0.1, 1), half = random.log_uniform(0.1, 1);
+  if (random.integer(0, 1)) {
+    for (int k = 0; k < around; ++k) {
+      for (double z : {-half, half}) {
+        points.push_back({radius * std::cos(full * k / around), radius * std::sin(full * k / around), z});
+      }
+    }
+  } else {
+    const int rings = random.integer(2, 7);
+    points = {{0, 0, radius}, {0, 0, -radius}};
+    for (int ring = 1; ring < rings; ++ring) {
+      const double polar = 0.5 * full * ring / rings, r = radius * std::sin(polar), z = radius * std::cos(polar);
+      for (int k = 0; k < around; ++k) {
+        points.push_back({r * std::cos(full * k / around), r * std::sin(full * k / around), z});
+      }
+    }
+  }
+  return hull_sample(points);
+}
+
+// A cube or hull of any size from a millimetre to a kilometre.
+Sample make_sized(Random &random) {
+  const double size = random.log_uniform(1e-3, 1e3);
+  if (random.integer(0, 1)) return box_sample(size * sides(random, 0.3), random.integer(0, 1) != 0);
+  return hull_sample(random_points(random, 12, size * sides(random, 0.3), false));
+}
+
 const Class classes[] = {
-    {"boxes", 300, 400, 1e-9, [](Random &r) { return box_sample(sides(r, 0.3), false); }},
-    {"slender boxes", 150, 400, 1e-9, [](Random &r) { return box_sample(sides(r, 1e-3), r.integer(0, 1) != 0); }},
+    {"boxes", 250, 400, 1e-9, [](Random &r) { return box_sample(sides(r, 0.3), false); }},
+    {"slender boxes", 120, 400, 1e-9, [](Random &r) { return box_sample(sides(r, 1e-3), r.integer(0, 1) != 0); }},
     {"cubes as hulls", 100, 2, 1e-9, [](Random &) { return box_sample({1, 1, 1}, true); }},
     {"tetrahedra", 200, 400, 1e-9, [](Random &r) { return hull_sample(random_points(r, 4, sides(r, 0.1), true)); }},
     {"hulls of up to 20", 60, 400, 1e-9,
@@ -95,6 +126,8 @@ const Class classes[] = {
        }
        return hull_sample(points);
      }},
+    {"tessellated solids", 15, 100, 1e-9, make_tessellated},
+    {"1 mm to 1 km", 80, 400, 1e-9, make_sized},
     {"hulls of 100", 2, 40, 1e-9, [](Random &r) { return hull_sample(random_points(r, 100, sides(r, 0.3), false)); }},
     {"curved bodies", 8, 400, 1e-6, make_curved},
 };

@@ -1,7 +1,9 @@
 // Signed distances with known answers.
 #include <gtest/gtest.h>
 
+#include "convex/feature_enumeration.hpp"
 #include "random_bodies.hpp"
+#include "reference_smooth.hpp"
 
 namespace {
 
@@ -96,6 +98,152 @@ TEST(Input, PoseThatIsNotFiniteIsAnsweredWithoutProof) {
   const SignedDistance d = signed_distance(make_box({1, 1, 1}), make_sphere(1), at(NAN, 0, 0), scratch);
   EXPECT_FALSE(d.proven);
   EXPECT_EQ(d.distance, 0);
+  EXPECT_EQ(norm(d.normal), 1);
+}
+
+TEST(Input, AnyFinitePoseIsAnsweredWithNumbers) {
+  DistanceScratch scratch;
+  const Polytope cube = Polytope::box({1, 1, 1});
+  const ConvexBody bodies[] = {make_sphere(1),          make_capsule(0.1, 1), make_box({1, 1, 1}), make_polytope(cube),
+                               make_ellipsoid({1, 2, 3}), make_cylinder(1, 1),  make_cone(1, 1)};
+  Random random(1);
+  for (double reach : {0.0, 1e-320, 1e-200, 1e-16, 1.0, 1e9, 1e100, 1e200, 1e308}) {
+    for (const ConvexBody &a : bodies) {
+      for (const ConvexBody &b : bodies) {
+        const Pose pose{random_rotation(random), {reach, -0.5 * reach, 0.25 * reach}};
+        const SignedDistance d = signed_distance(a, b, pose, scratch);
+        ASSERT_TRUE(std::isfinite(d.distance) && is_finite(d.normal) && is_finite(d.point_a) && is_finite(d.point_b))
+            << reach << " " << static_cast<int>(a.core) << " " << static_cast<int>(b.core);
+        EXPECT_NEAR(norm(d.normal), 1, 1e-12);
+        if (reach > 10) {
+          EXPECT_NEAR(d.distance / reach, std::sqrt(1.3125), 1e-6);
+        }
+      }
+    }
+  }
+}
+
+TEST(Property, ScalingByAPowerOfTwoScalesTheAnswerToTheBit) {
+  DistanceScratch scratch;
+  Random random(2);
+  for (int k = 0; k < 2000; ++k) {
+    const auto points_a = random_points(random, 12, {1, 0.5, 0.25}, false);
+    const auto points_b = random_points(random, 9, {0.5, 1, 0.75}, false);
+    const double factor = k % 2 ? 0x1p-10 : 0x1p+10;
+    auto scaled = [factor](std::vector<Vec3> points) {
+      for (Vec3 &p : points) p = factor * p;
+      return points;
+    };
+    Polytope a, b, scaled_a, scaled_b;
+    ASSERT_TRUE(build_convex_hull(points_a, a, nullptr, nullptr) && build_convex_hull(points_b, b, nullptr, nullptr));
+    ASSERT_TRUE(build_convex_hull(scaled(points_a), scaled_a, nullptr, nullptr));
+    ASSERT_TRUE(build_convex_hull(scaled(points_b), scaled_b, nullptr, nullptr));
+    Pose pose{random_rotation(random), random.uniform(0, 1.5) * random.direction()};
+    const SignedDistance d = signed_distance(make_polytope(a), make_polytope(b), pose, scratch);
+    pose.translation = factor * pose.translation;
+    const SignedDistance s = signed_distance(make_polytope(scaled_a), make_polytope(scaled_b), pose, scratch);
+    EXPECT_EQ(s.distance, factor * d.distance);
+    EXPECT_EQ(norm(s.normal - d.normal), 0);
+  }
+}
+
+TEST(ClosedForm, CylinderAndConeStandOnABox) {
+  DistanceScratch scratch;
+  const ConvexBody table = make_box({2, 2, 0.5});
+  for (double depth : {1e-7, 1e-3, 0.1}) {
+    const SignedDistance foot = signed_distance(make_cylinder(0.3, 1), table, at(0.2, 0, -0.75 + depth), scratch);
+    EXPECT_NEAR(foot.distance, -depth, 1e-15);
+    EXPECT_NEAR(foot.normal.z, 1, 1e-15);
+    const SignedDistance tip = signed_distance(table, make_cone(0.3, 1), at(0.2, 0, -0.75 + depth), scratch);
+    EXPECT_NEAR(tip.distance, -depth, 1e-15);
+    EXPECT_NEAR(tip.point_b.z, -0.25 + depth, 1e-15);
+    EXPECT_NEAR(tip.point_b.x, 0.2, 1e-12);
+    const Pose lying{rotation_about({1, 0, 0}, pi / 2), {0, 0, 0.25 + 0.3 - depth}};
+    EXPECT_NEAR(signed_distance(table, make_cylinder(0.3, 1), lying, scratch).distance, -depth, 1e-15);
+  }
+}
+
+TEST(ClosedForm, CrossedCylindersTouchWhereTheirSidesCross) {
+  DistanceScratch scratch;
+  const Pose crossed{rotation_about({1, 0, 0}, pi / 2), {0.7, 0.05, 0.02}};
+  const SignedDistance d = signed_distance(make_cylinder(0.4, 2), make_cylinder(0.25, 2), crossed, scratch);
+  EXPECT_NEAR(d.distance, 0.05, 1e-15);
+  EXPECT_NEAR(d.point_a.x, 0.4, 1e-14);
+  EXPECT_NEAR(d.point_a.y, 0, 1e-12);
+  EXPECT_NEAR(d.point_a.z, 0.02, 1e-12);
+}
+
+TEST(ClosedForm, EllipsoidAndPointOnAnAxis) {
+  DistanceScratch scratch;
+  const ConvexBody ellipsoid = make_ellipsoid({1, 2, 3});
+  EXPECT_NEAR(signed_distance(ellipsoid, make_sphere(0.5), at(0, 0, 4), scratch).distance, 0.5, 1e-14);
+  EXPECT_NEAR(signed_distance(ellipsoid, make_sphere(0), at(0, 0, 0), scratch).distance, -1, 1e-14);
+  // From (0, 0, z) to the ellipse of semi-axes a < c: d^2 = a^2 (1 - z^2 / (c^2 - a^2)) while z < (c^2 - a^2) / c.
+  const double z = 0.8;
+  EXPECT_NEAR(signed_distance(ellipsoid, make_sphere(0), at(0, 0, z), scratch).distance, -std::sqrt(1 - z * z / 8), 1e-14);
+}
+
+TEST(Reference, EqualConesOnOneAxisAreAsDeepWhicheverIsFirst) {
+  // Equally deep all round: no single direction wins.
+  DistanceScratch scratch;
+  const ConvexBody a = make_cone(0.17, 0.63), b = make_cone(0.26, 0.77);
+  const Pose pose = at(0, 0, -0.15);
+  const SignedDistance d = signed_distance(a, b, pose, scratch), e = signed_distance(b, a, pose.inverse(), scratch);
+  const double exact = static_cast<double>(-reference::SmoothReference(a, b, pose).lowest());
+  EXPECT_NEAR(d.distance, exact, 1e-12);
+  EXPECT_NEAR(e.distance, exact, 1e-12);
+}
+
+TEST(Reference, NearlyParallelEdgesNeedTheRightNormal) {
+  // Two cubes, edge over edge, turned by 2e-8: the gap's own direction is off by 1e-8 there.
+  DistanceScratch scratch;
+  const Pose pose{{{{0x1.ffffffffffff3p-1, -0x1.317bdc5d65992p-25, 0x1.46049899368a1p-25},
+                    {0x1.317bdbdbaf432p-25, 0x1.ffffffffffff8p-1, 0x1.8bd98e021642fp-26},
+                    {-0x1.46049912c162bp-25, -0x1.8bd98c71aec0dp-26, 0x1.ffffffffffff7p-1}}},
+                  {-0x1.00199c0677a0fp+0, -0x1.addec3d9caeebp-28, 0x1.00176c3dc9f49p+0}};
+  const Polytope cube = Polytope::box({1, 1, 1});
+  const SignedDistance d = signed_distance(make_polytope(cube), make_polytope(cube), pose, scratch);
+  const reference::Polyhedron r = reference_of(cube);
+  EXPECT_LT(reference::check(r, moved(r, pose), 0, 0, d).normal, 1e-12);
+}
+
+TEST(Fallback, EnumerationAgreesWithExpansion) {
+  Random random(6);
+  DistanceScratch scratch;
+  for (int k = 0; k < 300; ++k) {
+    Polytope a, b;
+    ASSERT_TRUE(build_convex_hull(random_points(random, random.integer(4, 60), {1, 0.7, 0.4}, k % 2 == 0), a, nullptr, nullptr));
+    ASSERT_TRUE(build_convex_hull(random_points(random, random.integer(4, 60), {1, 0.7, 0.4}, k % 2 == 0), b, nullptr, nullptr));
+    const Pose pose{random_rotation(random), random.uniform(0, 2) * random.direction()};
+    const ConvexBody body_a = make_polytope(a), body_b = make_polytope(b);
+    const SignedDistance d = signed_distance(body_a, body_b, pose, scratch);
+    const EnumerationResult e = enumerate_features(MinkowskiDifference(body_a, body_b, pose));
+    EXPECT_NEAR(e.distance, d.distance, 1e-13);
+    EXPECT_NEAR(norm(e.direction + d.normal), 0, 1e-6);
+  }
+  EXPECT_EQ(scratch.counters.brute_force, 0u);
+}
+
+TEST(Reference, CoincidentHullsOfAThousandVertices) {
+  Random random(7);
+  DistanceScratch scratch;
+  Polytope hull;
+  ASSERT_TRUE(build_convex_hull(random_points(random, 1000, {1, 1, 1}, false), hull, nullptr, nullptr));
+  const SignedDistance d = signed_distance(make_polytope(hull), make_polytope(hull), Pose{}, scratch);
+  // A - A is symmetric: its faces include A's; no width of A may be less than the depth, and one is equal.
+  double least_width = INFINITY;
+  for (const Polytope::Face &f : hull.faces()) {
+    double low = INFINITY;
+    for (const Vec3 &v : hull.vertices()) low = std::min(low, dot(f.normal, v));
+    least_width = std::min(least_width, f.offset - low);
+  }
+  EXPECT_LE(-d.distance, least_width + 1e-14);
+  double low = INFINITY, high = -INFINITY;
+  for (const Vec3 &v : hull.vertices()) {
+    low = std::min(low, dot(d.normal, v));
+    high = std::max(high, dot(d.normal, v));
+  }
+  EXPECT_NEAR(-d.distance, high - low, 1e-14);
 }
 
 }  // namespace
