@@ -16,9 +16,8 @@ from cmb_base.progress import Progress, silent
 from modelica2fmu.description import ModelDescription
 from modelica2fmu.packaging.archive import write_archive
 from modelica2fmu.packaging.dependencies import Sundials, find_fmi_headers, find_sundials
-from modelica2fmu.packaging.fmi2_description import fmi2_description
-from modelica2fmu.packaging.icon import model_icon
 from modelica2fmu.packaging.interface_tables import interface_source
+from modelica2fmu.packaging.layout import LAYOUTS, FmiVersion, Layout
 from modelica2fmu.packaging.shared_libraries import bundle_libraries, licence_of
 from modelica2fmu.packaging.solver_variables import SolverOptions, with_solver_variables
 from modelica2fmu.packaging.toolchain import Compilation, Libraries, compile_objects, link_shared
@@ -26,7 +25,6 @@ from modelica2fmu.packaging.toolchain import Compilation, Libraries, compile_obj
 RUNTIME = Path(__file__).resolve().parents[1] / "runtime"
 INTERFACE_FILE = "cmb_interface.c"
 
-_PLATFORM = "linux64"
 _RUNTIME_FLAGS = ("-Wall", "-Wextra")
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")
@@ -65,11 +63,17 @@ def _check_names(description: ModelDescription, sources: Sequence[GeneratedSourc
 
 
 def _write_sources(
-    folder: Path, description: ModelDescription, sources: Sequence[GeneratedSource], options: SolverOptions
+    folder: Path,
+    description: ModelDescription,
+    sources: Sequence[GeneratedSource],
+    options: SolverOptions,
+    layout: Layout,
 ) -> None:
     folder.mkdir()
+    other_versions = {other.functions for other in LAYOUTS.values()} - {layout.functions}
     for path in sorted(RUNTIME.glob("*.[ch]")):
-        shutil.copyfile(path, folder / path.name)
+        if path.name not in other_versions:
+            shutil.copyfile(path, folder / path.name)
     (folder / INTERFACE_FILE).write_text(interface_source(description, options), encoding="utf-8")
     for source in sources:
         (folder / source.name).write_text(source.text, encoding="utf-8")
@@ -110,15 +114,17 @@ def package_fmu(
     sources: Sequence[GeneratedSource],
     output: Path,
     *,
+    version: FmiVersion = FmiVersion.FMI2,
     options: SolverOptions | None = None,
     progress: Progress = silent,
 ) -> Path:
-    """Compiles a generated model with the runtime and packs an FMU 2.0 (model exchange and co-simulation).
+    """Compiles a generated model with the runtime and packs an FMU (model exchange and co-simulation).
 
     Args:
         description: what modelDescription.xml says, and the external libraries.
         sources: generated C; one of the files defines ``cmb_model`` with ``description.guid`` in it.
         output: the FMU file to write, replaced if it exists; on errors it stays as it is.
+        version: of the FMI standard.
         options: defaults of the co-simulation integrator.
         progress: told about the phases.
 
@@ -131,6 +137,7 @@ def package_fmu(
     """
     options = options if options is not None else SolverOptions()
     _check_names(description, sources)
+    layout = LAYOUTS[version]
     described = with_solver_variables(description, options)
     sundials = find_sundials()
     with tempfile.TemporaryDirectory(prefix="cmb-fmu-") as name:
@@ -138,9 +145,9 @@ def package_fmu(
         root = scratch / "fmu"
         root.mkdir()
         progress("describe", 0.0)
-        (root / "modelDescription.xml").write_bytes(fmi2_description(described))
-        (root / "model.png").write_bytes(model_icon())
-        _write_sources(root / "sources", described, sources, options)
+        (root / "modelDescription.xml").write_bytes(layout.describe(described))
+        _write_sources(root / "sources", described, sources, options, layout)
+        layout.complete(description, root)
         _copy_resources(root / "resources", description)
 
         progress("compile", 0.1)
@@ -149,7 +156,7 @@ def package_fmu(
         compiled = compile_objects(_compilations(root / "sources", description, sources, sundials), objects)
 
         progress("link", 0.8)
-        binaries = root / "binaries" / _PLATFORM
+        binaries = root / "binaries" / layout.platform
         binaries.mkdir(parents=True)
         library = binaries / f"{description.identifier}.so"
         external = description.external

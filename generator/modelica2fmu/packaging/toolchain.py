@@ -14,7 +14,7 @@ from pathlib import Path
 from cmb_base.errors import BuildError
 
 # No contraction of a*b+c and no time or path in the output: the same source gives the same numbers and bytes.
-_COMPILE = (
+COMPILE_OPTIONS = (
     "-std=c11",
     "-D_POSIX_C_SOURCE=200809L",
     "-O2",
@@ -116,7 +116,16 @@ def compile_objects(compilations: Sequence[Compilation], folder: Path) -> list[P
         number, compilation = numbered
         target = folder / f"{number:03d}-{compilation.source.stem}.o"
         includes = [f"-I{path}" for path in compilation.include]
-        command = [program, *_COMPILE, *compilation.flags, *includes, "-c", str(compilation.source), "-o", str(target)]
+        command = [
+            program,
+            *COMPILE_OPTIONS,
+            *compilation.flags,
+            *includes,
+            "-c",
+            str(compilation.source),
+            "-o",
+            str(target),
+        ]
         run_tool(command, f"compiling {compilation.source.name}")
         return target
 

@@ -2,6 +2,7 @@
 #include "cmb_fmu.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cmb_derivative.h"
@@ -386,6 +387,19 @@ cmb_fmu_status cmb_fmu_get_indicators(cmb_fmu *fmu, const char *call, double *in
   if (!accepts(fmu, call, EVALUATION_PHASES, indicator, count, cmb_model.indicator_count)) return CMB_FMU_ERROR;
   if (count == 0) return CMB_FMU_OK;
   return finish_read(fmu, call, cmb_event_indicators(fmu->instance, indicator));
+}
+
+cmb_fmu_status cmb_fmu_get_indicator(cmb_fmu *fmu, const char *call, size_t index, double *indicator) {
+  if (!cmb_fmu_permits(fmu, call, CMB_ANY_PHASE)) return CMB_FMU_ERROR;
+  if (index >= cmb_model.indicator_count) return cmb_fmu_refuse(fmu, call, "there is no such event indicator");
+  *indicator = 0.0;
+  if (fmu->instance->situation.phase == CMB_PHASE_INSTANTIATED) return CMB_FMU_OK;
+  double *shifted = calloc(cmb_model.indicator_count, sizeof *shifted);
+  if (shifted == NULL) return cmb_fmu_refuse(fmu, call, "no memory");
+  const cmb_result result = cmb_event_indicators(fmu->instance, shifted);
+  *indicator = shifted[index];
+  free(shifted);
+  return finish_read(fmu, call, result);
 }
 
 cmb_fmu_status cmb_fmu_get_nominals(cmb_fmu *fmu, const char *call, double *nominal, size_t count) {

@@ -91,6 +91,8 @@ cmb_fmu_status cmb_fmu_set_states(cmb_fmu *fmu, const char *call, const double *
 cmb_fmu_status cmb_fmu_get_states(cmb_fmu *fmu, const char *call, double *state, size_t count);
 cmb_fmu_status cmb_fmu_get_derivatives(cmb_fmu *fmu, const char *call, double *derivative, size_t count);
 cmb_fmu_status cmb_fmu_get_indicators(cmb_fmu *fmu, const char *call, double *indicator, size_t count);
+/* One shifted indicator as a variable's value, in any phase (0 before initialization). */
+cmb_fmu_status cmb_fmu_get_indicator(cmb_fmu *fmu, const char *call, size_t index, double *indicator);
 cmb_fmu_status cmb_fmu_get_nominals(cmb_fmu *fmu, const char *call, double *nominal, size_t count);
 
 typedef struct cmb_step_report {
