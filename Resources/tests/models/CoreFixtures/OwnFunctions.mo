@@ -1,0 +1,22 @@
+within CoreFixtures;
+model OwnFunctions "Functions of Frames that are this package's own, or whose values are"
+  extends Modelica.Icons.Example;
+  import Modelica.Mechanics.MultiBody.Frames;
+  import Modelica.Mechanics.MultiBody.Frames.Quaternions;
+  Real angles[3] = {0.3 + time, 0.5*time - 0.4, 1.2*time^2};
+  Real rates[3] = {1, 0.5, 2.4*time};
+  parameter Real e[3] = {2,-1,2}/3;
+  Frames.Orientation R123 = Frames.axesRotations({1,2,3}, angles, rates);
+  Frames.Orientation planar = Frames.planarRotation(e, angles[1], rates[1]);
+  Real Q[4] = Frames.to_Q(R123);
+  Real Qplanar[4] = Quaternions.planarRotation(e, angles[1]);
+  Frames.Orientation fromQ = Frames.from_Q(1.7*Q, R123.w) "A quaternion that is too long gives the same orientation";
+  Real equality[3] = Frames.Orientation.equalityConstraint(planar, Frames.absoluteRotation(planar, Frames.planarRotation(e, 0.2, 0)));
+  Real Qrate[4] = Frames.Internal.quaternionRate(Q, R123.w);
+  Real Qw1[3] = Quaternions.angularVelocity1(Q, Qrate);
+  Real Qw2[3] = Quaternions.angularVelocity2(Q, Qrate);
+  Real Qequality[3] = Quaternions.Orientation.equalityConstraint(Qplanar, Quaternions.absoluteRotation(Qplanar, Quaternions.planarRotation(e, 0.2)));
+  Real small[3] = Frames.smallRotation(Frames.planarRotation(e, 1e-4, 0));
+  Real smallWithResidues[6] = Frames.smallRotation(Frames.planarRotation(e, 1e-4, 0), true);
+  annotation (experiment(StopTime=2, Tolerance=1e-9));
+end OwnFunctions;
