@@ -38,9 +38,11 @@ def build(name: str, description: ModelDescription, driver: str, sanitizer: str,
     return program
 
 
-@pytest.mark.parametrize("name", MODELS)
-def test_random_calls_break_nothing(name: str, tmp_path: Path) -> None:
-    program = build(name, MODELS[name], "driver", "address,undefined", tmp_path)
+@pytest.mark.parametrize(
+    ("driver", "name"), [("driver", name) for name in MODELS] + [("driver3", "ball"), ("driver3", "schedule")]
+)
+def test_random_calls_break_nothing(driver: str, name: str, tmp_path: Path) -> None:
+    program = build(name, MODELS[name], driver, "address,undefined", tmp_path)
     environment = {**os.environ, "ASAN_OPTIONS": "detect_leaks=1:detect_stack_use_after_return=1"}
     done = subprocess.run(
         [program, "1", "60"], capture_output=True, text=True, check=False, timeout=120, env=environment
