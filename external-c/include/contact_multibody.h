@@ -65,6 +65,17 @@ CMB_API cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *po
                           size_t body_count, size_t point_capacity, double *distance, double *depth,
                           double *weight, double *normal, double *point);
 
+/* Which back end answers for the nearest shapes of a pair (0-based index) at these poses; CMB_BACKEND_AUTO where
+ * a body has no shape. The engine asks the scene's back end, checks what it says, and answers itself
+ * (CMB_BACKEND_ANALYTIC) where that is missing or does not hold. backend is unchanged on error. Not NULL. */
+CMB_API cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const double *position, const double *rotation,
+                                     size_t body_count, cmb_backend *backend);
+
+/* How often, in all threads since the scene was interned, the library it names as back end gave an answer that
+ * held, and how often that was missing or did not hold; 0 for the engine's own back end, which is not counted.
+ * answered, refused: unchanged on error. Not NULL. */
+CMB_API cmb_status cmb_backend_counts(cmb_scene scene, unsigned long long *answered, unsigned long long *refused);
+
 /* Text of a status; never NULL, static storage. */
 CMB_API const char *cmb_status_text(cmb_status status);
 

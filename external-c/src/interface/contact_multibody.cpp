@@ -96,6 +96,33 @@ void write_vector(const Vec3 &v, double *target) {
   target[2] = v.z;
 }
 
+cmb_status check_pair_query(cmb_scene handle, std::size_t pair, const double *position, const double *rotation,
+                            std::size_t body_count, std::size_t point_capacity, const Scene *&scene) {
+  cmb_status status = check_query(handle, position, rotation, body_count, point_capacity, scene);
+  if (status != CMB_OK) return status;
+  if (pair >= scene->pairs.size()) {
+    return fail(CMB_ERROR_ARGUMENT, "there is no pair " + std::to_string(pair) + "; the scene has " +
+                                        std::to_string(scene->pairs.size()) + ", counted from 0");
+  }
+  for (const std::size_t body : {scene->pairs[pair].first, scene->pairs[pair].second}) {
+    status = check_body(body, position, rotation);
+    if (status != CMB_OK) return status;
+  }
+  return CMB_OK;
+}
+
+// The contact of one pair, in the scratch of this thread.
+ContactSet &contact_of(const Scene &scene, std::size_t pair, const double *position, const double *rotation,
+                       cmb::PairReport &report) {
+  cmb::QueryScratch &scratch = cmb::query_scratch();
+  const std::size_t first = scene.pairs[pair].first, second = scene.pairs[pair].second;
+  const Pose pose_a = cmb::body_pose(position + 3 * first, rotation + 9 * first);
+  const Pose pose_b = cmb::body_pose(position + 3 * second, rotation + 9 * second);
+  cmb::query_bodies(scene, scene.bodies[first], pose_a, scene.bodies[second], pose_b, scratch, scratch.contact,
+                    report);
+  return scratch.contact;
+}
+
 // Where the arrays of one pair begin.
 struct PairOutput {
   double *distance, *depth, *weight, *normal, *point;
@@ -103,13 +130,8 @@ struct PairOutput {
 
 void query_pair(const Scene &scene, std::size_t pair, const double *position, const double *rotation,
                 std::size_t point_capacity, const PairOutput &output) {
-  cmb::QueryScratch &scratch = cmb::query_scratch();
-  ContactSet &contact = scratch.contact;
   cmb::PairReport report;
-  const std::size_t first = scene.pairs[pair].first, second = scene.pairs[pair].second;
-  const Pose pose_a = cmb::body_pose(position + 3 * first, rotation + 9 * first);
-  const Pose pose_b = cmb::body_pose(position + 3 * second, rotation + 9 * second);
-  cmb::query_bodies(scene, scene.bodies[first], pose_a, scene.bodies[second], pose_b, scratch, contact, report);
+  ContactSet &contact = contact_of(scene, pair, position, rotation, report);
   cmb::merge_points(contact.points, point_capacity);
   *output.distance = contact.distance;
   for (std::size_t k = 0; k < point_capacity; ++k) {
@@ -180,20 +202,41 @@ cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *position, 
                           double *weight, double *normal, double *point) {
   return guarded([&] {
     const Scene *found = nullptr;
-    cmb_status status = check_query(scene, position, rotation, body_count, point_capacity, found);
+    const cmb_status status =
+        check_pair_query(scene, pair, position, rotation, body_count, point_capacity, found);
     if (status != CMB_OK) return status;
-    if (pair >= found->pairs.size()) {
-      return fail(CMB_ERROR_ARGUMENT, "there is no pair " + std::to_string(pair) + "; the scene has " +
-                                          std::to_string(found->pairs.size()) + ", counted from 0");
-    }
     if (distance == nullptr || depth == nullptr || weight == nullptr || normal == nullptr || point == nullptr) {
       return fail(CMB_ERROR_ARGUMENT, "an output array is NULL");
     }
-    for (const size_t body : {found->pairs[pair].first, found->pairs[pair].second}) {
-      status = check_body(body, position, rotation);
-      if (status != CMB_OK) return status;
-    }
     query_pair(*found, pair, position, rotation, point_capacity, {distance, depth, weight, normal, point});
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const double *position, const double *rotation,
+                             size_t body_count, cmb_backend *backend) {
+  return guarded([&] {
+    const Scene *found = nullptr;
+    const cmb_status status = check_pair_query(scene, pair, position, rotation, body_count, 1, found);
+    if (status != CMB_OK) return status;
+    if (backend == nullptr) return fail(CMB_ERROR_ARGUMENT, "backend is NULL");
+    cmb::PairReport report;
+    contact_of(*found, pair, position, rotation, report);
+    *backend = report.backend;
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_backend_counts(cmb_scene scene, unsigned long long *answered, unsigned long long *refused) {
+  return guarded([&] {
+    const Scene *found = cmb::find_scene(scene);
+    if (found == nullptr) {
+      return fail(CMB_ERROR_ARGUMENT,
+                  "there is no scene " + std::to_string(scene) + "; use a handle that cmb_intern gave");
+    }
+    if (answered == nullptr || refused == nullptr) return fail(CMB_ERROR_ARGUMENT, "answered or refused is NULL");
+    *answered = found->answered.load(std::memory_order_relaxed);
+    *refused = found->refused.load(std::memory_order_relaxed);
     return CMB_OK;
   });
 }

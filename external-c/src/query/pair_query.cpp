@@ -21,11 +21,6 @@ void reverse(ContactSet &contact) {
   for (ContactPoint &point : contact.points) point.normal = -point.normal;
 }
 
-void count(const Scene &scene, cmb_backend backend, bool answered) {
-  Scene::Counter &counter = scene.counters[backend];
-  (answered ? counter.answered : counter.refused).fetch_add(1, std::memory_order_relaxed);
-}
-
 // Relative agreement asked of a library with the exact path.
 constexpr double library_tolerance = 1e-4;
 
@@ -39,14 +34,13 @@ ConvexAnswer convex_answer(const Scene &scene, const Shape &a, const Pose &pose_
     const double slack = library_tolerance * (a.bound_radius + b.bound_radius);
     const bool holds = answer && answer_holds(*answer, a, pose_a, b, pose_b, library_tolerance) &&
                        std::fabs(answer->distance - exact.distance) <= slack;
-    count(scene, scene.backend, holds);
+    (holds ? scene.answered : scene.refused).fetch_add(1, std::memory_order_relaxed);
     if (holds) {
       who = scene.backend;
       return *answer;
     }
   }
   who = CMB_BACKEND_ANALYTIC;
-  count(scene, who, true);
   return exact;
 }
 
@@ -62,14 +56,12 @@ void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const 
                   QueryScratch &scratch, ContactSet &result, cmb_backend &who) {
   if (b.kind == ShapeKind::halfspace) {
     who = CMB_BACKEND_ANALYTIC;
-    count(scene, who, true);
-    halfspace_contact(a, pose_a, world_plane(pose_b), result);
+      halfspace_contact(a, pose_a, world_plane(pose_b), result);
     return;
   }
   if (a.kind == ShapeKind::halfspace) {
     who = CMB_BACKEND_ANALYTIC;
-    count(scene, who, true);
-    halfspace_contact(b, pose_b, world_plane(pose_a), result);
+      halfspace_contact(b, pose_b, world_plane(pose_a), result);
     reverse(result);
     return;
   }

@@ -12,7 +12,7 @@
 
 namespace cmb {
 
-// Immutable but for its diagnostic counters; shared by threads.
+// Immutable but for two diagnostic counters; shared by threads.
 struct Scene {
   struct Pair {
     std::size_t first = 0, second = 0;  // 0-based body numbers
@@ -21,12 +21,9 @@ struct Scene {
   std::vector<Pair> pairs;
   cmb_backend backend = CMB_BACKEND_AUTO;
 
-  // How often a back end answered and how often its answer was missing or refused; diagnostics only.
-  struct Counter {
-    std::atomic<std::uint64_t> answered{0};
-    std::atomic<std::uint64_t> refused{0};
-  };
-  mutable Counter counters[4];  // by cmb_backend
+  // How often the library named as back end gave an answer that held, and how often not; diagnostics only.
+  mutable std::atomic<std::uint64_t> answered{0};
+  mutable std::atomic<std::uint64_t> refused{0};
 };
 
 }  // namespace cmb
