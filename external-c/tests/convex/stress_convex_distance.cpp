@@ -98,6 +98,13 @@ Sample make_tessellated(Random &random) {
       }
     }
   }
+  if (random.integer(0, 1)) {  // as a file with seven digits brings them
+    const Mat3 turn = random_rotation(random);
+    for (Vec3 &p : points) {
+      p = turn * p;
+      for (int axis = 0; axis < 3; ++axis) p.set(axis, static_cast<float>(p[axis]));
+    }
+  }
   return hull_sample(points);
 }
 
@@ -186,10 +193,13 @@ bool same_bits(const SignedDistance &p, const SignedDistance &q) {
 bool run(const Class &c, long samples, std::uint64_t seed) {
   Random random(seed);
   std::vector<Sample> pool;
-  std::vector<double> sizes;
+  int refused = 0;
   while (static_cast<int>(pool.size()) < c.pool) {
     Sample sample = c.make(random);
-    if (sample.shape != nullptr && sample.shape->vertices().empty()) continue;  // points that span no volume
+    if (sample.shape != nullptr && sample.shape->vertices().empty()) {  // points that span no volume?
+      if (++refused > c.pool) return false;
+      continue;
+    }
     pool.push_back(std::move(sample));
   }
   DistanceScratch scratch, other_scratch;
@@ -248,6 +258,7 @@ bool run(const Class &c, long samples, std::uint64_t seed) {
                   pose.translation.z);
     }
   }
+  if (refused > 0) std::printf("%-18s %d sets of points refused\n", c.name, refused);
   std::printf("%-18s %9ld poses, %4.1f %% apart: distance %.1Le normal %.1Le witness %.1Le exchange %.1e jump %.1e; "
               "brute force %llu, unproven %llu of %llu queries; %ld failures\n",
               c.name, samples, 100.0 * queries_out / samples, worst.distance, worst.normal, worst.witness,

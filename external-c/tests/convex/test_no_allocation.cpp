@@ -1,0 +1,60 @@
+// Queries do not allocate once the scratch objects are warm.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "convex/convex_overlap.hpp"
+#include "random_bodies.hpp"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+void *operator new(std::size_t size) {
+  ++allocations;
+  void *memory = std::malloc(size > 0 ? size : 1);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+void operator delete(void *memory) noexcept { std::free(memory); }
+void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
+
+namespace {
+
+using namespace cmb::convex;
+using namespace random_bodies;
+
+TEST(Allocation, NoneInDistanceAndOverlapQueries) {
+  Random random(1);
+  Polytope hull, other;
+  ASSERT_TRUE(build_convex_hull(random_points(random, 200, {1, 1, 1}, false), hull, nullptr, nullptr));
+  ASSERT_TRUE(build_convex_hull(random_points(random, 50, {1, 0.2, 1}, true), other, nullptr, nullptr));
+  const ConvexBody bodies[] = {make_sphere(1),      make_capsule(0.1, 1), make_box({1, 1, 1}), make_polytope(hull),
+                               make_polytope(other), make_ellipsoid({1, 2, 3}), make_cylinder(1, 1), make_cone(1, 1)};
+  DistanceScratch scratch;
+  OverlapScratch overlap_scratch;
+  const auto ask = [&](std::uint64_t seed) {
+    Random poses(seed);
+    double sum = 0;
+    for (int k = 0; k < 50; ++k) {
+      const Pose pose{random_rotation(poses), poses.uniform(0, 2) * poses.direction()};
+      for (const ConvexBody &a : bodies) {
+        for (const ConvexBody &b : bodies) sum += signed_distance(a, b, pose, scratch).distance;
+      }
+      sum += convex_overlap(hull, other, pose, {0, 0, 1}, overlap_scratch).volume;
+    }
+    return sum;
+  };
+  const double first = ask(1);
+  const long before = allocations;
+  const double again = ask(1), fresh = ask(2);
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(again, first);
+  EXPECT_NE(fresh, first);
+}
+
+}  // namespace
