@@ -238,7 +238,8 @@ inline Errors check_smooth(const ConvexBody &a, const ConvexBody &b, const Pose 
     e.distance = std::max(std::fabs(-height - core), std::fabs(norm(ca - cb) - core));
     e.distance = std::max(e.distance, std::max(core_outside(a, ca), core_outside(b, cb_local)));
   } else if (search) {
-    e.distance = std::fabs(core + reference.lowest());
+    // The height along the answer's own normal takes part: the search may end a little above the minimum.
+    e.distance = std::fabs(core + std::min(reference.lowest(), height));
   }
   return e;
 }

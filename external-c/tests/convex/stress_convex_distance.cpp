@@ -57,14 +57,17 @@ Vec3 sides(Random &random, double least) {
   return {random.log_uniform(least, 1), random.log_uniform(least, 1), random.log_uniform(least, 1)};
 }
 
+template <int per_thousand>
 Sample make_curved(Random &random) {
+  constexpr double least = 1e-3 * per_thousand;
   Sample sample;
-  const double r = random.log_uniform(0.1, 1), h = random.log_uniform(0.1, 1);
-  switch (random.integer(0, 3)) {
-    case 0: sample.body = make_ellipsoid(sides(random, 0.1)); break;
+  const double r = random.log_uniform(least, 1), h = random.log_uniform(least, 1);
+  switch (random.integer(0, 4)) {
+    case 0: sample.body = make_ellipsoid(sides(random, least)); break;
     case 1: sample.body = make_cylinder(r, 2 * h, random.integer(0, 1) * 0.1); break;
     case 2: sample.body = make_cone(r, 2 * h); break;
-    default: sample.body = make_box(sides(random, 0.1), 0.05); break;
+    case 3: sample = hull_sample(random_points(random, random.integer(4, 8), {1, 0.7, 0.5}, false)); break;
+    default: sample.body = make_box(sides(random, least), 0.05); break;
   }
   sample.curved = true;
   return sample;
@@ -136,7 +139,8 @@ const Class classes[] = {
     {"tessellated solids", 15, 100, 1e-9, make_tessellated},
     {"1 mm to 1 km", 80, 400, 1e-9, make_sized},
     {"hulls of 100", 2, 40, 1e-9, [](Random &r) { return hull_sample(random_points(r, 100, sides(r, 0.3), false)); }},
-    {"curved bodies", 8, 400, 1e-6, make_curved},
+    {"curved bodies", 8, 400, 1e-6, make_curved<100>},
+    {"slender curved", 4, 400, 1e-6, make_curved<1>},
 };
 
 // A pose by one of several recipes, most of them made to be hard.
