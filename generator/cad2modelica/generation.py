@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from cmb_base.errors import InputError, Place
 from cmb_base.output import whole_folder
 from cmb_base.progress import Progress, silent
 
@@ -13,6 +12,7 @@ from cad2modelica.assembly_reader import read_assembly
 from cad2modelica.collision_shapes import collision_geometry
 from cad2modelica.contact_pairs import contact_pairs
 from cad2modelica.kinematic_graph import kinematic_tree
+from cad2modelica.loops import analyse_loops
 from cad2modelica.mechanism_view import mechanism_view
 from cad2modelica.model import Assembly
 from cad2modelica.modelica_names import NamePool
@@ -77,14 +77,13 @@ def generate(
     name = _package_name(assembly, options)
     progress("build model", 0.0, name)
     tree = kinematic_tree(assembly)
-    if tree.cut_joints:
-        raise _loop_error(assembly, tree.cut_joints[0].name, tree.cut_joints[0].place)
+    loops = analyse_loops(assembly, tree)
     geometries = {part.name: collision_geometry(part) for part in assembly.parts}
     colliding = [part.name for part in assembly.parts if geometries[part.name].shapes]
     colliding += [plane.name for plane in assembly.planes]
     pairs = contact_pairs(assembly, tree, colliding)
-    view = mechanism_view(assembly, tree, geometries, pairs)
-    notes = (*assembly.notes, *(note for geometry in geometries.values() for note in geometry.notes))
+    view = mechanism_view(assembly, tree, loops, geometries, pairs)
+    notes = (*assembly.notes, *loops.notes, *(note for item in geometries.values() for note in item.notes))
     texts = package_texts(assembly, view, geometries, name, notes)
     kept = output / name / f"{MECHATRONICS}.mo"
     mechatronics = kept.read_bytes() if kept.is_file() else texts.mechatronics.encode()
@@ -95,7 +94,7 @@ def generate(
         for file, text in texts.files.items():
             (root / file).write_text(text, encoding="utf-8")
         (root / f"{MECHATRONICS}.mo").write_bytes(mechatronics)
-        (staging / "scene.json").write_text(scene_text(assembly, tree, view, name), encoding="utf-8")
+        (staging / "scene.json").write_text(scene_text(assembly, tree, loops, view, name), encoding="utf-8")
     progress("write package", 1.0, name)
     return GeneratedPackage(
         root=output / name,
@@ -110,12 +109,4 @@ def generate(
 def _package_name(assembly: Assembly, options: GenerateOptions) -> str:
     return NamePool(("Modelica", "ContactMultiBody", "Complex", "ModelicaServices")).class_name(
         options.package or assembly.name
-    )
-
-
-def _loop_error(assembly: Assembly, joint: str, place: Place) -> InputError:
-    return InputError(
-        f"the joint {joint!r} closes a kinematic loop, which is not supported yet",
-        place=place,
-        remedy=f"Remove one joint of the loop from {assembly.file.name}.",
     )

@@ -56,17 +56,18 @@ class KinematicTree:
 
 
 def kinematic_tree(assembly: Assembly) -> KinematicTree:
-    """Spans the mechanism from the ground, breadth first, joints in the order of the source.
+    """Spans the mechanism from the ground.
 
-    Grounded parts stand on the ground without a joint. Parts no chain of joints connects to the ground form trees
-    of their own; their roots are the parts listed first. Breadth first keeps chains short and puts the cut of a loop
-    where its two arms meet.
+    Of the joints of a loop one is left out of the tree: a revolute joint if there is one, because planar loops need
+    that, and of those the one listed last, so that the order in the source decides. Grounded parts stand on the ground
+    without a joint. Parts no chain of joints connects to the ground form trees of their own; their roots are the
+    parts listed first.
     """
-    graph = _graph(assembly)
+    cut = _cut_joints(assembly)
+    graph = _graph(assembly, cut)
     parts = {part.name: part for part in assembly.parts}
     order: list[str] = []
     reached_by: dict[str, tuple[Joint | None, str | None]] = {}
-    in_tree: set[int] = set()
 
     def span(start: list[str]) -> None:
         queue = list(start)
@@ -77,7 +78,6 @@ def kinematic_tree(assembly: Assembly) -> KinematicTree:
                 if other == GROUND or other in reached_by:
                     continue
                 reached_by[other] = (joint, node)
-                in_tree.add(id(joint))
                 order.append(other)
                 queue.append(other)
 
@@ -100,20 +100,34 @@ def kinematic_tree(assembly: Assembly) -> KinematicTree:
     groups = _rigid_groups(assembly)
     return KinematicTree(
         branches=tuple(Branch(parts[name], *reached_by[name], tuple(children[name])) for name in order),
-        cut_joints=tuple(
-            joint for joint in assembly.joints if id(joint) not in in_tree and joint.type is not JointType.FREE
-        ),
+        cut_joints=cut,
         fixed=frozenset(name for name, group in groups.items() if group == GROUND),
         rigid_groups=groups,
     )
 
 
-def _graph(assembly: Assembly) -> nx.MultiGraph[str]:
+def _cut_joints(assembly: Assembly) -> tuple[Joint, ...]:
+    """Joints outside a spanning forest that takes joints in the order of the source, revolute ones last (Kruskal)."""
+    groups: nx.utils.UnionFind[str] = nx.utils.UnionFind([GROUND, *(part.name for part in assembly.parts)])
+    for part in assembly.parts:
+        if part.grounded:
+            groups.union(GROUND, part.name)
+    real = [joint for joint in assembly.joints if joint.type is not JointType.FREE]
+    cut = []
+    for joint in sorted(real, key=lambda joint: joint.type is JointType.REVOLUTE):
+        if groups[joint.parent] == groups[joint.child]:
+            cut.append(joint)
+        else:
+            groups.union(joint.parent, joint.child)
+    return tuple(joint for joint in real if joint in cut)
+
+
+def _graph(assembly: Assembly, cut: tuple[Joint, ...]) -> nx.MultiGraph[str]:
     graph: nx.MultiGraph[str] = nx.MultiGraph()
     graph.add_node(GROUND)
     graph.add_nodes_from(part.name for part in assembly.parts)
     for index, joint in enumerate(assembly.joints):
-        if joint.type is not JointType.FREE:
+        if joint.type is not JointType.FREE and joint not in cut:
             graph.add_edge(joint.parent, joint.child, key=index, joint=joint)
     return graph
 

@@ -8,9 +8,10 @@ import numpy as np
 
 from cad2modelica.collision_shapes import CollisionGeometry
 from cad2modelica.kinematic_graph import KinematicTree
+from cad2modelica.loops import LoopAnalysis
 from cad2modelica.model import GROUND, Assembly, Joint, JointType, Part, Plane
 from cad2modelica.modelica_names import NamePool
-from cad2modelica.modelica_text import number, tidy_direction, tidy_length, vector
+from cad2modelica.modelica_text import SIGNIFICANT_LENGTH, number, tidy_direction, tidy_length, vector
 from cad2modelica.spatial import IDENTITY, Array, Pose, cardan_angles, perpendicular, rotation_about
 
 ROTATION_SNAP = 1e-9  # a rotation nearer to the identity than this is the identity
@@ -75,6 +76,7 @@ class MechanismView:
 def mechanism_view(
     assembly: Assembly,
     tree: KinematicTree,
+    loops: LoopAnalysis,
     geometries: dict[str, CollisionGeometry],
     pairs: list[tuple[str, str]],
 ) -> MechanismView:
@@ -83,10 +85,11 @@ def mechanism_view(
     Args:
         assembly: the mechanism.
         tree: its spanning tree.
+        loops: what its loops ask of the joints.
         geometries: collision shapes by part.
         pairs: pairs of part and plane names that may touch.
     """
-    return _Builder(assembly, tree, geometries, pairs).build()
+    return _Builder(assembly, tree, loops, geometries, pairs).build()
 
 
 class _Builder:
@@ -94,11 +97,13 @@ class _Builder:
         self,
         assembly: Assembly,
         tree: KinematicTree,
+        loops: LoopAnalysis,
         geometries: dict[str, CollisionGeometry],
         pairs: list[tuple[str, str]],
     ) -> None:
         self._assembly = assembly
         self._tree = tree
+        self._loops = loops
         self._geometries = geometries
         self._pairs = pairs
         strength = float(np.linalg.norm(assembly.gravity))
@@ -125,6 +130,8 @@ class _Builder:
         for branch in self._tree.branches:
             if branch.predecessor in (None, GROUND):
                 self._add_tree(branch.part.name)
+        for joint in self._tree.cut_joints:
+            self._add_cut_joint(joint)
         for plane in self._assembly.planes:
             self._add_plane(plane)
         self._add_contacts()
@@ -213,8 +220,18 @@ class _Builder:
         self._view.connections.append(Connection(connector, f"{name}.frame_b"))
         return self._add_offset(f"{name}.frame_a", before.inverse(), f"{name} base", column + 1)
 
+    def _add_cut_joint(self, joint: Joint) -> None:
+        """Closes a loop: a joint between two bodies that stand already."""
+        parent = self._assembly.part(joint.parent) if joint.parent != GROUND else None
+        child = self._assembly.part(joint.child)
+        connector = f"{self._view.part_names[parent.name]}.frame_a" if parent is not None else "world.frame_b"
+        pose = parent.pose if parent is not None else IDENTITY
+        end, _ = self._add_joint(joint, child, connector, pose, 1)
+        self._view.connections.append(Connection(end, f"{self._view.part_names[child.name]}.frame_a"))
+        self._row += 1
+
     def _connect_joint(self, joint: Joint, side: Pose, name: str, text: str, column: int) -> None:
-        class_name, modifiers = _joint_declaration(joint, side)
+        class_name, modifiers = _joint_declaration(joint, side, self._loops)
         self._view.components.append(Component(class_name, name, modifiers, text, column, self._row))
 
     def _add_offset(
@@ -308,55 +325,48 @@ def _free_start(motion: tuple[Array, Array], pose: Pose) -> list[str]:
     ]
 
 
-def _joint_declaration(joint: Joint, side: Pose) -> tuple[str, tuple[str, ...]]:
+# Coordinates and rates of the joints in the order of loops.joint_twists.
+_COORDINATES = {
+    JointType.REVOLUTE: (("phi", "w"),),
+    JointType.PRISMATIC: (("s", "v"),),
+    JointType.CYLINDRICAL: (("s", "v"), ("phi", "w")),
+    JointType.UNIVERSAL: (("phi_a", "w_a"), ("phi_b", "w_b")),
+    JointType.PLANAR: (("s_x", "v_x"), ("s_y", "v_y"), ("phi", "w")),
+}
+
+
+def _joint_declaration(joint: Joint, side: Pose, loops: LoopAnalysis) -> tuple[str, tuple[str, ...]]:
     """Class and modifiers of a joint whose parent side stands at ``side``."""
-    kind = joint.type
-    class_name = f"{MULTIBODY}.Joints.{kind.name.capitalize()}"
-    velocity = tidy_length(side.rotation.T @ joint.velocity)
-    angular_velocity = tidy_length(side.rotation.T @ joint.angular_velocity)
-    if kind is JointType.SPHERICAL:
+    class_name = f"{MULTIBODY}.Joints.{joint.type.name.capitalize()}"
+    independent, rates = loops.independent[joint.name], loops.rates[joint.name]
+    if joint.type is JointType.SPHERICAL:
+        start = side.rotation.T @ np.array(rates)
+        fixed = "true" if all(independent) else "false"
         return class_name, (
-            "angles_fixed=true",
-            "w_rel_a_fixed=true",
-            f"w_rel_a_start={vector(angular_velocity)}",
-            "enforceStates=true",
+            f"angles_fixed={fixed}",
+            f"w_rel_a_fixed={fixed}",
+            f"w_rel_a_start={vector(tidy_length(start))}",
         )
+    axes = _axis_modifiers(joint, side)
+    if joint.name in loops.planar_constraints:
+        return f"{MULTIBODY}.Joints.RevolutePlanarLoopConstraint", axes
+    modifiers = list(axes)
+    for (coordinate, rate), fixed_start, value in zip(_COORDINATES[joint.type], independent, rates, strict=True):
+        suffix = ",fixed=true" if fixed_start else ""
+        modifiers.append(f"{coordinate}(start={number(joint.position)}{suffix})")
+        modifiers.append(f"{rate}(start={number(round(value, SIGNIFICANT_LENGTH))}{suffix})")
+    if all(independent):
+        modifiers.append("stateSelect=StateSelect.always")
+    elif not any(independent):
+        modifiers.append("stateSelect=StateSelect.avoid")
+    return class_name, tuple(modifiers)
+
+
+def _axis_modifiers(joint: Joint, side: Pose) -> tuple[str, ...]:
     axis = tidy_direction(side.rotation.T @ _axis(joint))
-    always = "stateSelect=StateSelect.always"
-    if kind is JointType.REVOLUTE:
-        return class_name, (f"n={vector(axis)}", *_start("phi", joint.position), *_start("w", joint.speed), always)
-    if kind is JointType.PRISMATIC:
-        return class_name, (f"n={vector(axis)}", *_start("s", joint.position), *_start("v", joint.speed), always)
-    if kind is JointType.CYLINDRICAL:
-        rates = (*_start("v", float(velocity @ axis)), *_start("w", float(angular_velocity @ axis)))
-        return class_name, (f"n={vector(axis)}", *_start("s", 0.0), *_start("phi", 0.0), *rates, always)
-    if kind is JointType.PLANAR:
-        first = perpendicular(axis)
-        second = np.cross(axis, first)
-        return class_name, (
-            f"n={vector(axis)}",
-            f"n_x={vector(tidy_direction(first))}",
-            *_start("s_x", 0.0),
-            *_start("s_y", 0.0),
-            *_start("phi", 0.0),
-            *_start("v_x", float(velocity @ first)),
-            *_start("v_y", float(velocity @ second)),
-            *_start("w", float(angular_velocity @ axis)),
-            always,
-        )
-    if joint.second_axis is None:
-        raise AssertionError(f"the reader guarantees a second axis for {joint.name}")
-    other = tidy_direction(side.rotation.T @ joint.second_axis)
-    return class_name, (
-        f"n_a={vector(axis)}",
-        f"n_b={vector(other)}",
-        *_start("phi_a", 0.0),
-        *_start("phi_b", 0.0),
-        *_start("w_a", float(angular_velocity @ axis)),
-        *_start("w_b", float(angular_velocity @ other)),
-        always,
-    )
-
-
-def _start(variable: str, value: float) -> tuple[str]:
-    return (f"{variable}(start={number(value)},fixed=true)",)
+    if joint.type is JointType.UNIVERSAL and joint.second_axis is not None:
+        return f"n_a={vector(axis)}", f"n_b={vector(tidy_direction(side.rotation.T @ joint.second_axis))}"
+    if joint.type is JointType.PLANAR:
+        first = side.rotation.T @ perpendicular(_axis(joint))
+        return f"n={vector(axis)}", f"n_x={vector(tidy_direction(first))}"
+    return (f"n={vector(axis)}",)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from cad2modelica.kinematic_graph import KinematicTree
+from cad2modelica.loops import LoopAnalysis
 from cad2modelica.mechanism_view import MechanismView
 from cad2modelica.mesh import Mesh, weld
 from cad2modelica.model import Assembly, JointType, Material, Part
@@ -18,7 +19,7 @@ FORMAT = 1
 _COORDINATES = {JointType.REVOLUTE: ("phi", "w", "rad"), JointType.PRISMATIC: ("s", "v", "m")}
 
 
-def scene_text(assembly: Assembly, tree: KinematicTree, view: MechanismView, name: str) -> str:
+def scene_text(assembly: Assembly, tree: KinematicTree, loops: LoopAnalysis, view: MechanismView, name: str) -> str:
     """The scene as JSON; the same scene gives the same text."""
     scene = {
         "format": FORMAT,
@@ -34,7 +35,7 @@ def scene_text(assembly: Assembly, tree: KinematicTree, view: MechanismView, nam
                 "unit": _COORDINATES[joint.type][2],
             }
             for joint in assembly.joints
-            if joint.type in _COORDINATES and joint not in tree.cut_joints
+            if joint.type in _COORDINATES and joint.name not in loops.planar_constraints
         ],
         "contacts": _contacts(assembly, view),
     }

@@ -39,9 +39,9 @@ def load(output: Path, model: str, library: Path = CORE) -> rumoca.Model:
     return session.load(str(output / model.split(".")[0] / "package.mo"), model=model)
 
 
-def simulate(output: Path, model: str, stop_time: float, step: float) -> Trajectory:
+def simulate(output: Path, model: str, stop_time: float, step: float, tolerance: float = 1e-10) -> Trajectory:
     """Simulates with tight tolerances; rows every ``step`` seconds."""
-    config = rumoca.SimConfig(rtol=1e-10, atol=1e-12, dt=step)
+    config = rumoca.SimConfig(rtol=tolerance, atol=tolerance / 100, dt=step)
     result = load(output, model).simulate(stop_time, config=config)
     data = np.asarray(result.to_numpy())
     return Trajectory(np.asarray(result.time), dict(zip(result.names, data, strict=True)))
