@@ -1,0 +1,147 @@
+// Back ends: selected, checked, and answered for where they fail.
+#include <random>
+
+#include "scene_query.hpp"
+
+namespace {
+
+using namespace cmb::test;
+
+constexpr double pi = 3.14159265358979323846;
+
+const char *const convex_shapes[] = {
+    "cmb/1 sphere radius=0.4",
+    "cmb/1 box size=0.6,0.8,1",
+    "cmb/1 capsule radius=0.25 length=0.7",
+    "cmb/1 hull vertices=0.4,0.1,0.1,-0.3,0.4,0.2,0,-0.5,0.1,0.1,0.2,0.6,-0.2,-0.1,-0.4,0.35,-0.3,-0.2,0.2,0.45,-0.1",
+    "cmb/1 ellipsoid size=1,0.7,0.5",
+    "cmb/1 cylinder radius=0.3 length=0.8",
+    "cmb/1 cone radius=0.4 length=0.9"};
+
+struct Counts {
+  unsigned long long answered = 0, refused = 0;
+};
+
+Counts counts(const PairScene &scene) {
+  Counts result;
+  EXPECT_EQ(cmb_backend_counts(scene.handle(), &result.answered, &result.refused), CMB_OK);
+  return result;
+}
+
+class Libraries : public testing::TestWithParam<cmb_backend> {};
+
+TEST_P(Libraries, AgreeWithTheExactPathWhereTheyAnswer) {
+  std::mt19937 engine(7);
+  const auto random = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine() >> 5) / 134217728.0);
+  };
+  unsigned long long answered = 0;
+  for (const char *a : convex_shapes) {
+    for (const char *b : convex_shapes) {
+      const PairScene exact(a, b), library(a, b, GetParam());
+      for (int k = 0; k < 12; ++k) {
+        const BodyPose pose{{random(-0.6, 0.6), random(-0.6, 0.6), random(-0.6, 0.6)},
+                            rotation_about(normalized(Vec3{random(-1, 1), random(-1, 1), 1.1}), random(-3, 3))};
+        ASSERT_NEAR(library.query(pose, {}).distance, exact.query(pose, {}).distance, 5e-4) << a << " | " << b;
+      }
+      answered += counts(library).answered;
+    }
+  }
+  EXPECT_GT(answered, 100u);  // the library is really asked, and often right
+}
+
+TEST_P(Libraries, FailuresAreRefusedAndAnswered) {
+  // Aligned and concentric cubes: no direction, no depth, or too deep a one, from the libraries.
+  const PairScene exact("cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1");
+  const PairScene library("cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1", GetParam());
+  const BodyPose poses[] = {{{0, 0, 0}, {}},
+                            {{0, 0, 0.999}, {}},
+                            {{0.5, 0.5, 0.5}, {}},
+                            {{0, 0, 1.0}, {}},
+                            {{1, 1, 1}, {}},
+                            {{0, 0, std::sqrt(0.75) + 0.3},
+                             rotation_about(normalized(Vec3{1, -1, 0}), std::acos(1 / std::sqrt(3.0)))}};
+  for (const BodyPose &pose : poses) {
+    const Contact contact = library.query(pose, {});
+    EXPECT_NEAR(contact.distance, exact.query(pose, {}).distance, 1e-3);
+  }
+  const Counts seen = counts(library);
+  EXPECT_EQ(seen.answered + seen.refused, std::size(poses));
+  EXPECT_GE(seen.refused, 1u);
+}
+
+TEST_P(Libraries, WhoAnsweredCanBeAsked) {
+  const PairScene spheres("cmb/1 sphere radius=0.5", "cmb/1 sphere radius=0.5", GetParam());
+  const double position[] = {0.3, 0.2, 0.8, 0, 0, 0};
+  const double rotation[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  cmb_backend who = CMB_BACKEND_AUTO;
+  ASSERT_EQ(cmb_query_backend(spheres.handle(), 0, position, rotation, 2, &who), CMB_OK);
+  EXPECT_EQ(who, GetParam());
+  const PairScene on_floor("cmb/1 sphere radius=0.5", "cmb/1 halfspace", GetParam());
+  ASSERT_EQ(cmb_query_backend(on_floor.handle(), 0, position, rotation, 2, &who), CMB_OK);
+  EXPECT_EQ(who, CMB_BACKEND_ANALYTIC);
+  const PairScene bare("", "cmb/1 halfspace", GetParam());
+  ASSERT_EQ(cmb_query_backend(bare.handle(), 0, position, rotation, 2, &who), CMB_OK);
+  EXPECT_EQ(who, CMB_BACKEND_AUTO);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Libraries, testing::Values(CMB_BACKEND_LIBCCD, CMB_BACKEND_FCL));
+
+TEST(Boxes, DepthOnTheDiagonalIsTheShortestWayOut) {
+  // A cube stands on its diagonal, 0.2 deep in a wide table: other engines say 0.346.
+  const Mat3 upright = rotation_about(normalized(Vec3{1, -1, 0}), std::acos(1 / std::sqrt(3.0)));
+  const Vec3 top = upright * Vec3{-0.5, -0.5, -0.5};
+  const PairScene scene("cmb/1 box size=1,1,1", "cmb/1 box size=10,10,2 position=0,0,-1");
+  const Contact contact = scene.query({{0, 0, std::fabs(top.z) - 0.2}, upright}, {});
+  EXPECT_NEAR(contact.distance, std::fabs(top.z) > 0.8 ? -0.2 : contact.distance, 1e-12);
+  EXPECT_NEAR(std::fabs(top.z), std::sqrt(0.75), 1e-12);
+}
+
+// Independent oracle: separating axes of two boxes, for overlap and its depth.
+double box_overlap_depth(const Vec3 &half_a, const BodyPose &a, const Vec3 &half_b, const BodyPose &b) {
+  std::vector<Vec3> axes;
+  for (int i = 0; i < 3; ++i) axes.push_back(a.rotation.column(i));
+  for (int i = 0; i < 3; ++i) axes.push_back(b.rotation.column(i));
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 axis = cross(a.rotation.column(i), b.rotation.column(j));
+      if (norm(axis) > 1e-6) axes.push_back(normalized(axis));
+    }
+  }
+  double depth = 1e30;
+  for (const Vec3 &axis : axes) {
+    double reach = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      reach += half_a[i] * std::fabs(dot(axis, a.rotation.column(i)));
+      reach += half_b[i] * std::fabs(dot(axis, b.rotation.column(i)));
+    }
+    depth = std::fmin(depth, reach - std::fabs(dot(axis, a.position - b.position)));
+  }
+  return depth;
+}
+
+TEST(Boxes, DepthEqualsThatOfTheSeparatingAxes) {
+  std::mt19937 engine(11);
+  const auto random = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine() >> 5) / 134217728.0);
+  };
+  const Vec3 half_a{0.3, 0.4, 0.5}, half_b{0.6, 0.2, 0.45};
+  const PairScene scene("cmb/1 box size=0.6,0.8,1", "cmb/1 box size=1.2,0.4,0.9");
+  int overlapping = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const BodyPose pose{{random(-1, 1), random(-1, 1), random(-1, 1)},
+                        rotation_about(normalized(Vec3{random(-1, 1), random(-1, 1), 1.1}), random(-pi, pi))};
+    const double depth = box_overlap_depth(half_a, pose, half_b, {});
+    const double distance = scene.query(pose, {}, 4).distance;
+    ASSERT_EQ(depth > 0.0, distance < 0.0) << k;
+    if (depth > 0.0) {
+      ASSERT_NEAR(distance, -depth, 1e-12) << k;
+      ++overlapping;
+    } else {
+      ASSERT_GE(distance, -depth - 1e-12) << k;  // the Euclidean distance is at least the largest gap
+    }
+  }
+  EXPECT_GT(overlapping, 500);
+}
+
+}  // namespace

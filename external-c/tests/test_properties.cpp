@@ -1,0 +1,230 @@
+// Properties that every pair of shapes has, at random poses about contact.
+#include <random>
+#include <sstream>
+
+#include "scene_query.hpp"
+
+namespace {
+
+using namespace cmb::test;
+
+// One of every kind, at length scale `s`.
+std::vector<std::string> shapes(double s) {
+  const auto kind = [](const std::string &name) { return "cmb/1 " + name + " "; };
+  std::string hull = kind("hull") + "vertices=";
+  const double points[][3] = {{0.4, 0.1, 0.1},   {-0.3, 0.4, 0.2},  {0.0, -0.5, 0.1}, {0.1, 0.2, 0.6},
+                              {-0.2, -0.1, -0.4}, {0.35, -0.3, -0.2}, {0.2, 0.45, -0.1}};
+  for (const auto &p : points) {
+    for (const double x : p) hull += digits(s * x) + ",";
+  }
+  hull.pop_back();
+  return {kind("halfspace"),
+          kind("sphere") + "radius=" + digits(0.4 * s),
+          kind("box") + "size=" + digits(0.6 * s) + "," + digits(0.8 * s) + "," + digits(s),
+          kind("capsule") + "radius=" + digits(0.25 * s) + " length=" + digits(0.7 * s),
+          hull,
+          kind("ellipsoid") + "size=" + digits(s) + "," + digits(0.7 * s) + "," + digits(0.5 * s),
+          kind("cylinder") + "radius=" + digits(0.3 * s) + " length=" + digits(0.8 * s),
+          kind("cone") + "radius=" + digits(0.4 * s) + " length=" + digits(0.9 * s),
+          kind("box") + "size=" + digits(0.5 * s) + "," + digits(0.5 * s) + "," + digits(0.1 * s) + ";" +
+              kind("sphere") + "radius=" + digits(0.2 * s) + " position=0,0," + digits(0.3 * s)};
+}
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double operator()(double low, double high) {
+    // Not std::uniform_real_distribution: its values differ between libraries.
+    return low + (high - low) * (static_cast<double>(engine_() >> 5) / 134217728.0);
+  }
+  Vec3 direction() {
+    for (;;) {
+      const Vec3 v{(*this)(-1, 1), (*this)(-1, 1), (*this)(-1, 1)};
+      if (norm(v) > 0.1 && norm(v) < 1.0) return normalized(v);
+    }
+  }
+  Mat3 rotation() { return rotation_about(direction(), (*this)(-3.1, 3.1)); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+BodyPose moved(const BodyPose &motion, const BodyPose &pose, double scale = 1.0) {
+  return {motion.rotation * (scale * pose.position) + motion.position, product(motion.rotation, pose.rotation)};
+}
+
+// Places A so that the pair overlaps by about `depth`: along the normal of the gap at a first guess.
+BodyPose nearly_touching(const PairScene &scene, Random &random, const BodyPose &b, double depth) {
+  BodyPose a{b.position + 3.0 * random.direction(), random.rotation()};
+  for (int i = 0; i < 4; ++i) {
+    const BodyPose probe = a;
+    const Contact contact = scene.query(probe, b, 1);
+    if (contact.distance == CMB_DISTANCE_NONE) return a;
+    // The normal of an unused slot is that of the closest points; a touching pair has it in its point.
+    double distance, d, w, n[3], p[3], position[6], rotation[18];
+    const BodyPose *poses[2] = {&a, &b};
+    for (int body = 0; body < 2; ++body) {
+      for (int k = 0; k < 3; ++k) {
+        position[3 * body + k] = poses[body]->position[k];
+        for (int j = 0; j < 3; ++j) rotation[9 * body + 3 * k + j] = poses[body]->rotation.row[j][k];
+      }
+    }
+    EXPECT_EQ(cmb_query_pair(scene.handle(), 0, position, rotation, 2, 1, &distance, &d, &w, n, p), CMB_OK);
+    a.position = a.position - (distance + depth) * Vec3{n[0], n[1], n[2]};
+  }
+  return a;
+}
+
+double worst_depth(const Contact &contact) {
+  double worst = 0.0;
+  for (const Point &p : contact.points) worst = std::fmax(worst, p.depth);
+  return worst;
+}
+
+constexpr int poses_a_pair = 25;
+
+TEST(Properties, ReversedPairsGiveReversedLoads) {
+  const auto all = shapes(1.0);
+  Random random(1);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      const PairScene scene(all[i], all[j]), reversed(all[j], all[i]);
+      for (int k = 0; k < poses_a_pair; ++k) {
+        const BodyPose b{{random(-1, 1), random(-1, 1), random(-1, 1)}, random.rotation()};
+        const BodyPose a = nearly_touching(scene, random, b, random(-0.02, 0.05));
+        const Contact one = scene.query(a, b, 64), other = reversed.query(b, a, 64);
+        ASSERT_NEAR(one.distance, other.distance, 1e-8) << all[i] << " | " << all[j] << " " << k;
+        ASSERT_LT(norm(one.load() + other.load()), 1e-6) << all[i] << " | " << all[j] << " " << k;
+        ASSERT_LT(norm(one.moment(b.position) + other.moment(b.position)), 1e-6) << all[i] << " | " << all[j];
+      }
+    }
+  }
+}
+
+TEST(Properties, RigidMotionsOfBothBodiesMoveTheContact) {
+  const auto all = shapes(1.0);
+  Random random(2);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = i; j < all.size(); ++j) {
+      const PairScene scene(all[i], all[j]);
+      for (int k = 0; k < poses_a_pair; ++k) {
+        const BodyPose b{{0, 0, 0}, random.rotation()};
+        const BodyPose a = nearly_touching(scene, random, b, random(-0.02, 0.05));
+        const BodyPose motion{{random(-5, 5), random(-5, 5), random(-5, 5)}, random.rotation()};
+        const Contact one = scene.query(a, b, 64), other = scene.query(moved(motion, a), moved(motion, b), 64);
+        ASSERT_NEAR(one.distance, other.distance, 1e-8) << all[i] << " | " << all[j] << " " << k;
+        ASSERT_LT(norm(motion.rotation * one.load() - other.load()), 1e-6) << all[i] << " | " << all[j] << " " << k;
+        ASSERT_LT(norm(motion.rotation * one.moment(b.position) - other.moment(motion.position)), 1e-6)
+            << all[i] << " | " << all[j] << " " << k;
+      }
+    }
+  }
+}
+
+TEST(Properties, LengthsScale) {
+  for (const double scale : {1e-3, 1e3}) {
+    const auto all = shapes(1.0), scaled = shapes(scale);
+    Random random(3);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t j = i; j < all.size(); ++j) {
+        const PairScene scene(all[i], all[j]), scaled_scene(scaled[i], scaled[j]);
+        for (int k = 0; k < poses_a_pair / 3; ++k) {
+          const BodyPose b{{0, 0, 0}, random.rotation()};
+          const BodyPose a = nearly_touching(scene, random, b, random(-0.02, 0.05));
+          const Contact one = scene.query(a, b, 64);
+          const Contact other = scaled_scene.query(moved({}, a, scale), moved({}, b, scale), 64);
+          if (one.distance == CMB_DISTANCE_NONE) continue;
+          ASSERT_NEAR(one.distance, other.distance / scale, 1e-8) << all[i] << " | " << all[j] << " " << k;
+          ASSERT_LT(norm(one.load() - (1.0 / scale) * other.load()), 1e-6) << all[i] << " | " << all[j] << " " << k;
+        }
+      }
+    }
+  }
+}
+
+TEST(Properties, PointsFitTheSignedDistance) {
+  const auto all = shapes(1.0);
+  Random random(4);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      const PairScene scene(all[i], all[j]);
+      for (int k = 0; k < poses_a_pair; ++k) {
+        const BodyPose b{{0, 0, 0}, random.rotation()};
+        const BodyPose a = nearly_touching(scene, random, b, random(-0.02, 0.05));
+        const Contact contact = scene.query(a, b, 64);
+        if (contact.distance >= 0.0) {
+          ASSERT_TRUE(contact.points.empty()) << all[i] << " | " << all[j] << " " << k;
+        } else {
+          ASSERT_FALSE(contact.points.empty()) << all[i] << " | " << all[j] << " " << k;
+          // Depth is measured along the contact normal; no way out is shorter than the signed distance.
+          ASSERT_GE(worst_depth(contact), -contact.distance * (1.0 - 1e-6) - 1e-12) << all[i] << " | " << all[j];
+        }
+      }
+    }
+  }
+}
+
+TEST(Properties, MergingKeepsLoadAndMoment) {
+  const PairScene scene("cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1");
+  const BodyPose a{{0.1, 0.05, 0.99}, product(rotation_about({0.6, 0.8, 0}, 0.004), rotation_about({0, 0, 1}, 0.5))};
+  const Contact all = scene.query(a, {}, 64);
+  ASSERT_GE(all.points.size(), 8u);
+  for (std::size_t capacity = 1; capacity < all.points.size(); ++capacity) {
+    const Contact merged = scene.query(a, {}, capacity);
+    EXPECT_LE(merged.points.size(), capacity);
+    EXPECT_NEAR(merged.total_weight(), all.total_weight(), 1e-12);
+    EXPECT_LT(norm(merged.load() - all.load()), 1e-15);
+    EXPECT_LT(norm(merged.moment({}) - all.moment({})), 1e-15);
+  }
+}
+
+TEST(Properties, RestingFacesOfBoxesOnBoxesCarryWholly) {
+  const double depth = 1e-4;
+  const struct {
+    const char *a, *b;
+    BodyPose pose;
+  } cases[] = {
+      {"cmb/1 box size=1,1,1", "cmb/1 box size=4,4,1", {{0.3, -0.2, 1.0 - depth}, {}}},
+      {"cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1", {{0, 0, 1.0 - depth}, {}}},                              // flush
+      {"cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1", {{0, 0, 1.0 - depth}, rotation_about({0, 0, 1}, 0.4)}},  // octagon
+      {"cmb/1 box size=4,4,1", "cmb/1 box size=1,1,1", {{0.3, -0.2, 1.0 - depth}, {}}},
+      {"cmb/1 box size=1,1,1", "cmb/1 box size=4,4,1", {{2.2, 0.0, 1.0 - depth}, {}}},                          // overhang
+  };
+  for (const auto &c : cases) {
+    const PairScene scene(c.a, c.b);
+    const Contact contact = scene.query(c.pose, {}, 64);
+    EXPECT_NEAR(contact.total_weight(), 1.0, 1e-9) << c.a << " | " << c.b;
+    EXPECT_NEAR(contact.load().z, depth, 1e-12) << c.a << " | " << c.b;
+    EXPECT_LT(std::hypot(contact.load().x, contact.load().y), 1e-12);
+    EXPECT_GE(contact.points.size(), 4u);
+  }
+}
+
+TEST(Properties, OverhangingBoxIsSupportedUpToTheBorder) {
+  // A box whose middle is 0.2 m inside the table's border at x = 2: supported from x = 1.3 to x = 2.
+  const PairScene scene("cmb/1 box size=1,1,1", "cmb/1 box size=4,4,1");
+  const Contact contact = scene.query({{1.8, 0, 1.0 - 1e-4}, {}}, {}, 4);
+  ASSERT_EQ(contact.points.size(), 4u);
+  for (const Point &p : contact.points) {
+    EXPECT_NEAR(p.weight, 0.25, 1e-9);
+    EXPECT_NEAR(std::fabs(p.position.x - 1.65), 0.35, 1e-9);
+    EXPECT_NEAR(std::fabs(p.position.y), 0.5, 1e-9);
+  }
+}
+
+TEST(Properties, BoxOnBoxEqualsBoxOnHalfspaceAwayFromTheBorder) {
+  const PairScene on_box("cmb/1 box size=1,0.8,1.2", "cmb/1 box size=9,9,1 position=0,0,-0.5");
+  const PairScene on_plane("cmb/1 box size=1,0.8,1.2", "cmb/1 halfspace");
+  Random random(5);
+  for (int k = 0; k < 300; ++k) {
+    BodyPose a{{random(-1, 1), random(-1, 1), 0.0}, random.rotation()};
+    a.position.z = 0.9;
+    a.position.z -= on_plane.query(a, {}, 8).distance + random(0.0, 0.03);
+    const Contact one = on_box.query(a, {}, 64), other = on_plane.query(a, {}, 8);
+    ASSERT_NEAR(one.distance, other.distance, 1e-10);
+    ASSERT_LT(norm(one.load() - other.load()), 1e-9) << k;
+    ASSERT_LT(norm(one.moment({}) - other.moment({})), 1e-9) << k;
+  }
+}
+
+}  // namespace
