@@ -1,0 +1,29 @@
+within ContactMultiBody.UsersGuide;
+class EffectsAndLaws "Which effects and laws to choose"
+  extends Modelica.Icons.Information;
+  annotation (DocumentationClass=true, Documentation(info="<html>
+<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
+<tr><th>question</th><th>choice</th><th>costs</th></tr>
+<tr><td>Do bodies bounce, and do you know by how much?</td><td><code>useRestitution=true</code>, law <code>Exact</code> (the default)</td><td>one event at the start of each contact</td></tr>
+<tr><td>The same, but without events?</td><td><code>restitutionMethod=Memoryless</code> with <code>effectiveMass</code></td><td>about 300 operations a point; exact for central impacts only</td></tr>
+<tr><td>Do bodies only rest, push and slide?</td><td><code>useRestitution=false</code> with <code>steadyRate</code></td><td>nothing</td></tr>
+<tr><td>Are stiffness and damping given, as of a buffer?</td><td><code>normalLaw=SpringDamper</code></td><td>nothing</td></tr>
+<tr><td>Does friction only brake or drive?</td><td><code>friction=Regularised</code></td><td>nothing; creeps under load</td></tr>
+<tr><td>Must friction hold?</td><td><code>friction=Anchored</code></td><td>three states a pair</td></tr>
+<tr><td>Is friction without interest?</td><td><code>friction=None</code></td><td>saves its equations</td></tr>
+<tr><td>Do balls spin or roll to rest?</td><td><code>useTurningFriction=true</code> with <code>spinRadius</code>, <code>rollingLever</code></td><td>a torque a point</td></tr>
+</table>
+<p>
+<strong>Stiffness</strong>: with <code>stiffnessChoice=Hertz</code> it follows from the materials and <code>contactRadius</code>, the radius of curvature of the contact (the radius of a sphere on a plane), with exponent
+3/2. Real metals are so stiff that impacts last tens of microseconds; where only the motion between contacts matters, choose a <code>stiffness</code> that lets bodies
+penetrate by a depth you can accept: K = m v<sup>2</sup>/x<sup>2</sup> for an impact, K = m g/x at rest (exponent 1). The restitution delivered does not depend on it.
+</p>
+<p>
+<strong>Pairs</strong>: restitution and friction belong to pairs of materials. The rules that combine materials are for want of better; measured values go to <code>restitution</code>,
+<code>muStatic</code> and <code>muDynamic</code> of the ContactManager.
+</p>
+<p>
+<strong>Points</strong>: <code>pointCapacity</code> is the largest number of points the engine returns for a pair. 1 suffices for spheres; faces need 4 at least to stand without rocking.
+</p>
+</html>"));
+end EffectsAndLaws;

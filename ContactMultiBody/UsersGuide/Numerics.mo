@@ -1,0 +1,19 @@
+within ContactMultiBody.UsersGuide;
+class Numerics "Solvers, steps and what limits accuracy"
+  extends Modelica.Icons.Information;
+  annotation (DocumentationClass=true, Documentation(info="<html>
+<ul>
+<li>Contact is stiff while bodies touch and absent otherwise. Use an implicit variable-step solver (DASSL, CVODE, IDA, Radau) with event detection.</li>
+<li>The force is continuous in depth and speed: zero where a contact begins, never negative, bounded damping for contacts that start at rest. Manifolds change continuously with the pose. An
+error-controlled solver therefore needs no tolerance below 1e-6 for its own sake.</li>
+<li>The event at the start of a contact is found by the sign of the signed distance. If a body crosses a thin wall within one step, no solver sees it: limit the step to thickness by speed, or give thin walls
+as half-spaces, which nothing can pass.</li>
+<li>The solution of the law is exact for a free impact. Gravity, joints and other contacts act during an impact as well; their share is of the order of g sqrt(m/K)/v<sub>0</sub>, so that slow bounces lose more than e says. Below
+<code>restSpeed</code> the damping rises until bounces die.</li>
+<li>The speed of impact is caught once a contact. If a body that still touches is struck a second time with another part, as a box that falls flat after landing on its edge, the first
+speed goes on to count; with <code>Memoryless</code> each point has its own.</li>
+<li>Anchored friction is elastic up to 0.9 of its limit: displacement under load is F/S and goes back. It does not creep.</li>
+<li>Depth at rest is m g/K (exponent 1), shared by the points of a face.</li>
+</ul>
+</html>"));
+end Numerics;

@@ -1,0 +1,25 @@
+within ContactMultiBody.UsersGuide;
+class ToolNotes "Notes on Modelica tools"
+  extends Modelica.Icons.Information;
+  annotation (DocumentationClass=true, Documentation(info="<html>
+<h4>All tools</h4>
+<p>
+The ContactManager calls the contact engine by <code>external \"C\"</code>. Header and library have to lie in the package's folders Resources/Include and
+Resources/Library/&lt;platform&gt;, where the build of the project installs them. Models of
+<a href=\"modelica://ContactMultiBody.PureModelica\">PureModelica</a> need neither.
+</p>
+<h4>OpenModelica</h4>
+<ul>
+<li>Its FMUs for co-simulation integrate by explicit Euler at the communication step unless told otherwise, which diverges on stiff contact: export with
+<code>--fmiFlags=s:cvode</code>.</li>
+<li>Up to and including version 1.27, FMUs of free bodies with quaternions as states can fail in initialization, as the homotopy solver keeps a stale start point. Use a later version, or
+<code>useQuaternions=false</code>.</li>
+<li>Static libraries export into FMUs more reliably than shared ones.</li>
+</ul>
+<h4>rumoca and the built-in FMU builder</h4>
+<ul>
+<li>Classes that extend ExternalObject are not translated, hence the Integer handle of a scene.</li>
+<li>Long vertex lists of <a href=\"modelica://ContactMultiBody.Shapes.hull\">hull</a> are better given as one literal descriptor string.</li>
+</ul>
+</html>"));
+end ToolNotes;
