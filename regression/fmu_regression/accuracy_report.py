@@ -53,11 +53,11 @@ def _overview(study: AccuracyStudy) -> Section:
         if best is None:
             continue
         order = study.order(mode)
-        more = f"at tolerance {best.tolerance:g}, {best.wall_time:.3g} s"
-        tiles.append(Tile(f"Smallest error, {_MODE_NAMES[mode]}", f"{best.error:.2g}", "of the range", more))
+        more = f"of the range, at tolerance {best.tolerance:g}, {best.wall_time:.3g} s"
+        tiles.append(Tile(f"Smallest error, {_MODE_NAMES[mode]}", f"{best.error:.2g}", "", more))
         if order is not None:
             tiles.append(Tile(f"Order, {_MODE_NAMES[mode]}", f"{order:.2f}", "", "error grows like tolerance to this"))
-    tiles.append(Tile("Floor", f"{study.floor:.2g}", "of the range", "doubt about the reference itself"))
+    tiles.append(Tile("Floor", f"{study.floor:.2g}", "", "of the range: doubt about the reference itself"))
     versions = ", ".join(f"{name} {version}" for name, version in study.versions.items())
     return Section(
         "summary",
@@ -114,7 +114,6 @@ def _plot(
             if point.mode == mode and (across := x(point)) and (up := y(point))
         ]
         if found:
-            found.sort(key=lambda item: item[0])
             xs, ys, notes = zip(*found, strict=True)
             series.append(Series(_MODE_NAMES[mode], np.array(xs), np.array(ys), color=number, note=notes))
     return Plot(identity, title, x_label, y_label, tuple(series), points=True, x_log=True, y_log=True)

@@ -56,7 +56,7 @@ class SimulationResult:
         tolerance: relative tolerance of the integration, if known.
         interval: output interval in s, if known.
         counters: the integrator's work, if known.
-        wall_time: seconds the simulation took, if known; initialization included.
+        wall_time: seconds the simulation took, if known; with initialization, without unpacking the FMU.
         log: warnings of the FMU.
         units: unit of each signal, where known; no entry counts as unknown.
     """

@@ -50,7 +50,8 @@ def simulate(
         max_step: longest step of the integrator in s; if None, the output interval for model exchange, so that a
             contact long enough to show in the output is not stepped over, and the FMU's own choice for co-simulation.
         parameters: start values by name.
-        time_limit: seconds of wall time after which the simulation is given up.
+        time_limit: seconds of wall time after which the simulation is given up; looked at between steps, so that a
+            single step of co-simulation that does not return is not stopped.
         progress: receives the phase "simulate" with the share of the time that is done.
 
     Returns:
@@ -60,7 +61,6 @@ def simulate(
         InputError: the file, a name or a number is wrong.
         SimulationError: the simulation failed.
     """
-    began = clock.perf_counter()
     with open_fmu(fmu) as opened:
         description = opened.description
         first = description.start if start is None else start
@@ -71,6 +71,7 @@ def simulate(
         grid = output_grid(first, last, step)
         variables = check_signals(description, default_signals(description) if signals is None else signals)
         values = check_start_values(description, parameters or {})
+        began = clock.perf_counter()
         watch = _Watch(first, last, began, time_limit, progress, description.name)
         with opened.instantiate(mode) as instance:
             counters: SolverCounters | None
@@ -81,6 +82,7 @@ def simulate(
                     instance, variables, grid, accuracy, _with_longest_step(description, values, max_step), watch
                 )
             log = tuple(instance.messages)
+            wall_time = clock.perf_counter() - began
         time, columns = recorder.table()
     progress("simulate", 1.0)
     return SimulationResult(
@@ -91,7 +93,7 @@ def simulate(
         tolerance=accuracy,
         interval=step,
         counters=counters,
-        wall_time=clock.perf_counter() - began,
+        wall_time=wall_time,
         log=log,
         units={variable.name: variable.unit for variable in variables if variable.unit},
     )

@@ -269,10 +269,11 @@ class TestScripts:
     def test_ticks_are_round_and_cover_the_range(self) -> None:
         assert self.evaluate("return plot.linearTicks(0, 1, 5);") == pytest.approx([0, 0.2, 0.4, 0.6, 0.8, 1])
         assert self.evaluate("return plot.logTicks(1e-9, 1e-3, 7);") == pytest.approx([10.0**k for k in range(-9, -2)])
-        assert self.evaluate("return [plot.tickText(0.30000000000000004, 0.1), plot.tickText(2e-7, 1e-7)];") == [
-            "0.3",
-            "2e-7",
-        ]
+        texts = self.evaluate(
+            "return [[0.30000000000000004, 0.1], [2e-7, 1e-7], [0.01, 0], [500, 0], [-0.5, 0.25]]"
+            ".map(([value, step]) => plot.tickText(value, step));"
+        )
+        assert texts == ["0.3", "2e-7", "0.01", "500", "-0.5"]
 
 
 @pytest.mark.skipif(find_browser() is None, reason="Chromium is not installed")

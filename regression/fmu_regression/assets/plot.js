@@ -53,8 +53,8 @@ function tickText(value, step) {
   const size = Math.max(Math.abs(value), step || 0);
   if (Math.abs(value) < (step || 0) * 1e-6) return "0";
   if (size >= 1e5 || size < 1e-3) return value.toExponential(2).replace(/\.?0+e/, "e").replace("e+", "e");
-  const digits = step ? Math.max(0, Math.min(10, -Math.floor(Math.log10(step) + 1e-9))) : 4;
-  return value.toFixed(digits);
+  if (!step) return String(Number(value.toPrecision(4)));
+  return value.toFixed(Math.max(0, Math.min(10, -Math.floor(Math.log10(step) + 1e-9))));
 }
 
 /** Text of a value to six digits. */
@@ -387,7 +387,8 @@ class Plot {
     this.bubble.hidden = false;
     const width = this.bubble.offsetWidth, full = this.element.clientWidth;
     this.bubble.style.left = `${px + 16 + width > full ? Math.max(0, px - 16 - width) : px + 16}px`;
-    this.bubble.style.top = `${this.svg.offsetTop + 14}px`;
+    const top = this.svg.getBoundingClientRect().top - this.element.getBoundingClientRect().top;
+    this.bubble.style.top = `${top + 14}px`;
   }
 }
 Plot.count = 0;
