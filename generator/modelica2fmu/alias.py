@@ -298,7 +298,7 @@ class _Eliminator:
             variables=self._variables,
             equations=equations,
             initial_equations=initial,
-            calls=[_call(call, apply) for call in model.calls],
+            calls=[substituted_call(call, apply) for call in model.calls],
             relations=[_relation(item, apply) for item in model.relations],
             reinitializations=[
                 replace(item, trigger=apply(item.trigger), value=apply(item.value)) for item in model.reinitializations
@@ -353,7 +353,8 @@ class _Eliminator:
         return list(order.items())
 
 
-def _call(call: ExternalCall, apply: ex.Substitution) -> ExternalCall:
+def substituted_call(call: ExternalCall, apply: ex.Substitution) -> ExternalCall:
+    """The call with its inputs replaced."""
     args: list[CallArgument] = []
     for argument in call.args:
         if argument.is_output:

@@ -12,7 +12,9 @@ Two things are particular to multibody systems:
   Standard Library do) keeps the differentiated system small.
 - The norm of a quaternion, ``Q * Q = 1``, is an invariant: no three of the four components are states for all
   orientations. All four become states, and the differentiated equation is stabilized (Baumgarte 1972,
-  "Stabilization of constraints and integrals of motion in dynamical systems"): ``der(g) + k g = 0``.
+  "Stabilization of constraints and integrals of motion in dynamical systems"): ``der(g) + k g = 0``. All other
+  equations get ``Q / |Q|`` while simulating, so that rotation matrices are orthonormal at every trial point of an
+  integrator and the result does not depend on the norm.
 """
 
 from __future__ import annotations
@@ -64,6 +66,8 @@ class ReducedSystem:
         states: chosen states, in order.
         dummies: derivatives that are algebraic unknowns.
         stabilized: residuals that replace those of some differentiated equations while simulating.
+        rejected_states: variables with StateSelect.always that cannot be states.
+        unit_vectors: vectors of states whose norm is an invariant.
     """
 
     equations: list[ContinuousEquation]
@@ -72,6 +76,7 @@ class ReducedSystem:
     dummies: list[str]
     stabilized: dict[int, float | Node] = field(default_factory=dict)
     rejected_states: list[str] = field(default_factory=list)
+    unit_vectors: list[tuple[str, ...]] = field(default_factory=list)
 
     @property
     def differentiations(self) -> int:
@@ -321,6 +326,7 @@ class _Reducer:
             dummies=[derivative_name(name) for name in unknown],
             stabilized=stabilized,
             rejected_states=rejected,
+            unit_vectors=[tuple(self._incidence[equation]) for equation in invariants],
         )
 
     def _choose_unknowns(self, candidates: Sequence[str], forced: set[str]) -> dict[str, None]:

@@ -9,7 +9,7 @@ from cmb_base.errors import Place, UnsupportedModelError
 
 from modelica2fmu import expression as ex
 from modelica2fmu import ir
-from modelica2fmu.alias import ReducedModel
+from modelica2fmu.alias import ReducedModel, substituted_call
 from modelica2fmu.blocks import (
     Assignment,
     Block,
@@ -154,16 +154,17 @@ class _Builder:
     # --- simulation ---
 
     def _simulation(self, assignments: Sequence[Assignment], reduction: ReducedSystem) -> list[Block]:
-        running = ex.Substitution({INITIAL: 0})
-        entries: list[Entry] = [
-            Residual(reduction.stabilized.get(equation.number, equation.residual), equation.span)
-            for equation in reduction.equations
-            if not equation.is_invariant
-        ]
+        running = ex.Substitution({INITIAL: 0, **_normalized(reduction.unit_vectors)})
+        entries: list[Entry] = []
+        for equation in reduction.equations:
+            if equation.number in reduction.stabilized:
+                entries.append(Residual(reduction.stabilized[equation.number], equation.span))
+            elif not equation.is_invariant:
+                entries.append(Residual(running(equation.residual), equation.span))
         entries.extend(
             Assignment(item.target, running(item.value), is_discrete=True, span=item.span) for item in assignments
         )
-        entries.extend(self._calls)
+        entries.extend(substituted_call(call, running) for call in self._calls)
         states = set(reduction.states)
         unknowns = [name for name in reduction.unknowns if name not in states]
         unknowns += [item.target for item in assignments]
@@ -270,6 +271,20 @@ class _Builder:
         return Residual(
             ex.subtract(ex.symbol(name), ex.symbol(start_name(name))), variable.span if variable is not None else None
         )
+
+
+def _normalized(vectors: Sequence[tuple[str, ...]]) -> dict[str, float | Node]:
+    """Replaces vectors and their derivatives by these over the vectors' norms."""
+    mapping: dict[str, float | Node] = {}
+    for names in vectors:
+        square: float | Node = 0
+        for name in names:
+            square = ex.add(square, ex.multiply(ex.symbol(name), ex.symbol(name)))
+        scale = ex.divide(1, ex.unary("sqrt", square))
+        for name in names:
+            mapping[name] = ex.multiply(scale, ex.symbol(name))
+            mapping[derivative_name(name)] = ex.multiply(scale, ex.symbol(derivative_name(name)))
+    return mapping
 
 
 def _explicit(side: float | Node, other: float | Node) -> tuple[str, float | Node]:
