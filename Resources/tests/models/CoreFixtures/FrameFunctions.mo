@@ -41,6 +41,7 @@ model FrameFunctions "Functions of Frames and Quaternions, of orientations that 
   Real TofQ[3, 3] = Quaternions.to_T(Q);
   Real TinvOfQ[3, 3] = Quaternions.to_T_inv(Q);
   Real QofTinv[4] = Quaternions.from_T_inv(TinvOfQ, Q);
+  Real QofT[4] = Quaternions.from_T(TofQ, -Q);
   Real Qnull[4] = Quaternions.nullRotation();
   Real Qinverse[4] = Quaternions.inverseRotation(Q);
   Real Qrelative[4] = Quaternions.relativeRotation(Qplanar, Q);

@@ -63,10 +63,10 @@ protected
   parameter SI.Angle phi_start[3]=if sequence_start[1] == sequence_angleStates[1] and sequence_start[2] == sequence_angleStates[2] and
       sequence_start[3] == sequence_angleStates[3] then angles_start else Frames.axesRotationsAngles(R_start, sequence_angleStates)
     "Angles about the axes of sequence_angleStates that angles_start mean";
-  SI.Angle phi[3](start=phi_start, each stateSelect=if not enforceStates then StateSelect.avoid else if useQuaternions then StateSelect.never
-         else StateSelect.always) "Angles of frame_a, if they are the states";
-  SI.AngularVelocity phi_d[3](each stateSelect=if not enforceStates then StateSelect.avoid else if useQuaternions then StateSelect.never
-         else StateSelect.always) "Derivatives of phi";
+  SI.Angle phi[3](start=phi_start, each stateSelect=if useQuaternions then (if enforceStates then StateSelect.never else StateSelect.avoid)
+         else if enforceStates then StateSelect.always else StateSelect.default) "Angles of frame_a, if they are the states";
+  SI.AngularVelocity phi_d[3](each stateSelect=if useQuaternions then (if enforceStates then StateSelect.never else StateSelect.avoid)
+         else if enforceStates then StateSelect.always else StateSelect.default) "Derivatives of phi";
   SI.AngularAcceleration phi_dd[3] "Second derivatives of phi";
 initial equation
   if angles_fixed then
