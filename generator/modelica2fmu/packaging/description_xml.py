@@ -46,6 +46,20 @@ def boolean(value: bool) -> str:
     return "true" if value else "false"
 
 
+_NAME_PART = r"(?:[A-Za-z_]\w*|'(?:[^'\\]|\\.)+')(?:\[\d+(?:,\d+)*\])?"
+_STRUCTURED = re.compile(rf"{_NAME_PART}(?:\.{_NAME_PART})*", re.ASCII)
+_STRUCTURED_DERIVATIVE = re.compile(rf"der\((?:{_STRUCTURED.pattern})(?:,\d+)?\)", re.ASCII)
+
+
+def naming_convention(variables: Iterable[Variable]) -> str:
+    """``structured`` if all names are such (FMI 2.0.4, section 2.2.9), else ``flat``."""
+    structured = all(
+        _STRUCTURED.fullmatch(variable.name) or _STRUCTURED_DERIVATIVE.fullmatch(variable.name)
+        for variable in variables
+    )
+    return "structured" if structured else "flat"
+
+
 def _texts(description: ModelDescription) -> Iterator[tuple[str, tuple[str, ...]]]:
     """All free texts of a description, with the component each belongs to."""
     yield description.name, (description.name, description.description, description.guid)

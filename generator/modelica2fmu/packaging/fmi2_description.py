@@ -14,6 +14,7 @@ from modelica2fmu.packaging.description_xml import (
     generation_tool,
     initial_unknowns,
     log_categories,
+    naming_convention,
     number,
     start_text,
     unit_definitions,
@@ -110,7 +111,7 @@ def fmi2_description(description: ModelDescription) -> bytes:
         modelName=description.name,
         guid=description.guid,
         generationTool=generation_tool(),
-        variableNamingConvention="structured",
+        variableNamingConvention=naming_convention(description.variables),
         numberOfEventIndicators=str(description.indicator_count),
     )
     if description.description:

@@ -27,6 +27,7 @@ from modelica2fmu.packaging.description_xml import (
     generation_tool,
     initial_unknowns,
     log_categories,
+    naming_convention,
     number,
     start_text,
     unit_definitions,
@@ -243,7 +244,7 @@ def fmi3_description(description: ModelDescription) -> bytes:
         modelName=description.name,
         instantiationToken=description.guid,
         generationTool=generation_tool(),
-        variableNamingConvention="structured",
+        variableNamingConvention=naming_convention(description.variables),
     )
     if description.description:
         root.set("description", description.description)

@@ -29,7 +29,7 @@ typedef struct cmb_interface {
   cmb_slot_table real, integer, boolean, string;
   double start_time, stop_time;    /* default experiment; stop_time is HUGE_VAL if it does not say */
   double relative_tolerance;       /* of the co-simulation solver where the importer gives none */
-  double absolute_tolerance;       /* times a state's nominal value; 0: the relative tolerance */
+  double absolute_tolerance;       /* times a state's nominal value; 0: see cmb_solver.c */
   double maximum_step;             /* s; 0: the communication step */
 } cmb_interface;
 

@@ -130,11 +130,16 @@ static double relative_tolerance(const cmb_situation *situation) {
   return situation->solver_real[CMB_SOLVER_RELATIVE_TOLERANCE];
 }
 
+/* The absolute tolerance, divided by a state's nominal value, where the importer gives none. Positions have the nominal
+ * value 1 m as a rule and penetrations of a micrometre matter, so the usual share 1 of the relative tolerance would
+ * leave them undetermined; below 1e-10 rounding errors, multiplied by the stiffness of contacts, disturb Newton. */
+static double default_absolute(double relative) { return fmin(relative, fmax(1e-3 * relative, 1e-10)); }
+
 static int set_tolerances(cmb_solver *solver) {
   const cmb_situation *situation = &solver->instance->situation;
   const double relative = relative_tolerance(situation);
   const double option = situation->solver_real[CMB_SOLVER_ABSOLUTE_TOLERANCE];
-  const double absolute = option > 0.0 ? option : relative;
+  const double absolute = option > 0.0 ? option : default_absolute(relative);
   double *tolerance = NV_DATA_S(solver->tolerance);
   if (solver->state_count == 0) tolerance[0] = 1.0;
   for (size_t i = 0; i < solver->state_count; ++i) tolerance[i] = absolute * cmb_model.state_nominal[i];

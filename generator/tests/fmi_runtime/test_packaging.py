@@ -19,6 +19,7 @@ from lxml import etree
 from modelica2fmu.description import ExternalCode, ModelDescription, Resource
 from modelica2fmu.packaging import GeneratedSource, SolverOptions, package_fmu
 from modelica2fmu.packaging.dependencies import find_fmi_headers, find_sundials
+from modelica2fmu.packaging.fmi2_description import fmi2_description
 
 
 def unpack(fmu: Path, folder: Path) -> Path:
@@ -221,3 +222,22 @@ def test_shared_libraries_that_report_errors_are_refused(tmp_path: Path) -> None
     )
     with pytest.raises(BuildError, match=r"libloud\.so calls ModelicaError,"):
         package_fmu(description, broken_source("void loud(void);" + USED + "{ loud(); }\n"), tmp_path / "o.fmu")
+
+
+@pytest.mark.parametrize(
+    ("name", "convention"),
+    [
+        ("a.b[1,2].c_d", "structured"),
+        ("der(a.b[1].c)", "structured"),
+        ("der(a,2)", "structured"),
+        ("'odd name'.x[3]", "structured"),
+        ("$call[1].scene", "flat"),
+        ("a..b", "flat"),
+        ("a[1", "flat"),
+        ("a b", "flat"),
+        ("der(der(a))", "flat"),
+    ],
+)
+def test_the_naming_convention_is_the_one_that_holds(name: str, convention: str) -> None:
+    description = replace(models.OSCILLATOR, variables=(*models.OSCILLATOR.variables, models.local(name, 11)))
+    assert etree.fromstring(fmi2_description(description)).get("variableNamingConvention") == convention

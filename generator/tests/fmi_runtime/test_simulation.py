@@ -274,4 +274,4 @@ def test_integrator_options_and_counters(oscillator: Path, tmp_path: Path) -> No
     assert 10 < loose[0] < tight[0] < 10 * tight[2] * 50
     assert loose[1] > loose[0]
     assert steps(relativeTolerance=1e-3, maximumStep=1e-3)[0] >= 10_000
-    assert steps(relativeTolerance=1e-3, absoluteTolerance=1e-10)[0] > loose[0]
+    assert steps(relativeTolerance=1e-3, absoluteTolerance=0.1)[0] < loose[0]
