@@ -48,11 +48,11 @@ bool first_tetrahedron(const std::vector<Vec3> &points, double thickness, std::a
 
 // Quickhull: every point waits at one face that it lies outside of; the farthest of a face goes first.
 bool grow(const std::vector<Vec3> &points, double thickness, ExpandingHull &hull,
-          std::vector<std::int32_t> &source, std::string *problem) {
+          std::vector<std::int32_t> &source, std::string &problem) {
   std::array<std::size_t, 4> first{};
   if (!first_tetrahedron(points, thickness, first) ||
       !hull.start(points[first[0]], points[first[1]], points[first[2]], points[first[3]], thickness)) {
-    if (problem != nullptr) *problem = "the points span no volume";
+    problem = "the points span no volume";
     return false;
   }
   for (std::int32_t p = 0; p < 4; ++p) {  // start() may have exchanged points
@@ -82,7 +82,7 @@ bool grow(const std::vector<Vec3> &points, double thickness, ExpandingHull &hull
     queue.erase(farthest);
     const auto outcome = hull.expand(f, points[index(p)], 0.1 * thickness, 0.1 * thickness);
     if (outcome == ExpandingHull::Outcome::full) {
-      if (problem != nullptr) *problem = "too many faces";
+      problem = "too many faces";
       return false;
     }
     if (outcome != ExpandingHull::Outcome::expanded) {
@@ -165,31 +165,13 @@ FaceList merge_coplanar(const ExpandingHull &hull, double thickness) {
   return polygons;
 }
 
-}  // namespace
-
-bool build_convex_hull(const std::vector<Vec3> &points, Polytope &result, std::vector<std::int32_t> *kept,
-                       std::string *problem, double tolerance) {
-  if (points.size() < 4) {
-    if (problem != nullptr) *problem = "a hull needs at least 4 points";
-    return false;
-  }
-  Vec3 low = points[0], high = points[0];
-  for (const Vec3 &p : points) {
-    if (!is_finite(p)) {
-      if (problem != nullptr) *problem = "a point is not finite";
-      return false;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      low.set(axis, std::min(low[axis], p[axis]));
-      high.set(axis, std::max(high[axis], p[axis]));
-    }
-  }
-  const double thickness = tolerance * norm(high - low);
+bool attempt(const std::vector<Vec3> &points, double extent, double tolerance, Polytope &result,
+             std::vector<std::int32_t> *kept, std::string &problem) {
+  const double thickness = tolerance * extent;
   ExpandingHull hull(points.size() + 4, 64 * points.size() + 64);
   std::vector<std::int32_t> source;
   if (!grow(points, thickness, hull, source, problem)) return false;
-  FaceList polygons = merge_coplanar(hull, thickness);
-
+  const FaceList polygons = merge_coplanar(hull, thickness);
   // A vertex of fewer than three polygons lies within a face or an edge: leave it out.
   std::vector<int> uses(index(hull.point_count()), 0);
   for (const auto &polygon : polygons) {
@@ -210,12 +192,51 @@ bool build_convex_hull(const std::vector<Vec3> &points, Polytope &result, std::v
     if (face.size() >= 3) faces.push_back(std::move(face));
   }
   std::vector<Vec3> vertices;
-  if (kept != nullptr) kept->clear();
-  for (std::int32_t v : used) {
-    vertices.push_back(hull.point(v));
-    if (kept != nullptr) kept->push_back(source[index(v)]);
+  for (std::int32_t v : used) vertices.push_back(hull.point(v));
+  Polytope built;
+  if (!Polytope::build(vertices, faces, built, &problem, 100.0 * tolerance)) return false;
+  for (const Vec3 &p : points) {
+    for (const Polytope::Face &f : built.faces()) {
+      if (dot(f.normal, p) - f.offset <= 100.0 * tolerance * extent) continue;
+      problem = "a point is left outside by rounding";
+      return false;
+    }
   }
-  return Polytope::build(vertices, faces, result, problem, 100.0 * tolerance);
+  result = std::move(built);
+  if (kept != nullptr) {
+    kept->clear();
+    for (std::int32_t v : used) kept->push_back(source[index(v)]);
+  }
+  return true;
+}
+
+}  // namespace
+
+bool build_convex_hull(const std::vector<Vec3> &points, Polytope &result, std::vector<std::int32_t> *kept,
+                       std::string *problem, double tolerance) {
+  if (points.size() < 4) {
+    if (problem != nullptr) *problem = "a hull needs at least 4 points";
+    return false;
+  }
+  Vec3 low = points[0], high = points[0];
+  for (const Vec3 &p : points) {
+    if (!is_finite(p)) {
+      if (problem != nullptr) *problem = "a point is not finite";
+      return false;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      low.set(axis, std::min(low[axis], p[axis]));
+      high.set(axis, std::max(high[axis], p[axis]));
+    }
+  }
+  const double extent = norm(high - low);
+  std::string reason = "the points span no volume";
+  // Points that lie in a plane only nearly can make slivers that do not fit together: coarser then.
+  for (double t = tolerance; t <= 1001.0 * tolerance; t *= 10.0) {
+    if (attempt(points, extent, t, result, kept, reason)) return true;
+  }
+  if (problem != nullptr) *problem = reason;
+  return false;
 }
 
 }  // namespace cmb::convex

@@ -122,6 +122,25 @@ TEST(Hull, HoldsAllPointsAndKeepsOnlySome) {
   }
 }
 
+TEST(Hull, PointsNearlyInPlanesAreNoObstacle) {
+  Random random(6);
+  for (int k = 0; k < 5000; ++k) {
+    const double noise = k % 4 ? random.log_uniform(1e-14, 1e-6) : 0;
+    std::vector<Vec3> points;
+    for (int n = random.integer(8, 40); n > 0; --n) {
+      points.push_back({random.integer(0, 2) + noise * random.normal(), random.integer(0, 2) + noise * random.normal(),
+                        random.integer(0, 2) + noise * random.normal()});
+    }
+    for (int v = 0; v < 4; ++v) points.push_back({v & 1 ? 2. : 0., v & 2 ? 2. : 0., v == 0 || v == 3 ? 2. : 0.});
+    Polytope hull;
+    std::string problem;
+    ASSERT_TRUE(build_convex_hull(points, hull, nullptr, &problem)) << problem << " noise " << noise;
+    for (const Vec3 &p : points) {
+      for (const Polytope::Face &f : hull.faces()) ASSERT_LT(dot(f.normal, p) - f.offset, 1e-6);
+    }
+  }
+}
+
 TEST(Hull, PointsOnASphereAreAllKept) {
   Random random(5);
   Polytope hull;
