@@ -16,7 +16,8 @@ from cad2modelica.loops import analyse_loops
 from cad2modelica.mechanism_view import mechanism_view
 from cad2modelica.model import Assembly
 from cad2modelica.modelica_names import NamePool
-from cad2modelica.package_writer import MECHANICS, MECHATRONICS, package_texts
+from cad2modelica.own_files import ORDER, SCENE, find_own_files
+from cad2modelica.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
 from cad2modelica.scene_file import scene_text
 
 
@@ -62,8 +63,8 @@ def generate(
 
     Args:
         assembly_path: the assembly's XML file.
-        output: folder that will hold the package's folder and ``scene.json``. A mechatronic model that is there
-            from an earlier generation is kept byte for byte.
+        output: folder that will hold the package's folder and ``scene.json``. The mechatronic model and all other
+            files of the modeller's own that are there from an earlier generation are kept byte for byte.
         options: choices.
         progress: is told what is being done.
 
@@ -85,23 +86,28 @@ def generate(
     view = mechanism_view(assembly, tree, loops, geometries, pairs)
     notes = (*assembly.notes, *loops.notes, *(note for item in geometries.values() for note in item.notes))
     texts = package_texts(assembly, view, geometries, name, notes)
-    kept = output / name / f"{MECHATRONICS}.mo"
-    mechatronics = kept.read_bytes() if kept.is_file() else texts.mechatronics.encode()
+    own = find_own_files(output, name, {*texts.files, ORDER})
+    notes += tuple(
+        own.lost_references({*view.part_names.values(), *view.plane_names.values(), *view.joint_names.values()})
+    )
     progress("write package", 0.5, name)
     with whole_folder(output) as staging:
         root = staging / name
         root.mkdir()
+        own.copy_to(root)
         for file, text in texts.files.items():
             (root / file).write_text(text, encoding="utf-8")
-        (root / f"{MECHATRONICS}.mo").write_bytes(mechatronics)
-        (staging / "scene.json").write_text(scene_text(assembly, tree, loops, view, name), encoding="utf-8")
+        if not (root / f"{MECHATRONICS}.mo").exists():
+            (root / f"{MECHATRONICS}.mo").write_text(texts.mechatronics, encoding="utf-8")
+        (root / ORDER).write_text("".join(f"{item}\n" for item in own.package_order(CLASSES)), encoding="utf-8")
+        (staging / SCENE).write_text(scene_text(assembly, tree, loops, view, name), encoding="utf-8")
     progress("write package", 1.0, name)
     return GeneratedPackage(
         root=output / name,
         name=name,
         mechanics=f"{name}.{MECHANICS}",
         mechatronics=f"{name}.{MECHATRONICS}",
-        scene=output / "scene.json",
+        scene=output / SCENE,
         notes=notes,
     )
 

@@ -17,6 +17,8 @@ from cad2modelica.modelica_text import array, html, number, string, vector
 LIBRARY_VERSION = "0.1.0"
 MECHANICS = "Mechanics"
 MECHATRONICS = "Mechatronics"
+GEOMETRY = "Geometry"
+CLASSES = (MECHANICS, MECHATRONICS, GEOMETRY)
 OUTPUT_POINTS = 1000
 
 _FRICTION = {"none": "None", "regularised": "Regularised", "anchored": "Anchored"}
@@ -73,9 +75,8 @@ def package_texts(
     ]
     files = {
         "package.mo": environment.get_template("package.mo.jinja").render(**common),
-        "package.order": f"{MECHANICS}\n{MECHATRONICS}\nGeometry\n",
         f"{MECHANICS}.mo": mechanics,
-        "Geometry.mo": environment.get_template("geometry.mo.jinja").render(**common, bodies=bodies),
+        f"{GEOMETRY}.mo": environment.get_template("geometry.mo.jinja").render(**common, bodies=bodies),
     }
     return PackageTexts(files, environment.get_template("mechatronics.mo.jinja").render(**common))
 

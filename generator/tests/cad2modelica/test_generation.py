@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cad2modelica import GenerateOptions, generate, read_assembly
+from cmb_base.errors import InputError
 from lxml import etree
 from mechanics_simulation import CORE, load, simulate
 from scipy.spatial.transform import Rotation
@@ -220,6 +221,30 @@ def test_mechatronics_is_never_overwritten(hammer: Path, tmp_path: Path) -> None
     after = files_of(package.root)
     assert after["Mechatronics.mo"] == edited
     assert [name for name in before if before[name] != after[name]] == ["Mechanics.mo"]
+
+
+def test_own_classes_are_kept_and_listed(hammer: Path, tmp_path: Path) -> None:
+    file = without_contacts(hammer, tmp_path / "in")
+    package = generate(file, tmp_path / "out")
+    drive = 'within Hammer;\nmodel Drive "Own"\n  extends Mechanics(elbow(useAxisFlange=true));\nend Drive;\n'
+    (package.root / "Drive.mo").write_text(drive)
+    (package.root / "Resources").mkdir()
+    (package.root / "Resources" / "table.txt").write_text("1 2 3")
+    (package.root / "package.order").write_text("Drive\nMechanics\nMechatronics\nGeometry\n")
+    file.write_text(file.read_text().replace('joint name="elbow"', 'joint name="wrist"'))
+    again = generate(file, tmp_path / "out")
+    assert (again.root / "Drive.mo").read_text() == drive
+    assert (again.root / "Resources" / "table.txt").read_text() == "1 2 3"
+    assert (again.root / "package.order").read_text().split() == ["Drive", "Mechanics", "Mechatronics", "Geometry"]
+    assert any("Drive.mo" in note and "'elbow'" in note for note in again.notes)
+
+
+def test_package_of_another_name_is_not_lost(hammer: Path, tmp_path: Path) -> None:
+    package = generate(hammer, tmp_path / "out")
+    before = files_of(package.root)
+    with pytest.raises(InputError, match="holds the package 'Hammer'"):
+        generate(hammer, tmp_path / "out", GenerateOptions(package="Press"))
+    assert files_of(package.root) == before
 
 
 def test_nested_assemblies_move_like_their_copies(pendulum: Path, tmp_path: Path) -> None:

@@ -1,0 +1,95 @@
+"""The modeller's own files in a generated package, which every generation hands on."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from collections.abc import Collection
+from dataclasses import dataclass
+from pathlib import Path
+
+from cmb_base.errors import InputError, Place
+
+SCENE = "scene.json"
+ORDER = "package.order"
+
+
+@dataclass(frozen=True)
+class OwnFiles:
+    """What an earlier package holds beside what the generator writes.
+
+    Attributes:
+        root: the earlier package's folder.
+        files: paths relative to it.
+        order: the earlier package's order of classes.
+        components: names of bodies and joints the earlier model had.
+    """
+
+    root: Path
+    files: tuple[Path, ...] = ()
+    order: tuple[str, ...] = ()
+    components: frozenset[str] = frozenset()
+
+    def copy_to(self, root: Path) -> None:
+        """Copies the files byte for byte."""
+        for file in self.files:
+            (root / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(self.root / file, root / file, follow_symlinks=False)
+
+    def package_order(self, generated: tuple[str, ...]) -> tuple[str, ...]:
+        """Classes of the package: the earlier order, then what is new."""
+        own = {file.stem if len(file.parts) == 1 else file.parts[0] for file in self.files if file.suffix == ".mo"}
+        known = {*generated, *own}
+        kept = tuple(name for name in self.order if name in known)
+        return (*kept, *(name for name in (*generated, *sorted(own)) if name not in kept))
+
+    def lost_references(self, components: Collection[str]) -> list[str]:
+        """Remarks on components that are gone but named in the modeller's files."""
+        gone = sorted(self.components - set(components))
+        notes = []
+        for file in self.files:
+            if file.suffix != ".mo":
+                continue
+            text = (self.root / file).read_text(encoding="utf-8", errors="replace")
+            notes += [
+                f"{file}: uses {name!r}, which the mechanics has no longer; correct the file"
+                for name in gone
+                if re.search(rf"\b{re.escape(name)}\b", text)
+            ]
+        return notes
+
+
+def find_own_files(output: Path, package: str, generated: Collection[str]) -> OwnFiles:
+    """Looks for the modeller's files in what an earlier generation wrote.
+
+    Args:
+        output: the folder an earlier generation may have written.
+        package: the package's name now.
+        generated: file names the generator writes anew.
+
+    Raises:
+        InputError: the folder holds a package of another name, whose files would be lost.
+    """
+    root = output / package
+    others = [folder.name for folder in sorted(output.glob("*")) if folder.is_dir() and folder.name != package]
+    if others:
+        raise InputError(
+            f"holds the package {others[0]!r}, but the assembly now gives {package!r}",
+            place=Place(file=output),
+            remedy="Name another output, or move the old package away; its own classes would be lost.",
+        )
+    if not root.is_dir():
+        return OwnFiles(root)
+    paths = (path.relative_to(root) for path in sorted(root.rglob("*")) if path.is_file() or path.is_symlink())
+    files = tuple(path for path in paths if str(path) not in generated)
+    order_file = root / ORDER
+    order = tuple(order_file.read_text(encoding="utf-8").split()) if order_file.is_file() else ()
+    return OwnFiles(root, files, order, _components(output / SCENE))
+
+
+def _components(scene: Path) -> frozenset[str]:
+    if not scene.is_file():
+        return frozenset()
+    content = json.loads(scene.read_text(encoding="utf-8"))
+    return frozenset(item["name"] for key in ("bodies", "joints") for item in content.get(key, ()))
