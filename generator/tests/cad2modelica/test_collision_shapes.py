@@ -1,0 +1,155 @@
+"""Collision shapes: what is recognised, what becomes a hull, and what is reported."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cad2modelica import read_assembly
+from cad2modelica.collision_shapes import CollisionGeometry, collision_geometry
+from cad2modelica.mesh import Mesh
+from cad2modelica.model import CollisionChoice, MassProperties, Part
+from cad2modelica.spatial import IDENTITY
+from cmb_base.errors import Place
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial import ConvexHull
+from scipy.spatial.transform import Rotation
+
+
+def shapes_of(*clouds: np.ndarray, choice: CollisionChoice = CollisionChoice.AUTO) -> CollisionGeometry:
+    """Collision shapes of a part whose bodies are the convex hulls of point clouds."""
+    meshes = []
+    for points in clouds:
+        hull = ConvexHull(points)
+        corners = points[hull.simplices]
+        outward = np.einsum(
+            "ij,ij->i", np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), hull.equations[:, :3]
+        )
+        triangles = np.where(outward[:, None] > 0, hull.simplices, hull.simplices[:, ::-1]).astype(np.int64)
+        meshes.append(Mesh("m", points, triangles, (0.5, 0.5, 0.5)))
+    properties = MassProperties(1.0, np.zeros(3), np.eye(3))
+    zero = np.zeros(3)
+    return collision_geometry(
+        Part("body", None, IDENTITY, properties, tuple(meshes), choice, False, zero, zero, Place())
+    )
+
+
+def sphere(radius: float, count: int = 400) -> np.ndarray:
+    """Points spread evenly over a sphere (golden spiral)."""
+    k = np.arange(count) + 0.5
+    polar, around = np.arccos(1 - 2 * k / count), np.pi * (1 + 5**0.5) * k
+    return radius * np.column_stack([np.cos(around) * np.sin(polar), np.sin(around) * np.sin(polar), np.cos(polar)])
+
+
+def capsule(radius: float, length: float) -> np.ndarray:
+    points = sphere(radius)
+    return points + np.where(points[:, 2:] > 0, 0.5, -0.5) * np.array([0.0, 0.0, length])
+
+
+BOX = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
+
+vectors = st.tuples(*[st.floats(-3, 3)] * 3).map(np.array)
+sizes = st.floats(0.001, 10)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.tuples(sizes, sizes, sizes), vectors, vectors)
+def test_box_anywhere(size: tuple[float, float, float], turn: np.ndarray, shift: np.ndarray) -> None:
+    """The recognised box has the corners of the mesh, whatever axes it names x, y and z."""
+    if max(size) > 50 * min(size):
+        return
+    points = Rotation.from_rotvec(turn).apply(BOX * size) + shift * max(size)
+    (shape,) = shapes_of(points).shapes
+    assert shape.kind == "box"
+    assert sorted(shape.size) == pytest.approx(sorted(size), rel=1e-6)
+    corners = shape.pose.point(BOX * shape.size)
+    distance = np.linalg.norm(corners[:, None] - points[None], axis=2)
+    assert distance.min(axis=0).max() < 1e-5 * max(size)
+    assert np.linalg.det(shape.pose.rotation) == pytest.approx(1.0)
+
+
+def test_box_along_the_axes_has_no_rotation() -> None:
+    (shape,) = shapes_of(BOX * [1.0, 2.0, 3.0] + [0.5, 0.0, -1.0]).shapes
+    assert shape.descriptor == "cmb/1 box size=1,2,3 position=0.5,0,-1"
+
+
+@settings(max_examples=20, deadline=None)
+@given(sizes, vectors)
+def test_sphere_anywhere(radius: float, shift: np.ndarray) -> None:
+    (shape,) = shapes_of(sphere(radius) + shift * radius).shapes
+    assert shape.kind == "sphere"
+    assert shape.radius == pytest.approx(radius, rel=1e-8)
+    np.testing.assert_allclose(shape.pose.position, shift * radius, atol=1e-7 * radius)
+
+
+@settings(max_examples=20, deadline=None)
+@given(sizes, st.floats(0.2, 6), vectors, vectors)
+def test_capsule_anywhere(radius: float, slenderness: float, turn: np.ndarray, shift: np.ndarray) -> None:
+    length = radius * slenderness
+    rotation = Rotation.from_rotvec(turn)
+    (shape,) = shapes_of(rotation.apply(capsule(radius, length)) + shift * radius).shapes
+    assert shape.kind == "capsule"
+    assert (shape.radius, shape.length) == pytest.approx((radius, length), rel=1e-6)
+    assert abs(shape.pose.rotation[:, 2] @ rotation.apply([0, 0, 1])) == pytest.approx(1.0, abs=1e-9)
+    np.testing.assert_allclose(shape.pose.position, shift * radius, atol=1e-5 * (radius + length))
+
+
+@pytest.mark.parametrize(
+    "points",
+    [
+        BOX * [1, 1, 1] + np.outer(np.arange(8) == 0, [0.001, 0, 0]),  # a corner moved
+        sphere(1.0) * [1, 1, 1.001],  # an ellipsoid
+        sphere(1.0, 30),  # too coarse to be called round
+        capsule(1.0, 2.0) * [1, 1.001, 1],
+        np.vstack([BOX, [0, 0, 0.7]]),  # a house
+    ],
+)
+def test_what_is_almost_a_shape_is_a_hull(points: np.ndarray) -> None:
+    (shape,) = shapes_of(points).shapes
+    assert shape.kind == "hull"
+    assert shape.vertices is not None
+    assert ConvexHull(shape.vertices).volume == pytest.approx(ConvexHull(points).volume, rel=1e-12)
+
+
+def test_choices() -> None:
+    assert shapes_of(BOX, choice=CollisionChoice.HULL).shapes[0].kind == "hull"
+    assert shapes_of(BOX, choice=CollisionChoice.NONE).shapes == ()
+
+
+def test_bodies_become_a_compound() -> None:
+    geometry = shapes_of(BOX, sphere(0.5) + np.array([3, 0, 0]), capsule(0.5, 1.0) + np.array([0, 5, 0]))
+    assert [shape.kind for shape in geometry.shapes] == ["box", "sphere", "capsule"]
+    assert geometry.descriptor.count(";") == 2
+    assert geometry.notes == ()
+
+
+def test_descriptor_rotation_is_from_body_to_shape() -> None:
+    """The engine's convention: v_shape = T v_body, row by row."""
+    rotation = Rotation.from_euler("z", 30, degrees=True)
+    (shape,) = shapes_of(rotation.apply(BOX * [1, 2, 3])).shapes
+    words = dict(word.split("=") for word in shape.descriptor.split()[2:])
+    matrix = np.array(words["rotation"].split(","), dtype=float).reshape(3, 3)
+    size = np.array(words["size"].split(","), dtype=float)
+    local = (matrix @ rotation.apply(BOX * [1, 2, 3]).T).T
+    np.testing.assert_allclose(np.abs(local), np.tile(size / 2, (8, 1)), atol=1e-6)
+
+
+def test_sample_shapes(hammer: Path) -> None:
+    found = {part.name: collision_geometry(part) for part in read_assembly(hammer).parts}
+    kinds = {name: [shape.kind for shape in geometry.shapes] for name, geometry in found.items()}
+    assert kinds == {
+        "frame": ["box", "hull"],
+        "arm": ["hull"],
+        "hammer head": ["hull", "hull", "hull"],
+        "anvil": ["hull"],
+        "ball": ["sphere"],
+    }
+    assert found["ball"].shapes[0].radius == 0.022
+    assert found["anvil"].shapes[0].vertices is not None
+    assert len(found["anvil"].shapes[0].vertices) == 12
+    notes = [note for geometry in found.values() for note in geometry.notes]
+    assert len(notes) == 1
+    assert "'arm'" in notes[0]
+    assert "30 %" in notes[0]
