@@ -1,0 +1,1 @@
+"""Translates Modelica models into FMUs."""

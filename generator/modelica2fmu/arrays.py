@@ -16,7 +16,7 @@ import numpy.typing as npt
 from modelica2fmu import expression as ex
 from modelica2fmu.expression import Node
 
-Array = npt.NDArray[np.object_]
+Array = npt.NDArray[Any]
 
 
 @dataclass(frozen=True)
@@ -143,7 +143,8 @@ def identity(size: int) -> Array:
 
 def diagonal(vector: Array) -> Array:
     """The diagonal matrix of a vector."""
-    return from_function((len(vector), len(vector)), lambda i, j: vector[i] if i == j else 0)
+    items: list[Any] = list(vector)
+    return from_function((len(items), len(items)), lambda i, j: items[i] if i == j else 0)
 
 
 def cross(a: Array, b: Array) -> Array:
@@ -166,12 +167,17 @@ def skew(a: Array) -> Array:
 
 def outer_product(a: Array, b: Array) -> Array:
     """The outer product of two vectors."""
-    return from_function((len(a), len(b)), lambda i, j: ex.multiply(a[i], b[j]))
+    rows: list[Any] = list(a)
+    columns: list[Any] = list(b)
+    return from_function((len(rows), len(columns)), lambda i, j: ex.multiply(rows[i], columns[j]))
 
 
 def symmetric(a: Array) -> Array:
     """The upper triangle mirrored into the lower."""
-    result: Array = from_function(a.shape, lambda i, j: a[i, j] if i <= j else a[j, i])
+    result = a.copy()
+    for i, j in np.ndindex(*a.shape):
+        if i > j:
+            result[i, j] = a[j, i]
     return result
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -223,10 +223,7 @@ class _Generator:
         n = len(block.torn)
         take = Statement((), lambda _: [self._store(torn, f"x[{k}]") for k, torn in enumerate(block.torn)])
         inner = [statement for step in block.inner for statement in self._block(step)]
-        give = [
-            Statement((value,), lambda write, k=k, value=value: [f"residual[{k}] = {bare(write(value))};"])
-            for k, value in enumerate(block.residuals)
-        ]
+        give = [Statement((value,), _lines(f"residual[{k}] = {{}};", value)) for k, value in enumerate(block.residuals)]
         signature = f"{_SIGNATURE}, const void *context, const double *x, double *residual"
         prologue = (*_PROLOGUE, "  (void)context;")
         self._functions.extend(
@@ -366,7 +363,7 @@ class _Generator:
         statements: list[Statement] = []
         for name in starts:
             place, value = self._location(start_name(name)), self._location(name)
-            statements.append(Statement((), lambda _, place=place, value=value: [f"{place} = {value};"]))
+            statements.append(Statement((), _fixed([f"{place} = {value};"])))
         for block in blocks:
             statements.extend(self._block(block))
         statements = [Statement(item.roots, item.lines) for item in statements]
@@ -402,7 +399,7 @@ class _Generator:
             flag, value_place = f"w[{offset + 2 * position}]", f"w[{offset + 2 * position + 1}]"
             state = self._location(item.state)
             lines = [f"if ({flag} != 0.0) {{ {state} = {value_place}; *states_changed = 1; }}"]
-            statements.append(Statement((), lambda _, lines=lines: lines))
+            statements.append(Statement((), _fixed(lines)))
         statements.append(Statement((), lambda _: ["v->next_time_event = HUGE_VAL;"]))
         for threshold in model.time_thresholds:
             statements.append(self._next_time(threshold))
@@ -431,15 +428,14 @@ class _Generator:
 
     def _indicators(self) -> list[Statement]:
         return [
-            Statement((item.indicator,), lambda write, item=item: [
-                f"indicator[{item.number - 1}] = {bare(write(item.indicator))};"
-            ])
+            Statement((item.indicator,), _lines(f"indicator[{item.number - 1}] = {{}};", item.indicator))
             for item in self._model.relations
-        ]  # fmt: skip
+        ]
 
     # --- files ---
 
     def _add(self, prefix: str, statements: Sequence[Statement], indicators: Sequence[Statement] = ()) -> None:
+        prologue: tuple[str, ...]
         if prefix == "cmb_part_indicators":
             signature = f"{_SIGNATURE}, double *indicator"
             prologue = (*_PROLOGUE, "  (void)indicator;")
@@ -593,6 +589,16 @@ const cmb_model_description cmb_model = {{
     def _is_alias(self, name: str, slot: Slot) -> bool:
         by = self._reduced.replacements.get(name)
         return isinstance(by, Node) and by.op == "symbol" and self._slots.of.get(by.name) == slot
+
+
+def _lines(template: str, value: float | Node) -> Callable[[Write], Sequence[str]]:
+    """One line with an expression in it."""
+    return lambda write: [template.format(bare(write(value)))]
+
+
+def _fixed(lines: Sequence[str]) -> Callable[[Write], Sequence[str]]:
+    """Lines without expressions."""
+    return lambda _: lines
 
 
 def _calls(names: Iterable[str], args: str = "v") -> str:

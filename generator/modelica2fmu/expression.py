@@ -185,7 +185,7 @@ def multiply(a: float | Node, b: float | Node) -> float | Node:
     if _is_op(a, "neg"):
         return negate(multiply(a.args[0], b))  # type: ignore[union-attr]
     if _is_op(b, "neg"):
-        return negate(multiply(a, b.args[0]))  # type: ignore[union-attr]
+        return negate(multiply(a, b.args[0]))
     return _ordered("mul", a, b)
 
 

@@ -287,7 +287,7 @@ class _Reader:
         return tuple(statement for item in items if (statement := self._statement(item)) is not None)
 
     def _statement(self, item: Any) -> ir.Statement | None:
-        tag, body = (item, None) if isinstance(item, str) else _only(item)
+        tag, body = (item, {}) if isinstance(item, str) else _only(item)
         span = self.span(body) if isinstance(body, dict) else None
         if tag == "Empty":
             return None

@@ -287,8 +287,7 @@ class _Reducer:
     def _match(self, matching: Matching, number: int) -> None:
         while True:
             # Names may have got derivatives since the last search, so the incidence is taken anew.
-            rows = {row: self._highest(row) for row in [*matching.column_of, number]}
-            matching.incidence = rows
+            matching.incidence = {row: self._highest(row) for row in [*matching.column_of, number]}
             for row, column in list(matching.column_of.items()):
                 if derivative_name(column) in self._names:
                     del matching.column_of[row], matching.row_of[column]
@@ -381,7 +380,7 @@ class _Reducer:
                 name = rates.get(rate)
                 if name is None or name in found:
                     continue
-                slope = ex.Differentiation(lambda other, rate=rate: 1 if other == rate else 0)(equation.residual)
+                slope = ex.Differentiation(_only(rate))(equation.residual)
                 if not isinstance(slope, Node):
                     found.add(name)
         return found
@@ -437,6 +436,11 @@ def explicit_variables(residual: float | Node) -> list[str]:
     return result
 
 
+def _only(name: str) -> Callable[[str], float | Node]:
+    """Rates for the partial derivative by one symbol."""
+    return lambda other: 1 if other == name else 0
+
+
 class _NotDifferentiableError(Exception):
     """An expression has no derivative by time; the message says what."""
 
@@ -448,12 +452,8 @@ def _is_norm(residual: float | Node, names: Sequence[str]) -> bool:
     for name in names:
         if unwrapped(name)[0]:
             return False
-
-        def rate(other: str, name: str = name) -> float | Node:
-            return 1 if other == name else 0
-
-        first = ex.Differentiation(rate)(residual)
-        second = ex.Differentiation(rate)(first)
+        first = ex.Differentiation(_only(name))(residual)
+        second = ex.Differentiation(_only(name))(first)
         if isinstance(second, Node) or second == 0 or ex.symbols(first) != [name]:
             return False
         offset: Mapping[str, float | Node] = {name: 0}

@@ -9,7 +9,9 @@ and what they assign is merged).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Final, Protocol
+from contextlib import suppress
+from functools import partial
+from typing import Any, Final, Protocol
 
 import numpy as np
 from cmb_base.errors import InputError, UnsupportedModelError
@@ -294,9 +296,7 @@ class Interpreter:
         result: Value = np.take(value, size - 1, axis=dimension)
         for number in range(size - 1, 0, -1):
             item = np.take(value, number - 1, axis=dimension)
-            result = arrays.elementwise(
-                lambda a, b, chosen=ex.equal(index, number): ex.select(chosen, a, b), item, result
-            )
+            result = arrays.elementwise(partial(ex.select, ex.equal(index, number)), item, result)
         return result
 
     def _checked(self, index: int, size: int, span: ir.Span | None) -> int:
@@ -542,10 +542,26 @@ class Interpreter:
             return arrays.elementwise(lambda a, b: ex.binary("quotient", a, b), *args)
         if name == "atan2":
             return ex.binary("atan2", _number(args[0]), _number(args[1]))
-        function = _ARRAY_FUNCTIONS.get(name)
-        if function is None:
-            raise self.unsupported(f"{name}()", span)
-        return function(self, args, span)
+        function = _VALUE_FUNCTIONS.get(name)
+        return self._sized(name, args, span) if function is None else function(args)
+
+    def _sized(self, name: str, args: list[Value], span: ir.Span | None) -> Value:
+        """Functions whose result has a size that an argument gives."""
+        if name == "fill":
+            value = args[0]
+            assert not isinstance(value, np.ndarray | Record | tuple)
+            return arrays.filled([self._integer(arg, span) for arg in args[1:]], value)
+        if name in ("zeros", "ones"):
+            return arrays.filled([self._integer(arg, span) for arg in args], 0 if name == "zeros" else 1)
+        if name == "identity":
+            return arrays.identity(self._integer(args[0], span))
+        if name == "cat":
+            return arrays.concatenate(self._integer(args[0], span), [_array(arg) for arg in args[1:]])
+        if name == "linspace":
+            first, last, count = _number(args[0]), _number(args[1]), self._integer(args[2], span)
+            step = ex.divide(ex.subtract(last, first), count - 1)
+            return arrays.from_function((count,), lambda i: ex.add(first, ex.multiply(i, step)))
+        raise self.unsupported(f"{name}()", span)
 
     def _require_discrete(self, name: str, args: list[Value], span: ir.Span | None) -> None:
         for arg in args:
@@ -602,10 +618,8 @@ class Interpreter:
                 local.values[variable.name] = self._initial_value(variable, local)
             if function.external is not None:
                 return self._external(function, local, span)
-            try:
+            with suppress(_Returned):
                 self._execute(function.body, local)
-            except _Returned:
-                pass
         finally:
             self._call_depth -= 1
             self._events = before
@@ -677,9 +691,9 @@ class Interpreter:
                 self._assign(target, self._value(value, scope), scope)
             case ir.CallAssignment(targets=targets, call=call):
                 outputs = self._call(call, scope)
-                for target, output in zip(targets, outputs, strict=False):
-                    if target is not None:
-                        self._assign(target, output, scope)
+                for receiver, output in zip(targets, outputs, strict=False):
+                    if receiver is not None:
+                        self._assign(receiver, output, scope)
             case ir.IfStatement():
                 self._if_statement(statement.branches, statement.otherwise, scope)
             case ir.For(indices=indices, body=body):
@@ -725,7 +739,7 @@ class Interpreter:
         if not isinstance(old, np.ndarray):
             raise self.unsupported("an assignment to elements of an array of unknown size", target.span)
         result = old.copy()
-        index: list[object] = []
+        index: list[Any] = []
         for position, subscript in enumerate(target.subscripts):
             if isinstance(subscript, ir.Colon):
                 index.append(slice(None))
@@ -863,18 +877,6 @@ _ELEMENTWISE: Final[dict[str, Callable[..., Scalar]]] = {
     "MulElem": ex.multiply, "DivElem": ex.divide, "ExpElem": ex.power, "And": ex.logical_and, "Or": ex.logical_or,
 }  # fmt: skip
 
-_ArrayFunction = Callable[[Interpreter, list[Value], "ir.Span | None"], Value]
-
-
-def _sizes(self: Interpreter, args: list[Value], span: ir.Span | None) -> list[int]:
-    return [self._integer(arg, span) for arg in args]
-
-
-def _linspace(self: Interpreter, args: list[Value], span: ir.Span | None) -> Value:
-    first, last, count = _number(args[0]), _number(args[1]), self._integer(args[2], span)
-    step = ex.divide(ex.subtract(last, first), count - 1)
-    return arrays.from_function((count,), lambda i: ex.add(first, ex.multiply(i, step)))
-
 
 def _array(value: Value) -> arrays.Array:
     if isinstance(value, np.ndarray):
@@ -882,23 +884,17 @@ def _array(value: Value) -> arrays.Array:
     raise ShapeError("an array is needed here")
 
 
-_ARRAY_FUNCTIONS: Final[dict[str, _ArrayFunction]] = {
-    "sum": lambda self, args, span: arrays.total(args[0]),
-    "product": lambda self, args, span: arrays.product(args[0]),
-    "ndims": lambda self, args, span: np.ndim(args[0]) if isinstance(args[0], np.ndarray) else 0,
-    "scalar": lambda self, args, span: _number(args[0]),
-    "vector": lambda self, args, span: arrays.stack(arrays.scalars(args[0])),
-    "matrix": lambda self, args, span: arrays.promoted(args[0], 2),
-    "identity": lambda self, args, span: arrays.identity(self._integer(args[0], span)),
-    "diagonal": lambda self, args, span: arrays.diagonal(_array(args[0])),
-    "zeros": lambda self, args, span: arrays.filled(_sizes(self, args, span), 0),
-    "ones": lambda self, args, span: arrays.filled(_sizes(self, args, span), 1),
-    "fill": lambda self, args, span: arrays.filled(_sizes(self, args[1:], span), args[0]),  # type: ignore[arg-type]
-    "linspace": _linspace,
-    "transpose": lambda self, args, span: _array(args[0]).swapaxes(0, 1),
-    "outerProduct": lambda self, args, span: arrays.outer_product(_array(args[0]), _array(args[1])),
-    "symmetric": lambda self, args, span: arrays.symmetric(_array(args[0])),
-    "cross": lambda self, args, span: arrays.cross(_array(args[0]), _array(args[1])),
-    "skew": lambda self, args, span: arrays.skew(_array(args[0])),
-    "cat": lambda self, args, span: arrays.concatenate(self._integer(args[0], span), [_array(a) for a in args[1:]]),
+_VALUE_FUNCTIONS: Final[dict[str, Callable[[list[Value]], Value]]] = {
+    "sum": lambda args: arrays.total(args[0]),
+    "product": lambda args: arrays.product(args[0]),
+    "ndims": lambda args: args[0].ndim if isinstance(args[0], np.ndarray) else 0,
+    "scalar": lambda args: _number(args[0]),
+    "vector": lambda args: arrays.stack(arrays.scalars(args[0])),
+    "matrix": lambda args: arrays.promoted(args[0], 2),
+    "diagonal": lambda args: arrays.diagonal(_array(args[0])),
+    "transpose": lambda args: _array(args[0]).swapaxes(0, 1),
+    "outerProduct": lambda args: arrays.outer_product(_array(args[0]), _array(args[1])),
+    "symmetric": lambda args: arrays.symmetric(_array(args[0])),
+    "cross": lambda args: arrays.cross(_array(args[0]), _array(args[1])),
+    "skew": lambda args: arrays.skew(_array(args[0])),
 }

@@ -374,7 +374,7 @@ class _Scalarizer:
         """
         rises = ex.Differentiation(lambda name: 1 if name == TIME else 0)(indicator) == 1
         passed = ex.less_equal(threshold, ex.symbol(TIME))
-        after = passed if rises else ex.logical_not(passed)
+        after: float | Node = passed if rises else ex.logical_not(passed)
         if plain.op == "le":  # the indicator is that of the negation
             after = ex.logical_not(after)
         name = self._time_relations.get(ex.node_of(after))
@@ -714,10 +714,10 @@ class _Scalarizer:
         for _, update in updates:
             for name in update:
                 assigned.setdefault(name, self._unassigned(name, values))
-        for active, update in reversed(updates):
+        for chosen, update in reversed(updates):
             for name in assigned:
                 if name in update:
-                    assigned[name] = ex.select(active, update[name], assigned[name])
+                    assigned[name] = ex.select(chosen, update[name], assigned[name])
         for name, value in assigned.items():
             if values is None:
                 self._result.equations.append(ScalarEquation(ex.symbol(name), value, target=name))

@@ -86,7 +86,7 @@ class _Builder:
             for name, variable in self._live.items()
             if variable.kind is Kind.CONTINUOUS and name not in self._outputs
         ]
-        others = [item for call in self._calls for item in call.inputs()]
+        others: list[float | Node] = [item for call in self._calls for item in call.inputs()]
         others += [assignment.value for assignment in assignments]
         others += [item.indicator for item in self._model.relations]
         others += [item.value for item in self._model.reinitializations]
@@ -183,9 +183,9 @@ class _Builder:
         before: dict[str, float | Node] = {}
         initial_residuals: list[Residual] = []
         for equation in self._reduced.initial_equations:
-            name, value = self._discrete_initial(equation)
-            if name is not None:
-                before[name] = starting(value)
+            discrete, value = self._discrete_initial(equation)
+            if discrete is not None:
+                before[discrete] = starting(value)
                 continue
             initial_residuals.append(Residual(starting(ex.subtract(equation.left, equation.right)), equation.span))
         unknowns: dict[str, None] = dict.fromkeys(reduction.unknowns)
