@@ -23,8 +23,9 @@ namespace {
 ContactPoint united(const ContactPoint &a, const ContactPoint &b) {
   const double load_a = a.weight * a.depth, load_b = b.weight * b.depth, load = load_a + load_b;
   ContactPoint result;
-  result.weight = a.weight + b.weight;
-  result.depth = load / result.weight;
+  // Corners of hardly any depth would drag a mean by weight to the surface.
+  result.depth = (load_a * a.depth + load_b * b.depth) / load;
+  result.weight = load / result.depth;
   result.position = (1.0 / load) * (load_a * a.position + load_b * b.position);
   result.normal = normalized(load_a * a.normal + load_b * b.normal, load_a >= load_b ? a.normal : b.normal);
   return result;
