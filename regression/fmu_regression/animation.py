@@ -23,6 +23,10 @@ from fmu_regression.signals import force_names, pair_signal, point_force_names, 
 _MAX_FRAMES = 3000
 _FEATURE_SHARE = 2e-3
 _FIXED_SHARE = 3.0
+_MOTION_SHARE = 1.5
+_SURROUNDINGS = 0.3
+_UPRIGHT = 0.5
+_FOLLOW_SHARE = 0.6
 _MAX_CORNERS = 400
 _MAX_PLANES = 400
 
@@ -37,6 +41,7 @@ def make_animation(scene: Scene, result: SimulationResult) -> Animation | None:
     rows = frame_rows(scene, result)
     up = _up(scene)
     center, radius, floor = _extent(motions, rows, up)
+    travel = _travel(motions, rows, up)
     forces = _forces(scene, result, motions, rows)
     largest = max((float(np.linalg.norm(track[:, 3:], axis=1).max(initial=0.0)) for track in forces), default=0.0)
     data = {
@@ -45,6 +50,8 @@ def make_animation(scene: Scene, result: SimulationResult) -> Animation | None:
         "center": _numbers(center),
         "radius": _number(radius),
         "floor": _number(floor),
+        "follow": bool(np.linalg.norm(travel, axis=1).max(initial=0.0) > _FOLLOW_SHARE * radius),
+        "travel": encode_array(travel, "f4"),
         "largestForce": _number(largest) if largest > 0 else 1.0,
         "bodies": [_body(motion, rows) for motion in motions if motion.body.meshes],
         "forces": [{"track": encode_array(track, "f4")} for track in forces],
@@ -139,7 +146,10 @@ def _up(scene: Scene) -> FloatArray:
 
 
 def _extent(motions: Sequence[BodyMotion], rows: IntArray, up: FloatArray) -> tuple[FloatArray, float, float]:
-    """Centre and radius of what the camera should see, and the height of the lowest point along ``up``."""
+    """Centre and radius of what the camera should see, and the height of the lowest point along ``up``.
+
+    Seen should be the whole motion, unless it leads far away: then the start and its surroundings.
+    """
     some = rows[:: max(1, rows.size // 200)]
     moving: list[FloatArray] = []
     still: list[FloatArray] = []
@@ -151,24 +161,63 @@ def _extent(motions: Sequence[BodyMotion], rows: IntArray, up: FloatArray) -> tu
             still.append(motion.position[0] + points @ motion.rotation[0])
         else:
             corners = _box_corners(points)
-            moving.append(
-                (motion.position[some, None, :] + np.einsum("ki,nij->nkj", corners, motion.rotation[some])).reshape(
-                    -1, 3
-                )
-            )
+            moving.append(motion.position[some, None, :] + np.einsum("ki,nij->nkj", corners, motion.rotation[some]))
     lowest = min(float((points @ up).min()) for points in moving + still)
-    shown = list(moving) or list(still)
-    low, high = np.vstack(shown).min(axis=0), np.vstack(shown).max(axis=0)
-    size = float(np.linalg.norm(high - low)) or 1.0
-    for points in still:
-        a, b = points.min(axis=0), points.max(axis=0)
-        if np.linalg.norm(b - a) > _FIXED_SHARE * size:
-            # Of a floor that reaches far only the part near the mechanism is worth seeing.
-            a, b = np.maximum(a, low - 0.3 * size), np.minimum(b, high + 0.3 * size)
-            if (a > b).any():
-                continue
-        low, high = np.minimum(low, a), np.maximum(high, b)
-    return (low + high) / 2, max(float(np.linalg.norm(high - low)) / 2, 1e-6), lowest
+    everywhere = _Box.around(moving or still)
+    start = _Box.around([places[0] for places in moving] or still).with_near(still)
+    seen = everywhere.with_near(still)
+    if seen.size > _MOTION_SHARE * start.size:
+        # Heights are all of interest: a ball that is dropped should be seen where it lands.
+        level = np.abs(up) < _UPRIGHT
+        margin = _SURROUNDINGS * start.size
+        seen = _Box(
+            np.where(level, np.maximum(seen.low, start.low - margin), seen.low),
+            np.where(level, np.minimum(seen.high, start.high + margin), seen.high),
+        )
+    return (seen.low + seen.high) / 2, max(seen.size / 2, 1e-6), lowest
+
+
+@dataclass(frozen=True)
+class _Box:
+    """An axis-parallel box, corners of shape (3,)."""
+
+    low: FloatArray
+    high: FloatArray
+
+    @staticmethod
+    def around(parts: Sequence[FloatArray]) -> _Box:
+        """The box around points, arrays of shape (..., 3)."""
+        points = np.vstack([part.reshape(-1, 3) for part in parts])
+        return _Box(points.min(axis=0), points.max(axis=0))
+
+    @property
+    def size(self) -> float:
+        """Length of the diagonal."""
+        return float(np.linalg.norm(self.high - self.low))
+
+    def with_near(self, parts: Sequence[FloatArray]) -> _Box:
+        """The box around this and fixed parts; of a floor that reaches far only what is near is worth seeing."""
+        low, high, size = self.low, self.high, self.size
+        for part in parts:
+            box = _Box.around([part])
+            a, b = box.low, box.high
+            if box.size > _FIXED_SHARE * size:
+                a, b = np.maximum(a, self.low - 0.3 * size), np.minimum(b, self.high + 0.3 * size)
+                if (a > b).any():
+                    continue
+            low, high = np.minimum(low, a), np.maximum(high, b)
+        return _Box(low, high)
+
+
+def _travel(motions: Sequence[BodyMotion], rows: IntArray, up: FloatArray) -> FloatArray:
+    """How far the middle of the moving bodies went since the first frame, along the floor, shape (frames, 3)."""
+    places = [motion.position[rows] for motion in motions if not motion.body.fixed and motion.body.meshes]
+    if not places:
+        return np.zeros((rows.size, 3))
+    way = np.mean(places, axis=0)
+    way = way - way[0]
+    along: FloatArray = way - np.outer(way @ up, up)
+    return along
 
 
 def _vertices(body: SceneBody) -> FloatArray:

@@ -11,6 +11,8 @@ from fmu_regression.result import FloatArray, SimulationResult
 from fmu_regression.scene import ContactPair, Scene
 from fmu_regression.signals import pair_signal
 
+_REST_SPEED = 1e-3
+
 
 @dataclass(frozen=True)
 class Impact:
@@ -39,9 +41,14 @@ class Impact:
     located: bool
 
     @property
+    def meets(self) -> bool:
+        """Whether the bodies really met: a contact that begins at rest, below 1 mm/s, is no impact."""
+        return self.speed_before is not None and self.speed_before >= _REST_SPEED
+
+    @property
     def restitution(self) -> float | None:
-        """Coefficient of restitution delivered: speed after by speed before; None unless both are known."""
-        if self.speed_before is None or self.speed_after is None or self.speed_before <= 0:
+        """Coefficient of restitution delivered: speed after by speed before; None where there was no impact."""
+        if self.speed_before is None or self.speed_after is None or not self.meets:
             return None
         return self.speed_after / self.speed_before
 

@@ -103,10 +103,10 @@ def _contact_tiles(scene: Scene, impacts: tuple[Impact, ...]) -> list[Tile]:
     watched = f"{len(scene.pairs)} pair{'s' if len(scene.pairs) != 1 else ''} watched"
     if not impacts:
         return [Tile("Contacts", "none", "", watched)]
-    first = impacts[0]
+    first = next((impact for impact in impacts if impact.meets), impacts[0])
     tiles = [
         Tile("Contacts", str(len(impacts)), "", watched),
-        Tile("First contact", f"{first.start:.5g}", "s", scene.pair_label(first.pair)),
+        Tile("First impact", f"{first.start:.5g}", "s", scene.pair_label(first.pair)),
     ]
     strong = [impact for impact in impacts if impact.peak_force is not None]
     if strong:

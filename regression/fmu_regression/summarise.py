@@ -36,22 +36,22 @@ def _impact_lines(result: SimulationResult, scene: Scene) -> list[str]:
     impacts = find_impacts(scene, result)
     if not impacts:
         return ["  no contact"]
-    lines = [f"  {len(impacts)} contact{'s' if len(impacts) > 1 else ''}, the first at {impacts[0].start:.6g} s"]
+    first = next((impact for impact in impacts if impact.meets), impacts[0])
+    lines = [f"  {len(impacts)} contact{'s' if len(impacts) > 1 else ''}, the first impact at {first.start:.6g} s"]
     forces = [impact for impact in impacts if impact.peak_force is not None]
     if forces:
         peak = max(forces, key=lambda impact: impact.peak_force or 0.0)
         lines.append(f"  peak force {peak.peak_force:.5g} N ({scene.pair_label(peak.pair)}) at {peak.peak_time:.6g} s")
-    for impact in impacts[:_MAX_IMPACTS]:
+    measured = [impact for impact in impacts if impact.restitution is not None]
+    for impact in measured[:_MAX_IMPACTS]:
         delivered = impact.restitution
-        if delivered is None:
-            continue
         asked = f" (asked for {impact.pair.restitution:.3g})" if impact.pair.restitution is not None else ""
         lines.append(
             f"    {impact.start:.5f} s  {scene.pair_label(impact.pair)}: {impact.speed_before:.4g} m/s in, "
             f"{impact.speed_after:.4g} m/s out, restitution {delivered:.3f}{asked}"
         )
-    if len(impacts) > _MAX_IMPACTS:
-        lines.append(f"    and {len(impacts) - _MAX_IMPACTS} more")
+    if len(measured) > _MAX_IMPACTS:
+        lines.append(f"    and {len(measured) - _MAX_IMPACTS} more")
     return lines
 
 

@@ -47,6 +47,15 @@ def test_contact_that_lasts_to_the_end_has_no_speed_after(tmp_path: Path) -> Non
     assert last.peak_force is not None
 
 
+def test_contact_that_begins_at_rest_is_no_impact(tmp_path: Path) -> None:
+    scene, result, times = ball(tmp_path, 0.5)
+    slow = {name: values * (1e-5 if "approachSpeed" in name else 1) for name, values in result.signals.items()}
+    impacts = find_impacts(scene, SimulationResult(time=result.time, signals=slow))
+    assert len(impacts) == len(times)
+    assert impacts[0].speed_before == pytest.approx(SPEED * 1e-5)
+    assert all(impact.restitution is None for impact in impacts)
+
+
 def test_without_event_rows_speeds_are_extrapolated(tmp_path: Path) -> None:
     scene, result, times = ball(tmp_path, 0.7, events=False)
     for k, impact in enumerate(find_impacts(scene, result)[:-1]):
@@ -81,7 +90,7 @@ def test_hammer_delivers_less_than_asked_because_its_weight_acts(tmp_path: Path)
 def test_summary_tells_impacts_and_energy(tmp_path: Path) -> None:
     scene, result, times = ball(tmp_path, 0.7)
     text = summarise(result, scene)
-    assert f"4 contacts, the first at {times[0]:.6g} s" in text
+    assert f"4 contacts, the first impact at {times[0]:.6g} s" in text
     assert "restitution 0.700 (asked for 0.7)" in text
     assert "energy 10.791 J at the start" in text
     assert "no contact" in summarise(SimulationResult(time=result.time, signals={}), scene)

@@ -65,6 +65,8 @@
     play.onclick = () => setPlaying(!playing);
     scrub.oninput = () => { setPlaying(false); show(Number(scrub.value), true); };
     get("view").onclick = () => { viewer.reset(); viewer.draw(); };
+    get("follow").checked = viewer.follow;
+    get("follow").onchange = event => { viewer.follow = event.target.checked; viewer.seek(viewer.now); };
     get("edges").onchange = event => { viewer.showEdges = event.target.checked; viewer.draw(); };
     get("grid").onchange = event => { viewer.showGrid = event.target.checked; viewer.draw(); };
     if (get("forces")) get("forces").onchange = event => { viewer.showForces = event.target.checked; viewer.draw(); };

@@ -228,6 +228,9 @@ class Viewer {
     this.data = data;
     this.time = decodeArray(data.time, Float64Array);
     this.showEdges = this.showForces = this.showGrid = true;
+    this.travel = decodeArray(data.travel, Float32Array);
+    this.follow = data.follow;
+    this.offset = [0, 0, 0];
     const gl = this.gl = canvas.getContext("webgl2", {antialias: true, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: true});
     if (!gl) throw new Error("This browser does not offer WebGL 2.");
     this.surface = program(gl, SURFACE_VERTEX, SURFACE_FRAGMENT);
@@ -298,7 +301,7 @@ class Viewer {
     const {center, radius} = this.data;
     this.target = center.slice();
     const aspect = (this.canvas.clientWidth || 16) / (this.canvas.clientHeight || 9);
-    this.distance = radius / Math.sin(0.30) * (aspect < 1 ? 1 / Math.max(0.35, aspect) : 1) * 0.8;
+    this.distance = radius / Math.sin(0.30) * (aspect < 1 ? 1 / Math.max(0.35, aspect) : 1) * 0.97;
     this.turn = -0.62;
     this.lift = 0.36;
   }
@@ -309,17 +312,24 @@ class Viewer {
     const span = this.time[next] - this.time[frame];
     this.frame = frame;
     this.share = span > 0 ? Math.min(1, Math.max(0, (time - this.time[frame]) / span)) : 0;
+    const to = 3 * Math.min(frame + 1, this.time.length - 1), t = this.travel;
+    this.way = [0, 1, 2].map(i => t[3 * frame + i] + this.share * (t[to + i] - t[3 * frame + i]));
+    this.offset = this.follow ? this.way : [0, 0, 0];
     for (const body of this.bodies) {
       poseMatrix(body.track.length === 7 ? body.track : poseBetween(body.track, frame, this.share), body.matrix);
     }
     this.draw();
   }
 
+  focus() {
+    return vector.add(this.target, this.offset);
+  }
+
   eye() {
     const c = Math.cos(this.lift), direction = vector.add(
       vector.add(vector.scale(this.side, c * Math.sin(this.turn)), vector.scale(this.front, -c * Math.cos(this.turn))),
       vector.scale(this.up, Math.sin(this.lift)));
-    return vector.add(this.target, vector.scale(direction, this.distance));
+    return vector.add(this.focus(), vector.scale(direction, this.distance));
   }
 
   draw() {
@@ -332,8 +342,8 @@ class Viewer {
     const gl = this.gl, canvas = this.canvas, ratio = Math.min(window.devicePixelRatio || 1, 2);
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio)), height = Math.max(1, Math.round(canvas.clientHeight * ratio));
     if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
-    const {center, radius} = this.data, eye = this.eye();
-    const view = multiply(perspective(0.6, width / height, this.distance * 0.02, this.distance * 4 + radius * 12), lookAt(eye, this.target, this.up));
+    const radius = this.data.radius, center = vector.add(this.data.center, this.offset), eye = this.eye();
+    const view = multiply(perspective(0.6, width / height, this.distance * 0.02, this.distance * 4 + radius * 12), lookAt(eye, this.focus(), this.up));
     const reach = radius * 1.35;
     const light = multiply(orthographic(reach, 0.1 * radius, 8 * radius),
       lookAt(vector.add(center, vector.scale(this.sun, 4 * radius)), center, Math.abs(vector.dot(this.sun, this.front)) < 0.9 ? this.front : this.up));
@@ -407,7 +417,8 @@ class Viewer {
   }
 
   drawFloor(view, light) {
-    const gl = this.gl, u = this.floor.uniforms, {center, radius, floor} = this.data;
+    const gl = this.gl, u = this.floor.uniforms, {radius, floor} = this.data;
+    const center = vector.add(this.data.center, this.offset);
     const size = 30 * radius, height = floor - 2e-4 * radius;
     const middle = vector.add(vector.subtract(center, vector.scale(this.up, vector.dot(center, this.up))), vector.scale(this.up, height));
     const cell = Math.pow(10, Math.floor(Math.log10(radius / 2)));
@@ -499,7 +510,7 @@ class Viewer {
   }
 
   pan(dx, dy) {
-    const back = vector.unit(vector.subtract(this.eye(), this.target)), right = vector.unit(vector.cross(this.up, back));
+    const back = vector.unit(vector.subtract(this.eye(), this.focus())), right = vector.unit(vector.cross(this.up, back));
     const above = vector.cross(back, right), step = this.distance * 0.62 / (this.canvas.clientHeight || 1);
     this.target = vector.add(this.target, vector.add(vector.scale(right, -dx * step), vector.scale(above, dy * step)));
   }
