@@ -10,13 +10,9 @@ from cmb_base.errors import InputError, Place
 
 from cad2modelica.mesh import Indices
 from cad2modelica.polygon import triangulate
+from cad2modelica.primitive_meshes import Surface, box_surface, cone_surface, cylinder_surface, sphere_surface
 from cad2modelica.spatial import Array
 from cad2modelica.vrml_syntax import Node, Numbers
-
-Surface = tuple[Array, Indices]
-
-SEGMENTS = 32  # of round primitives, around their axis
-RINGS = 16  # of spheres, from pole to pole
 
 WITHOUT_SURFACE = frozenset({"IndexedLineSet", "PointSet", "Text"})
 
@@ -114,28 +110,23 @@ def _split_faces(points: Array, indices: Indices) -> Indices:
 
 
 def _box(node: Node, file: Path) -> Surface:
-    half = _positive(node, "size", (2.0, 2.0, 2.0), file) / 2
-    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * half
-    quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
-    return corners, np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))], dtype=np.int64)
+    return box_surface(_positive(node, "size", (2.0, 2.0, 2.0), file))
 
 
 def _sphere(node: Node, file: Path) -> Surface:
-    radius = float(_positive(node, "radius", (1.0,), file)[0])
-    angles = np.linspace(0.0, np.pi, RINGS + 1)
-    return _revolve(radius * np.sin(angles), radius * np.cos(angles))
+    return sphere_surface(_length(node, "radius", 1.0, file))
 
 
 def _cylinder(node: Node, file: Path) -> Surface:
-    radius = float(_positive(node, "radius", (1.0,), file)[0])
-    half = float(_positive(node, "height", (2.0,), file)[0]) / 2
-    return _revolve(np.array([0.0, radius, radius, 0.0]), np.array([half, half, -half, -half]))
+    return cylinder_surface(_length(node, "radius", 1.0, file), _length(node, "height", 2.0, file))
 
 
 def _cone(node: Node, file: Path) -> Surface:
-    radius = float(_positive(node, "bottomRadius", (1.0,), file)[0])
-    half = float(_positive(node, "height", (2.0,), file)[0]) / 2
-    return _revolve(np.array([0.0, radius, 0.0]), np.array([half, -half, -half]))
+    return cone_surface(_length(node, "bottomRadius", 1.0, file), _length(node, "height", 2.0, file))
+
+
+def _length(node: Node, name: str, default: float, file: Path) -> float:
+    return float(_positive(node, name, (default,), file)[0])
 
 
 def _positive(node: Node, name: str, default: tuple[float, ...], file: Path) -> Array:
@@ -143,28 +134,6 @@ def _positive(node: Node, name: str, default: tuple[float, ...], file: Path) -> 
     if (value <= 0).any():
         raise _wrong(node, f"field {name} must be positive", file)
     return value
-
-
-def _revolve(radii: Array, heights: Array) -> Surface:
-    """Surface of revolution about y of a profile that runs downwards and begins and ends on the axis."""
-    turn = 2 * np.pi * np.arange(SEGMENTS) / SEGMENTS
-    rings = [
-        np.column_stack([radius * np.sin(turn), np.full(SEGMENTS, height), radius * np.cos(turn)])
-        for radius, height in zip(radii[1:-1], heights[1:-1], strict=True)
-    ]
-    vertices = np.concatenate([[[0.0, heights[0], 0.0]], *rings, [[0.0, heights[-1], 0.0]]])
-    bottom = len(vertices) - 1
-    triangles: list[tuple[int, int, int]] = []
-    for k in range(SEGMENTS):
-        following = (k + 1) % SEGMENTS
-        triangles.append((0, 1 + k, 1 + following))
-        for ring in range(len(rings) - 1):
-            upper, lower = 1 + ring * SEGMENTS, 1 + (ring + 1) * SEGMENTS
-            triangles.append((upper + k, lower + k, lower + following))
-            triangles.append((upper + k, lower + following, upper + following))
-        last = 1 + (len(rings) - 1) * SEGMENTS
-        triangles.append((bottom, last + following, last + k))
-    return vertices, np.array(triangles, dtype=np.int64)
 
 
 _BUILDERS: dict[str, Callable[[Node, Path], Surface]] = {
