@@ -135,8 +135,8 @@ void run(const char *name, const Maker &make, double target, std::size_t poses) 
   for (int k = 0; k < 32; ++k) bodies.push_back(make(random, shapes));
   std::vector<Pair> pairs;
   while (pairs.size() < poses) {
-    Pair pair{bodies[static_cast<std::size_t>(random.integer(0, 31))], bodies[static_cast<std::size_t>(random.integer(0, 31))],
-              {random_rotation(random), random.direction()}, {}};
+    const auto pick = [&] { return bodies[static_cast<std::size_t>(random.integer(0, 31))]; };
+    Pair pair{pick(), pick(), {random_rotation(random), random.direction()}, {}};
     for (int k = 0; k < 3; ++k) {
       pair.exact = signed_distance(pair.a, pair.b, pair.pose, scratch);
       pair.pose.translation = pair.pose.translation + (pair.exact.distance - target) * pair.exact.normal;

@@ -125,10 +125,50 @@ CoreDistance body_and_point(const ConvexBody &body, const Vec3 &p) {
 
 bool lies_on_line(CoreShape core) { return core == CoreShape::point || core == CoreShape::segment; }
 
+// How far the witness points of an overlap are from lying opposite each other.
+double witness_error(const CoreDistance &d) { return norm(d.a - d.b + d.distance * d.direction); }
+
+// Where nearly parallel faces left the witness points of an overlap off the mark: B moved along the
+// direction until it is clear of A by a comfortable gap has its nearest points over the same places.
+CoreDistance with_better_witness(const MinkowskiDifference &difference, const CoreDistance &rough) {
+  const double gap = 0.01 * difference.scale;
+  const Vec3 shift = (gap - rough.distance) * rough.direction;
+  const Pose clear{difference.b_in_a.rotation, difference.b_in_a.translation + shift};
+  const MinkowskiDifference apart(difference.body_a, difference.body_b, clear);
+  const GjkResult gjk = gjk_distance(apart, -rough.direction, 1e-14 * apart.scale);
+  CoreDistance better = rough;
+  better.a = better.b = {};
+  for (int k = 0; k < gjk.count; ++k) {
+    better.a = better.a + gjk.weight[k] * gjk.simplex[k].a;
+    better.b = better.b + gjk.weight[k] * (gjk.simplex[k].b - shift);
+  }
+  return better;
+}
+
+CoreDistance with_checked_witness(const MinkowskiDifference &difference, const CoreDistance &rough) {
+  if (rough.distance > 0.0 || witness_error(rough) <= 1e-12 * difference.scale) return rough;
+  const CoreDistance better = with_better_witness(difference, rough);
+  return witness_error(better) < witness_error(rough) ? better : rough;
+}
+
 CoreDistance enumerated(const MinkowskiDifference &difference, DistanceScratch &scratch) {
   ++scratch.counters.brute_force;
   const EnumerationResult r = enumerate_features(difference);
-  return {r.distance, r.direction, r.a, r.b, DistanceMethod::brute_force, true};
+  return with_checked_witness(difference, {r.distance, r.direction, r.a, r.b, DistanceMethod::brute_force, true});
+}
+
+// How far p is outside a box centred at the origin.
+double outside_box(const Vec3 &half, const Vec3 &p) {
+  return std::max({std::fabs(p.x) - half.x, std::fabs(p.y) - half.y, std::fabs(p.z) - half.z});
+}
+
+CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const Pose &pose, const BoxAxes &axes) {
+  const CoreDistance result{axes.separation, axes.axis, axes.a, axes.b, DistanceMethod::separating_axes, true};
+  const double scale = norm(a.half) + norm(b.half);
+  const Vec3 b_local = transposed_times(pose.rotation, axes.b - pose.translation);
+  if (std::max(outside_box(a.half, axes.a), outside_box(b.half, b_local)) <= 1e-11 * scale) return result;
+  const CoreDistance better = with_better_witness(MinkowskiDifference(a, b, pose), result);
+  return witness_error(better) <= 1e-11 * scale ? better : result;
 }
 
 CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, const Vec3 &first,
@@ -164,7 +204,7 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
   if (polyhedral) {
     // A negative depth says that the origin is outside after all.
     if (!inside.proven || inside.depth < -1e-12 * difference.scale) return enumerated(difference, scratch);
-    return result;
+    return with_checked_witness(difference, result);
   }
   // Surfaces of revolution on one axis are equally deep all round: no bound settles that, but the
   // other directions refined show whether one of them is nearer.
@@ -188,9 +228,7 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
   Vec3 first = core_center(a) - pose(core_center(b));
   if (a.core == CoreShape::box && b.core == CoreShape::box) {
     const BoxAxes axes = box_axes(a.half, b.half, pose);
-    if (axes.separation <= 0.0) {
-      return {axes.separation, axes.axis, axes.a, axes.b, DistanceMethod::separating_axes, true};
-    }
+    if (axes.separation <= 0.0) return overlapping_boxes(a, b, pose, axes);
     first = -axes.axis;
   }
   if (norm2(first) == 0.0) first = {1, 0, 0};

@@ -26,7 +26,14 @@ struct Feature {
 };
 
 // Which algorithm gave the answer.
-enum class DistanceMethod : std::uint8_t { closed_form, separating_axes, gjk, expanding_polytope, refined, brute_force };
+enum class DistanceMethod : std::uint8_t {
+  closed_form,
+  separating_axes,
+  gjk,
+  expanding_polytope,
+  refined,
+  brute_force
+};
 
 struct SignedDistance {
   double distance = 0.0;  // m; positive apart, negative inside

@@ -29,8 +29,9 @@ class ExpandingPolytope {
   explicit ExpandingPolytope(std::size_t max_points = 1024);
 
   // Depth of the origin in the difference, to `tolerance` metres, in at most `most_points` points of the
-  // difference. `simplex` (count 1 to 4) are points to start from. Not proven where rounding broke the surface, where the room for
-  // points did not suffice, or where the difference is flat (depth and direction are then the best so far).
+  // difference. `simplex` (count 1 to 4) are points to start from. Not proven where rounding broke the
+  // surface, where the points did not suffice, or where the difference is flat (depth and direction are
+  // then the best so far).
   PenetrationResult depth(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count,
                           double tolerance, std::int32_t most_points);
 

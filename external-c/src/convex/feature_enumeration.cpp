@@ -126,7 +126,8 @@ void keep_shorter(Shortest &best, const Vec3 &a, const Vec3 &b, const Vec3 &dire
   if (distance2 > best.distance2 * (1.0 + 1e-9)) return;
   const double length = norm(direction);
   if (length > 0.0) {
-    try_direction(best.difference, (dot(direction, b - a) < 0.0 ? -1.0 / length : 1.0 / length) * direction, best.parting);
+    const double factor = (dot(direction, b - a) < 0.0 ? -1.0 : 1.0) / length;
+    try_direction(best.difference, factor * direction, best.parting);
   }
   if (distance2 >= best.distance2) return;
   best.distance2 = distance2;

@@ -241,7 +241,8 @@ bool run(const Class &c, long samples, std::uint64_t seed) {
     worst_jump = std::max(worst_jump, jump);
     const bool repeatable = same_bits(d, signed_distance(a.body, b.body, pose, other_scratch));
     const double limit = c.limit;
-    const bool finite = std::isfinite(d.distance) && is_finite(d.normal) && is_finite(d.point_a) && is_finite(d.point_b);
+    const bool finite =
+        std::isfinite(d.distance) && is_finite(d.normal) && is_finite(d.point_a) && is_finite(d.point_b);
     if (finite && repeatable && e.distance < limit * size && e.normal < limit * size && e.witness < 1e-6 * size &&
         exchange < limit && jump < limit) {
       continue;

@@ -180,7 +180,8 @@ TEST(ClosedForm, EllipsoidAndPointOnAnAxis) {
   EXPECT_NEAR(signed_distance(ellipsoid, make_sphere(0), at(0, 0, 0), scratch).distance, -1, 1e-14);
   // From (0, 0, z) to the ellipse of semi-axes a < c: d^2 = a^2 (1 - z^2 / (c^2 - a^2)) while z < (c^2 - a^2) / c.
   const double z = 0.8;
-  EXPECT_NEAR(signed_distance(ellipsoid, make_sphere(0), at(0, 0, z), scratch).distance, -std::sqrt(1 - z * z / 8), 1e-14);
+  const SignedDistance inside = signed_distance(ellipsoid, make_sphere(0), at(0, 0, z), scratch);
+  EXPECT_NEAR(inside.distance, -std::sqrt(1 - z * z / 8), 1e-14);
 }
 
 TEST(Reference, EqualConesOnOneAxisAreAsDeepWhicheverIsFirst) {
@@ -207,13 +208,30 @@ TEST(Reference, NearlyParallelEdgesNeedTheRightNormal) {
   EXPECT_LT(reference::check(r, moved(r, pose), 0, 0, d).normal, 1e-12);
 }
 
+TEST(Reference, NearlyParallelFacesKeepTheirWitnessPointsOnTheBodies) {
+  // Slender boxes turned by 1e-12 to 1e-8, one inside the other: any corner may be deepest by rounding.
+  Random random(8);
+  DistanceScratch scratch;
+  for (int k = 0; k < 20000; ++k) {
+    const Vec3 size_a{random.log_uniform(1e-3, 1), random.log_uniform(1e-3, 1), random.log_uniform(1e-3, 1)};
+    const Vec3 size_b{random.log_uniform(1e-3, 1), random.log_uniform(1e-3, 1), random.log_uniform(1e-3, 1)};
+    const Polytope shape_a = Polytope::box(size_a), shape_b = Polytope::box(size_b);
+    const Pose pose{rotation_about(random.direction(), random.log_uniform(1e-13, 1e-8)), {}};
+    const bool hull_a = random.integer(0, 1) != 0, hull_b = random.integer(0, 1) != 0;
+    const SignedDistance d = signed_distance(hull_a ? make_polytope(shape_a) : make_box(size_a),
+                                             hull_b ? make_polytope(shape_b) : make_box(size_b), pose, scratch);
+    ASSERT_LT(reference::check(reference_of(shape_a), moved(reference_of(shape_b), pose), 0, 0, d).witness, 1e-7);
+  }
+}
+
 TEST(Fallback, EnumerationAgreesWithExpansion) {
   Random random(6);
   DistanceScratch scratch;
   for (int k = 0; k < 300; ++k) {
     Polytope a, b;
-    ASSERT_TRUE(build_convex_hull(random_points(random, random.integer(4, 60), {1, 0.7, 0.4}, k % 2 == 0), a, nullptr, nullptr));
-    ASSERT_TRUE(build_convex_hull(random_points(random, random.integer(4, 60), {1, 0.7, 0.4}, k % 2 == 0), b, nullptr, nullptr));
+    const auto points = [&] { return random_points(random, random.integer(4, 60), {1, 0.7, 0.4}, k % 2 == 0); };
+    ASSERT_TRUE(build_convex_hull(points(), a, nullptr, nullptr));
+    ASSERT_TRUE(build_convex_hull(points(), b, nullptr, nullptr));
     const Pose pose{random_rotation(random), random.uniform(0, 2) * random.direction()};
     const ConvexBody body_a = make_polytope(a), body_b = make_polytope(b);
     const SignedDistance d = signed_distance(body_a, body_b, pose, scratch);
