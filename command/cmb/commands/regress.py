@@ -11,7 +11,7 @@ from fmu_regression.runner import Verdict, run_cases
 from fmu_regression.summary import text_table, write_junit, write_summary
 
 from cmb.fmu_provider import FmuProvider
-from cmb.project import REFERENCE
+from cmb.project import CASES
 from cmb.terminal import progress_bars
 
 NAME = "regress"
@@ -22,7 +22,7 @@ DESCRIPTION = (
 )
 EXAMPLES = """examples:
   cmb regress
-  cmb regress Resources/reference --output out/regression.html
+  cmb regress regression/cases/reference --output out/regression.html
   cmb regress mycases --junit regression.xml
 """
 
@@ -30,7 +30,7 @@ EXAMPLES = """examples:
 def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
     parser.add_argument(
-        "folder", type=Path, nargs="?", default=REFERENCE, metavar="FOLDER", help="folder with cases (the references)"
+        "folder", type=Path, nargs="?", default=CASES, metavar="FOLDER", help="folder with cases (the project's own)"
     )
     parser.add_argument("--output", type=Path, metavar="HTML", help="also write a page with plots")
     parser.add_argument("--junit", type=Path, metavar="XML", help="also write JUnit XML")
