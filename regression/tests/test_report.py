@@ -21,7 +21,7 @@ from fmu_regression.scene import load_scene
 from fmu_regression.thinning import display_rows
 from lxml import html
 from scipy.spatial.transform import Rotation
-from synthetic import bouncing_ball, hammer, write_scene
+from synthetic import body, bouncing_ball, box_mesh, hammer, pose_signals, scene, write_scene
 
 ASSETS = Path(__file__).parents[1] / "fmu_regression" / "assets"
 NODE = shutil.which("node")
@@ -142,6 +142,24 @@ def test_arrow_stands_where_hammer_and_anvil_meet(folder: Path) -> None:
     assert pushes.shape[0] >= 3
     assert np.abs(pushes[:, 2]).max() < 3e-3  # the anvil's top is z = 0
     assert ((pushes[:, 0] > 0.44) & (pushes[:, 0] < 0.66)).all()
+
+
+@pytest.mark.parametrize(("way", "follows"), [(0.05, False), (10.0, True)])
+def test_what_goes_far_is_followed_instead_of_seen_from_afar(tmp_path: Path, way: float, follows: bool) -> None:
+    time = np.linspace(0, 1, 11)
+    position = np.stack([way * time, np.zeros(11), 3 * time * (1 - time)], axis=1)
+    signals = pose_signals("cart", position, np.broadcast_to(np.eye(3), (11, 3, 3)))
+    cart = body("cart", mass=1.0, meshes=[box_mesh("c", (0.2, 0.2, 0.2), (0, 0, 0), [0.5, 0.5, 0.5])])
+    path = write_scene(scene("Cart", [cart]), tmp_path / "scene.json")
+    write_report(SimulationResult(time=time, signals=signals), path, tmp_path / "report.html")
+    animation = page_data(tmp_path / "report.html")["animation"]
+    assert animation["follow"] is follows
+    assert animation["radius"] < 1.0  # the height of 0.75 m is in view, the way of 10 m is not
+    assert animation["radius"] > 0.4
+    assert animation["floor"] == pytest.approx(-0.1)
+    travel = decode(animation["travel"], "<f4").reshape(-1, 3)
+    assert travel[:, 0] == pytest.approx(way * time, abs=1e-6)
+    assert travel[:, 2] == pytest.approx(0)
 
 
 def test_a_page_cannot_be_broken_out_of(tmp_path: Path) -> None:
@@ -278,9 +296,9 @@ class TestScripts:
 
 @pytest.mark.skipif(find_browser() is None, reason="Chromium is not installed")
 def test_pictures_show_the_scene(folder: Path, tmp_path: Path) -> None:
-    scene, result = load_scene(folder / "scene.json"), read_csv(folder / "result.csv")
+    mechanism, result = load_scene(folder / "scene.json"), read_csv(folder / "result.csv")
     targets = [tmp_path / "a.png", tmp_path / "b.png"]
-    save_pictures(result, scene, [0.0, 0.2], targets, size=(320, 200))
+    save_pictures(result, mechanism, [0.0, 0.2], targets, size=(320, 200))
     first, second = (target.read_bytes() for target in targets)
     assert first.startswith(b"\x89PNG")
     assert int.from_bytes(first[16:20], "big") == 320
