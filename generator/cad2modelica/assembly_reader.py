@@ -37,7 +37,7 @@ from cad2modelica.spatial import (
     rotation_of_roll_pitch_yaw,
 )
 from cad2modelica.units import ANGLE, LENGTH, MASS, UnitSystem, to_si
-from cad2modelica.xml_document import line_of, read_xml, validate
+from cad2modelica.xml_document import line_of, validate
 
 NAMESPACE = "urn:contactmultibody:assembly:1"
 SCHEMA = Path(__file__).resolve().parents[2] / "Resources" / "schema" / "assembly.xsd"
@@ -52,10 +52,11 @@ MAXIMUM_PARTS = 2000
 MAXIMUM_NESTING = 100
 
 
-def read_assembly(path: Path, progress: Progress = silent) -> Assembly:
-    """Reads an assembly's XML file and the geometry it names.
+def read_assembly_xml(root: etree._Element, path: Path, progress: Progress = silent) -> Assembly:
+    """Reads an assembly in this project's own format and the geometry it names.
 
     Args:
+        root: the document's root element.
         path: the XML file.
         progress: is told which part is being read.
 
@@ -65,12 +66,11 @@ def read_assembly(path: Path, progress: Progress = silent) -> Assembly:
     Raises:
         InputError: the input is wrong; a ``ProblemList`` if several problems were found.
     """
-    root = read_xml(path)
     if etree.QName(root).namespace != NAMESPACE or etree.QName(root).localname != "assembly":
         raise InputError(
             f"is not an assembly: the root element is {root.tag!r}",
             place=Place(file=path, line=line_of(root)),
-            remedy=f"The root element must be 'assembly' in the namespace {NAMESPACE!r}.",
+            remedy=f"The root element must be 'assembly' in the namespace {NAMESPACE!r}, or URDF's 'robot'.",
         )
     validate(root, SCHEMA, path)
     return _Reader(path, root, progress).read()

@@ -72,11 +72,12 @@ class CollisionGeometry:
 
 def collision_geometry(part: Part) -> CollisionGeometry:
     """The shapes that stand for a part in contacts: one for each connected body of its geometry."""
-    if part.collision is CollisionChoice.NONE or not part.meshes:
+    meshes = part.meshes if part.collision_meshes is None else part.collision_meshes
+    if part.collision is CollisionChoice.NONE or not meshes:
         return CollisionGeometry((), ())
     shapes: list[CollisionShape] = []
     notes: list[str] = []
-    pieces = bodies(*weld(*join(part.meshes)))
+    pieces = bodies(*weld(*join(meshes)))
     for number, (vertices, triangles) in enumerate(pieces, start=1):
         label = f"part {part.name!r}" + (f", body {number} of {len(pieces)}" if len(pieces) > 1 else "")
         hull = _hull(vertices)

@@ -8,7 +8,6 @@ from pathlib import Path
 from cmb_base.output import whole_folder
 from cmb_base.progress import Progress, silent
 
-from cad2modelica.assembly_reader import read_assembly
 from cad2modelica.collision_shapes import collision_geometry
 from cad2modelica.contact_pairs import contact_pairs
 from cad2modelica.kinematic_graph import kinematic_tree
@@ -18,6 +17,7 @@ from cad2modelica.model import Assembly
 from cad2modelica.modelica_names import NamePool
 from cad2modelica.own_files import ORDER, SCENE, find_own_files
 from cad2modelica.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
+from cad2modelica.reading import read_assembly
 from cad2modelica.scene_file import scene_text
 
 

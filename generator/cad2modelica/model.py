@@ -90,6 +90,7 @@ class Part:
         velocity: of the origin at the start, in world axes, m/s; used where no joint holds the part.
         angular_velocity: at the start, in world axes, rad/s; used where no joint holds the part.
         place: where the part is described.
+        collision_meshes: geometry that collides, where it is another than ``meshes``.
     """
 
     name: str
@@ -102,6 +103,7 @@ class Part:
     velocity: Array
     angular_velocity: Array
     place: Place
+    collision_meshes: tuple[Mesh, ...] | None = None
 
 
 @dataclass(frozen=True, eq=False)
