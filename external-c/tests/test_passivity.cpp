@@ -213,14 +213,20 @@ double largest_gain(const Tumbling &model, State state, double end, double step)
 TEST(Tumbling, ElasticBoxOnHalfspaceGainsNoEnergy) {
   const State start{{0, 0, 1.6}, {0.3, 0.1, 0}, {1.0, 2.0, 0.5}, rotation_about(normalized(Vec3{1, 2, 3}), 0.8)};
   for (const double exponent : {1.0, 1.5}) {
-    EXPECT_LT(largest_gain(Tumbling(cube, floor_halfspace, 1.0 / 6.0, exponent), start, 3.0, 1e-4), 1e-6) << exponent;
+    EXPECT_LT(largest_gain(Tumbling(cube, floor_halfspace, 1.0 / 6.0, exponent), start, 3.0, 5e-5), 1e-6) << exponent;
   }
+}
+
+// With direction-dependent shares the contact is a gradient for the exponent 1 only; docs/engine.md states what is
+// left for others.
+TEST(Tumbling, ElasticPrismGainsLittleWithAnotherExponent) {
+  const State start{{0, 0, 1.6}, {0.3, 0.1, 0}, {1.0, 2.0, 0.5}, rotation_about(normalized(Vec3{1, 2, 3}), 0.8)};
+  EXPECT_LT(largest_gain(Tumbling(hexagonal_prism(), floor_halfspace, 0.1, 1.5), start, 3.0, 1e-4), 5e-3);
 }
 
 TEST(Tumbling, ElasticPrismOnHalfspaceGainsNoEnergy) {
   const State start{{0, 0, 1.6}, {0.3, 0.1, 0}, {1.0, 2.0, 0.5}, rotation_about(normalized(Vec3{1, 2, 3}), 0.8)};
-  EXPECT_LT(largest_gain(Tumbling(hexagonal_prism(), floor_halfspace, 0.1, 1.0), start, 3.0, 1e-4), 1e-5);
-  EXPECT_LT(largest_gain(Tumbling(hexagonal_prism(), floor_halfspace, 0.1, 1.5), start, 3.0, 1e-4), 1e-3);
+  EXPECT_LT(largest_gain(Tumbling(hexagonal_prism(), floor_halfspace, 0.1, 1.0), start, 3.0, 5e-5), 1e-6);
 }
 
 TEST(Tumbling, ElasticBoxOnTableGainsNoEnergy) {

@@ -53,12 +53,12 @@ BodyPose moved(const BodyPose &motion, const BodyPose &pose, double scale = 1.0)
   return {motion.rotation * (scale * pose.position) + motion.position, product(motion.rotation, pose.rotation)};
 }
 
-// Places A so that the pair overlaps by about `depth`: along the normal of the gap at a first guess.
+// Places A so that the pair overlaps by about `depth`, in some steps along the normal; not exactly, as that would end
+// where two ways out are equally short, and either answer is right.
 BodyPose nearly_touching(const PairScene &scene, Random &random, const BodyPose &b, double depth) {
   BodyPose a{b.position + 3.0 * random.direction(), random.rotation()};
   for (int i = 0; i < 4; ++i) {
-    const BodyPose probe = a;
-    const Contact contact = scene.query(probe, b, 1);
+    const Contact contact = scene.query(a, b, 1);
     if (contact.distance == CMB_DISTANCE_NONE) return a;
     // The normal of an unused slot is that of the closest points; a touching pair has it in its point.
     double distance, d, w, n[3], p[3], position[6], rotation[18];
@@ -70,7 +70,7 @@ BodyPose nearly_touching(const PairScene &scene, Random &random, const BodyPose 
       }
     }
     EXPECT_EQ(cmb_query_pair(scene.handle(), 0, position, rotation, 2, 1, &distance, &d, &w, n, p), CMB_OK);
-    a.position = a.position - (distance + depth) * Vec3{n[0], n[1], n[2]};
+    a.position = a.position - (distance + random(0.8, 1.2) * depth) * Vec3{n[0], n[1], n[2]};
   }
   return a;
 }
@@ -156,15 +156,23 @@ TEST(Properties, PointsFitTheSignedDistance) {
           ASSERT_TRUE(contact.points.empty()) << all[i] << " | " << all[j] << " " << k;
         } else {
           ASSERT_FALSE(contact.points.empty()) << all[i] << " | " << all[j] << " " << k;
-          // Depth is measured along the contact normal; no way out is shorter than the signed distance.
-          ASSERT_GE(worst_depth(contact), -contact.distance * (1.0 - 1e-6) - 1e-12) << all[i] << " | " << all[j];
+          // Depth is the overlap's extent along the contact normal. Along the shortest way out that is the signed
+          // distance, but where thin parts of both meet, of which one ends within the other, it is less.
+          ASSERT_GE(worst_depth(contact), -0.5 * contact.distance) << all[i] << " | " << all[j];
+          // Nothing is deeper than the bodies allow.
+          ASSERT_LE(worst_depth(contact), 1.2) << all[i] << " | " << all[j];
         }
       }
     }
   }
 }
 
-TEST(Properties, MergingKeepsLoadAndMoment) {
+TEST(Properties, MergingKeepsLoadMomentAndStoredEnergy) {
+  const auto stored = [](const Contact &contact) {
+    double sum = 0.0;
+    for (const auto &p : contact.points) sum += p.weight * p.depth * p.depth;
+    return sum;
+  };
   const PairScene scene("cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1");
   const BodyPose a{{0.1, 0.05, 0.99}, product(rotation_about({0.6, 0.8, 0}, 0.004), rotation_about({0, 0, 1}, 0.5))};
   const Contact all = scene.query(a, {}, 64);
@@ -172,7 +180,7 @@ TEST(Properties, MergingKeepsLoadAndMoment) {
   for (std::size_t capacity = 1; capacity < all.points.size(); ++capacity) {
     const Contact merged = scene.query(a, {}, capacity);
     EXPECT_LE(merged.points.size(), capacity);
-    EXPECT_NEAR(merged.total_weight(), all.total_weight(), 1e-12);
+    EXPECT_NEAR(stored(merged), stored(all), 1e-15);
     EXPECT_LT(norm(merged.load() - all.load()), 1e-15);
     EXPECT_LT(norm(merged.moment({}) - all.moment({})), 1e-15);
   }
@@ -222,8 +230,9 @@ TEST(Properties, BoxOnBoxEqualsBoxOnHalfspaceAwayFromTheBorder) {
     a.position.z -= on_plane.query(a, {}, 8).distance + random(0.0, 0.03);
     const Contact one = on_box.query(a, {}, 64), other = on_plane.query(a, {}, 8);
     ASSERT_NEAR(one.distance, other.distance, 1e-10);
-    ASSERT_LT(norm(one.load() - other.load()), 1e-9) << k;
-    ASSERT_LT(norm(one.moment({}) - other.moment({})), 1e-9) << k;
+    // The hemisphere of directions is cut off at slopes of 1e6: weights are true to a few 1e-6.
+    ASSERT_LT(norm(one.load() - other.load()), 1e-5 * norm(other.load())) << k;
+    ASSERT_LT(norm(one.moment({}) - other.moment({})), 1e-5 * norm(other.load())) << k;
   }
 }
 

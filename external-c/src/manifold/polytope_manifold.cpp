@@ -55,36 +55,6 @@ double area(const convex::OverlapScratch &overlap, const convex::OverlapScratch:
   return 0.5 * sum;
 }
 
-void collect_edges(const convex::OverlapScratch &overlap, std::vector<Scratch::Edge> &edges) {
-  edges.clear();
-  for (std::size_t f = 0; f < overlap.faces().size(); ++f) {
-    const convex::OverlapScratch::Face &face = overlap.faces()[f];
-    const auto number = static_cast<std::int32_t>(f);
-    for (std::int32_t k = 0; k < face.count; ++k) {
-      const std::int32_t from = overlap.corners()[index(face.first + k)];
-      const std::int32_t to = overlap.corners()[index(face.first + (k + 1) % face.count)];
-      if (from != to) edges.push_back({std::min(from, to), std::max(from, to), {number, number}});
-    }
-  }
-  std::sort(edges.begin(), edges.end(), [](const Scratch::Edge &a, const Scratch::Edge &b) {
-    if (a.from != b.from) return a.from < b.from;
-    return a.to != b.to ? a.to < b.to : a.face[0] < b.face[0];
-  });
-  std::size_t count = 0;
-  for (const Scratch::Edge &edge : edges) {
-    if (count > 0 && edges[count - 1].from == edge.from && edges[count - 1].to == edge.to) {
-      edges[count - 1].face[1] = edge.face[0];
-    } else {
-      edges[count++] = edge;
-    }
-  }
-  edges.resize(count);
-}
-
-Vec3 edge_vector(const convex::OverlapScratch &overlap, const Scratch::Edge &edge) {
-  return overlap.vertices()[index(edge.to)] - overlap.vertices()[index(edge.from)];
-}
-
 // The parts in the overlap of the edges at those faces of a body that bound it. Edges on the overlap's surface count,
 // whichever body the faces there belong to.
 void collect_segments(const convex::OverlapScratch &overlap, const convex::Polytope &body, const Pose &to_a,
@@ -160,21 +130,49 @@ Vec3 contact_normal(const Vec3 &shortest, const DepthAlong &depth_along, const S
   return normalized(sum, shortest);
 }
 
-// How far a ray from the overlap's point p along the unit vector d runs inside the overlap.
-double exit_length(const Vec3 &p, const Vec3 &d, const convex::OverlapScratch &overlap) {
-  double length = HUGE_VAL;
-  for (const convex::OverlapScratch::Face &face : overlap.faces()) {
-    const double rate = dot(face.normal, d);
-    if (rate > 1e-14) length = std::min(length, (face.offset - dot(face.normal, p)) / rate);
+// Where the line through p along `up` leaves a body, as the length from p; not finite where it misses the body.
+// `to_a` maps the body's frame to that of p and `up`.
+double exit_length(const Vec3 &p, const Vec3 &up, const convex::Polytope &body, const Pose &to_a, double slack) {
+  const Vec3 local_p = transposed_times(to_a.rotation, p - to_a.translation);
+  const Vec3 local_up = transposed_times(to_a.rotation, up);
+  double enter = -HUGE_VAL, leave = HUGE_VAL;
+  for (const convex::Polytope::Face &face : body.faces()) {
+    const double rate = dot(face.normal, local_up), inside = face.offset - dot(face.normal, local_p);
+    if (std::fabs(rate) <= wall_cosine) {
+      if (inside < -slack) return HUGE_VAL;
+    } else if (rate > 0.0) {
+      leave = std::min(leave, inside / rate);
+    } else {
+      enter = std::max(enter, inside / rate);
+    }
   }
-  return std::isfinite(length) ? std::max(length, 0.0) : 0.0;
+  return enter <= leave + slack ? leave : HUGE_VAL;
 }
 
-void collect_corners(const PlaneAxes &axes, double size, Scratch &scratch) {
-  const convex::OverlapScratch &overlap = scratch.overlap;
+// The edges of a body that belong to the side towards `side` (unit, in the body's frame) and reach farther along it
+// than `least`.
+void collect_side(const convex::Polytope &body, const Vec3 &side, double least, std::vector<std::int32_t> &edges) {
+  edges.clear();
+  for (std::size_t e = 0; e < body.edges().size(); ++e) {
+    const convex::Polytope::Edge &edge = body.edges()[e];
+    const bool faces_there = dot(body.faces()[index(edge.face[0])].normal, side) > wall_cosine ||
+                             dot(body.faces()[index(edge.face[1])].normal, side) > wall_cosine;
+    if (!faces_there) continue;
+    if (dot(body.vertices()[index(edge.vertex[0])], side) > least ||
+        dot(body.vertices()[index(edge.vertex[1])], side) > least) {
+      edges.push_back(static_cast<std::int32_t>(e));
+    }
+  }
+}
+
+// The corners of the depth's graph: vertices of A above or below B's upper side, vertices of B, crossings of edges, and
+// the border where the depth is zero. Places that are no corners may be among them, with a depth no greater than the
+// true one: their normal cones turn out empty.
+void collect_corners(const convex::Polytope &a, const convex::Polytope &b, const Pose &b_in_a, const PlaneAxes &axes,
+                     double size, Scratch &scratch) {
   std::vector<Scratch::Corner> &corners = scratch.corners;
   corners.clear();
-  const double near = corner_tolerance * size;
+  const double near = corner_tolerance * size, slack = surface_tolerance * size;
   const auto add = [&](const Vec3 &middle, double depth) {
     const Vec3 lifted{dot(axes.first, middle), dot(axes.second, middle), depth};
     for (const Scratch::Corner &known : corners) {
@@ -183,22 +181,35 @@ void collect_corners(const PlaneAxes &axes, double size, Scratch &scratch) {
     }
     corners.push_back({lifted, middle});
   };
-  for (const Vec3 &p : overlap.vertices()) {
-    const double above = exit_length(p, axes.up, overlap), below = exit_length(p, -axes.up, overlap);
-    add(p + 0.5 * (above - below) * axes.up, above + below);
+
+  scratch.vertices_b.clear();
+  double lowest_a = HUGE_VAL, highest_b = -HUGE_VAL;
+  for (const Vec3 &v : a.vertices()) lowest_a = std::min(lowest_a, dot(axes.up, v));
+  for (const Vec3 &v : b.vertices()) {
+    scratch.vertices_b.push_back(b_in_a(v));
+    highest_b = std::max(highest_b, dot(axes.up, scratch.vertices_b.back()));
   }
-  // Whether a face of the lower (-1), the upper (+1) side meets in an edge; walls belong to both.
-  const auto meets = [&](const Scratch::Edge &edge, const Vec3 &up, double side) {
-    return side * dot(overlap.faces()[index(edge.face[0])].normal, up) > -wall_cosine ||
-           side * dot(overlap.faces()[index(edge.face[1])].normal, up) > -wall_cosine;
-  };
-  for (const Scratch::Edge &e : scratch.edges) {
-    if (!meets(e, axes.up, -1.0)) continue;
-    const Vec3 &e0 = overlap.vertices()[index(e.from)], de = edge_vector(overlap, e);
+  for (const Vec3 &v : a.vertices()) {
+    if (dot(axes.up, v) >= highest_b) continue;
+    const double depth = exit_length(v, axes.up, b, b_in_a, slack);
+    if (depth > 0.0 && std::isfinite(depth)) add(v + 0.5 * depth * axes.up, depth);
+  }
+  for (const Vec3 &v : scratch.vertices_b) {
+    if (dot(axes.up, v) <= lowest_a) continue;
+    const double depth = exit_length(v, -axes.up, a, {}, slack);
+    if (depth > 0.0 && std::isfinite(depth)) add(v - 0.5 * depth * axes.up, depth);
+  }
+
+  const Vec3 up_in_b = transposed_times(b_in_a.rotation, axes.up);
+  collect_side(a, -axes.up, -highest_b, scratch.lower_edges);
+  collect_side(b, up_in_b, lowest_a - dot(axes.up, b_in_a.translation), scratch.upper_edges);
+  for (const std::int32_t lower : scratch.lower_edges) {
+    const convex::Polytope::Edge &e = a.edges()[index(lower)];
+    const Vec3 &e0 = a.vertices()[index(e.vertex[0])], de = a.vertices()[index(e.vertex[1])] - e0;
     const double e_length = norm(de);
-    for (const Scratch::Edge &f : scratch.edges) {
-      if (&e == &f || !meets(f, axes.up, 1.0)) continue;
-      const Vec3 &f0 = overlap.vertices()[index(f.from)], df = edge_vector(overlap, f);
+    for (const std::int32_t upper : scratch.upper_edges) {
+      const convex::Polytope::Edge &f = b.edges()[index(upper)];
+      const Vec3 &f0 = scratch.vertices_b[index(f.vertex[0])], df = scratch.vertices_b[index(f.vertex[1])] - f0;
       const double area = dot(axes.up, cross(de, df));
       if (std::fabs(area) <= parallel_sine * e_length * norm(df)) continue;
       const Vec3 between = f0 - e0;
@@ -209,6 +220,12 @@ void collect_corners(const PlaneAxes &axes, double size, Scratch &scratch) {
       const Vec3 on_e = e0 + t * de, on_f = f0 + s * df;
       const double depth = dot(axes.up, on_f - on_e);
       if (depth > 0.0) add(0.5 * (on_e + on_f), depth);
+    }
+  }
+  for (const std::vector<Scratch::Segment> *segments : {&scratch.segments_a, &scratch.segments_b}) {
+    for (const Scratch::Segment &segment : *segments) {
+      add(segment.from, 0.0);
+      add(segment.from + segment.along, 0.0);
     }
   }
 }
@@ -268,13 +285,12 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
       convex::convex_overlap(a.geometry(), b.geometry(), b_in_a, shortest, scratch.overlap);
   if (!(overlap.volume > 0.0)) return;
   const double size = a.geometry().radius() + b.geometry().radius();
-  collect_edges(scratch.overlap, scratch.edges);
   collect_segments(scratch.overlap, a.geometry(), {}, false, surface_tolerance * size, scratch.bounds,
                    scratch.segments_a);
   collect_segments(scratch.overlap, b.geometry(), b_in_a, true, surface_tolerance * size, scratch.bounds,
                    scratch.segments_b);
   const PlaneAxes axes(contact_normal(shortest, DepthAlong(a.geometry(), b.geometry(), b_in_a), scratch));
-  collect_corners(axes, size, scratch);
+  collect_corners(a.geometry(), b.geometry(), b_in_a, axes, size, scratch);
 
   double deepest = 0.0;
   for (const Scratch::Corner &corner : scratch.corners) deepest = std::max(deepest, corner.lifted.z);

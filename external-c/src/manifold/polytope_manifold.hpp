@@ -13,11 +13,6 @@ namespace cmb {
 
 // Room that polytope contacts are made in; one for each thread.
 struct PolytopeManifoldScratch {
-  // An edge of the overlap.
-  struct Edge {
-    std::int32_t from, to;  // of the overlap's vertices
-    std::int32_t face[2];   // of the overlap; twice the same where only one is left of two
-  };
   // The part of a body's edge that lies in the overlap.
   struct Segment {
     Vec3 from, along;  // where it begins, and the vector to its end
@@ -28,13 +23,14 @@ struct PolytopeManifoldScratch {
     double influence;
     double stiffness;
   };
-  // A corner of the graph of the overlap's depth over the contact plane.
+  // A corner of the depth's graph over the contact plane.
   struct Corner {
     Vec3 lifted;    // in the contact plane's axes: two coordinates in the plane, and the depth
     Vec3 position;  // half way between the surfaces, in A's frame
   };
   convex::OverlapScratch overlap;
-  std::vector<Edge> edges;
+  std::vector<Vec3> vertices_b;  // in A's frame
+  std::vector<std::int32_t> lower_edges, upper_edges;  // of A, of B
   std::vector<std::uint8_t> bounds;  // which faces of a body bound the overlap
   std::vector<Segment> segments_a, segments_b;
   std::vector<Anchor> anchors;
@@ -44,7 +40,8 @@ struct PolytopeManifoldScratch {
 // Appends the points at which polytopes A and B touch; none where they do not overlap, or where one contains the
 // other. `normal` is the direction, from B to A, of the shortest translation that parts them.
 //
-// The overlap's depth, measured along the contact normal, is a concave function over the contact plane; the points are the corners of its graph. A corner's weight is the part of the hemisphere of directions in
+// How far B's upper side lies above A's lower side, measured along the contact normal, is a concave function over the
+// contact plane; the points are the corners of its graph. A corner's weight is the part of the hemisphere of directions in
 // which it is the graph's farthest point (its normal cone), scaled so that a vertex of one body inside a face of
 // the other carries its share in that face. This measure of a convex body changes continuously with the body
 // (Schneider, Convex Bodies, section 4.2), so corners may appear, merge and vanish without a jump.
