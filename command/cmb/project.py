@@ -7,4 +7,3 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 LIBRARY = ROOT / "ContactMultiBody"
 CASES = ROOT / "regression" / "cases"
-

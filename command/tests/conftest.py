@@ -1,0 +1,51 @@
+"""The whole road, walked once for all tests that look at what came out of it."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from cmb.project import LIBRARY, ROOT
+
+Cmb = Callable[..., "subprocess.CompletedProcess[str]"]
+
+HAMMER = ROOT / "Resources" / "cad" / "hammer"
+
+
+@pytest.fixture(scope="session")
+def cmb() -> Cmb:
+    """Runs the program as a user does; the words after ``cmb`` in, status and output out."""
+
+    def call(*words: str | Path, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+        environment = {name: value for name, value in os.environ.items() if name != "MODELICAPATH"}
+        return subprocess.run(
+            [sys.executable, "-m", "cmb.main", *map(str, words)],
+            cwd=cwd,
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
+
+    return call
+
+
+@pytest.fixture(scope="session")
+def engine() -> None:
+    """Skips where the contact engine is not installed into the library."""
+    if not any((LIBRARY / "Resources" / "Library").glob("*/libContactMultiBody.a")):
+        pytest.skip("the contact engine is not built; run scripts/setup")
+
+
+@pytest.fixture(scope="session")
+def hammer(cmb: Cmb, engine: None, tmp_path_factory: pytest.TempPathFactory) -> Path:  # noqa: ARG001
+    """The output folder of ``cmb run`` on the hammer."""
+    output = tmp_path_factory.mktemp("road") / "hammer"
+    done = cmb("run", HAMMER, "--output", output)
+    assert done.returncode == 0, done.stderr
+    (output / "summary.txt").write_text(done.stdout)
+    return output

@@ -1,0 +1,113 @@
+"""Wrong input gets one clear message, exit status 2 and leaves nothing behind."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from conftest import HAMMER, Cmb
+
+XML = "hammer.xml"
+VRML = "hammer.wrl"
+
+
+def replace(file: str, old: str, new: str) -> Callable[[Path], None]:
+    def change(folder: Path) -> None:
+        text = (folder / file).read_text()
+        assert old in text
+        (folder / file).write_text(text.replace(old, new, 1))
+
+    return change
+
+
+def cut(file: str) -> Callable[[Path], None]:
+    def change(folder: Path) -> None:
+        text = (folder / file).read_text()
+        (folder / file).write_text(text[: len(text) // 2])
+
+    return change
+
+
+def entity_bomb(folder: Path) -> None:
+    entities = "".join(f'<!ENTITY a{i + 1} "{f"&a{i};" * 10}">' for i in range(9))
+    bomb = f'<!DOCTYPE assembly [<!ENTITY a0 "aaaaaaaaaa">{entities}]>'
+    text = (folder / XML).read_text()
+    head, rest = text.split("?>", 1)
+    (folder / XML).write_text(head + "?>" + bomb + rest.replace("A hammer", "&a9;", 1))
+
+
+WRONG = {
+    "not well formed": (cut(XML), [XML]),
+    "breaks the schema": (replace(XML, '<part name="arm"', '<piece name="arm"'), [XML, "piece"]),
+    "missing VRML file": (replace(XML, 'file="hammer.wrl" node="arm"', 'file="gone.wrl" node="arm"'), ["gone.wrl"]),
+    "joint with an unknown part": (replace(XML, 'child="hammer head"', 'child="mallet"'), ["mallet"]),
+    "mass of zero": (replace(XML, "<mass>0.565854757865</mass>", "<mass>0</mass>"), [XML, "arm", "mass"]),
+    "negative inertia": (replace(XML, 'xx="150.783225199"', 'xx="-150.783225199"'), [XML, "inertia"]),
+    "two parts with one name": (replace(XML, '<part name="arm"', '<part name="ball"'), ["ball"]),
+    "VRML that ends in the middle": (cut(VRML), [VRML]),
+    "entity bomb": (entity_bomb, [XML]),
+    "path that leaves the folder": (
+        replace(XML, 'file="hammer.wrl" node="arm"', 'file="../../../etc/passwd" node="arm"'),
+        [XML, "passwd"],
+    ),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_wrong_assembly(case: str, cmb: Cmb, tmp_path: Path) -> None:
+    change, words = WRONG[case]
+    folder = tmp_path / "assembly"
+    shutil.copytree(HAMMER, folder)
+    change(folder)
+    done = cmb("run", folder, "--output", tmp_path / "out", cwd=tmp_path)
+    assert done.returncode == 2, done.stderr
+    assert done.stdout == ""
+    assert "Traceback" not in done.stderr
+    for word in words:
+        assert word in done.stderr
+    assert done.stderr.count("cmb:") == 1
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["assembly"]
+
+
+def test_model_the_builder_cannot_translate(cmb: Cmb, tmp_path: Path) -> None:
+    (tmp_path / "Delayed.mo").write_text(
+        'model Delayed "Uses delay"\n'
+        "  Real x(start=1, fixed=true);\n"
+        "equation\n"
+        "  der(x) = -delay(x, 0.5);\n"
+        "end Delayed;\n"
+    )
+    done = cmb("fmu", "Delayed", "--source", "Delayed.mo", "--output", "delayed.fmu", cwd=tmp_path)
+    assert done.returncode == 2, done.stderr
+    assert "delay" in done.stderr
+    assert "Delayed.mo:4" in done.stderr
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["Delayed.mo"]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["run", "nowhere"], "nowhere"),
+        (["fmu", "No.Such.Model"], "No"),
+        (["simulate", "no.fmu", "--output", "a.csv"], "no.fmu"),
+        (["report", "no.csv", "--output", "a.html"], "no.csv"),
+        (["regress", "nocases"], "nocases"),
+        (["frobnicate"], "frobnicate"),
+    ],
+)
+def test_wrong_command_line(words: list[str], said: str, cmb: Cmb, tmp_path: Path) -> None:
+    done = cmb(*words, cwd=tmp_path)
+    assert done.returncode == 2, done.stderr
+    assert said in done.stderr
+    assert "Traceback" not in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_every_command_has_help_with_examples(cmb: Cmb) -> None:
+    overview = cmb("--help")
+    assert overview.returncode == 0
+    for name in ("run", "generate", "fmu", "simulate", "report", "regress", "msl"):
+        assert name in overview.stdout
+        assert "examples:" in cmb(name, "--help").stdout
