@@ -16,6 +16,7 @@ from cmb_base.progress import Progress, silent
 from modelica2fmu.description import ModelDescription
 from modelica2fmu.packaging.archive import write_archive
 from modelica2fmu.packaging.dependencies import Sundials, find_fmi_headers, find_sundials
+from modelica2fmu.packaging.documentation import documentation_page
 from modelica2fmu.packaging.interface_tables import interface_source
 from modelica2fmu.packaging.layout import LAYOUTS, FmiVersion, Layout
 from modelica2fmu.packaging.shared_libraries import bundle_libraries, licence_of
@@ -94,7 +95,7 @@ def _compilations(
 
 
 def _copy_licences(folder: Path, sundials: Sundials, bundled: dict[str, Path]) -> None:
-    licences = {"sundials": sundials.licence} | {name: licence_of(origin) for name, origin in bundled.items()}
+    licences = {"sundials": sundials.licence} | {name: licence_of(name, origin) for name, origin in bundled.items()}
     for name, licence in licences.items():
         if licence is not None:
             folder.mkdir(parents=True, exist_ok=True)
@@ -148,6 +149,9 @@ def package_fmu(
         (root / "modelDescription.xml").write_bytes(layout.describe(described))
         _write_sources(root / "sources", described, sources, options, layout)
         layout.complete(description, root)
+        documentation = root / "documentation"
+        documentation.mkdir()
+        (documentation / "index.html").write_text(documentation_page(described), encoding="utf-8")
         _copy_resources(root / "resources", description)
 
         progress("compile", 0.1)
@@ -164,7 +168,7 @@ def package_fmu(
             compiled, Libraries((sundials.archive,), external.libraries, external.library_directories), library, scratch
         )
         bundled = bundle_libraries(library, external.library_directories)
-        _copy_licences(root / "documentation" / "licenses", sundials, bundled)
+        _copy_licences(documentation / "licenses", sundials, bundled)
 
         progress("pack", 0.9)
         with whole_file(output) as staging:

@@ -88,16 +88,20 @@ def bundle_libraries(library: Path, directories: Sequence[Path]) -> dict[str, Pa
     return needed
 
 
-def licence_of(library: Path) -> Path | None:
-    """The licence text that Debian keeps of the package a file belongs to; ``None`` where there is none."""
-    for path in (library, library.resolve()):
-        candidates = {path, Path("/usr") / path.relative_to("/")} if path.parts[1:2] == ("lib",) else {path}
-        for candidate in sorted(candidates):
-            try:
-                owner = run_tool(["dpkg-query", "-S", str(candidate)], "asking for a package").split(":", 1)[0]
-            except BuildError:
-                continue
-            licence = Path("/usr/share/doc") / owner / "copyright"
+def licence_of(name: str, library: Path) -> Path | None:
+    """The licence text that Debian keeps of the package a library comes from; ``None`` where there is none.
+
+    Args:
+        name: under which the library is looked for; its package is known by it also where only a copy lies elsewhere.
+        library: the file.
+    """
+    for pattern in (str(library.resolve()), f"*/{name}"):
+        try:
+            answer = run_tool(["dpkg-query", "-S", pattern], f"asking for the package of {name}")
+        except BuildError:
+            continue
+        for line in answer.splitlines():
+            licence = Path("/usr/share/doc") / line.split(":", 1)[0] / "copyright"
             if licence.is_file():
                 return licence
     return None

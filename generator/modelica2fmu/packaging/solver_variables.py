@@ -24,7 +24,7 @@ class SolverOptions:
     Attributes:
         relative_tolerance: ``None`` for that of the experiment annotation, else 1e-6.
         absolute_tolerance: divided by each state's nominal value; 0 for 1e-3 times the relative tolerance,
-            1e-10 at least.
+            1e-9 at least where that is not more than the relative one.
         maximum_step: s; 0 for the communication step.
     """
 
@@ -55,7 +55,7 @@ def with_solver_variables(description: ModelDescription, options: SolverOptions)
     reals = (
         ("relativeTolerance", tolerance, "", "Relative tolerance where the importer gives none"),
         ("absoluteTolerance", options.absolute_tolerance, "",
-         "Absolute tolerance divided by each state's nominal value; 0: 1e-3 times the relative one, 1e-10 at least"),
+         "Absolute tolerance divided by each state's nominal value; 0: 1e-3 times the relative one, 1e-9 at least"),
         ("maximumStep", options.maximum_step, "s", "Longest step of the integrator; 0: the communication step"),
     )  # fmt: skip
     integers = (

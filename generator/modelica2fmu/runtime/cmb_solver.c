@@ -15,7 +15,7 @@
 #include "cmb_evaluate.h"
 #include "cmb_event.h"
 
-enum { MAXIMUM_STEPS = 1000000, MAXIMUM_ROOT_RETRIES = 8 };
+enum { MAXIMUM_STEPS = 1000000, MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 8 };
 
 struct cmb_solver {
   cmb_instance *instance;
@@ -132,8 +132,9 @@ static double relative_tolerance(const cmb_situation *situation) {
 
 /* The absolute tolerance, divided by a state's nominal value, where the importer gives none. Positions have the nominal
  * value 1 m as a rule and penetrations of a micrometre matter, so the usual share 1 of the relative tolerance would
- * leave them undetermined; below 1e-10 rounding errors, multiplied by the stiffness of contacts, disturb Newton. */
-static double default_absolute(double relative) { return fmin(relative, fmax(1e-3 * relative, 1e-10)); }
+ * leave them undetermined; below a nanometre the rounding errors of contact geometry, multiplied by the stiffness of
+ * the contact, keep Newton from converging (tried on stacks and on a box that lands on its edge). */
+static double default_absolute(double relative) { return fmin(relative, fmax(1e-3 * relative, 1e-9)); }
 
 static int set_tolerances(cmb_solver *solver) {
   const cmb_situation *situation = &solver->instance->situation;
@@ -142,7 +143,10 @@ static int set_tolerances(cmb_solver *solver) {
   const double absolute = option > 0.0 ? option : default_absolute(relative);
   double *tolerance = NV_DATA_S(solver->tolerance);
   if (solver->state_count == 0) tolerance[0] = 1.0;
-  for (size_t i = 0; i < solver->state_count; ++i) tolerance[i] = absolute * cmb_model.state_nominal[i];
+  for (size_t i = 0; i < solver->state_count; ++i) {
+    const double nominal = cmb_model.state_nominal[i];
+    tolerance[i] = absolute * (nominal > 0.0 ? nominal : 1.0);
+  }
   return CVodeSVtolerances(solver->memory, relative, solver->tolerance);
 }
 
@@ -263,7 +267,7 @@ cmb_result cmb_solver_advance(cmb_solver *solver, double target, double limit, d
       reached = begin;
     }
     instance->situation.continuous_stale = 1;
-    if (recoverable && reached > progress_time && retries < MAXIMUM_STEPS) {
+    if (recoverable && reached > progress_time && retries < MAXIMUM_RETRIES) {
       progress_time = reached;
       ++retries;
       continue;

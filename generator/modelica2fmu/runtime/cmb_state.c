@@ -17,7 +17,7 @@ typedef struct state_header {
   char format[8];
   uint64_t size;  /* of the whole block */
   uint64_t model; /* hash of the model's GUID */
-  uint64_t hash;  /* of everything after the header */
+  uint64_t hash;  /* of everything after the header; serialized states only */
 } state_header;
 
 static const char state_format[8] = "cmb/st1";
@@ -76,7 +76,6 @@ cmb_result cmb_state_save(cmb_instance *instance, cmb_state **state) {
 
   state_header header = {.size = size, .model = model_hash()};
   memcpy(header.format, state_format, sizeof header.format);
-  header.hash = hash_bytes(bytes + sizeof header, size - sizeof header);
   memcpy(bytes, &header, sizeof header);
 
   free(saved->bytes);
@@ -148,7 +147,13 @@ void cmb_state_free(cmb_state *state) {
 
 size_t cmb_state_size(const cmb_state *state) { return state->size; }
 
-void cmb_state_write(const cmb_state *state, char *bytes) { memcpy(bytes, state->bytes, state->size); }
+void cmb_state_write(const cmb_state *state, char *bytes) {
+  state_header header;
+  memcpy(&header, state->bytes, sizeof header);
+  header.hash = hash_bytes(state->bytes + sizeof header, state->size - sizeof header);
+  memcpy(bytes, state->bytes, state->size);
+  memcpy(bytes, &header, sizeof header);
+}
 
 cmb_state *cmb_state_read(const char *bytes, size_t size) {
   state_header header;

@@ -128,6 +128,29 @@ def test_the_description_says_what_the_model_says(schedule: Path) -> None:
     assert (milli.name, milli.factor) == ("ms", pytest.approx(1000.0))
 
 
+def test_the_documentation_shows_what_can_be_set(oscillator: Path) -> None:
+    with zipfile.ZipFile(oscillator) as archive:
+        page = etree.fromstring(archive.read("documentation/index.html"), etree.HTMLParser())
+    texts = {"".join(cell.itertext()) for cell in page.iter("td")}
+    assert {"mass", "force", "energy", 'Position "s" <&>', "cmbSolver.maximumStep"} <= texts
+    assert "frequency" not in texts
+
+
+def test_licences_of_bundled_debian_libraries_come_along(tmp_path: Path) -> None:
+    """A copy that lies outside the package's folder is recognized by its name."""
+    system = Path("/usr/lib/x86_64-linux-gnu/libccd.so.2")
+    if not system.exists():
+        pytest.skip("libccd is not installed")
+    shutil.copyfile(system, tmp_path / "libccd.so.2")
+    (tmp_path / "libccd.so").symlink_to("libccd.so.2")
+    external = ExternalCode(libraries=("ccd",), library_directories=(tmp_path,))
+    source = broken_source("void ccdVec3PointSegmentDist2(void);" + USED + "{ ccdVec3PointSegmentDist2(); }\n")
+    fmu = package_fmu(replace(models.OSCILLATOR, external=external), source, tmp_path / "o.fmu")
+    with zipfile.ZipFile(fmu) as archive:
+        assert "binaries/linux64/libccd.so.2" in archive.namelist()
+        assert b"Fiser" in archive.read("documentation/licenses/libccd.so.2.txt")
+
+
 def test_solver_defaults_reach_the_fmu(tmp_path: Path) -> None:
     options = SolverOptions(relative_tolerance=1e-4, absolute_tolerance=1e-9, maximum_step=0.25)
     fmu = package_fmu(models.OSCILLATOR, models.source("oscillator"), tmp_path / "o.fmu", options=options)
