@@ -141,19 +141,19 @@ def bouncing_ball(
         pieces.append((t + s, depth - 1e-12, u, force, np.ones_like(s)))
         t += push
         height, speed = 0.0, e * v
-    time, z, v, force, touches = (np.concatenate(columns) for columns in zip(*pieces, strict=True))
+    time, z, velocity, force, touches = (np.concatenate(columns) for columns in zip(*pieces, strict=True))
     if not events:
         keep = np.concatenate([[True], np.diff(time) > 0])
-        time, z, v, force, touches = time[keep], z[keep], v[keep], force[keep], touches[keep]
+        time, z, velocity, force, touches = time[keep], z[keep], velocity[keep], force[keep], touches[keep]
     count = time.size
     position = np.stack([np.zeros(count), np.zeros(count), z + radius], axis=1)
     signals = pose_signals("ball", position, np.broadcast_to(np.eye(3), (count, 3, 3)))
-    signals |= {"ball.v_0[1]": np.zeros(count), "ball.v_0[2]": np.zeros(count), "ball.v_0[3]": v}
+    signals |= {"ball.v_0[1]": np.zeros(count), "ball.v_0[2]": np.zeros(count), "ball.v_0[3]": velocity}
     signals |= {f"ball.w_a[{i}]": np.zeros(count) for i in (1, 2, 3)}
     signals |= {
         "contacts.distance[1]": z,
         "contacts.normalForce[1]": force,
-        "contacts.approachSpeed[1]": -v,
+        "contacts.approachSpeed[1]": -velocity,
         "contacts.touches[1]": touches,
         "contacts.elasticEnergy": np.zeros(count),
         "contacts.force[1,1]": np.zeros(count),
@@ -256,7 +256,7 @@ def hammer(rows: int = 1000) -> tuple[dict[str, Any], SimulationResult]:
         )
         record(t, state)
         for point in grid[(grid > t) & (grid < run.t[-1])]:
-            record(float(point), run.sol(point))
+            record(float(point), run.sol(point))  # type: ignore[misc]
         t, state = float(run.t[-1]), run.y[:, -1]
         record(t, state)
         if t >= 1:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cmb_base.errors import InputError, SimulationError
+from fmu_regression.fmu import Mode
 from fmu_regression.simulate import simulate
 
 FIRST = math.sqrt(0.2)  # fall from 1 m at 10 m/s2
@@ -24,7 +25,7 @@ def exact(time: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("mode", ["me", "cs"])
-def test_values_follow_the_closed_form(bouncing_mass: Path, mode: str) -> None:
+def test_values_follow_the_closed_form(bouncing_mass: Path, mode: Mode) -> None:
     result = simulate(bouncing_mass, stop=1.1, interval=0.01, tolerance=1e-9, mode=mode)
     assert np.abs(result["h"] - exact(result.time)).max() < 1e-7
     assert result.mode == mode
@@ -81,7 +82,7 @@ def test_repeats_to_the_bit(bouncing_mass: Path) -> None:
 
 @pytest.mark.parametrize("mode", ["me", "cs"])
 @pytest.mark.parametrize("failure", [2, 3])
-def test_failing_model_is_an_error_with_its_message(bouncing_mass: Path, mode: str, failure: int) -> None:
+def test_failing_model_is_an_error_with_its_message(bouncing_mass: Path, mode: Mode, failure: int) -> None:
     with pytest.raises(SimulationError, match=r"cannot be computed at t = 0\.[3-6]") as caught:
         simulate(bouncing_mass, parameters={"fails_at": 0.3, "failure": failure}, mode=mode)
     assert caught.value.exit_status == 1
