@@ -129,9 +129,9 @@ bool lies_on_line(CoreShape core) { return core == CoreShape::point || core == C
 double witness_error(const CoreDistance &d) { return norm(d.a - d.b + d.distance * d.direction); }
 
 // Where nearly parallel faces left the witness points of an overlap off the mark: B moved along the
-// direction until it is clear of A by a comfortable gap has its nearest points over the same places.
+// direction until it is clear of A by a small gap has its nearest points over the same places.
 CoreDistance with_better_witness(const MinkowskiDifference &difference, const CoreDistance &rough) {
-  const double gap = 0.01 * difference.scale;
+  const double gap = 1e-6 * difference.scale;  // small: a distance proven to e leaves sqrt(2 gap e) sideways
   const Vec3 shift = (gap - rough.distance) * rough.direction;
   const Pose clear{difference.b_in_a.rotation, difference.b_in_a.translation + shift};
   const MinkowskiDifference apart(difference.body_a, difference.body_b, clear);
@@ -166,9 +166,10 @@ CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const P
   const CoreDistance result{axes.separation, axes.axis, axes.a, axes.b, DistanceMethod::separating_axes, true};
   const double scale = norm(a.half) + norm(b.half);
   const Vec3 b_local = transposed_times(pose.rotation, axes.b - pose.translation);
-  if (std::max(outside_box(a.half, axes.a), outside_box(b.half, b_local)) <= 1e-11 * scale) return result;
+  const double outside = std::max(outside_box(a.half, axes.a), outside_box(b.half, b_local));
+  if (outside <= 1e-11 * scale) return result;
   const CoreDistance better = with_better_witness(MinkowskiDifference(a, b, pose), result);
-  return witness_error(better) <= 1e-11 * scale ? better : result;
+  return witness_error(better) < outside ? better : result;
 }
 
 CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, const Vec3 &first,
