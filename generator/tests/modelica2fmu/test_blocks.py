@@ -1,0 +1,135 @@
+"""Blocks: order, tearing, linear systems, against numpy."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from cmb_base.errors import InputError, Place, UnsupportedModelError
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from modelica2fmu import expression as ex
+from modelica2fmu.blocks import (
+    Assignment,
+    LinearBlock,
+    NonlinearBlock,
+    Residual,
+    needed_blocks,
+    solve_order,
+    solved_for,
+)
+from modelica2fmu.linear_form import LinearForms
+
+
+def nowhere(_span):
+    return Place()
+
+
+def execute(blocks, values):
+    """Evaluates blocks with numpy as solver of the torn systems."""
+    values = dict(values)
+    for block in blocks:
+        if isinstance(block, Assignment):
+            values[block.target] = ex.evaluate(block.value, values)
+        else:
+            assert isinstance(block, LinearBlock)
+            matrix = np.array([[ex.evaluate(item, values) for item in row] for row in block.matrix])
+            right = np.array([ex.evaluate(item, values) for item in block.right])
+            values.update(zip(block.torn, np.linalg.solve(matrix, right), strict=True))
+            for step in block.inner:
+                values[step.target] = ex.evaluate(step.value, values)
+    return values
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.integers(0, 10**6), st.integers(2, 12))
+def test_torn_linear_systems_have_the_solution_of_the_whole(seed, size):
+    random = np.random.default_rng(seed)
+    matrix = np.where(random.random((size, size)) < 0.3, random.choice([1.0, -1.0, 2.0, 0.7], (size, size)), 0.0)
+    matrix += np.diag(random.uniform(1.0, 3.0, size)) * 3
+    matrix = matrix[random.permutation(size)]
+    right = random.uniform(-1, 1, size)
+    names = [f"x{number}" for number in range(size)]
+    entries = []
+    for row in range(size):
+        total = ex.multiply(-right[row], ex.symbol("p"))
+        for column in range(size):
+            total = ex.add(total, ex.multiply(matrix[row, column], ex.symbol(names[column])))
+        entries.append(Residual(total))
+    blocks = solve_order(entries, names, [], nowhere)
+    values = execute(blocks, {"p": 1.5})
+    assert [values[name] for name in names] == pytest.approx(list(np.linalg.solve(matrix, 1.5 * right)), abs=1e-9)
+
+
+def test_tearing_assumes_the_preferred_unknown():
+    # A pendulum's equations: given the acceleration a, all forces follow.
+    a, f, g, m = (ex.symbol(name) for name in ("der(w)", "f", "g", "m"))
+    entries = [Residual(ex.subtract(f, ex.multiply(m, a))), Residual(ex.add(ex.multiply(3, a), ex.add(f, g)))]
+    (block,) = solve_order(entries, ["f", "der(w)"], ["der(w)"], nowhere)
+    assert isinstance(block, LinearBlock)
+    assert block.torn == ("der(w)",)
+    assert block.inner[0].target == "f"
+
+
+def test_nonlinear_component_keeps_explicit_parts_out_of_the_iteration():
+    x, y, z = (ex.symbol(name) for name in "xyz")
+    entries = [
+        Residual(ex.subtract(y, ex.unary("cos", x))),
+        Residual(ex.subtract(z, ex.unary("sin", x))),
+        Residual(ex.subtract(ex.add(y, z), ex.symbol("p"))),
+    ]
+    (block,) = solve_order(entries, ["x", "y", "z"], [], nowhere)
+    assert isinstance(block, NonlinearBlock)
+    assert block.torn == ("x",)
+    assert [step.target for step in block.inner] == ["y", "z"]
+
+
+def test_discrete_loop_is_reported_by_its_variables():
+    a, b = ex.symbol("a"), ex.symbol("b")
+    entries = [Assignment("a", ex.logical_not(b), is_discrete=True), Assignment("b", a, is_discrete=True)]
+    with pytest.raises(UnsupportedModelError, match=r"a, b|b, a"):
+        solve_order(entries, ["a", "b"], [], nowhere)
+
+
+def test_singular_system_names_equation_and_unknown():
+    x = ex.symbol("x")
+    with pytest.raises(InputError, match="unknowns without an equation: y"):
+        solve_order([Residual(ex.subtract(x, 1)), Residual(ex.add(x, 2))], ["x", "y"], [], nowhere)
+
+
+def test_blocks_nobody_needs_are_left_out():
+    blocks = [Assignment("a", ex.symbol("p")), Assignment("b", ex.symbol("a")), Assignment("c", ex.symbol("p"))]
+    assert [block.target for block in needed_blocks(blocks, ["b"])] == ["a", "b"]
+
+
+@pytest.mark.parametrize(
+    ("residual", "value"),
+    [
+        (ex.subtract(ex.symbol("x"), ex.symbol("p")), 2.0),
+        (ex.add(ex.multiply(ex.symbol("p"), ex.symbol("x")), 6), -3.0),
+        (ex.subtract(ex.divide(ex.symbol("x"), ex.symbol("p")), 5), 10.0),
+        (ex.add(ex.symbol("x"), ex.subtract(ex.multiply(ex.symbol("p"), ex.symbol("x")), 9)), 3.0),
+    ],
+)
+def test_single_equations_are_solved(residual, value):
+    solution = solved_for(residual, "x")
+    assert solution is not None
+    assert ex.evaluate(solution, {"p": 2.0}) == pytest.approx(value)
+
+
+def test_nonlinear_equation_is_not_solved():
+    assert solved_for(ex.subtract(ex.unary("sin", ex.symbol("x")), ex.symbol("x")), "x") is None
+
+
+def test_linear_form_has_slopes_and_rest():
+    x, y, p = (ex.symbol(name) for name in "xyp")
+    expression = ex.add(
+        ex.multiply(ex.unary("sin", p), ex.subtract(x, ex.multiply(2, y))), ex.select(ex.less(p, 1), x, 3)
+    )
+    form = LinearForms(["x", "y"])(expression)
+    assert form is not None
+    values = {"p": 0.3, "x": 1.7, "y": -0.4}
+    total = ex.evaluate(form.constant, values) + sum(
+        ex.evaluate(slope, values) * values[name] for name, slope in form.coefficients.items()
+    )
+    assert total == pytest.approx(ex.evaluate(expression, values))
+    assert LinearForms(["x"])(ex.multiply(x, x)) is None
