@@ -2,21 +2,21 @@ within ContactMultiBodyTest;
 model AllShapes "Every function of Shapes gives a descriptor the engine takes"
   extends Modelica.Icons.Example;
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1});
-  parameter String geometry[10]={
+  parameter String shape[10]={
     ContactMultiBody.Shapes.sphere(0.1, {0,0,0.01}),
-    ContactMultiBody.Shapes.box({0.1,0.2,0.3}, {0,0,0}, [0,1,0; -1,0,0; 0,0,1]),
+    ContactMultiBody.Shapes.box({0.1,0.2,0.3}, {0,0,0}, {{0,1,0},{-1,0,0},{0,0,1}}),
     ContactMultiBody.Shapes.capsule(0.05, 0.2),
     ContactMultiBody.Shapes.cylinder(0.05, 0.2),
     ContactMultiBody.Shapes.cone(0.05, 0.2),
     ContactMultiBody.Shapes.ellipsoid({0.1,0.2,0.3}),
-    ContactMultiBody.Shapes.hull([0,0,0; 0.1,0,0; 0,0.1,0; 0,0,0.1]),
+    ContactMultiBody.Shapes.hull({{0,0,0},{0.1,0,0},{0,0.1,0},{0,0,0.1}}),
     ContactMultiBody.Shapes.compound({ContactMultiBody.Shapes.sphere(0.1),ContactMultiBody.Shapes.sphere(0.1, {0.1,0,0})}),
     "cmb/1 hull vertices=0,0,0,0.1,0,0,0,0.1,0,0,0,0.1",
     ""} "Geometries";
   ContactMultiBody.Parts.Body body[10](
     each m=1,
     each r_CM={0,0,0},
-    geometry=geometry,
+    geometry=shape,
     r_0(start={{i,0,0.5} for i in 1:10}, each fixed=true),
     v_0(each fixed=true),
     each angles_fixed=true,
@@ -24,7 +24,7 @@ model AllShapes "Every function of Shapes gives a descriptor the engine takes"
   ContactMultiBody.Parts.Ground floor;
   ContactMultiBody.ContactManager contacts(
     n=11,
-    geometry=cat(1, geometry, {floor.geometry}),
+    geometry={shape[1],shape[2],shape[3],shape[4],shape[5],shape[6],shape[7],shape[8],shape[9],shape[10],floor.geometry},
     pairs={{i,11} for i in 1:10},
     friction=ContactMultiBody.Types.Friction.None);
 equation

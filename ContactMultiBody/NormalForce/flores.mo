@@ -1,5 +1,5 @@
 within ContactMultiBody.NormalForce;
-pure function flores "Damping factor of Flores et al."
+pure function flores "Damping factor of Flores and others"
   extends Internal.PartialDampingFactor;
 algorithm
   damping := 1.6*(1 - restitution)/max(restitution, 0.01);

@@ -1,0 +1,104 @@
+"""Naming, documentation and experiments follow the conventions of the Modelica Standard Library."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pymoca.parser
+import pytest
+from library_files import PACKAGES, REPOSITORY, ClassFile, class_files
+from lxml import etree
+
+FILES = class_files()
+by_name = pytest.mark.parametrize("file", FILES, ids=lambda file: file.full_name)
+
+
+def test_finds_the_library() -> None:
+    assert len(FILES) > 100
+    assert {file.full_name for file in FILES} >= {"ContactMultiBody", "ContactMultiBody.ContactManager"}
+
+
+def test_an_independent_parser_accepts_every_file() -> None:
+    for file in FILES:
+        pymoca.parser.parse(file.text)
+
+
+def test_the_independent_parser_rejects_what_is_wrong() -> None:
+    with pytest.raises(pymoca.parser.ModelicaSyntaxError):
+        pymoca.parser.parse("model A Real x; equation x = ; end A;")
+
+
+@by_name
+def test_file_place_and_class_agree(file: ClassFile) -> None:
+    expected = file.path.parent.name if file.path.name == "package.mo" else file.path.stem
+    assert file.name == expected
+    within = re.match(r"within\s*([\w.]*)\s*;", file.text)
+    assert within is not None
+    assert within[1] == ".".join(file.full_name.split(".")[:-1])
+    assert file.text.rstrip().endswith(f"end {file.name};") or file.kind == "type"
+    assert "\t" not in file.text
+
+
+@by_name
+def test_names(file: ClassFile) -> None:
+    functions_are_lower = file.kind == "function" and "partial" not in file.prefix
+    assert file.name[0].islower() == functions_are_lower
+
+
+@by_name
+def test_documentation(file: ClassFile) -> None:
+    assert file.description
+    assert not file.description.endswith(".")
+    assert file.html.strip(), "no documentation"
+    text = file.html.replace("<br>", "<br/>")
+    entities = {name: etree.HTML(f"<p>&{name};</p>").findtext(".//p") for name in re.findall(r"&([a-z]+);", text)}
+    for name, character in entities.items():
+        if name not in {"amp", "lt", "gt", "quot"}:
+            text = text.replace(f"&{name};", character or "")
+    etree.fromstring(f"<html>{text}</html>")
+
+
+@by_name
+def test_links_lead_to_classes(file: ClassFile) -> None:
+    names = {other.full_name for other in FILES}
+    for target in re.findall(r"modelica://([\w.]+)\\?\"", file.text):
+        assert target in names, f"{file.path}: no class {target}"
+
+
+@by_name
+def test_boolean_descriptions(file: ClassFile) -> None:
+    for statement in re.findall(r"^\s*(?:parameter |input |output |final )*Boolean [^;]*;", file.text, re.MULTILINE):
+        assert '"= true, if ' in statement, statement
+
+
+@by_name
+def test_declarations_are_described(file: ClassFile) -> None:
+    declarations = re.findall(
+        r"^  (?:final )?(?:parameter|input|output|constant) (?:[\w.]+)(?:\[[^\]]*\])? [^;]*;", file.text, re.MULTILINE
+    )
+    for declaration in declarations:
+        assert '"' in declaration, f"{file.full_name}: {declaration}"
+
+
+def test_examples_have_one_experiment() -> None:
+    for file in FILES:
+        runs = file.is_model and "extends Modelica.Icons.Example" in file.text
+        runs = runs or (".Examples." in file.full_name and file.is_model)
+        assert len(file.experiments) == (1 if runs else 0), file.full_name
+        for experiment in file.experiments:
+            assert "StopTime=" in experiment, file.full_name
+            assert "Tolerance=" in experiment, file.full_name
+
+
+@pytest.mark.parametrize("folder", sorted({file.path.parent for file in FILES}), ids=lambda f: f.name)
+def test_package_order_is_complete(folder: Path) -> None:
+    listed = (folder / "package.order").read_text("utf-8").split()
+    classes = {path.stem for path in folder.glob("*.mo")} - {"package"}
+    classes |= {path.parent.name for path in folder.glob("*/package.mo")}
+    assert sorted(listed) == sorted(classes)
+
+
+def test_versions_agree() -> None:
+    for package in PACKAGES:
+        assert 'version="0.1.0"' in (REPOSITORY / package / "package.mo").read_text("utf-8")

@@ -1,0 +1,87 @@
+"""rumoca flattens the whole library, with the project's MultiBody core and with the real Standard Library."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from conftest import LIBRARIES, Compiler
+from library_files import class_files, runnable_models
+
+# Together these use every part, shape, law and formula; the real libraries are too slow to flatten all models with.
+REPRESENTATIVE = (
+    "ContactMultiBody.Examples.HammerOnAnvil",
+    "ContactMultiBody.Examples.BallWithoutEvents",
+    "ContactMultiBody.Examples.RollingResistance",
+    "ContactMultiBodyTest.AllParts",
+    "ContactMultiBodyTest.AllShapes",
+    "ContactMultiBodyTest.AllFormulaContacts",
+)
+
+
+@pytest.mark.parametrize("name", runnable_models())
+def test_model_flattens(core: Compiler, name: str) -> None:
+    flat = core.flatten(name)
+    assert flat["equations"]
+
+
+@pytest.mark.parametrize("version", [library for library in LIBRARIES if library != "core"])
+@pytest.mark.parametrize("name", REPRESENTATIVE)
+def test_model_flattens_with_the_standard_library(
+    compilers: Callable[[str], Compiler], version: str, name: str
+) -> None:
+    assert compilers(version).flatten(name)["equations"]
+
+
+def test_every_function_is_used_by_a_model(core: Compiler) -> None:
+    used: set[str] = set()
+    for name in runnable_models():
+        used |= set(core.flatten(name)["functions"])
+    functions = {f.full_name for f in class_files() if f.kind == "function" and "partial" not in f.prefix}
+    assert sorted(functions - used) == []
+
+
+EFFECTS = (
+    # modification of the contacts of BoxOnIncline, has events, has anchors
+    ("", True, False),
+    ("friction=ContactMultiBody.Types.Friction.None", True, False),
+    ("friction=ContactMultiBody.Types.Friction.Anchored", True, True),
+    ("useRestitution=false", False, False),
+    ("normalLaw=ContactMultiBody.Types.NormalLaw.SpringDamper", False, False),
+    ("restitutionMethod=ContactMultiBody.Types.RestitutionMethod.Memoryless", False, False),
+)
+
+
+@pytest.mark.parametrize(("modification", "events", "anchors"), EFFECTS)
+def test_effects_are_structural(core: Compiler, modification: str, events: bool, anchors: bool) -> None:
+    model = core.model("ContactMultiBody.Examples.BoxOnIncline", f"contacts({modification})")
+    flat = model.to_dict("flat")
+    variables = flat["variables"]
+
+    def elements(name: str) -> int:
+        size = 1
+        for extent in variables[name]["dims"] if name in variables else [0]:
+            size *= extent
+        return size
+
+    assert bool(flat["when_chains"]) == events
+    assert (elements("contacts.touches") > 0) == events
+    assert (elements("contacts.impactSpeed") > 0) == events
+    assert elements("contacts.anchorStretch") == (3 if anchors else 0)
+
+
+def test_body_without_geometry_is_the_standard_one(core: Compiler) -> None:
+    flat = core.flatten("ContactMultiBodyTest.BodyWithoutGeometry")
+
+    def members(body: str) -> set[str]:
+        return {name.removeprefix(f"{body}.") for name in flat["variables"] if name.startswith(f"{body}.")}
+
+    added = members("mine") - members("standard")
+    assert members("standard") - members("mine") == set()
+    assert added
+    assert all(name == "geometry" or name.split(".")[0] == "material" for name in added)
+
+    def equations(body: str) -> int:
+        return sum(f"'{body}." in str(equation) for equation in flat["equations"])
+
+    assert equations("mine") == equations("standard") > 0
