@@ -8,11 +8,12 @@ from pathlib import Path
 from cmb_base.output import whole_folder
 from cmb_base.progress import Progress, silent
 
+from cad2modelica.actuators import FILE_NAME, Actuator, read_actuators
 from cad2modelica.collision_shapes import collision_geometry
 from cad2modelica.contact_pairs import contact_pairs
 from cad2modelica.kinematic_graph import kinematic_tree
-from cad2modelica.loops import analyse_loops
-from cad2modelica.mechanism_view import mechanism_view
+from cad2modelica.loops import LoopAnalysis, analyse_loops
+from cad2modelica.mechanism_view import RESERVED, MechanismView, mechanism_view
 from cad2modelica.model import Assembly
 from cad2modelica.modelica_names import NamePool
 from cad2modelica.own_files import ORDER, SCENE, find_own_files
@@ -27,9 +28,12 @@ class GenerateOptions:
 
     Attributes:
         package: name of the package; made of the assembly's name if None.
+        actuators: TOML file that assigns actuators to joints; ``actuators.toml`` beside the assembly, if there is
+            one, if None. It counts when the mechatronic model is written for the first time.
     """
 
     package: str | None = None
+    actuators: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -85,11 +89,14 @@ def generate(
     pairs = contact_pairs(assembly, tree, colliding)
     view = mechanism_view(assembly, tree, loops, geometries, pairs)
     notes = (*assembly.notes, *loops.notes, *(note for item in geometries.values() for note in item.notes))
-    texts = package_texts(assembly, view, geometries, name, notes)
+    actuators = _actuators(assembly_path, options, assembly, loops, view)
+    texts = package_texts(assembly, view, geometries, actuators, name, notes)
     own = find_own_files(output, name, {*texts.files, ORDER})
     notes += tuple(
         own.lost_references({*view.part_names.values(), *view.plane_names.values(), *view.joint_names.values()})
     )
+    if actuators and Path(f"{MECHATRONICS}.mo") in own.files:
+        notes += (f"{FILE_NAME} was not used: {MECHATRONICS}.mo exists; remove it to have it written anew",)
     progress("write package", 0.5, name)
     with whole_folder(output) as staging:
         root = staging / name
@@ -110,6 +117,16 @@ def generate(
         scene=output / SCENE,
         notes=notes,
     )
+
+
+def _actuators(
+    assembly_path: Path, options: GenerateOptions, assembly: Assembly, loops: LoopAnalysis, view: MechanismView
+) -> tuple[Actuator, ...]:
+    file = options.actuators or assembly_path.parent / FILE_NAME
+    if options.actuators is None and not file.is_file():
+        return ()
+    taken = {component.name for component in view.components} | {*view.material_names.values(), *RESERVED}
+    return read_actuators(file, assembly, loops, view.joint_names, taken)
 
 
 def _package_name(assembly: Assembly, options: GenerateOptions) -> str:

@@ -8,8 +8,10 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+from cad2modelica.actuator_diagram import draw_actuators
+from cad2modelica.actuators import Actuator
 from cad2modelica.collision_shapes import CollisionGeometry
-from cad2modelica.diagram import Diagram, Extent, Point, draw
+from cad2modelica.diagram import Extent, Point, draw
 from cad2modelica.mechanism_view import ContactView, MechanismView
 from cad2modelica.model import Assembly, Material
 from cad2modelica.modelica_text import array, html, number, string, vector
@@ -36,11 +38,14 @@ def package_texts(
     assembly: Assembly,
     view: MechanismView,
     geometries: dict[str, CollisionGeometry],
+    actuators: tuple[Actuator, ...],
     package: str,
     notes: tuple[str, ...],
 ) -> PackageTexts:
     """The texts of the package's files."""
-    environment = _environment(draw(view))
+    diagram = draw(view)
+    drives = draw_actuators(actuators, diagram)
+    environment = _environment({**diagram.extents, **drives.extents})
     common: dict[str, Any] = {
         "package": package,
         "label": assembly.name,
@@ -53,7 +58,6 @@ def package_texts(
         "tolerance": assembly.tolerance,
         "interval": assembly.stop_time / OUTPUT_POINTS,
     }
-    diagram = draw(view)
     mechanics = environment.get_template("mechanics.mo.jinja").render(
         **common,
         gravity=view.gravity,
@@ -78,10 +82,20 @@ def package_texts(
         f"{MECHANICS}.mo": mechanics,
         f"{GEOMETRY}.mo": environment.get_template("geometry.mo.jinja").render(**common, bodies=bodies),
     }
-    return PackageTexts(files, environment.get_template("mechatronics.mo.jinja").render(**common))
+    mechatronics = environment.get_template("mechatronics.mo.jinja").render(
+        **common,
+        actuators=actuators,
+        flanges=[f"{actuator.joint}(useAxisFlange=true)" for actuator in actuators],
+        actuator_connections=[
+            {"first": item.first, "second": item.second, "points": _points(item.points), "color": item.color}
+            for item in drives.connections
+        ],
+        mechatronics_size=_extent(drives.size),
+    )
+    return PackageTexts(files, mechatronics)
 
 
-def _environment(diagram: Diagram) -> Environment:
+def _environment(extents: dict[str, Extent]) -> Environment:
     environment = Environment(
         loader=FileSystemLoader(Path(__file__).parent / "templates"),
         undefined=StrictUndefined,
@@ -91,7 +105,7 @@ def _environment(diagram: Diagram) -> Environment:
         autoescape=False,
     )
     environment.filters.update(string=string, html=html, number=number, vector=vector)
-    environment.globals["placement"] = lambda name: _placement(diagram.extents[name])
+    environment.globals["placement"] = lambda name: _placement(extents[name])
     return environment
 
 
