@@ -80,20 +80,36 @@ def _is_simple(value: Any) -> bool:
     return True
 
 
-def _variables(name: str, library: str) -> dict[str, dict[str, Any]]:
-    session = rumoca.Session([library, str(core_models.MODELS)])
-    model = session.load(str(core_models.fixture_file(name)), model=f"CoreFixtures.{name}")
-    flat = model.to_dict("flat")
-    return {
-        key: value
-        for key, value in flat["variables"].items()
-        if not value["is_protected"] and not any(part in f"{key}." for part in _INNER)
-    }
+_NAMES = [name for name in core_models.fixture_names() if name not in _OWN]
 
 
-@pytest.mark.parametrize("name", [name for name in core_models.fixture_names() if name not in _OWN])
-def test_same_public_variables(name, msl):
-    own, real = _variables(name, str(core_models.CORE)), _variables(name, str(msl))
+@pytest.fixture(scope="module")
+def interfaces(msl, tmp_path_factory):
+    """Public variables of all test models with both libraries: they are components of one model, to load each once."""
+    file = tmp_path_factory.mktemp("all") / "AllFixtures.mo"
+    components = "".join(f"  CoreFixtures.{name} the{name};\n" for name in _NAMES)
+    file.write_text(
+        f"model AllFixtures\n  extends Modelica.Icons.Example;\n{components}end AllFixtures;\n", encoding="utf-8"
+    )
+
+    def variables(library: str) -> dict[str, dict[str, Any]]:
+        session = rumoca.Session([library, str(core_models.MODELS)])
+        flat = session.load(str(file), model="AllFixtures").to_dict("flat")
+        return {
+            key: value
+            for key, value in flat["variables"].items()
+            if not value["is_protected"] and not any(part in f"{key}." for part in _INNER)
+        }
+
+    return variables(str(core_models.CORE)), variables(str(msl))
+
+
+@pytest.mark.parametrize("name", _NAMES)
+def test_same_public_variables(name, interfaces):
+    own, real = (
+        {key: value for key, value in library.items() if key.startswith(f"the{name}.")} for library in interfaces
+    )
+    assert own
     assert not set(own) - set(real), "variables that the Standard Library does not have"
     assert not set(real) - set(own), "variables that the subset lacks"
     for variable, attributes in own.items():

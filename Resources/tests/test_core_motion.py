@@ -237,7 +237,7 @@ def test_driven_arm_with_sliding_load(simulate):
 
 
 def test_sensors_measure_what_the_frames_say(simulate, vector):
-    result = simulate("Sensors", interval=0.01)
+    result = simulate("Sensors", interval=0.004)
     position = vector(result, "rod.frame_b.r_0")
     tip, base = vector(result, "rod.frame_b.R.T"), vector(result, "arm.frame_a.R.T")
     np.testing.assert_array_equal(vector(result, "position.r"), position)
@@ -246,7 +246,7 @@ def test_sensors_measure_what_the_frames_say(simulate, vector):
 
     def rate(values):
         """Central difference of fourth order."""
-        return (values[:-4] - 8 * values[1:-3] + 8 * values[3:-1] - values[4:]) / (12 * 0.01)
+        return (values[:-4] - 8 * values[1:-3] + 8 * values[3:-1] - values[4:]) / (12 * 0.004)
 
     velocity = np.einsum("tij,tj->ti", base[inner], rate(position))
     np.testing.assert_allclose(vector(result, "velocity.v")[inner], velocity, atol=1e-6)
