@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-REPOSITORY = Path(__file__).resolve().parents[2]
-PACKAGES = ("ContactMultiBody", "ContactMultiBodyTest")
+from library_compiler import PACKAGES, REPOSITORY
 
 _HEADER = re.compile(
     r"(?:^|\n)(?P<prefix>(?:partial |pure )*)(?P<kind>package|model|block|function|record|class|type)\s+(?P<name>\w+)"

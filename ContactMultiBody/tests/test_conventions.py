@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import pymoca.parser
+import pymoca.parser  # type: ignore[import-untyped]
 import pytest
-from library_files import PACKAGES, REPOSITORY, ClassFile, class_files
+from library_compiler import PACKAGES, REPOSITORY
+from library_files import ClassFile, class_files
 from lxml import etree
 
 FILES = class_files()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from conftest import LIBRARIES, Compiler
+from library_compiler import LIBRARIES, Compiler
 from library_files import class_files, runnable_models
 
 # Together these use every part, shape, law and formula; the real libraries are too slow to flatten all models with.

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 import rumoca
-from conftest import Compiler
+from library_compiler import Compiler
 from numpy.typing import NDArray
 
 Trajectory = dict[str, NDArray[np.float64]]
