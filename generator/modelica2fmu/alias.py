@@ -322,6 +322,7 @@ class _Eliminator:
             time_thresholds=[apply(item) for item in model.time_thresholds],
             enumerations=model.enumerations,
             external_annotations=model.external_annotations,
+            warnings=model.warnings,
         )
         for variable in self._variables.values():
             if isinstance(variable.start, Node):

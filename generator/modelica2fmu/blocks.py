@@ -257,6 +257,11 @@ class _Sorter:
             form = _inserted(row_forms[number], solutions)
             matrix.append(tuple(form.coefficients.get(name, 0) for name in torn))
             right.append(ex.negate(form.constant))
+            if all(not isinstance(value, Node) and value == 0 for value in matrix[-1]):
+                raise InputError(
+                    "equations are linearly dependent whatever the parameters are: " + ", ".join(names[:8]),
+                    place=self._place(self._entries[number].span),
+                )
         return LinearBlock(tuple(torn), tuple(matrix), tuple(right), tuple(inner), size)
 
     # --- for tearing ---

@@ -179,12 +179,30 @@ class _Generator:
         n = len(block.torn)
         statements: list[Statement] = []
         if n == 1:
-            value = ex.divide(block.right[0], block.matrix[0][0])
-            statements.append(self._assign(block.torn[0], value))
+            statements.append(self._single(block))
         else:
             statements.extend(self._linear_system(block, n))
         statements.extend(self._assign(step.target, step.value) for step in block.inner)
         return statements
+
+    def _single(self, block: LinearBlock) -> Statement:
+        """A linear equation of one unknown whose factor may vanish."""
+        name, factor, right = block.torn[0], block.matrix[0][0], block.right[0]
+        if not isinstance(factor, Node):
+            return self._assign(name, ex.divide(right, factor))
+        value = ex.divide(right, factor)
+        message = _c_text(f"The equation for {name} is singular")
+
+        def lines(write: Write) -> list[str]:
+            return [
+                f"if ({write(factor)} == 0.0) {{",
+                f"  cmb_report_error(v, {message});",
+                "  return CMB_RESULT_DISCARD;",
+                "}",
+                self._store(name, write(value)),
+            ]
+
+        return Statement((factor, value), lines)
 
     def _linear_system(self, block: LinearBlock, n: int) -> list[Statement]:
         matrix, right = self._work.real(n * n), self._work.real(n)

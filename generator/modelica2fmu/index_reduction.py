@@ -159,6 +159,8 @@ class _Reducer:
                 current = derivative_name(current)
                 names.setdefault(current)
         self._names = names
+        for root, span in (*residuals, *((other, None) for other in others)):
+            self._require_derivatives(root, span)
         self._differentiate = ex.Differentiation(self._rate)
         self._incidence: dict[int, list[str]] = {}
         for equation in self._equations:
@@ -168,6 +170,19 @@ class _Reducer:
         self._defined, self._definitions = self._matrix_definitions()
         self._owners: set[str] = set()  # components whose quaternions are states
         self._angular_velocities = self._angular_velocity_names()
+
+    def _require_derivatives(self, root: float | Node, span: ir.Span | None) -> None:
+        """Only continuous variables of the equations have derivatives."""
+        for name in ex.symbols(root):
+            order, inner = _inner(name)
+            if order == 0 or name in self._names or unwrapped(name)[0] == "pre":
+                continue
+            what = "the output of an external function" if is_call_output(inner) else f"{inner}"
+            raise UnsupportedModelError(
+                f"the derivative of {what} is not translated",
+                place=self._place(span),
+                remedy="prescribe the motion with its derivatives",
+            )
 
     def _matrix_definitions(self) -> tuple[set[str], set[int]]:
         matrices = [

@@ -226,3 +226,4 @@ class ScalarModel:
     time_thresholds: list[float | Node] = field(default_factory=list)  # times at which discrete expressions change
     enumerations: dict[str, tuple[str, ...]] = field(default_factory=dict)
     external_annotations: list[tuple[str, tuple[str, ...]]] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)

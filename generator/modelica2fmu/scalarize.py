@@ -220,10 +220,13 @@ class _Scalarizer:
                     setattr(self._result.variables[name], attribute, float(value))
 
     def _broadcast(self, expression: ir.Expression, names: list[str]) -> list[Scalar]:
-        items = arrays.scalars(self._interpreter.evaluate(expression, events=False))
+        value = self._interpreter.evaluate(expression, events=False)
+        items = arrays.scalars(value)
+        declared = self._model.variables.get(names[0].split("[")[0]) if names else None
+        fits = not isinstance(value, np.ndarray) or declared is None or value.shape in ((1,), declared.shape)
         if len(items) == 1 and len(names) != 1:
             items = items * len(names)
-        if len(items) != len(names):
+        if len(items) != len(names) or not fits:
             raise InputError(
                 f"an attribute of {names[0]} has {len(items)} elements instead of {len(names)}",
                 place=self._source_map.place(expression.span),
@@ -278,6 +281,8 @@ class _Scalarizer:
         if scalars and scalars[0].kind is Kind.FREE_PARAMETER:
             return None
         expression = variable.binding if variable.binding is not None else variable.start
+        if variable.binding is None and variable.start is not None and names:
+            self._result.warnings.append(f"the parameter {variable.name} has no value, its start value is used")
         if expression is None:
             if not names:
                 return arrays.filled(variable.shape, 0)

@@ -69,7 +69,7 @@ class _Builder:
         self._reduced = reduced
         self._model = reduced.model
         self._place = place
-        self._warnings: list[str] = []
+        self._warnings: list[str] = list(self._model.warnings)
         removed = {*reduced.replacements, *(name for name, _ in reduced.invariants)}
         self._live = {name: variable for name, variable in self._model.variables.items() if name not in removed}
         self._calls = [call for call in self._model.calls if not self._is_known(call)]

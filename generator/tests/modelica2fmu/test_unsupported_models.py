@@ -1,0 +1,106 @@
+"""Wrong and untranslatable models are refused with file and line, and nothing is written."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from cmb_base.errors import InputError, UnsupportedModelError
+from modelica2fmu.build import build_fmu
+
+
+def refused(text: str, folder: Path, error: type[InputError], **options: object) -> InputError:
+    name = text.split(None, 2)[1]
+    source = folder / f"{name}.mo"
+    source.write_text(text, encoding="utf-8")
+    output = folder / "out.fmu"
+    with pytest.raises(error) as caught:
+        build_fmu(name, [source], output, **options)
+    assert not output.exists()
+    assert sorted(path.name for path in folder.iterdir()) == [source.name]
+    assert caught.value.exit_status == 2
+    assert isinstance(caught.value, InputError)
+    return caught.value
+
+
+def test_syntax_error_has_file_and_line(tmp_path):
+    error = refused("model Broken\n  Real x;\nequation\n  der(x) = -x\nend Broken;\n", tmp_path, InputError)
+    assert error.place is not None
+    assert error.place.file is not None
+    assert error.place.file.name == "Broken.mo"
+    assert error.place.line == 5
+    assert "end" in error.message
+
+
+def test_unknown_variable_has_file_and_line(tmp_path):
+    error = refused("model Unknown\n  Real x;\nequation\n  der(x) = -why;\nend Unknown;\n", tmp_path, InputError)
+    assert "why" in error.message
+    assert error.place is not None
+    assert error.place.line == 4
+
+
+def test_function_with_events_is_named_with_its_line(tmp_path):
+    text = "model Steps\n  Real x(start = 0, fixed = true);\nequation\n  der(x) = 1 + floor(x);\nend Steps;\n"
+    error = refused(text, tmp_path, UnsupportedModelError)
+    assert "floor()" in error.message
+    assert error.place is not None
+    assert (error.place.file.name if error.place.file else "", error.place.line) == ("Steps.mo", 4)
+
+
+def test_derivative_of_external_output_is_refused(tmp_path):
+    text = """model Rough
+  pure function f
+    input Real x;
+    output Real y;
+    external "C" y = sin(x) annotation(Include = "#include <math.h>");
+  end f;
+  Real x = f(time);
+  Real v = der(x);
+end Rough;
+"""
+    error = refused(text, tmp_path, UnsupportedModelError)
+    assert "external function" in error.message
+    assert error.place is not None
+    assert error.place.line in (7, 8)
+
+
+def test_linearly_dependent_equations_are_refused(tmp_path):
+    text = "model Singular\n  Real x, y;\nequation\n  x + y = 1;\n  2*x + 2*y = 2;\nend Singular;\n"
+    error = refused(text, tmp_path, InputError)
+    assert "linearly dependent" in error.message
+
+
+def test_unbalanced_model_is_refused(tmp_path):
+    refused("model Open\n  Real x, y;\nequation\n  x = time;\nend Open;\n", tmp_path, InputError)
+
+
+def test_parameter_without_value_is_warned_of(tmp_path):
+    source = tmp_path / "Unset.mo"
+    source.write_text("model Unset\n  parameter Real p;\n  Real x = p*time;\nend Unset;\n", encoding="utf-8")
+    report = build_fmu("Unset", [source], tmp_path / "out.fmu")
+    assert any("parameter p has no value" in warning for warning in report.warnings)
+
+
+def test_missing_source_is_named(tmp_path):
+    with pytest.raises(InputError, match="does not exist"):
+        build_fmu("M", [tmp_path / "M.mo"], tmp_path / "out.fmu")
+
+
+@pytest.mark.parametrize("name", ["", "a b", "../x", "1M", "M.", "M;system"])
+def test_names_that_are_no_class_names_are_refused(tmp_path, name):
+    with pytest.raises(InputError, match="no name"):
+        build_fmu(name, [tmp_path], tmp_path / "out.fmu")
+
+
+def test_folder_of_external_code_must_stay_in_its_package(tmp_path):
+    text = """model Escape
+  pure function f
+    input Real x;
+    output Real y;
+    external "C" y = f(x) annotation(IncludeDirectory = "modelica://Escape/../../etc");
+  end f;
+  Real x = f(time);
+end Escape;
+"""
+    error = refused(text, tmp_path, InputError)
+    assert "leaves its package" in error.message
