@@ -139,9 +139,13 @@ cmb_fmu_status cmb_fmu_exit_initialization(cmb_fmu *fmu, const char *call) {
 
 cmb_fmu_status cmb_fmu_terminate(cmb_fmu *fmu, const char *call) {
   if (!cmb_fmu_permits(fmu, call, CMB_MODEL_EXCHANGE | CMB_CO_SIMULATION)) return CMB_FMU_ERROR;
-  const int failed = fmu->instance->situation.phase == CMB_PHASE_STEP_FAILED;
-  const cmb_result result = failed ? CMB_RESULT_OK : cmb_terminate(fmu->instance);
-  fmu->instance->situation.phase = CMB_PHASE_TERMINATED;
+  cmb_situation *situation = &fmu->instance->situation;
+  cmb_result result = CMB_RESULT_OK;
+  if (situation->phase != CMB_PHASE_STEP_FAILED || situation->terminate_requested) {
+    if (situation->phase == CMB_PHASE_STEP_FAILED) situation->phase = CMB_PHASE_STEP; /* the step was cut short only */
+    result = cmb_terminate(fmu->instance);
+  }
+  situation->phase = CMB_PHASE_TERMINATED;
   return finish(fmu, call, result);
 }
 

@@ -199,19 +199,36 @@ static void count(cmb_solver *solver) {
   }
 }
 
-static cmb_result explain(cmb_solver *solver, int flag, double time) {
+static cmb_result explain(cmb_solver *solver, int flag, double time, const char *cause) {
   cmb_instance *instance = solver->instance;
   const cmb_result result = flag == CV_RHSFUNC_FAIL || (flag == CV_RTFUNC_FAIL && solver->cause == CMB_RESULT_ERROR) ||
                                     flag == CV_MEM_FAIL || flag == CV_ILL_INPUT
                                 ? CMB_RESULT_ERROR
                                 : CMB_RESULT_DISCARD;
   char *name = CVodeGetReturnFlagName(flag);
-  char cause[sizeof instance->message];
-  snprintf(cause, sizeof cause, "%s", solver->cause != CMB_RESULT_OK ? instance->message : "");
   snprintf(instance->message, sizeof instance->message, "The integrator stops at time %.15g (%s)%s%.900s", time,
            name != NULL ? name : "?", cause[0] != '\0' ? ": " : "", cause);
   free(name);
   return result;
+}
+
+/* After a failure: moves the instance to the latest point of CVODE's last successful step at which the model can be
+ * evaluated. The accepted solution need not be one, since Newton's last correction is not evaluated again. Without one,
+ * to the point where the advance began. Returns the time. */
+static double move_to_last_good_point(cmb_solver *solver, double begin) {
+  static const double share_back[] = {0.0, 0.125, 0.5, 1.0};
+  double last_time = 0.0, last_step = 0.0;
+  if (CVodeGetCurrentTime(solver->memory, &last_time) == CV_SUCCESS &&
+      CVodeGetLastStep(solver->memory, &last_step) == CV_SUCCESS) {
+    for (size_t i = 0; i < sizeof share_back / sizeof share_back[0]; ++i) {
+      const double time = last_time - share_back[i] * last_step;
+      if (!(time > begin) || CVodeGetDky(solver->memory, time, 0, solver->state) != CV_SUCCESS) break;
+      cmb_set_point(solver->instance, time, NV_DATA_S(solver->state));
+      if (cmb_update_continuous(solver->instance) == CMB_RESULT_OK) return time;
+    }
+  }
+  cmb_set_point(solver->instance, begin, solver->entry);
+  return begin;
 }
 
 /* Without states and indicators there is nothing to integrate or to watch. */
@@ -220,64 +237,88 @@ static cmb_result jump(cmb_solver *solver, double target) {
   return CMB_RESULT_OK;
 }
 
+/* One call of CVODE from the instance's time; counts what it did. */
+static int integrate(cmb_solver *solver, double end, double limit, double largest_step, double *reached) {
+  solver->cause = CMB_RESULT_OK;
+  solver->instance->message[0] = '\0';
+  int flag = solver->restart ? start(solver) : CV_SUCCESS;
+  if (flag == CV_SUCCESS) flag = CVodeSetMaxStep(solver->memory, largest_step);
+  if (flag == CV_SUCCESS) flag = CVodeSetStopTime(solver->memory, fmin(limit, DBL_MAX));
+  for (size_t i = 0; i < solver->state_count; ++i) {
+    solver->entry[i] = solver->instance->values.real[cmb_model.state[i]];
+  }
+  if (flag != CV_SUCCESS) return flag;
+  flag = CVode(solver->memory, end, solver->state, reached, CV_NORMAL);
+  count(solver);
+  return flag;
+}
+
+/* Failures after which a fresh start from the last point may help. */
+static int is_recoverable(int flag) {
+  return flag == CV_ERR_FAILURE || flag == CV_CONV_FAILURE || flag == CV_REPTD_RHSFUNC_ERR ||
+         flag == CV_UNREC_RHSFUNC_ERR;
+}
+
+/* CVODE refuses intervals of a few roundings; over these the states do not change. */
+static int is_too_short(double begin, double end) {
+  return end - begin <= 8.0 * DBL_EPSILON * fmax(fabs(begin), fabs(end));
+}
+
 cmb_result cmb_solver_advance(cmb_solver *solver, double target, double limit, double maximum_step, cmb_stop *stop) {
   cmb_instance *instance = solver->instance;
   *stop = CMB_STOP_TARGET;
   if (solver->state_count == 0 && cmb_model.indicator_count == 0) return jump(solver, target);
 
-  double largest_step = maximum_step;
-  double progress_time = -HUGE_VAL; /* where the last restart after a failure began */
-  int retries = 0;
+  double end = target, largest_step = maximum_step;
+  double progress_time = -HUGE_VAL; /* where the last fresh start after a failure was */
+  int retries = 0, shortened = 0;
+  char failure[sizeof instance->message] = "";
   for (;;) {
     const double begin = instance->values.time;
-    /* CVODE refuses intervals of a few roundings; over these the states do not change. */
-    if (solver->restart && target - begin <= 8.0 * DBL_EPSILON * fmax(fabs(begin), fabs(target))) {
-      instance->values.time = target;
+    if (solver->restart && is_too_short(begin, end)) {
+      instance->values.time = end;
       instance->situation.continuous_stale = 1;
       return CMB_RESULT_OK;
     }
-    solver->cause = CMB_RESULT_OK;
-    instance->message[0] = '\0';
-    int flag = solver->restart ? start(solver) : CV_SUCCESS;
-    if (flag == CV_SUCCESS) flag = CVodeSetMaxStep(solver->memory, largest_step);
-    if (flag == CV_SUCCESS) flag = CVodeSetStopTime(solver->memory, fmin(limit, DBL_MAX));
-    for (size_t i = 0; i < solver->state_count; ++i) solver->entry[i] = instance->values.real[cmb_model.state[i]];
-
     double reached = begin;
-    if (flag == CV_SUCCESS) {
-      flag = CVode(solver->memory, target, solver->state, &reached, CV_NORMAL);
-      count(solver);
-    }
+    const int flag = integrate(solver, end, limit, largest_step, &reached);
     if (flag >= 0) {
-      cmb_set_point(instance, flag == CV_ROOT_RETURN ? reached : target, NV_DATA_S(solver->state));
+      const int found_root = flag == CV_ROOT_RETURN;
+      cmb_set_point(instance, found_root ? reached : end, NV_DATA_S(solver->state));
       instance->situation.continuous_stale = 1;
-      if (flag == CV_ROOT_RETURN) *stop = CMB_STOP_ROOT;
-      return CMB_RESULT_OK;
+      if (found_root) *stop = CMB_STOP_ROOT;
+      if (!shortened || found_root) return CMB_RESULT_OK;
+      memcpy(instance->message, failure, sizeof failure);
+      return CMB_RESULT_DISCARD;
     }
 
-    /* Failed: back to the last good point, once more from there with a fresh start, else give up. */
-    const int recoverable = flag == CV_ERR_FAILURE || flag == CV_CONV_FAILURE || flag == CV_REPTD_RHSFUNC_ERR ||
-                            flag == CV_UNREC_RHSFUNC_ERR;
-    const int root_retry = flag == CV_RTFUNC_FAIL && solver->cause == CMB_RESULT_DISCARD;
+    char cause[sizeof instance->message];
+    snprintf(cause, sizeof cause, "%s", solver->cause != CMB_RESULT_OK ? instance->message : "");
+    const double failed_at = reached;
     solver->restart = 1;
-    if (recoverable && reached > begin) {
-      cmb_set_point(instance, reached, NV_DATA_S(solver->state));
+    if (is_recoverable(flag)) {
+      reached = move_to_last_good_point(solver, begin);
     } else {
       cmb_set_point(instance, begin, solver->entry);
       reached = begin;
     }
     instance->situation.continuous_stale = 1;
-    if (recoverable && reached > progress_time && retries < MAXIMUM_RETRIES) {
-      progress_time = reached;
+
+    if (is_recoverable(flag) && reached > fmax(begin, progress_time) && retries < MAXIMUM_RETRIES) {
+      progress_time = reached; /* went some way: on from there */
       ++retries;
-      continue;
-    }
-    if (root_retry && retries < MAXIMUM_ROOT_RETRIES) {
+    } else if (flag == CV_RTFUNC_FAIL && solver->cause == CMB_RESULT_DISCARD && retries < MAXIMUM_ROOT_RETRIES) {
       /* An indicator cannot be computed inside a step that was already taken: shorter steps stay away from it. */
-      largest_step = (largest_step > 0.0 ? fmin(largest_step, target - begin) : target - begin) * 0.125;
+      largest_step = (largest_step > 0.0 ? fmin(largest_step, end - begin) : end - begin) * 0.125;
       ++retries;
-      continue;
+    } else if (is_recoverable(flag) && reached == begin && failed_at > begin && !shortened) {
+      /* It creeps along the edge of where the model can be evaluated: up to shortly before that, then give up. */
+      (void)explain(solver, flag, failed_at, cause);
+      memcpy(failure, instance->message, sizeof failure);
+      end = begin + 0.999 * (failed_at - begin);
+      shortened = 1;
+    } else {
+      return explain(solver, flag, reached, cause);
     }
-    return explain(solver, flag, reached);
   }
 }

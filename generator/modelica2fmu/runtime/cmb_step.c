@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "cmb_evaluate.h"
 #include "cmb_event.h"
@@ -27,6 +28,15 @@ static cmb_result report_chatter(cmb_instance *instance, double since) {
            "which it became true; give it a hysteresis or make the change continuous",
            CHATTER_EVENTS, since, instance->values.time);
   return CMB_RESULT_ERROR;
+}
+
+/* After a discarded step the other variables belong to some trial point; they can be read, so they shall fit the states.
+ * The cause of the discarded step stays the message. */
+static void refresh_last_point(cmb_instance *instance) {
+  char cause[sizeof instance->message];
+  memcpy(cause, instance->message, sizeof cause);
+  (void)cmb_update_values(instance);
+  memcpy(instance->message, cause, sizeof cause);
 }
 
 cmb_result cmb_do_step(cmb_instance *instance, double target, int stop_at_events, int *event_waiting) {
@@ -69,6 +79,7 @@ cmb_result cmb_do_step(cmb_instance *instance, double target, int stop_at_events
     events = 0;
     chatter_begin = values->time;
   }
-  if (result == CMB_RESULT_OK) result = cmb_update_values(instance);
+  if (result == CMB_RESULT_OK) return cmb_update_values(instance);
+  if (result == CMB_RESULT_DISCARD) refresh_last_point(instance);
   return result;
 }

@@ -42,7 +42,9 @@ def test_a_step_that_cannot_be_computed_is_discarded_where_it_ends(
     expect(DISCARD, instance.doStep, 0.0, 2.0)
     reached = instance.getRealStatus(2)
     assert np.log(2.0) - 0.05 < reached <= np.log(2.0) + 1e-6
-    assert importer.reals(instance, "x")[0] == pytest.approx(np.exp(-reached), abs=1e-6)
+    x, derivative = importer.reals(instance, "x", "der(x)")
+    assert x == pytest.approx(np.exp(-reached), abs=1e-6)
+    assert derivative == -x  # values of one point, not of a trial
     assert not instance.getBooleanStatus(3)
     discards = [message for status, _, message in importer.messages if status == DISCARD]
     assert len(discards) == 1

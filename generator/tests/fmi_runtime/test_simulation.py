@@ -138,7 +138,9 @@ def test_a_model_that_terminates_ends_the_step_early(schedule: Path, tmp_path: P
         instance.doStep(0.2, 1.0)
     assert instance.getBooleanStatus(3)  # fmi2Terminated
     assert instance.getRealStatus(2) == pytest.approx(0.35, abs=1e-12)  # fmi2LastSuccessfulTime
+    assert instance.getString([importer.references["remark"]]) == [b"late"]
     instance.terminate()
+    assert instance.getString([importer.references["remark"]]) == [b"over"]  # the event of terminal()
     instance.freeInstance()
 
 
