@@ -17,7 +17,14 @@
 extern "C" {
 #endif
 
-typedef enum cmb_status {
+/* C++ compilers may take for granted that an enumeration holds its enumerators only, unless it has a base. */
+#ifdef __cplusplus
+#define CMB_ENUM(name) enum name : int
+#else
+#define CMB_ENUM(name) enum name
+#endif
+
+typedef CMB_ENUM(cmb_status) {
   CMB_OK = 0,
   CMB_ERROR_ARGUMENT = 1,   /* a NULL pointer, a wrong size, an unknown scene */
   CMB_ERROR_DESCRIPTOR = 2, /* a descriptor does not parse or its geometry is bad */
@@ -26,7 +33,7 @@ typedef enum cmb_status {
   CMB_ERROR_INTERNAL = 5    /* a back end failed and no other could answer */
 } cmb_status;
 
-typedef enum cmb_backend {
+typedef CMB_ENUM(cmb_backend) {
   CMB_BACKEND_AUTO = 0,
   CMB_BACKEND_ANALYTIC = 1, /* the engine's own exact paths */
   CMB_BACKEND_LIBCCD = 2,

@@ -95,6 +95,53 @@ TEST(Halfspace, CapsuleLyingSharesBetweenItsEndsAndStandingTouchesWithOne) {
   EXPECT_NEAR(standing.points[0].depth, 0.002, 1e-15);
 }
 
+TEST(Halfspace, CylinderStandsOnFourPointsAndLiesOnTwo) {
+  const PairScene scene("cmb/1 cylinder radius=0.2 length=0.6", "cmb/1 halfspace");
+  for (const double turned : {0.0, pi}) {
+    const Contact standing = scene.query({{0, 0, 0.298}, rotation_about({1, 0, 0}, turned)}, origin);
+    ASSERT_EQ(standing.points.size(), 4u);
+    EXPECT_NEAR(standing.total_weight(), 1.0, 1e-14);
+    EXPECT_NEAR(standing.load().z, 0.002, 1e-15);
+    for (const Point &point : standing.points) {
+      EXPECT_NEAR(std::hypot(point.position.x, point.position.y), 0.2, 1e-14);
+    }
+  }
+  const Contact lying = scene.query({{0, 0, 0.198}, rotation_about({0, 1, 0}, pi / 2)}, origin);
+  ASSERT_EQ(lying.points.size(), 2u);
+  EXPECT_NEAR(lying.load().z, 0.002, 1e-15);
+  for (const Point &point : lying.points) {
+    EXPECT_NEAR(point.weight, 0.5, 1e-14);
+    EXPECT_NEAR(std::fabs(point.position.x), 0.3, 1e-14);
+  }
+}
+
+TEST(Halfspace, ConeStandsOnItsBaseAndOnItsApexAndLiesOnItsMantle) {
+  const PairScene scene("cmb/1 cone radius=0.3 length=0.4", "cmb/1 halfspace");
+  const Contact standing = scene.query({{0, 0, 0.198}, {}}, origin);
+  ASSERT_EQ(standing.points.size(), 4u);
+  EXPECT_NEAR(standing.total_weight(), 1.0, 1e-14);
+  EXPECT_NEAR(standing.load().z, 0.002, 1e-15);
+  const Contact upside_down = scene.query({{0, 0, 0.198}, rotation_about({1, 0, 0}, pi)}, origin);
+  ASSERT_EQ(upside_down.points.size(), 1u);
+  EXPECT_NEAR(upside_down.points[0].weight, 1.0, 1e-14);
+  // Turned until the mantle's line, 0.5 long, lies level: its middle lies 0.12 off the frame's origin.
+  const Contact lying = scene.query({{0, 0, 0.118}, rotation_about({0, 1, 0}, pi - std::atan2(0.4, 0.3))}, origin);
+  ASSERT_EQ(lying.points.size(), 2u);
+  for (const Point &point : lying.points) EXPECT_NEAR(point.depth, 0.002, 1e-14);
+  EXPECT_NEAR(norm(lying.points[0].position - lying.points[1].position), 0.5, 1e-12);
+  EXPECT_NEAR(lying.load().z, 0.002, 1e-14);
+}
+
+TEST(Halfspace, EllipsoidTouchesWhereItsNormalPointsDown) {
+  const PairScene scene("cmb/1 ellipsoid size=1,0.6,0.4", "cmb/1 halfspace");
+  const Mat3 rotation = rotation_about(normalized(Vec3{1, 2, 3}), 0.7);
+  const Vec3 down = transposed_times(rotation, Vec3{0, 0, -1});
+  const double reach = std::sqrt(0.25 * down.x * down.x + 0.09 * down.y * down.y + 0.04 * down.z * down.z);
+  const Contact contact = scene.query({{0, 0, reach - 0.01}, rotation}, origin);
+  ASSERT_EQ(contact.points.size(), 1u);
+  EXPECT_NEAR(contact.points[0].depth, 0.01, 1e-15);
+}
+
 TEST(Spheres, TouchAlongTheLineOfCentres) {
   const PairScene scene("cmb/1 sphere radius=0.3", "cmb/1 sphere radius=0.2");
   const Vec3 direction = normalized(Vec3{1, -2, 3});

@@ -108,6 +108,21 @@ const Path paths[] = {
        return BodyPose{{0, 0, 0.6 + std::fabs((rotation * Vec3{0, 0, 0.4}).z) - depth}, rotation};
      },
      {}},
+    {"cylinder tumbles on a half-space", "cmb/1 cylinder radius=0.3 length=0.5", floor_halfspace,
+     [](double s) {
+       const Mat3 rotation = rotation_about(normalized(Vec3{1, 0.3, 0.0}), 2 * pi * s);
+       const Vec3 axis = rotation.column(2);
+       return BodyPose{{0, 0, 0.5 + 0.25 * std::fabs(axis.z) + 0.3 * std::hypot(axis.x, axis.y) - depth}, rotation};
+     },
+     {}},
+    {"cone tumbles on a half-space", "cmb/1 cone radius=0.3 length=0.5", floor_halfspace,
+     [](double s) {
+       const Mat3 rotation = rotation_about(normalized(Vec3{1, 0.3, 0.0}), 2 * pi * s);
+       const Vec3 axis = rotation.column(2);
+       const double apex = -0.25 * axis.z, base = 0.25 * axis.z + 0.3 * std::hypot(axis.x, axis.y);
+       return BodyPose{{0, 0, 0.5 + std::fmax(apex, base) - depth}, rotation};
+     },
+     {}},
     {"capsule slides over the border of a table", capsule, table,
      [](double s) {
        return BodyPose{{1.2 + 1.5 * s, 0.1, 0.6 - depth},

@@ -89,6 +89,13 @@ BodyPose rolling_capsule(double s) {
   return {{0, 0, 0.8 + std::fabs((rotation * Vec3{0, 0, 0.2}).z) - breathing(t - 1.0)}, rotation};
 }
 
+BodyPose rolling_cylinder(double s) {
+  const double t = 2 * pi * s;
+  const Mat3 rotation = product(rotation_about({0, 0, 1}, std::cos(t)), rotation_about({0, 1, 0}, 0.8 + 0.9 * std::sin(t)));
+  const Vec3 axis = rotation.column(2);
+  return {{0, 0, 0.5 + 0.25 * std::fabs(axis.z) + 0.3 * std::hypot(axis.x, axis.y) - breathing(t - 1.0)}, rotation};
+}
+
 BodyPose overhanging(double s) {
   const double t = 2 * pi * s;
   return {{2.0 + 0.3 * std::sin(t), 0, 1.0 - breathing(t)}, {}};
@@ -133,6 +140,9 @@ INSTANTIATE_TEST_SUITE_P(
         Loop{"prism rolls on a half-space", hexagonal_prism(), floor_halfspace, rolling_prism, 1.5, 0.01},
         Loop{"prism rolls on a table", hexagonal_prism(), table, rolling_prism, 1.0, 0.02},
         Loop{"prism rolls on a table", hexagonal_prism(), table, rolling_prism, 1.5, 0.02},
+        Loop{"cylinder lies down and stands up", "cmb/1 cylinder radius=0.3 length=0.5", floor_halfspace,
+             rolling_cylinder, 1.0, 1e-4},
+        Loop{"cone turns", "cmb/1 cone radius=0.3 length=0.5", floor_halfspace, rolling_cylinder, 1.0, 1e-4},
         Loop{"capsule lies down and stands up on a half-space", capsule, floor_halfspace, rolling_capsule, 1.0, 1e-5},
         Loop{"capsule lies down and stands up on a half-space", capsule, floor_halfspace, rolling_capsule, 1.5, 0.1},
         Loop{"capsule lies down and stands up on a table", capsule, table, rolling_capsule, 1.0, 1e-5},

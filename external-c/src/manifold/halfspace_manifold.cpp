@@ -87,6 +87,54 @@ void capsule_contact(const convex::ConvexBody &body, Collector &collector) {
   collector.finish(sine < 0.0 ? lower : upper);
 }
 
+// What a disc's rim carries: a load `carried` (with its derivative by `down`) on four points, one of them the lowest;
+// in equal parts where the disc lies flat, and all of it on the lowest where the sine of the disc's inclination is
+// `edge_sine` or more.
+void rim_contact(double radius, double height, double edge_sine, double carried, const Vec3 &carried_gradient,
+                 Collector &collector) {
+  const Vec3 &down = collector.down();
+  const double sine = std::hypot(down.x, down.y);  // of the disc's inclination
+  const Vec3 lowest = sine > 0.0 ? Vec3{down.x / sine, down.y / sine, 0.0} : Vec3{1.0, 0.0, 0.0};
+  const Vec3 beside{-lowest.y, lowest.x, 0.0};
+  const double part = std::fmin(1.0, sine / edge_sine);
+  const double difference = end_share_difference(part), slope = end_share_slope(part) / edge_sine;
+  const Vec3 middle{0.0, 0.0, height};
+  const auto add = [&](const Vec3 &direction, double share, double share_slope) {
+    collector.add(middle + radius * direction, carried * share,
+                  share * carried_gradient + (carried * share_slope) * lowest);
+  };
+  add(lowest, 0.25 * (1.0 + 3.0 * difference), 0.75 * slope);
+  add(beside, 0.25 * (1.0 - difference), -0.25 * slope);
+  add(-lowest, 0.25 * (1.0 - difference), -0.25 * slope);
+  add(-beside, 0.25 * (1.0 - difference), -0.25 * slope);
+}
+
+// The ends share as those of a capsule do.
+void cylinder_contact(const convex::ConvexBody &body, Collector &collector) {
+  const double sine = collector.down().z;
+  const double difference = end_share_difference(sine), slope = end_share_slope(sine);
+  rim_contact(body.half.x, body.half.z, 1.0, 0.5 * (1.0 + difference), {0, 0, 0.5 * slope}, collector);
+  rim_contact(body.half.x, -body.half.z, 1.0, 0.5 * (1.0 - difference), {0, 0, -0.5 * slope}, collector);
+  collector.finish(convex::core_support(body, collector.down()).point);
+}
+
+// Apex and base share by the inclination of the lowest line of the mantle; all is the base's where that lies flat.
+void cone_contact(const convex::ConvexBody &body, Collector &collector) {
+  const Vec3 &down = collector.down();
+  const double across = std::hypot(down.x, down.y), height = 2.0 * body.half.z;
+  const Vec3 lowest = across > 0.0 ? Vec3{down.x / across, down.y / across, 0.0} : Vec3{1.0, 0.0, 0.0};
+  // The sine of the line's inclination, as a part of what it is with the base flat.
+  const double part = std::fmin(1.0, std::fmax(-1.0, (height * down.z - body.half.x * across) / height));
+  const Vec3 part_gradient = (1.0 / height) * (Vec3{0, 0, height} - body.half.x * lowest);
+  const double difference = end_share_difference(part);
+  const Vec3 gradient = (0.5 * end_share_slope(part)) * part_gradient;
+  collector.add({0, 0, body.half.z}, 0.5 * (1.0 + difference), gradient);
+  // Lying on its mantle the cone touches with one point of the rim.
+  const double edge_sine = height / std::hypot(height, body.half.x);
+  rim_contact(body.half.x, -body.half.z, edge_sine, 0.5 * (1.0 - difference), -gradient, collector);
+  collector.finish(convex::core_support(body, down).point);
+}
+
 void single_point_contact(const convex::ConvexBody &body, Collector &collector) {
   const Vec3 lowest = convex::core_support(body, collector.down()).point + body.radius * collector.down();
   collector.add(lowest, 1.0);
@@ -104,6 +152,12 @@ void halfspace_contact(const Shape &shape, const Pose &pose, const Plane &plane,
       return;
     case ShapeKind::capsule:
       capsule_contact(shape.body, collector);
+      return;
+    case ShapeKind::cylinder:
+      cylinder_contact(shape.body, collector);
+      return;
+    case ShapeKind::cone:
+      cone_contact(shape.body, collector);
       return;
     default:
       single_point_contact(shape.body, collector);

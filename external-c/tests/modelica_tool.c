@@ -1,0 +1,26 @@
+/* What a Modelica tool generates, more or less: C, linked by a C compiler with ContactMultiBody, fcl, ccd, stdc++. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "contact_multibody_modelica.h"
+
+void ModelicaFormatError(const char *format, ...);
+
+void ModelicaFormatError(const char *format, ...) {
+  fputs(format, stderr);
+  exit(2);
+}
+
+int main(void) {
+  const char *geometry[] = {"cmb/1 box size=1,1,1", "cmb/1 halfspace"};
+  const int pairs[] = {1, 2};
+  const double position[] = {0, 0, 0.49, 0, 0, 0};
+  const double rotation[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  double distance, depth[4], weight[4], normal[12], point[12], load = 0.0;
+  const int scene = cmb_modelica_intern(geometry, 2, pairs, 1, 0);
+  int i;
+  cmb_modelica_query(scene, position, 2, rotation, 1, 4, &distance, depth, weight, normal, point);
+  for (i = 0; i < 4; ++i) load += weight[i] * depth[i];
+  return fabs(load - 0.01) < 1e-12 && fabs(distance + 0.01) < 1e-12 ? 0 : 1;
+}
