@@ -11,6 +11,7 @@ from cmb_base.progress import Progress, silent
 from cad2modelica.actuators import FILE_NAME, Actuator, read_actuators
 from cad2modelica.collision_shapes import collision_geometry
 from cad2modelica.contact_pairs import contact_pairs
+from cad2modelica.graph_drawing import graph_svg
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import LoopAnalysis, analyse_loops
 from cad2modelica.mechanism_view import RESERVED, MechanismView, mechanism_view
@@ -20,6 +21,8 @@ from cad2modelica.own_files import ORDER, SCENE, find_own_files
 from cad2modelica.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
 from cad2modelica.reading import read_assembly
 from cad2modelica.scene_file import scene_text
+
+GRAPH = "graph.svg"
 
 
 @dataclass(frozen=True)
@@ -67,8 +70,9 @@ def generate(
 
     Args:
         assembly_path: the assembly's XML file.
-        output: folder that will hold the package's folder and ``scene.json``. The mechatronic model and all other
-            files of the modeller's own that are there from an earlier generation are kept byte for byte.
+        output: folder that will hold the package's folder, ``scene.json`` and ``graph.svg``. The mechatronic
+            model and all other files of the modeller's own that are there from an earlier generation are kept byte
+            for byte.
         options: choices.
         progress: is told what is being done.
 
@@ -108,6 +112,7 @@ def generate(
             (root / f"{MECHATRONICS}.mo").write_text(texts.mechatronics, encoding="utf-8")
         (root / ORDER).write_text("".join(f"{item}\n" for item in own.package_order(CLASSES)), encoding="utf-8")
         (staging / SCENE).write_text(scene_text(assembly, tree, loops, view, name), encoding="utf-8")
+        (staging / GRAPH).write_text(graph_svg(assembly, tree), encoding="utf-8")
     progress("write package", 1.0, name)
     return GeneratedPackage(
         root=output / name,

@@ -110,9 +110,10 @@ def _edge(first: _Spot, second: _Spot, joint: Joint | None, style: str) -> list[
 
 def _node(spot: _Spot, name: str, style: str) -> list[str]:
     top = spot.middle - HEIGHT // 2
+    text = escape(_short(name, LONGEST_NAME))
     return [
         f'<rect class="{style}" x="{spot.left}" y="{top}" width="{WIDTH}" height="{HEIGHT}" rx="5"/>',
-        f'<text x="{spot.left + WIDTH // 2}" y="{spot.middle + 4}" text-anchor="middle">{escape(_short(name, LONGEST_NAME))}</text>',
+        f'<text x="{spot.left + WIDTH // 2}" y="{spot.middle + 4}" text-anchor="middle">{text}</text>',
     ]
 
 

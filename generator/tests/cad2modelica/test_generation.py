@@ -48,6 +48,30 @@ def test_what_is_written(hammer: Path, tmp_path: Path) -> None:
     assert any("30 %" in note and "'arm'" in note for note in package.notes)
 
 
+def test_graph_shows_every_body_and_joint(hammer: Path, tmp_path: Path) -> None:
+    generate(hammer, tmp_path / "out")
+    svg = etree.parse(tmp_path / "out" / "graph.svg").getroot()
+    texts = [element.text for element in svg.iter("{http://www.w3.org/2000/svg}text")]
+    names = {"ground", "frame", "arm", "hammer head", "anvil", "ball", "shoulder (revolute)", "elbow (revolute)"}
+    assert sorted(texts) == sorted(names)
+    boxes = [
+        tuple(float(element.get(key)) for key in ("x", "y", "width", "height"))
+        for element in svg.iter("{http://www.w3.org/2000/svg}rect")
+    ]
+    for (x1, y1, w1, h1), (x2, y2, w2, h2) in itertools.combinations(boxes, 2):
+        assert x1 + w1 <= x2 or x2 + w2 <= x1 or y1 + h1 <= y2 or y2 + h2 <= y1
+
+
+def test_diagram_components_do_not_overlap(hammer: Path, tmp_path: Path) -> None:
+    package = generate(hammer, tmp_path / "out")
+    text = (package.root / "Mechanics.mo").read_text()
+    found = re.findall(r"transformation\(extent=\{\{(-?\d+),(-?\d+)\},\{(-?\d+),(-?\d+)\}\}", text)
+    extents = [tuple(map(int, extent)) for extent in found]
+    assert len(extents) == 13
+    for (a, b, c, d), (e, f, g, h) in itertools.combinations(extents, 2):
+        assert c <= e or g <= a or d <= f or h <= b
+
+
 def test_same_input_same_bytes(hammer: Path, tmp_path: Path) -> None:
     generate(hammer, tmp_path / "first")
     generate(hammer, tmp_path / "second")
