@@ -15,7 +15,7 @@
 #include "cmb_evaluate.h"
 #include "cmb_event.h"
 
-enum { MAXIMUM_STEPS = 1000000, MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 8 };
+enum { MAXIMUM_STEPS = 1000000, MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
 
 struct cmb_solver {
   cmb_instance *instance;
@@ -259,6 +259,14 @@ static int is_recoverable(int flag) {
          flag == CV_UNREC_RHSFUNC_ERR;
 }
 
+static double last_step_begin(cmb_solver *solver) {
+  double time = -HUGE_VAL, step = 0.0;
+  if (CVodeGetCurrentTime(solver->memory, &time) != CV_SUCCESS || CVodeGetLastStep(solver->memory, &step) != CV_SUCCESS) {
+    return -HUGE_VAL;
+  }
+  return time - step;
+}
+
 /* CVODE refuses intervals of a few roundings; over these the states do not change. */
 static int is_too_short(double begin, double end) {
   return end - begin <= 8.0 * DBL_EPSILON * fmax(fabs(begin), fabs(end));
@@ -294,7 +302,8 @@ cmb_result cmb_solver_advance(cmb_solver *solver, double target, double limit, d
 
     char cause[sizeof instance->message];
     snprintf(cause, sizeof cause, "%s", solver->cause != CMB_RESULT_OK ? instance->message : "");
-    const double failed_at = reached;
+    const int root_failed = flag == CV_RTFUNC_FAIL && solver->cause == CMB_RESULT_DISCARD;
+    const double failed_at = root_failed ? last_step_begin(solver) : reached;
     solver->restart = 1;
     if (is_recoverable(flag)) {
       reached = move_to_last_good_point(solver, begin);
@@ -307,12 +316,12 @@ cmb_result cmb_solver_advance(cmb_solver *solver, double target, double limit, d
     if (is_recoverable(flag) && reached > fmax(begin, progress_time) && retries < MAXIMUM_RETRIES) {
       progress_time = reached; /* went some way: on from there */
       ++retries;
-    } else if (flag == CV_RTFUNC_FAIL && solver->cause == CMB_RESULT_DISCARD && retries < MAXIMUM_ROOT_RETRIES) {
-      /* An indicator cannot be computed inside a step that was already taken: shorter steps stay away from it. */
+    } else if (root_failed && retries < MAXIMUM_ROOT_RETRIES) {
+      /* An indicator cannot be computed inside a step that was already taken; a shorter one may stay away from it. */
       largest_step = (largest_step > 0.0 ? fmin(largest_step, end - begin) : end - begin) * 0.125;
       ++retries;
-    } else if (is_recoverable(flag) && reached == begin && failed_at > begin && !shortened) {
-      /* It creeps along the edge of where the model can be evaluated: up to shortly before that, then give up. */
+    } else if ((is_recoverable(flag) || root_failed) && reached == begin && failed_at > begin && !shortened) {
+      /* This is the edge of where the model can be evaluated: up to shortly before that, then give up. */
       (void)explain(solver, flag, failed_at, cause);
       memcpy(failure, instance->message, sizeof failure);
       end = begin + 0.999 * (failed_at - begin);

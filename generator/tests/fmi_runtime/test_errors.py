@@ -57,6 +57,20 @@ def test_a_step_that_cannot_be_computed_is_discarded_where_it_ends(
     instance.freeInstance()
 
 
+def test_an_indicator_that_cannot_be_computed_discards_the_step(switching: Path, tmp_path: Path) -> None:
+    importer = Importer(switching, tmp_path)
+    instance = importer.make(FMU2Slave)
+    instance.setInteger([importer.references["kind"]], [4])
+    importer.initialize(instance)
+    expect(DISCARD, instance.doStep, 0.0, 1.0)
+    reached = instance.getRealStatus(2)
+    assert 0.4 < reached <= 0.5 + 1e-9  # where x is 0.75
+    assert importer.reals(instance, "x")[0] == pytest.approx(0.25 + reached, abs=1e-9)
+    assert instance.getInteger([importer.references["crossings"]]) == [1]
+    assert "the indicator is not known there" in importer.messages[-1][2]
+    instance.freeInstance()
+
+
 def test_a_discarded_step_can_be_rewound(guarded: Path, tmp_path: Path) -> None:
     importer = Importer(guarded, tmp_path)
     instance = make_guarded(importer, 1, limit=0.5)
