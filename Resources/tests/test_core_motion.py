@@ -242,6 +242,7 @@ def test_sensors_measure_what_the_frames_say(simulate, vector):
     tip, base = vector(result, "rod.frame_b.R.T"), vector(result, "arm.frame_a.R.T")
     np.testing.assert_array_equal(vector(result, "position.r"), position)
     np.testing.assert_allclose(vector(result, "positionInFrame.r"), np.einsum("tij,tj->ti", tip, position), atol=1e-12)
+    # Differences of the interpolated output: 1e-10 by 0.004 s, and their own truncation, leave less than 1e-6.
     inner = slice(2, -2)
 
     def rate(values):
@@ -258,7 +259,7 @@ def test_sensors_measure_what_the_frames_say(simulate, vector):
     w = vector(result, "angularVelocity.w")
     turning = np.einsum("tij,tkj->tik", rate(tip), tip[inner])
     np.testing.assert_allclose(
-        w[inner], -np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]], 1), atol=1e-8
+        w[inner], -np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]], 1), atol=1e-6
     )
     about = np.stack([-np.sin(result["turn.phi"]), np.cos(result["turn.phi"]), 0 * result["time"]], axis=1)
     swing = about * result["swing.w"][:, None]
