@@ -130,6 +130,12 @@ def test_impact_with_a_published_law(core: Compiler) -> None:
     assert final(simulate(core, "PublishedLawDelivered", 0.3), "delivered") == pytest.approx(0.725, abs=1e-3)
 
 
+def test_spring_and_damper_do_not_pull(core: Compiler) -> None:
+    ratio = 0.1
+    expected = math.exp(-ratio / math.sqrt(1 - ratio**2) * (math.pi - 2 * math.asin(ratio)))
+    assert final(simulate(core, "SpringDamperImpact", 0.3), "delivered") == pytest.approx(expected, abs=1e-4)
+
+
 def test_collision_keeps_momentum_and_angular_momentum(core: Compiler) -> None:
     motion = simulate(core, "ObliqueImpact", 0.5)
     assert np.abs(motion["contact.impactSpeed[1]"]).max() > 1, "they never met"
