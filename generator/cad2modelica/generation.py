@@ -17,12 +17,10 @@ from cad2modelica.loops import LoopAnalysis, analyse_loops
 from cad2modelica.mechanism_view import RESERVED, MechanismView, mechanism_view
 from cad2modelica.model import Assembly
 from cad2modelica.modelica_names import NamePool
-from cad2modelica.own_files import ORDER, SCENE, find_own_files
+from cad2modelica.own_files import GRAPH, ORDER, SCENE, find_own_files
 from cad2modelica.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
 from cad2modelica.reading import read_assembly
 from cad2modelica.scene_file import scene_text
-
-GRAPH = "graph.svg"
 
 
 @dataclass(frozen=True)

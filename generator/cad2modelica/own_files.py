@@ -10,8 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from cmb_base.errors import InputError, Place
+from cmb_base.output import MARKER
 
 SCENE = "scene.json"
+GRAPH = "graph.svg"
 ORDER = "package.order"
 
 
@@ -69,15 +71,21 @@ def find_own_files(output: Path, package: str, generated: Collection[str]) -> Ow
         generated: file names the generator writes anew.
 
     Raises:
-        InputError: the folder holds a package of another name, whose files would be lost.
+        InputError: the folder holds a package of another name or other files, which would be lost.
     """
     root = output / package
-    others = [folder.name for folder in sorted(output.glob("*")) if folder.is_dir() and folder.name != package]
-    if others:
+    others = sorted(path.name for path in output.glob("*") if path.name not in {package, SCENE, GRAPH, MARKER})
+    if others and (output / others[0] / "package.mo").is_file():
         raise InputError(
             f"holds the package {others[0]!r}, but the assembly now gives {package!r}",
             place=Place(file=output),
             remedy="Name another output, or move the old package away; its own classes would be lost.",
+        )
+    if others:
+        raise InputError(
+            f"holds {others[0]!r}, which no generation wrote and the next one would lose",
+            place=Place(file=output),
+            remedy="Move it away, or into the package's folder, whose files are kept.",
         )
     if not root.is_dir():
         return OwnFiles(root)

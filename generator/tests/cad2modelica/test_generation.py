@@ -271,6 +271,15 @@ def test_package_of_another_name_is_not_lost(hammer: Path, tmp_path: Path) -> No
     assert files_of(package.root) == before
 
 
+def test_other_files_in_the_output_are_not_lost(hammer: Path, tmp_path: Path) -> None:
+    generate(hammer, tmp_path / "out")
+    generate(hammer, tmp_path / "out")
+    (tmp_path / "out" / "notes.txt").write_text("mine")
+    with pytest.raises(InputError, match=r"notes\.txt"):
+        generate(hammer, tmp_path / "out")
+    assert (tmp_path / "out" / "notes.txt").read_text() == "mine"
+
+
 def test_nested_assemblies_move_like_their_copies(pendulum: Path, tmp_path: Path) -> None:
     """Two instances of a pendulum, one turned and shifted, swing with the same angle in the same gravity direction."""
     text = pendulum.read_text()
