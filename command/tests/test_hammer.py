@@ -71,8 +71,9 @@ def test_motion_before_the_impact(result: SimulationResult) -> None:
 def test_energy_never_rises(scene: Scene, result: SimulationResult) -> None:
     balance = energy_balance(scene, result)
     assert balance.elastic is not None
-    # What is left is the integrator's own error at tolerance 1e-6.
-    assert balance.largest_rise <= 1e-6 * abs(balance.total[0])
+    # Bevelled hulls press on each other by shares that are not quite a gradient (docs/engine.md, "Passivity"): while the
+    # head settles on the anvil the sum rises by 1.0e-6 of the start, at any tolerance of the integrator.
+    assert balance.largest_rise <= 2e-6 * abs(balance.total[0])
 
 
 def test_restitution_at_the_first_impact(scene: Scene, result: SimulationResult) -> None:
@@ -87,7 +88,7 @@ def test_the_ball_ends_on_the_floor(scene: Scene, result: SimulationResult) -> N
     height = result["ball.frame_a.r_0[3]"]
     assert height[0] == pytest.approx(0.142, abs=1e-3)
     assert height[-1] == pytest.approx(0.022, abs=1e-4)
-    assert first_touch(result, scene, "ball", "floor") > 0.3
+    assert first_touch(result, scene, "ball", "floorPlane") > 0.3
 
 
 def test_the_report_is_one_file_that_works_offline(hammer: Path) -> None:
