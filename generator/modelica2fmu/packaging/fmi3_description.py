@@ -1,12 +1,14 @@
 """The XML files of FMI 3.0.2: modelDescription, buildDescription, terminalsAndIcons.
 
 FMI 3.0 numbers all variables in one sequence, so the uppermost four bits of a value reference say what kind it
-is (``runtime/fmi3_functions.c`` reads them), and variables that share a slot are aliases of one variable.
+is (``runtime/fmi3_functions.c`` reads them). Variables that share a slot are aliases of one variable, except
+outputs: an alias has no causality, so an output gets a reference of its own by the six bits after these.
 """
 
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
@@ -37,7 +39,9 @@ from modelica2fmu.packaging.solver_variables import FIRST_REFERENCE
 
 FMI_VERSION = "3.0"
 
-_SLOT_BITS = 28
+_KIND_SHIFT = 28
+_SLOT_BITS = 22
+_MAXIMUM_COPIES = 63
 _KIND = {
     DataType.REAL: 0,
     DataType.INTEGER: 1,
@@ -83,13 +87,25 @@ class _Group:
     aliases: tuple[Variable, ...]
 
 
-def value_reference(variable: Variable) -> int:
-    """The value reference of FMI 3.0 of a variable."""
+def _value_references(variables: Sequence[Variable]) -> dict[str, int]:
+    """The value references of FMI 3.0 by the names of the variables."""
+    references = {variable.name: _slot_reference(variable) for variable in variables}
+    used = Counter(references.values())
+    copies: Counter[int] = Counter()
+    for variable in variables:
+        slot = references[variable.name]
+        if variable.causality is Causality.OUTPUT and used[slot] > 1 and copies[slot] < _MAXIMUM_COPIES:
+            copies[slot] += 1
+            references[variable.name] = slot + (copies[slot] << _SLOT_BITS)
+    return references
+
+
+def _slot_reference(variable: Variable) -> int:
     if variable.causality is Causality.INDEPENDENT:
-        return _TIME_KIND << _SLOT_BITS
+        return _TIME_KIND << _KIND_SHIFT
     if variable.value_reference >= FIRST_REFERENCE:
-        return (_SOLVER_KIND[variable.type] << _SLOT_BITS) + variable.value_reference - FIRST_REFERENCE
-    return (_KIND[variable.type] << _SLOT_BITS) + variable.value_reference
+        return (_SOLVER_KIND[variable.type] << _KIND_SHIFT) + variable.value_reference - FIRST_REFERENCE
+    return (_KIND[variable.type] << _KIND_SHIFT) + variable.value_reference
 
 
 def _merge(reference: int, variables: Sequence[Variable]) -> _Group:
@@ -101,6 +117,9 @@ def _merge(reference: int, variables: Sequence[Variable]) -> _Group:
         first_merged = replace(first, initial=started.initial, start=started.start)
     else:
         first_merged = first
+    if len(variables) > 1 and first.causality is Causality.CALCULATED_PARAMETER:
+        # Means the same, and checkers that read an alias as a variable of the same causality find no fault with it.
+        first_merged = replace(first_merged, causality=Causality.LOCAL)
     derivative = next((v.derivative_of for v in variables if v.derivative_of is not None), None)
     merged = replace(first_merged, derivative_of=derivative, reinit=any(v.reinit for v in variables))
     return _Group(reference, merged, tuple(variable for variable in variables if variable is not first))
@@ -120,10 +139,10 @@ def _with_own_variables(description: ModelDescription) -> ModelDescription:
     return replace(description, variables=tuple(variables))
 
 
-def _groups(variables: Iterable[Variable]) -> list[_Group]:
+def _groups(variables: Iterable[Variable], references: dict[str, int]) -> list[_Group]:
     slots: dict[int, list[Variable]] = {}
     for variable in variables:
-        slots.setdefault(value_reference(variable), []).append(variable)
+        slots.setdefault(references[variable.name], []).append(variable)
     return [_merge(reference, members) for reference, members in slots.items()]
 
 
@@ -188,7 +207,7 @@ def _model_structure(
     description: ModelDescription, merged: ModelDescription, references: dict[str, int]
 ) -> etree._Element:
     structure = etree.Element("ModelStructure")
-    indicators = [(_INDICATOR_KIND << _SLOT_BITS) + index for index in range(description.indicator_count)]
+    indicators = [(_INDICATOR_KIND << _KIND_SHIFT) + index for index in range(description.indicator_count)]
     for name, unknowns in (
         ("Output", [references[output] for output in description.outputs]),
         ("ContinuousStateDerivative", [references[derivative] for derivative in description.derivatives]),
@@ -206,7 +225,7 @@ def _indicator_elements(count: int) -> Iterable[etree._Element]:
             "Float64",
             {
                 "name": f"cmbIndicator[{index + 1}]",
-                "valueReference": str((_INDICATOR_KIND << _SLOT_BITS) + index),
+                "valueReference": str((_INDICATOR_KIND << _KIND_SHIFT) + index),
                 "description": "Event indicator",
                 "causality": "local",
                 "variability": "continuous",
@@ -229,8 +248,8 @@ def fmi3_description(description: ModelDescription) -> bytes:
     """
     check_description(description)
     complete = _with_own_variables(description)
-    references = {variable.name: value_reference(variable) for variable in complete.variables}
-    groups = _groups(complete.variables)
+    references = _value_references(complete.variables)
+    groups = _groups(complete.variables, references)
     primary = {group.reference: group.variable.name for group in groups}
     merged = replace(
         complete,

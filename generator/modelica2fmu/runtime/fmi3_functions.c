@@ -1,13 +1,13 @@
 /* fmi3_functions.c - FMI 3.0.2, model exchange and co-simulation, over cmb_fmu.h.
  *
- * FMI 3.0 has one numbering for all variables: the uppermost four bits of a value reference say what it is, the
- * others are the slot (packaging/fmi3_description.py writes them). */
+ * FMI 3.0 has one numbering for all variables: the uppermost four bits of a value reference say what it is, the next
+ * six tell variables of one slot apart, the others are the slot (packaging/fmi3_description.py writes them). */
 #include <stdlib.h>
 
 #include "cmb_fmu.h"
 #include "fmi3Functions.h"
 
-enum { SLOT_BITS = 28 };
+enum { KIND_SHIFT = 28, SLOT_BITS = 22 };
 
 typedef enum reference_kind {
   KIND_REAL,
@@ -27,7 +27,7 @@ typedef struct component {
   fmi3LogMessageCallback log_message;
 } component;
 
-static unsigned kind_of(fmi3ValueReference reference) { return reference >> SLOT_BITS; }
+static unsigned kind_of(fmi3ValueReference reference) { return reference >> KIND_SHIFT; }
 
 static unsigned slot_of(fmi3ValueReference reference) { return reference & ((1u << SLOT_BITS) - 1u); }
 
@@ -165,7 +165,8 @@ static cmb_fmu_status get_float(fmi3Instance c, const char *call, fmi3ValueRefer
   switch (kind_of(reference)) {
     case KIND_INDICATOR: return cmb_fmu_get_indicator(c, call, slot, value);
     case KIND_TIME: *value = ((cmb_fmu *)c)->instance->values.time; return CMB_FMU_OK;
-    default: return cmb_fmu_get_real(c, call, &reference, 1, value); /* kinds 0 and 4 are the slots themselves */
+    case KIND_REAL: return cmb_fmu_get_real(c, call, &slot, 1, value);
+    default: return cmb_fmu_get_real(c, call, &reference, 1, value); /* those of the solver are the same in FMI 2.0 */
   }
 }
 
@@ -181,7 +182,12 @@ fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference reference[], 
 fmi3Status fmi3SetFloat64(fmi3Instance c, const fmi3ValueReference reference[], size_t count,
                           const fmi3Float64 value[], size_t value_count) {
   if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
-  return (fmi3Status)cmb_fmu_set_real(c, __func__, reference, count, value);
+  if (count == 0) return fmi3OK;
+  unsigned *slot = slots(c, __func__, reference, count, KIND_REAL, KIND_SOLVER_REAL);
+  if (slot == NULL) return fmi3Error;
+  const cmb_fmu_status status = cmb_fmu_set_real(c, __func__, slot, count, value);
+  free(slot);
+  return (fmi3Status)status;
 }
 
 fmi3Status fmi3GetInt32(fmi3Instance c, const fmi3ValueReference reference[], size_t count, fmi3Int32 value[],
@@ -473,8 +479,18 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueReference
       !counts_agree(c, __func__, known_count, seed_count)) {
     return fmi3Error;
   }
-  return (fmi3Status)cmb_fmu_directional_derivative(c, __func__, unknown, unknown_count, known, known_count, seed,
-                                                    sensitivity);
+  if (unknown_count == 0) return fmi3OK;
+  if (known == NULL && known_count == 0) known = unknown; /* not read */
+  unsigned *unknown_slot = slots(c, __func__, unknown, unknown_count, KIND_REAL, KIND_NONE);
+  unsigned *known_slot = unknown_slot != NULL ? slots(c, __func__, known, known_count, KIND_REAL, KIND_NONE) : NULL;
+  cmb_fmu_status status = CMB_FMU_ERROR;
+  if (known_slot != NULL) {
+    status = cmb_fmu_directional_derivative(c, __func__, unknown_slot, unknown_count, known_slot, known_count, seed,
+                                            sensitivity);
+  }
+  free(unknown_slot);
+  free(known_slot);
+  return (fmi3Status)status;
 }
 
 /* -- modes -- */

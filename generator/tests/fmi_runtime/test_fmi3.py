@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from fmpy import extract, read_model_description, simulate_fmu
 from fmpy.fmi1 import FMICallException
-from fmpy.fmi3 import FMU3Slave
+from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.validation import validate_fmu
 from modelica2fmu.description import Causality, ModelDescription
 from modelica2fmu.packaging import FmiVersion, package_fmu
@@ -258,8 +258,10 @@ def test_only_fmi3_functions_are_visible(ball3: Path, tmp_path: Path) -> None:
     assert all(symbol.startswith("fmi3") for symbol in symbols)
 
 
-def test_variables_of_one_slot_become_aliases(package3: Callable[[ModelDescription, str], Path]) -> None:
-    """speed is v and der(s) too; the state's start value and the derivative must not get lost."""
+def test_variables_of_one_slot_become_aliases(
+    package3: Callable[[ModelDescription, str], Path], tmp_path: Path
+) -> None:
+    """speed is v and der(s) too; roles, start values and derivatives must not get lost."""
     variables = []
     for variable in models.OSCILLATOR.variables:
         if variable.name == "der(s)":
@@ -270,13 +272,25 @@ def test_variables_of_one_slot_become_aliases(package3: Callable[[ModelDescripti
     description = replace(models.OSCILLATOR, variables=tuple(variables), outputs=("s", "energy", "speed"))
     fmu = package3(description, "oscillator")
     assert validate_fmu(str(fmu)) == []
-    read = read_model_description(str(fmu))
-    by_name = {variable.name: variable for variable in read.modelVariables}
-    speed = by_name["speed"]
-    assert (speed.causality, speed.initial, float(speed.start)) == ("output", "exact", 0.0)
-    assert speed.derivative is by_name["s"]
-    assert {alias.name for alias in speed.aliases} == {"v", "der(s)"}
-    assert [unknown.variable.name for unknown in read.derivatives] == ["speed", "der(v)"]
+    session = Session(fmu, tmp_path, FMU3Model)
+    by_name = {variable.name: variable for variable in session.description.modelVariables}
+    assert by_name["v"].derivative is by_name["s"]
+    assert {alias.name for alias in by_name["v"].aliases} == {"der(s)"}
+    assert [unknown.variable.name for unknown in session.description.derivatives] == ["v", "der(v)"]
+    assert {unknown.variable.name for unknown in session.description.outputs} == {"s", "energy", "speed"}
+    session.initialize(v=0.25)
+    assert session.floats("v", "der(s)", "speed") == [0.25, 0.25, 0.25]
+    refs = session.references
+    sensitivity = session.instance.getDirectionalDerivative(
+        [refs["speed"], refs["der(v)"]], [refs["v"], refs["s"]], [1.0, 2.0]
+    )
+    assert sensitivity == pytest.approx([1.0, -8.0])
+    session.instance.freeInstance()
+
+
+def test_shared_calculated_parameters_pass_the_checker(package3: Callable[[ModelDescription, str], Path]) -> None:
+    variables = (*models.OSCILLATOR.variables, models.calculated("omega", 9), models.calculated("omega2", 9))
+    assert validate_fmu(str(package3(replace(models.OSCILLATOR, variables=variables), "oscillator"))) == []
 
 
 def test_the_files_of_fmi3(schedule3: Path) -> None:
