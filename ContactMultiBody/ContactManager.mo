@@ -37,14 +37,25 @@ connect(floor.frame_a, contacts.frame[2]);
 The geometry of a body is described in the frame that is connected. By default all pairs of bodies may touch;
 <code>pairs={{1,3},{2,3}}</code> names those that are to be looked at, which saves time.
 </p>
+<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
+<tr><th>variable, for each pair i</th><th>meaning</th></tr>
+<tr><td><code>distance[i]</code></td><td>signed distance, negative when the bodies penetrate</td></tr>
+<tr><td><code>normalForce[i]</code></td><td>normal force, summed over the points</td></tr>
+<tr><td><code>force[i,:]</code></td><td>force on the first body of the pair, in world axes</td></tr>
+<tr><td><code>approachSpeed[i]</code></td><td>speed along the normal where the bodies touch or will touch, positive when they approach</td></tr>
+<tr><td><code>impactSpeed[i]</code></td><td>approach speed when the last contact started; exists where impacts are caught by events</td></tr>
+<tr><td><code>touches[i]</code></td><td>= true, if the bodies touch; exists where impacts are caught by events</td></tr>
+<tr><td><code>anchorStretch[i,:]</code></td><td>stretch of the static friction spring; exists with anchored friction</td></tr>
+<tr><td><code>elasticEnergy</code></td><td>energy stored in all contacts (one for the scene)</td></tr>
+</table>
 <p>
 The force of a contact point is F = weight K x<sup>n</sup>(1 + d/v<sub>0</sub> dx/dt), never negative, with the approach speed at that
 point; the weights of a face that carries wholly sum to one. See
 <a href=\"modelica://ContactMultiBody.NormalForce\">NormalForce</a> and <a href=\"modelica://ContactMultiBody.Friction\">Friction</a> for the laws.
 </p>
 <p>
-All choices are structural: without friction there are no tangential forces, without restitution no events.
-<code>touches</code> and <code>impactSpeed</code> exist where impacts are caught by events, <code>anchorStretch</code> with anchored friction.
+All choices are structural: without friction there are no tangential forces, without restitution no events, without anchored friction no states.
+See <a href=\"modelica://ContactMultiBody.UsersGuide.EffectsAndLaws\">Which effects and laws to choose</a>.
 </p>
 </html>"));
 end ContactManager;
