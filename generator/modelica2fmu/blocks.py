@@ -251,18 +251,19 @@ class _Sorter:
             value = solved_for(entry.residual, name)
             assert value is not None
             inner.append(Assignment(name, value, span=entry.span))
-        matrix = []
-        right = []
-        for number in remaining:
-            form = _inserted(row_forms[number], solutions)
-            matrix.append(tuple(form.coefficients.get(name, 0) for name in torn))
-            right.append(ex.negate(form.constant))
-            if all(not isinstance(value, Node) and value == 0 for value in matrix[-1]):
+        residual_forms = [_inserted(row_forms[number], solutions) for number in remaining]
+        for number, form in zip(remaining, residual_forms, strict=True):
+            if not form.coefficients:
                 raise InputError(
                     "equations are linearly dependent whatever the parameters are: " + ", ".join(names[:8]),
                     place=self._place(self._entries[number].span),
                 )
-        return LinearBlock(tuple(torn), tuple(matrix), tuple(right), tuple(inner), size)
+        # Sparse columns first: those of a leg stay apart from those of the other legs while they are eliminated.
+        fill = {name: sum(name in form.coefficients for form in residual_forms) for name in torn}
+        ordered = sorted(torn, key=lambda name: fill[name])
+        matrix = tuple(tuple(form.coefficients.get(name, 0) for name in ordered) for form in residual_forms)
+        right = tuple(ex.negate(form.constant) for form in residual_forms)
+        return LinearBlock(tuple(ordered), matrix, right, tuple(inner), size)
 
     # --- for tearing ---
 
@@ -286,7 +287,9 @@ def _inserted(form: LinearForm, solutions: Mapping[str, LinearForm], skip: str |
         constant = ex.add(constant, ex.multiply(factor, solution.constant))
         for inner, value in solution.coefficients.items():
             coefficients[inner] = ex.add(coefficients.get(inner, 0), ex.multiply(factor, value))
-    return LinearForm(constant, coefficients)
+    return LinearForm(
+        constant, {name: value for name, value in coefficients.items() if isinstance(value, Node) or value != 0}
+    )
 
 
 class _Tearing:

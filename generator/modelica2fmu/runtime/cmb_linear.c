@@ -4,17 +4,22 @@
 
 #include "cmb_model.h"
 
+/* Comparing instead of fmax(), which the compiler may not put in line and which then costs more than the
+ * elimination of a small system. Like fmax(), it passes over NaN. */
+static double larger(double x, double y) { return y > x ? y : x; }
+
 /* Scales every row of [A b] by the power of two next to its largest entry: exact, and pivots of rows in
  * different units become comparable. */
 static void scale_rows(int n, double *a, double *b) {
   for (int i = 0; i < n; ++i) {
     double largest = 0.0;
-    for (int j = 0; j < n; ++j) largest = fmax(largest, fabs(a[i + (size_t)j * (size_t)n]));
+    for (int j = 0; j < n; ++j) largest = larger(largest, fabs(a[i + (size_t)j * (size_t)n]));
     if (!(largest > 0.0) || !isfinite(largest)) continue;
     int exponent;
     frexp(largest, &exponent);
-    for (int j = 0; j < n; ++j) a[i + (size_t)j * (size_t)n] = ldexp(a[i + (size_t)j * (size_t)n], -exponent);
-    b[i] = ldexp(b[i], -exponent);
+    const double factor = ldexp(1.0, exponent > -1000 ? -exponent : 1000); /* finite for subnormal rows too */
+    for (int j = 0; j < n; ++j) a[i + (size_t)j * (size_t)n] *= factor;
+    b[i] *= factor;
   }
 }
 
@@ -26,7 +31,7 @@ int cmb_solve_linear(int n, double *a, double *b, int *pivot) {
   for (int k = 0; k < n; ++k) {
     double *column = a + (size_t)k * rows;
     double size = 0.0;
-    for (int i = 0; i < n; ++i) size = fmax(size, fabs(column[i]));
+    for (int i = 0; i < n; ++i) size = larger(size, fabs(column[i]));
 
     for (int j = 0; j < k; ++j) {
       const int row = pivot[j];
