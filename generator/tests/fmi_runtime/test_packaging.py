@@ -264,3 +264,8 @@ def test_shared_libraries_that_report_errors_are_refused(tmp_path: Path) -> None
 def test_the_naming_convention_is_the_one_that_holds(name: str, convention: str) -> None:
     description = replace(models.OSCILLATOR, variables=(*models.OSCILLATOR.variables, models.local(name, 11)))
     assert etree.fromstring(fmi2_description(description)).get("variableNamingConvention") == convention
+
+
+def test_external_code_finds_the_usual_constants(tmp_path: Path) -> None:
+    source = broken_source("double half_turn(void);\ndouble half_turn(void) { return M_PI; }\n")
+    assert package_fmu(models.OSCILLATOR, source, tmp_path / "o.fmu").is_file()
