@@ -83,6 +83,22 @@ CMB_API cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const double 
  * answered, refused: unchanged on error. Not NULL. */
 CMB_API cmb_status cmb_backend_counts(cmb_scene scene, unsigned long long *answered, unsigned long long *refused);
 
+/* The overlap of a pair as a solid. Parts of compounds are added up. */
+typedef struct cmb_overlap {
+  int known;                /* 1, or 0 where a pair of shapes overlaps whose overlap the engine cannot compute: known are
+                               boxes and hulls with each other and with half-spaces, and spheres with half-spaces up to
+                               the middle. Everything is 0 then, and where nothing overlaps. */
+  double volume;            /* m3 */
+  double centroid[3];       /* m, world axes */
+  double patch_area;        /* m2, of the overlap seen along the contact normal */
+  double patch_centroid[3]; /* m, world axes; along the normal half way between the overlap's two sides */
+} cmb_overlap;
+
+/* The overlap of one pair (0-based index). overlap is unchanged on error. Not NULL. Slower than a contact query, and
+ * allocates. */
+CMB_API cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const double *position, const double *rotation,
+                                     size_t body_count, cmb_overlap *overlap);
+
 /* Text of a status; never NULL, static storage. */
 CMB_API const char *cmb_status_text(cmb_status status);
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "interface/last_error.hpp"
+#include "query/overlap_query.hpp"
 #include "query/pair_query.hpp"
 #include "scene/registry.hpp"
 
@@ -223,6 +224,20 @@ cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const double *positio
     cmb::PairReport report;
     contact_of(*found, pair, position, rotation, report);
     *backend = report.backend;
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const double *position, const double *rotation,
+                             size_t body_count, cmb_overlap *overlap) {
+  return guarded([&] {
+    const Scene *found = nullptr;
+    const cmb_status status = check_pair_query(scene, pair, position, rotation, body_count, 1, found);
+    if (status != CMB_OK) return status;
+    if (overlap == nullptr) return fail(CMB_ERROR_ARGUMENT, "overlap is NULL");
+    const std::size_t first = found->pairs[pair].first, second = found->pairs[pair].second;
+    *overlap = cmb::query_overlap(found->bodies[first], cmb::body_pose(position + 3 * first, rotation + 9 * first),
+                                  found->bodies[second], cmb::body_pose(position + 3 * second, rotation + 9 * second));
     return CMB_OK;
   });
 }

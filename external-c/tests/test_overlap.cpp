@@ -1,0 +1,81 @@
+// Overlap volume, patch area and centroids against closed forms.
+#include "scene_query.hpp"
+
+namespace {
+
+using namespace cmb::test;
+
+constexpr double pi = 3.14159265358979323846;
+
+cmb_overlap overlap_of(const PairScene &scene, const Vec3 &position_a, const Mat3 &rotation_a = {}) {
+  const double position[] = {position_a.x, position_a.y, position_a.z, 0, 0, 0};
+  double rotation[18] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) rotation[3 * i + j] = rotation_a.row[j][i];
+  }
+  cmb_overlap result;
+  EXPECT_EQ(cmb_query_overlap(scene.handle(), 0, position, rotation, 2, &result), CMB_OK) << cmb_last_error();
+  return result;
+}
+
+TEST(Overlap, BoxesOverlapInABox) {
+  const PairScene scene("cmb/1 box size=1,1,1", "cmb/1 box size=4,4,1");
+  const cmb_overlap inside = overlap_of(scene, {0.3, 0.2, 0.9});
+  EXPECT_EQ(inside.known, 1);
+  EXPECT_NEAR(inside.volume, 0.1, 1e-14);
+  EXPECT_NEAR(inside.patch_area, 1.0, 1e-13);
+  EXPECT_NEAR(norm(Vec3{inside.centroid[0], inside.centroid[1], inside.centroid[2]} - Vec3{0.3, 0.2, 0.45}), 0, 1e-13);
+  const cmb_overlap over_border = overlap_of(scene, {2.2, 0, 0.9});
+  EXPECT_NEAR(over_border.volume, 0.03, 1e-14);
+  EXPECT_NEAR(over_border.patch_centroid[0], 1.85, 1e-13);
+  EXPECT_NEAR(over_border.patch_centroid[2], 0.45, 1e-13);
+  EXPECT_EQ(overlap_of(scene, {0, 0, 1.5}).volume, 0.0);
+}
+
+TEST(Overlap, BoxAndHalfspaceAtAnyDepth) {
+  const PairScene scene("cmb/1 box size=1,2,3", "cmb/1 halfspace");
+  for (const double depth : {0.01, 1.0, 2.5, 3.0, 3.5, 50.0}) {
+    const cmb_overlap overlap = overlap_of(scene, {5, 6, 1.5 - depth});
+    const double part = std::fmin(depth, 3.0);
+    EXPECT_NEAR(overlap.volume, 2.0 * part, 1e-11) << depth;
+    EXPECT_NEAR(overlap.centroid[0], 5.0, 1e-11) << depth;
+    EXPECT_NEAR(overlap.centroid[2], -depth + 0.5 * part, 1e-11) << depth;
+  }
+  EXPECT_EQ(overlap_of(scene, {0, 0, 1.6}).volume, 0.0);
+  EXPECT_EQ(overlap_of(scene, {0, 0, 9.0}).volume, 0.0);
+}
+
+TEST(Overlap, CornerOfACubeIsATetrahedron) {
+  const PairScene scene("cmb/1 box size=1,1,1", "cmb/1 halfspace");
+  const Mat3 upright = rotation_about(normalized(cross(Vec3{1, 1, 1}, Vec3{0, 0, 1})), std::acos(1 / std::sqrt(3.0)));
+  const double h = 0.1;
+  const cmb_overlap overlap = overlap_of(scene, {0, 0, std::sqrt(0.75) - h}, upright);
+  // Three edges of length h sqrt(3) at right angles.
+  EXPECT_NEAR(overlap.volume, std::pow(h * std::sqrt(3.0), 3) / 6.0, 1e-14);
+  EXPECT_NEAR(overlap.centroid[2], -0.25 * h, 1e-13);
+}
+
+TEST(Overlap, SphereAndHalfspaceIsACap) {
+  const PairScene scene("cmb/1 halfspace", "cmb/1 sphere radius=0.5 position=0,0,0.5");
+  const cmb_overlap half = overlap_of(scene, {0, 0, 0.5});
+  EXPECT_EQ(half.known, 1);
+  EXPECT_NEAR(half.volume, pi / 12.0, 1e-14);
+  EXPECT_NEAR(half.patch_area, pi / 4.0, 1e-14);
+  EXPECT_NEAR(half.centroid[2], 0.5 - 3.0 / 16.0, 1e-14);
+  EXPECT_EQ(overlap_of(scene, {0, 0, 0.6}).known, 0);  // beyond the middle
+  EXPECT_EQ(overlap_of(scene, {0, 0, -0.1}).volume, 0.0);
+}
+
+TEST(Overlap, CompoundsAddUpAndOthersAreNotKnown) {
+  const PairScene legs("cmb/1 box size=1,1,1 position=2,0,0;cmb/1 box size=1,1,1 position=-2,0,0", "cmb/1 halfspace");
+  const cmb_overlap both = overlap_of(legs, {0, 0, 0.4});
+  EXPECT_NEAR(both.volume, 0.2, 1e-13);
+  EXPECT_NEAR(both.centroid[0], 0.0, 1e-12);
+  const PairScene capsule("cmb/1 capsule radius=0.5 length=1", "cmb/1 box size=1,1,1");
+  EXPECT_EQ(overlap_of(capsule, {0, 0, 0.5}).known, 0);
+  EXPECT_EQ(overlap_of(capsule, {0, 0, 5.0}).known, 1);
+  EXPECT_EQ(overlap_of(PairScene("", "cmb/1 halfspace"), {}).known, 1);
+  EXPECT_EQ(overlap_of(PairScene("cmb/1 halfspace", "cmb/1 halfspace"), {}).known, 1);
+}
+
+}  // namespace
