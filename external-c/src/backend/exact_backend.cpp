@@ -1,5 +1,5 @@
 #include "backend/distance_backend.hpp"
-#include "scene/pose_algebra.hpp"
+#include "geometry/pose_algebra.hpp"
 
 namespace cmb {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/solid_angle.hpp"
-#include "scene/pose_algebra.hpp"
+#include "geometry/pose_algebra.hpp"
+#include "geometry/solid_angle.hpp"
 
 namespace cmb {
 

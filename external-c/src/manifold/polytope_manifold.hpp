@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "convex/convex_overlap.hpp"
-#include "manifold/contact_polytope.hpp"
+#include "geometry/contact_polytope.hpp"
 #include "manifold/contact_set.hpp"
 #include "scene/shape.hpp"
 

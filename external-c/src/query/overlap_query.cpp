@@ -5,7 +5,7 @@
 
 #include "backend/distance_backend.hpp"
 #include "convex/convex_overlap.hpp"
-#include "scene/pose_algebra.hpp"
+#include "geometry/pose_algebra.hpp"
 
 namespace cmb {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/pose_algebra.hpp"
 #include "manifold/halfspace_manifold.hpp"
-#include "scene/pose_algebra.hpp"
 
 namespace cmb {
 

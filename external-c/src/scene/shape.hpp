@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "convex/convex_body.hpp"
-#include "manifold/contact_polytope.hpp"
+#include "geometry/contact_polytope.hpp"
 
 namespace cmb {
 

@@ -1,4 +1,4 @@
-#include "manifold/solid_angle.hpp"
+#include "geometry/solid_angle.hpp"
 
 #include <algorithm>
 #include <cmath>

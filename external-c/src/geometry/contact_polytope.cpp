@@ -1,10 +1,10 @@
-#include "manifold/contact_polytope.hpp"
+#include "geometry/contact_polytope.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "manifold/solid_angle.hpp"
+#include "geometry/solid_angle.hpp"
 
 namespace cmb {
 

@@ -1,0 +1,64 @@
+// Queries do not allocate once the thread's scratch has grown.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "scene_query.hpp"
+
+namespace {
+
+std::atomic<unsigned long> allocations{0};
+
+}  // namespace
+
+void *operator new(std::size_t size) {
+  ++allocations;
+  void *memory = std::malloc(size > 0 ? size : 1);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+void operator delete(void *memory) noexcept { std::free(memory); }
+void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
+
+namespace {
+
+using namespace cmb::test;
+
+TEST(Allocations, StopOnceTheScratchHasGrown) {
+  const std::vector<std::string> geometry = {
+      "cmb/1 box size=1,1,1",
+      "cmb/1 box size=2,2,1 position=0,0,-0.9",
+      "cmb/1 hull vertices=0.4,0.1,0.1,-0.3,0.4,0.2,0,-0.5,0.1,0.1,0.2,0.6,-0.2,-0.1,-0.6,0.35,-0.3,-0.2",
+      "cmb/1 capsule radius=0.3 length=0.5",
+      "cmb/1 halfspace",
+      "cmb/1 sphere radius=0.4;cmb/1 cylinder radius=0.2 length=1"};
+  std::vector<int> pairs;
+  for (int a = 1; a <= 6; ++a) {
+    for (int b = a + 1; b <= 6; ++b) pairs.insert(pairs.end(), {a, b});
+  }
+  const cmb_scene scene = intern(geometry, pairs);
+  constexpr std::size_t bodies = 6, count = 15, capacity = 4;
+  double position[3 * bodies], rotation[9 * bodies];
+  double distance[count], depth[count * capacity], weight[count * capacity], normal[3 * count * capacity],
+      point[3 * count * capacity];
+  const auto query = [&](int k) {
+    for (std::size_t body = 0; body < bodies; ++body) {
+      const double phase = 0.1 * k + static_cast<double>(body);
+      const Mat3 r = rotation_about(normalized(Vec3{1, std::sin(phase), 0.3}), phase);
+      for (std::size_t i = 0; i < 3; ++i) {
+        position[3 * body + i] = 0.2 * std::sin(phase + static_cast<double>(i));
+        for (int j = 0; j < 3; ++j) {
+          rotation[9 * body + 3 * i + static_cast<std::size_t>(j)] = r.row[j][static_cast<int>(i)];
+        }
+      }
+    }
+    return cmb_query_scene(scene, position, rotation, bodies, count, capacity, distance, depth, weight, normal, point);
+  };
+  for (int k = 0; k < 60; ++k) ASSERT_EQ(query(k), CMB_OK);
+  const unsigned long before = allocations;
+  for (int k = 0; k < 60; ++k) query(k);
+  EXPECT_EQ(allocations - before, 0u);
+}
+
+}  // namespace
