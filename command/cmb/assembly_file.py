@@ -1,4 +1,4 @@
-"""Which XML file an assembly argument means."""
+"""Which file an assembly argument means."""
 
 from __future__ import annotations
 
@@ -6,9 +6,11 @@ from pathlib import Path
 
 from cmb_base.errors import InputError, Place
 
+_ENDINGS = (".xml", ".urdf")
+
 
 def find_assembly(argument: Path) -> Path:
-    """The assembly's XML file: ``argument`` itself or the only XML file of the folder.
+    """The assembly's file: ``argument`` itself or the only XML or URDF file of the folder.
 
     Raises:
         InputError: there is no such file, or the folder holds none or several.
@@ -17,10 +19,11 @@ def find_assembly(argument: Path) -> Path:
         return argument
     if not argument.is_dir():
         raise InputError(
-            "does not exist", place=Place(file=argument), remedy="Name the assembly's XML file or its folder."
+            "does not exist", place=Place(file=argument), remedy="Name the assembly's XML or URDF file, or its folder."
         )
-    found = sorted(argument.glob("*.xml"))
+    found = sorted(file for file in argument.iterdir() if file.suffix in _ENDINGS)
     if len(found) == 1:
         return found[0]
-    message = "holds no XML file" if not found else "holds several XML files: " + ", ".join(file.name for file in found)
-    raise InputError(message, place=Place(file=argument), remedy="Name the assembly's XML file itself.")
+    names = ", ".join(file.name for file in found)
+    message = f"holds several assembly files: {names}" if found else "holds no XML or URDF file"
+    raise InputError(message, place=Place(file=argument), remedy="Name the assembly's file itself.")

@@ -15,11 +15,14 @@ def test_folder_with_one_file(tmp_path: Path) -> None:
 
 
 def test_folder_without_or_with_several(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="no XML"):
+    with pytest.raises(InputError, match="no XML or URDF"):
         find_assembly(tmp_path)
     (tmp_path / "a.xml").touch()
     (tmp_path / "b.xml").touch()
     with pytest.raises(InputError, match=r"a\.xml, b\.xml"):
         find_assembly(tmp_path)
+    (tmp_path / "urdf").mkdir()
+    (tmp_path / "urdf" / "robot.urdf").touch()
+    assert find_assembly(tmp_path / "urdf") == tmp_path / "urdf" / "robot.urdf"
     with pytest.raises(InputError, match="does not exist"):
         find_assembly(tmp_path / "c")

@@ -39,7 +39,7 @@ PACKAGE_FOLDER = "model"
 def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
     parser.add_argument(
-        "assembly", type=Path, metavar="ASSEMBLY", help="the assembly's XML file, or the folder with it"
+        "assembly", type=Path, metavar="ASSEMBLY", help="the assembly's XML or URDF file, or its folder"
     )
     parser.add_argument("--output", type=Path, metavar="FOLDER", help="folder to write (out/NAME if left out)")
     parser.add_argument("--stop", type=float, metavar="S", help="stop time in s (the assembly's own if left out)")
