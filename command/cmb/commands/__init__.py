@@ -20,12 +20,10 @@ class Command(Protocol):
     DESCRIPTION: str
     EXAMPLES: str
 
-    @staticmethod
-    def add_arguments(parser: ArgumentParser) -> None:
+    def add_arguments(self, parser: ArgumentParser) -> None:
         """Adds the command's arguments."""
 
-    @staticmethod
-    def run(arguments: Namespace) -> int:
+    def run(self, arguments: Namespace) -> int:
         """Carries the command out and returns the exit status."""
 
 
