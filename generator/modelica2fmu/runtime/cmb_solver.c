@@ -8,10 +8,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
 #include "cmb_call.h"
+#include "cmb_dense.h"
 #include "cmb_evaluate.h"
 #include "cmb_event.h"
 
@@ -94,7 +94,7 @@ cmb_solver *cmb_solver_create(cmb_instance *instance) {
   solver->memory = CVodeCreate(CV_BDF, solver->context);
   if (solver->state != NULL && solver->matrix != NULL) {
     N_VConst(0.0, solver->state);
-    solver->linear = SUNLinSol_Dense(solver->state, solver->matrix, solver->context);
+    solver->linear = cmb_dense_create(size, solver->context);
   }
   if (solver->entry == NULL || solver->tolerance == NULL || solver->memory == NULL || solver->linear == NULL ||
       CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
