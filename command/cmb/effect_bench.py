@@ -1,0 +1,60 @@
+"""What `cmb effects` and `cmb advise` have in common: their arguments, and a bench that builds FMUs."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from cmb_base.progress import Progress
+from modelica2fmu.build import BuildOptions, build_fmu
+from scene_effects.measurement import Bench, BuildFigures, RunOptions
+
+from cmb.modelica_sources import find_sources
+
+
+def add_scene_arguments(parser: ArgumentParser) -> None:
+    """Adds the arguments that say which scene is looked at and how it is simulated."""
+    parser.add_argument(
+        "model",
+        nargs="?",
+        default="ContactMultiBody.Examples.BoxOnIncline",
+        metavar="MODEL",
+        help="qualified name of a model with a ContactManager (an example of the library if left out)",
+    )
+    parser.add_argument(
+        "--source", type=Path, action="append", default=[], metavar="PATH", help="Modelica file or package folder"
+    )
+    parser.add_argument("--manager", metavar="NAME", help="the ContactManager, needed where there are several")
+    parser.add_argument("--stop", type=float, metavar="S", help="stop time in s (the model's own if left out)")
+    parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the solver")
+    parser.add_argument("--interval", type=float, metavar="S", help="output interval in s")
+    parser.add_argument("--time-limit", type=float, metavar="S", help="wall time for each simulation in s")
+    parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
+
+
+@contextmanager
+def effect_bench(arguments: Namespace, progress: Progress) -> Iterator[Bench]:
+    """A bench for the scene of the arguments; what it builds lies in a temporary folder.
+
+    Raises:
+        CmbError: the model cannot be built or simulated, or has no manager.
+    """
+    found = find_sources(arguments.model, arguments.source)
+    build_options = BuildOptions(msl=arguments.msl)
+
+    def build(name: str, further: Sequence[Path], fmu: Path) -> BuildFigures:
+        report = build_fmu(name, (*further, *found), fmu, build_options, progress)
+        return BuildFigures(
+            equations=report.equations,
+            states=len(report.states),
+            event_indicators=report.event_indicators,
+            systems=tuple(block.size for block in report.simulation_blocks),
+            lines=report.operations,
+        )
+
+    options = RunOptions(arguments.stop, arguments.tolerance, arguments.interval, arguments.time_limit)
+    with TemporaryDirectory(prefix="cmb-effects-") as folder:
+        yield Bench(arguments.model, build, Path(folder), arguments.manager, options, progress)
