@@ -48,6 +48,7 @@ _PROLOGUE: Final = (
 )
 _LINES_PER_FILE: Final = 5000
 _NEWTON_TOLERANCE: Final = 1e-12
+_INDICATOR_TEXT: Final = 200
 _GUID_PLACE: Final = "@guid@"
 _ARRAYS: Final = {Store.REAL: "r", Store.INTEGER: "i", Store.BOOLEAN: "b"}
 _PREVIOUS: Final = {Store.REAL: "v->pre_real", Store.INTEGER: "v->pre_integer", Store.BOOLEAN: "v->pre_boolean"}
@@ -502,6 +503,7 @@ class _Generator:
         slots, states = self._slots, self._systems.reduction.states
         counts = slots.counts
         real, integer, boolean, string = self._start_tables()
+        texts = [_c_text(f"{item.indicator} > 0"[:_INDICATOR_TEXT]) for item in self._model.relations] or ["NULL"]
         nominal = [
             number(abs(variable.nominal) if (variable := self._model.variables.get(name)) and variable.nominal else 1.0)
             for name in states
@@ -522,6 +524,7 @@ static const double real_start[] = {{{_wrapped(real)}}};
 static const int integer_start[] = {{{_wrapped(integer)}}};
 static const int boolean_start[] = {{{_wrapped(boolean)}}};
 static const char *const string_start[] = {{{_wrapped(string)}}};
+static const char *const indicator_text[] = {{{_wrapped(texts)}}};
 
 static cmb_result parameters(cmb_values *v)
 {{
@@ -576,6 +579,7 @@ const cmb_model_description cmb_model = {{
   .continuous = continuous,
   .indicators = indicators,
   .discrete = discrete,
+  .indicator_text = indicator_text,
 }};
 """
 

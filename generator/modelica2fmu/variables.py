@@ -52,7 +52,9 @@ class _Describer:
         described: list[Variable] = []
         for name, variable in self._variables.items():
             if variable.declaration is None:
-                described.append(self._hidden(variable))
+                # The runtime must know which Real slots parameters decide; all else of the translation stays inside.
+                if variable.kind is Kind.PARAMETER and variable.type == "Real":
+                    described.append(self._hidden(variable))
             else:
                 described.append(self._describe(name, variable))
         names = {variable.name for variable in described}
@@ -64,18 +66,13 @@ class _Describer:
         return tuple(described)
 
     def _hidden(self, variable: ScalarVariable) -> Variable:
-        """A variable of the translation; it is shown so that the runtime knows its variability."""
-        parameter = variable.kind is Kind.PARAMETER
+        """A variable of the translation, under a quoted name."""
         return Variable(
-            name=variable.name,
+            name=f"'{variable.name}'",
             type=_TYPES.get(variable.type, DataType.INTEGER),
             value_reference=self._slots.of[variable.name].index,
-            causality=Causality.CALCULATED_PARAMETER if parameter else Causality.LOCAL,
-            variability=Variability.FIXED
-            if parameter
-            else Variability.DISCRETE
-            if variable.kind is Kind.DISCRETE
-            else Variability.CONTINUOUS,
+            causality=Causality.CALCULATED_PARAMETER,
+            variability=Variability.TUNABLE,
             initial=Initial.CALCULATED,
             description="Variable of the translation",
         )

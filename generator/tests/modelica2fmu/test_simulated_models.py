@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import math
 
 import numpy as np
@@ -391,3 +392,37 @@ def test_failing_assertion_stops_with_its_message(simulate, capfd):
     with pytest.raises(Exception, match="fmi2DoStep"):
         simulate(GUARDED, ["x"], stop=1.0, fmi_type="CoSimulation", debug_logging=False)
     assert "x has grown to" in capfd.readouterr().out
+
+
+def test_description_obeys_the_standard(build, outside):
+    from fmpy.validation import validate_fmu
+
+    for fmu in (build(EVENTS).fmu, build(INPUTS).fmu, build(INITIAL).fmu, outside.fmu):
+        assert validate_fmu(str(fmu)) == []
+
+
+def test_tuned_parameter_moves_what_depends_on_it_and_no_state(build, tmp_path):
+    from fmpy import extract, read_model_description
+    from fmpy.fmi2 import FMU2Model
+
+    fmu = str(build(OSCILLATOR).fmu)
+    description = read_model_description(fmu)
+    slots = {variable.name: variable.valueReference for variable in description.modelVariables}
+    folder = extract(fmu, unzipdir=str(tmp_path))
+    model = FMU2Model(
+        guid=description.guid, unzipDirectory=folder, modelIdentifier=description.modelExchange.modelIdentifier
+    )
+    model.instantiate()
+    model.setupExperiment(startTime=0.0)
+    model.enterInitializationMode()
+    model.exitInitializationMode()
+    model.newDiscreteStates()
+    model.enterContinuousTimeMode()
+    model.setContinuousStates((ctypes.c_double * 2)(0.25, 1.0), 2)
+    model.enterEventMode()
+    model.setReal([slots["k"]], [16.0])
+    assert model.getReal([slots["omega"]]) == [4.0]
+    assert model.getReal([slots["x"]]) == [0.25]
+    assert model.getReal([slots["der(v)"]]) == pytest.approx([-16.0 * 0.25])
+    model.terminate()
+    model.freeInstance()
