@@ -13,8 +13,11 @@ using Station = AxisManifoldScratch::Station;
 
 // Stations nearer than this, relative to the axis' length, count as one.
 constexpr double station_spacing = 1e-7;
-// Faces inclined less than acos of this to the contact plane put stations where the axis passes their borders.
-constexpr double supporting_cosine = 0.5;
+// Faces put stations where the axis passes their borders: fully where their normal's cosine with the contact normal
+// is at least the second of these, not at all below the first.
+constexpr double faded_cosine = 0.5, supporting_cosine = 0.8;
+// Nor where the axis passes over less of the face than this part of its own length.
+constexpr double passed_part = 0.01;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -35,7 +38,8 @@ void add_station(double along, std::vector<Station> &stations) {
   stations.push_back(station);
 }
 
-// Stations where the axis, seen along `normal`, passes the borders of the faces it lies above.
+// Stations where the axis, seen along `normal`, passes the borders of the faces it lies above. Where a face is about to
+// lose its say its stations drift to the axis' ends, so that none appears or vanishes elsewhere.
 void add_face_borders(const Axis &axis, const ContactPolytope &body, const Pose &pose, const Vec3 &normal,
                       std::vector<Station> &stations) {
   const convex::Polytope &geometry = body.geometry();
@@ -43,7 +47,8 @@ void add_face_borders(const Axis &axis, const ContactPolytope &body, const Pose 
   const Vec3 middle = transposed_times(pose.rotation, axis.middle - pose.translation);
   const Vec3 direction = transposed_times(pose.rotation, axis.direction);
   for (const convex::Polytope::Face &face : geometry.faces()) {
-    if (dot(face.normal, local_normal) < supporting_cosine) continue;
+    const double cosine = dot(face.normal, local_normal);
+    if (cosine <= faded_cosine) continue;
     double begin = -axis.half, end = axis.half;
     for (std::int32_t k = 0; k < face.count && begin < end; ++k) {
       const Vec3 &from = geometry.vertices()[index(geometry.face_vertices()[index(face.first + k)])];
@@ -55,9 +60,27 @@ void add_face_borders(const Axis &axis, const ContactPolytope &body, const Pose 
       if (rate == 0.0 && height > 0.0) end = begin;
     }
     if (begin < end) {
-      add_station(begin, stations);
-      add_station(end, stations);
+      const double say = std::min(1.0, (cosine - faded_cosine) / (supporting_cosine - faded_cosine)) *
+                         std::min(1.0, 0.5 * (end - begin) / (axis.half * passed_part));
+      add_station(-axis.half + say * (begin + axis.half), stations);
+      add_station(axis.half - say * (axis.half - end), stations);
     }
+  }
+}
+
+// Stations next to the body's vertices, for axes along edges: beside vertices that lie up to half the capsule's radius
+// below the body's top, and drifting to both of the axis' ends up to the whole radius.
+void add_vertices(const Axis &axis, double radius, const ContactPolytope &body, const Pose &pose, const Vec3 &normal,
+                  std::vector<Station> &stations) {
+  const std::vector<Vec3> &vertices = body.geometry().vertices();
+  const Vec3 up = transposed_times(pose.rotation, normal);
+  const double top = dot(up, vertices[index(body.geometry().support_vertex(up))]);
+  for (const Vec3 &vertex : vertices) {
+    const double say = std::min(1.0, 2.0 * (1.0 - (top - dot(up, vertex)) / radius));
+    if (!(say > 0.0)) continue;
+    const double place = axis.place(pose(vertex));
+    add_station(-axis.half + say * (place + axis.half), stations);
+    if (say < 1.0) add_station(axis.half - say * (axis.half - place), stations);
   }
 }
 
@@ -77,6 +100,7 @@ void add_axis(const Shape &capsule, const Pose &pose, const Shape &other, const 
     add_station(axis.place(other_axis(other_axis.half)), stations);
   } else if (other.polytope) {
     add_face_borders(axis, *other.polytope, other_pose, normal, stations);
+    add_vertices(axis, capsule.body.radius, *other.polytope, other_pose, normal, stations);
   }
   std::sort(stations.begin(), stations.end(), [](const Station &x, const Station &y) { return x.along < y.along; });
   const double spacing = station_spacing * axis.half;
