@@ -5,15 +5,11 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from cmb.project import LIBRARY, ROOT
-
-Cmb = Callable[..., "subprocess.CompletedProcess[str]"]
-
-HAMMER = ROOT / "Resources" / "cad" / "hammer"
+from cmb.project import LIBRARY
+from program import HAMMER, Cmb
 
 
 @pytest.fixture(scope="session")

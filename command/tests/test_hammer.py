@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import HAMMER, Cmb
 from fmpy.validation import validate_fmu
 from fmu_regression.energy import energy_balance
 from fmu_regression.fmu import read_description
@@ -19,6 +18,7 @@ from fmu_regression.scene import Scene, load_scene
 from fmu_regression.signals import signals_for
 from fmu_regression.simulate import simulate
 from lxml import html
+from program import HAMMER, Cmb
 
 
 @pytest.fixture(scope="module")

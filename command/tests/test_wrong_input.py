@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from conftest import HAMMER, Cmb
+from program import HAMMER, Cmb
 
 XML = "hammer.xml"
 VRML = "hammer.wrl"

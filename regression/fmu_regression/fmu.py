@@ -27,6 +27,16 @@ _MAX_LOG_LINES = 200
 _STATUS_NAMES = ("ok", "warning", "discard", "error", "fatal", "pending")
 
 
+def _fmpy_callbacks() -> Any:
+    callbacks = fmpy.fmi2.fmi2CallbackFunctions()
+    callbacks.logger = fmpy.fmi2.fmi2CallbackLoggerTYPE(fmpy.fmi2.printLogMessage)
+    return callbacks
+
+
+# What FMPy itself logs through; handed back to its proxy after each simulation.
+_FMPY_CALLBACKS = _fmpy_callbacks()
+
+
 @dataclass(frozen=True)
 class Variable:
     """A scalar variable of an FMU.
@@ -175,6 +185,7 @@ class Fmu:
             yield instance
         finally:
             raw.freeInstance()
+            _log_through(_FMPY_CALLBACKS)
 
 
 @contextmanager
@@ -346,8 +357,15 @@ def _callbacks(messages: list[str]) -> Any:
     callbacks.logger = fmpy.fmi2.fmi2CallbackLoggerTYPE(logger)
     callbacks.allocateMemory = fmpy.fmi2.fmi2CallbackAllocateMemoryTYPE(fmpy.calloc)
     callbacks.freeMemory = fmpy.fmi2.fmi2CallbackFreeMemoryTYPE(fmpy.free)
-    # FMPy's native proxy formats the variadic arguments before Python sees the message.
+    _log_through(callbacks)
+    return callbacks
+
+
+def _log_through(callbacks: Any) -> None:
+    """Lets FMPy's native proxy format the variadic arguments of messages before the logger of ``callbacks`` sees them.
+
+    The proxy hands messages to the logger it was given last, in the whole process: that one must stay alive.
+    """
     from fmpy.logging import addLoggerProxy
 
     addLoggerProxy(fmpy.fmi2.byref(callbacks))
-    return callbacks

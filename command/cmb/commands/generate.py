@@ -8,6 +8,7 @@ from pathlib import Path
 from cad2modelica import GenerateOptions, generate
 
 from cmb.assembly_file import find_assembly
+from cmb.collision_arguments import add_collision_arguments
 from cmb.terminal import progress_bars
 
 NAME = "generate"
@@ -35,6 +36,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         metavar="TOML",
         help="which actuators drive which joints (actuators.toml beside the assembly if left out)",
     )
+    add_collision_arguments(parser)
 
 
 def run(arguments: Namespace) -> int:
@@ -43,7 +45,12 @@ def run(arguments: Namespace) -> int:
         package = generate(
             find_assembly(arguments.assembly),
             arguments.output,
-            GenerateOptions(package=arguments.package, actuators=arguments.actuators),
+            GenerateOptions(
+                package=arguments.package,
+                actuators=arguments.actuators,
+                collision_error=arguments.collision_error,
+                max_pieces=arguments.max_pieces,
+            ),
             progress,
         )
     print(f"{package.name}: {package.root}")
