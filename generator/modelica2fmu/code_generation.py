@@ -121,7 +121,7 @@ class _Generator:
         simulation_statements = [statement for block in simulation for statement in self._block(block)]
         simulation_statements += self._negated_statements()
         self._add("cmb_part_simulate", simulation_statements)
-        continuous_asserts = [item for item in model.asserts if item.trigger is None and not item.is_warning]
+        continuous_asserts = [item for item in self._lasting_asserts() if not self._is_invariant(item.condition)]
         self._add("cmb_part_assert", [self._assert(item, "CMB_RESULT_DISCARD") for item in continuous_asserts])
         self._add("cmb_part_event", self._event())
         self._add("cmb_part_indicators", [], self._indicators())
@@ -365,7 +365,8 @@ class _Generator:
         statements.extend(self._negated_statements(of_parameters=True))
         return statements
 
-    def _is_invariant(self, node: Node) -> bool:
+    def _is_invariant(self, node: float | Node) -> bool:
+        """True for what depends on parameters alone."""
         return all(
             (variable := self._model.variables.get(name)) is not None and variable.kind is Kind.PARAMETER
             for name in ex.symbols(node)
@@ -387,6 +388,11 @@ class _Generator:
             statements.extend(self._block(block))
         statements = [Statement(item.roots, item.lines) for item in statements]
         statements.extend(self._negated_statements())
+        statements.extend(
+            self._assert(item, "CMB_RESULT_ERROR")
+            for item in self._lasting_asserts()
+            if self._is_invariant(item.condition)
+        )
         return statements
 
     # --- events ---
@@ -431,6 +437,10 @@ class _Generator:
     @staticmethod
     def _next_time(value: float | Node) -> Statement:
         return Statement((value,), lambda write: [f"cmb_next_time(v, {bare(write(value))});"])
+
+    def _lasting_asserts(self) -> list[ScalarAssert]:
+        """Assertions at level error that hold all the time."""
+        return [item for item in self._model.asserts if item.trigger is None and not item.is_warning]
 
     def _assert(self, item: ScalarAssert, severity: str) -> Statement:
         running = ex.Substitution({INITIAL: 0})

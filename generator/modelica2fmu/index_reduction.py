@@ -168,6 +168,7 @@ class _Reducer:
         # Elements of rotation matrices with the equations that define them: they take no part in the search for
         # equations to differentiate, since their derivative is known from the angular velocity.
         self._defined, self._definitions = self._matrix_definitions()
+        self._incidence_is_stale = False
         self._owners: set[str] = set()  # components whose quaternions are states
         self._angular_velocities = self._angular_velocity_names()
 
@@ -301,8 +302,10 @@ class _Reducer:
 
     def _match(self, matching: Matching, number: int) -> None:
         while True:
-            # Names may have got derivatives since the last search, so the incidence is taken anew.
-            matching.incidence = {row: self._highest(row) for row in [*matching.column_of, number]}
+            if self._incidence_is_stale:  # some names have got derivatives and are no longer the highest ones
+                matching.incidence = {row: self._highest(row) for row in matching.column_of}
+                self._incidence_is_stale = False
+            matching.incidence[number] = self._highest(number)
             for row, column in list(matching.column_of.items()):
                 if derivative_name(column) in self._names:
                     del matching.column_of[row], matching.row_of[column]
@@ -311,6 +314,7 @@ class _Reducer:
             found, reached_rows, reached_columns = matching.search(number)
             if found:
                 return
+            self._incidence_is_stale = True
             for name in reached_columns:
                 self._names.setdefault(derivative_name(name))
             created = {}
