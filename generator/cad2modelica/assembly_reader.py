@@ -19,6 +19,7 @@ from cad2modelica.model import (
     Assembly,
     CollisionChoice,
     ContactSettings,
+    DecompositionLimits,
     Joint,
     JointType,
     MassProperties,
@@ -149,6 +150,7 @@ class _Reader:
             joints=tuple(joint for joint in joints if joint is not None),
             contacts=contacts,
             notes=(*self._notes, *self._geometry.notes()),
+            length_unit=self._units.length,
         )
 
     # ----- materials, ground, contacts -----
@@ -215,6 +217,7 @@ class _Reader:
             included=tuple(pairs["include"]),
             stiffness=float(stiffness) if stiffness is not None else None,
             friction=element.get("friction"),
+            decomposition=self._decomposition(element, "collisionError"),
         )
 
     # ----- nested assemblies -----
@@ -328,7 +331,7 @@ class _Reader:
             self._problems.add(
                 finding.message, self._place(_child(element, "massProperties"), item.name), finding.remedy
             )
-        choice = element.find(f"{{{NAMESPACE}}}collision")
+        collision = element.find(f"{{{NAMESPACE}}}collision")
         start = element.find(f"{{{NAMESPACE}}}start")
         velocity = _numbers(start.get("velocity", "0 0 0") if start is not None else "0 0 0")
         angular_velocity = _numbers(start.get("angularVelocity", "0 0 0") if start is not None else "0 0 0")
@@ -347,11 +350,29 @@ class _Reader:
             pose=item.pose,
             mass_properties=properties,
             meshes=meshes,
-            collision=CollisionChoice(choice.get("shape")) if choice is not None else CollisionChoice.AUTO,
+            collision=self._collision_choice(collision),
             grounded=element.get("grounded", "false") in ("true", "1"),
             velocity=to_si(velocity, self._units.length),
             angular_velocity=angular_velocity * self._units.angle,
             place=place,
+            decomposition=self._decomposition(collision, "error"),
+        )
+
+    def _collision_choice(self, collision: etree._Element | None) -> CollisionChoice:
+        """The part's own choice, else the assembly's."""
+        contacts = self._root.find(f"{{{NAMESPACE}}}contacts")
+        choice = collision.get("shape") if collision is not None else None
+        if choice is None and contacts is not None:
+            choice = contacts.get("collision")
+        return CollisionChoice(choice or "auto")
+
+    def _decomposition(self, element: etree._Element | None, error_name: str) -> DecompositionLimits:
+        if element is None:
+            return DecompositionLimits()
+        error, pieces = element.get(error_name), element.get("maxPieces")
+        return DecompositionLimits(
+            float(error) * self._units.length if error is not None else None,
+            int(pieces) if pieces is not None else None,
         )
 
     def _compare(self, properties: MassProperties, meshes: tuple[Mesh, ...], item: _PartDescription) -> None:

@@ -1,20 +1,31 @@
-"""Collision shapes from meshes: spheres, boxes and capsules are recognised, everything else becomes its convex hull."""
+"""Collision shapes from meshes: spheres, boxes and capsules are recognised, all else becomes hulls."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from cmb_base.errors import InputError
 from scipy.optimize import least_squares
-from scipy.spatial import ConvexHull, QhullError
+from scipy.spatial import ConvexHull, QhullError, cKDTree
 
+from cad2modelica.convex_decomposition import decompose
 from cad2modelica.mesh import Indices, bodies, is_closed, join, volume_integrals, weld
-from cad2modelica.model import CollisionChoice, Part
+from cad2modelica.model import NO_LIMITS, CollisionChoice, DecompositionLimits, Part
+from cad2modelica.solid_comparison import compare
 from cad2modelica.spatial import IDENTITY, Array, Pose
 
 FIT_TOLERANCE = 1e-6  # largest distance of a vertex from a recognised surface, relative to the size
 ROUND_VOLUME = 0.85  # a tessellated round body fills at least this share of the exact one
 CONCAVITY_REMARK = 0.01  # a hull that adds more than this share of its volume is reported
+DECOMPOSED = 0.05  # a body whose hull adds more than this share of the hull's volume is decomposed
+CONVEX = 1e-6  # a hull that adds no more than this is the body itself
+DEFAULT_ERROR = 0.025  # concavity of a piece, relative to the diagonal of the body's bounding box
+SMALLEST_ERROR = 0.005  # likewise: what a decomposition can resolve
+SNAP = 2e-6  # distance below which a piece's corner is one of the body's, relative to the same
+DEFAULT_PIECES = 16
+MAXIMUM_PIECES = 256
 FLAT = 1e-9  # thickness over size below which points span no solid
 
 
@@ -70,43 +81,95 @@ class CollisionGeometry:
         return ";".join(shape.descriptor for shape in self.shapes)
 
 
-def collision_geometry(part: Part) -> CollisionGeometry:
-    """The shapes that stand for a part in contacts: one for each connected body of its geometry."""
+def collision_geometry(part: Part, limits: DecompositionLimits = NO_LIMITS) -> CollisionGeometry:
+    """The shapes that stand for a part in contacts: one or more for each connected body of its geometry.
+
+    Args:
+        part: the part.
+        limits: of decompositions, where the part says nothing itself.
+
+    Raises:
+        InputError: the part asks for a shape that its geometry is not.
+    """
     meshes = part.meshes if part.collision_meshes is None else part.collision_meshes
     if part.collision is CollisionChoice.NONE or not meshes:
         return CollisionGeometry((), ())
     shapes: list[CollisionShape] = []
     notes: list[str] = []
-    pieces = bodies(*weld(*join(meshes)))
-    for number, (vertices, triangles) in enumerate(pieces, start=1):
-        label = f"part {part.name!r}" + (f", body {number} of {len(pieces)}" if len(pieces) > 1 else "")
+    found = bodies(*weld(*join(meshes)))
+    for number, (vertices, triangles) in enumerate(found, start=1):
+        label = f"part {part.name!r}" + (f", body {number} of {len(found)}" if len(found) > 1 else "")
         hull = _hull(vertices)
         if hull is None:
             notes.append(f"{label}: is flat and was left out of the contacts")
             continue
-        shape = None if part.collision is CollisionChoice.HULL else _recognise(hull)
-        if shape is None:
-            corners = hull.points[hull.vertices]
-            shape = CollisionShape("hull", vertices=corners)
-        shapes.append(shape)
-        notes += [f"{label}: {text}" for text in _remarks(shape, hull, vertices, triangles)]
+        own_shapes, remarks = _body_shapes(part, label, hull, (vertices, triangles), part.decomposition.or_else(limits))
+        shapes += own_shapes
+        notes += [f"{label}: {text}" for text in remarks]
     return CollisionGeometry(tuple(shapes), tuple(notes))
 
 
-def _remarks(shape: CollisionShape, hull: ConvexHull, vertices: Array, triangles: Indices) -> list[str]:
-    if not is_closed(triangles):
-        return [f"the geometry is not closed; collides as its {'convex hull' if shape.kind == 'hull' else shape.kind}"]
-    volume = volume_integrals(vertices, triangles).volume
-    remarks = []
-    if volume < 0:
-        remarks.append("the faces are turned inside out")
-    added = 1.0 - abs(volume) / hull.volume
-    if shape.kind == "hull" and added > CONCAVITY_REMARK:
-        remarks.append(
-            f"is not convex; collides as its convex hull of {len(hull.vertices)} vertices, "
-            f"{100 * added:.0f} % of which is not part of the body"
+def _body_shapes(
+    part: Part, label: str, hull: ConvexHull, body: tuple[Array, Indices], limits: DecompositionLimits
+) -> tuple[list[CollisionShape], list[str]]:
+    """Shapes of one connected body and remarks on them."""
+    vertices, triangles = body
+    shape = _recognise(hull, part.collision)
+    if shape is None and part.collision in _RECOGNISERS:
+        raise InputError(
+            f"{label} is to collide as a {part.collision.value}, but its geometry is none",
+            place=part.place,
+            remedy="Use shape='auto' or shape='hull', or export the geometry finer.",
         )
-    return remarks
+    if not is_closed(triangles):
+        kind = "convex hull" if shape is None else shape.kind
+        return [shape or _hull_shape(hull)], [f"the geometry is not closed; collides as its {kind}"]
+    volume = volume_integrals(vertices, triangles).volume
+    remarks = ["the faces are turned inside out"] if volume < 0 else []
+    added = 1.0 - abs(volume) / hull.volume
+    threshold = {CollisionChoice.AUTO: DECOMPOSED, CollisionChoice.DECOMPOSITION: CONVEX}.get(part.collision)
+    failure = ""
+    if threshold is not None and added > threshold:
+        outward = triangles if volume > 0 else triangles[:, ::-1]
+        pieces, failure = _pieces(vertices, outward, limits)
+        if pieces:
+            return [_hull_shape(piece) for piece in pieces], [*remarks, _accuracy(vertices, outward, pieces)]
+    if added > CONCAVITY_REMARK:
+        name = f"its convex hull of {len(hull.vertices)} vertices" if shape is None else f"a {shape.kind}"
+        remarks.append(
+            f"is not convex; collides as {name}, {100 * added:.0f} % of which is not part of the body"
+            + (f" (no decomposition: {failure})" if failure else "")
+        )
+    return [shape or _hull_shape(hull)], remarks
+
+
+def _pieces(vertices: Array, triangles: Indices, limits: DecompositionLimits) -> tuple[list[ConvexHull], str]:
+    """Convex pieces of a concave body; none, and the reason, if it cannot be decomposed."""
+    size = float(np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0)))
+    error = max(limits.error if limits.error is not None else DEFAULT_ERROR * size, SMALLEST_ERROR * size)
+    done = decompose(vertices, triangles, error, limits.pieces if limits.pieces is not None else DEFAULT_PIECES)
+    hulls = [_hull(_snapped(piece, vertices, SNAP * size)) for piece in done.pieces]
+    return [hull for hull in hulls if hull is not None], done.failure
+
+
+def _snapped(points: Array, vertices: Array, distance: float) -> Array:
+    """Corners that are the body's own but for rounding become exactly those."""
+    away, nearest = cKDTree(vertices).query(points)
+    return np.asarray(np.where((away <= distance)[:, None], vertices[nearest], points))
+
+
+def _accuracy(vertices: Array, triangles: Indices, pieces: list[ConvexHull]) -> str:
+    difference = compare(vertices, triangles, pieces)
+    return (
+        f"is not convex; collides as {len(pieces)} convex piece{'s' if len(pieces) > 1 else ''} with "
+        f"{sum(len(piece.vertices) for piece in pieces)} vertices; of the body's volume, "
+        f"{100 * difference.foreign:.1f} % is added and {100 * difference.missing:.1f} % missing, "
+        f"Hausdorff distance {1000 * difference.distance:.2g} mm (sampled)"
+    )
+
+
+def _hull_shape(hull: ConvexHull) -> CollisionShape:
+    return CollisionShape("hull", vertices=hull.points[hull.vertices])
 
 
 def _hull(vertices: Array) -> ConvexHull | None:
@@ -122,9 +185,11 @@ def _hull(vertices: Array) -> ConvexHull | None:
         return None
 
 
-def _recognise(hull: ConvexHull) -> CollisionShape | None:
+def _recognise(hull: ConvexHull, choice: CollisionChoice) -> CollisionShape | None:
+    if choice is CollisionChoice.HULL:
+        return None
     points = hull.points[hull.vertices]
-    for recogniser in (_as_box, _as_sphere, _as_capsule):
+    for recogniser in (_RECOGNISERS[choice],) if choice in _RECOGNISERS else _RECOGNISERS.values():
         shape = recogniser(points, hull)
         if shape is not None:
             return shape
@@ -215,6 +280,13 @@ def _as_capsule(points: Array, hull: ConvexHull) -> CollisionShape | None:
         pose = Pose((first + second) / 2 + middle, _frame_along(axis))
         return CollisionShape("capsule", _tidy(pose, length + radius), radius=_round(radius), length=_round(length))
     return None
+
+
+_RECOGNISERS: dict[CollisionChoice, Callable[[Array, ConvexHull], CollisionShape | None]] = {
+    CollisionChoice.BOX: _as_box,
+    CollisionChoice.SPHERE: _as_sphere,
+    CollisionChoice.CAPSULE: _as_capsule,
+}
 
 
 def _axis_candidates(extent: Array) -> list[Array]:

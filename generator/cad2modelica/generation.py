@@ -5,17 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from cmb_base.errors import InputError
 from cmb_base.output import whole_folder
 from cmb_base.progress import Progress, silent
 
 from cad2modelica.actuators import FILE_NAME, Actuator, read_actuators
-from cad2modelica.collision_shapes import collision_geometry
+from cad2modelica.collision_shapes import MAXIMUM_PIECES, collision_geometry
 from cad2modelica.contact_pairs import contact_pairs
 from cad2modelica.graph_drawing import graph_svg
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import LoopAnalysis, analyse_loops
 from cad2modelica.mechanism_view import RESERVED, MechanismView, mechanism_view
-from cad2modelica.model import Assembly
+from cad2modelica.model import Assembly, DecompositionLimits
 from cad2modelica.modelica_names import NamePool
 from cad2modelica.own_files import GRAPH, ORDER, SCENE, find_own_files
 from cad2modelica.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
@@ -31,10 +32,15 @@ class GenerateOptions:
         package: name of the package; made of the assembly's name if None.
         actuators: TOML file that assigns actuators to joints; ``actuators.toml`` beside the assembly, if there is
             one, if None. It counts when the mechatronic model is written for the first time.
+        collision_error: concavity that a piece of a concave body may keep, in the assembly's unit of length (m for
+            URDF); counts before the assembly's own ``collisionError``, but not before a part's.
+        max_pieces: largest number of pieces of a concave body; counts likewise.
     """
 
     package: str | None = None
     actuators: Path | None = None
+    collision_error: float | None = None
+    max_pieces: int | None = None
 
 
 @dataclass(frozen=True)
@@ -80,12 +86,21 @@ def generate(
     Raises:
         InputError: the input is wrong; nothing is written then.
     """
+    _check(options)
     assembly = read_assembly(assembly_path, progress)
     name = _package_name(assembly, options)
     progress("build model", 0.0, name)
     tree = kinematic_tree(assembly)
     loops = analyse_loops(assembly, tree)
-    geometries = {part.name: collision_geometry(part) for part in assembly.parts}
+    given = DecompositionLimits(
+        options.collision_error * assembly.length_unit if options.collision_error is not None else None,
+        options.max_pieces,
+    )
+    limits = given.or_else(assembly.contacts.decomposition)
+    geometries = {}
+    for number, part in enumerate(assembly.parts):
+        progress("collision shapes", number / len(assembly.parts), part.name)
+        geometries[part.name] = collision_geometry(part, limits)
     colliding = [part.name for part in assembly.parts if geometries[part.name].shapes]
     colliding += [plane.name for plane in assembly.planes]
     pairs = contact_pairs(assembly, tree, colliding)
@@ -120,6 +135,15 @@ def generate(
         scene=output / SCENE,
         notes=notes,
     )
+
+
+def _check(options: GenerateOptions) -> None:
+    if options.collision_error is not None and not 0.0 < options.collision_error < float("inf"):
+        raise InputError(f"the collision error is {options.collision_error}", remedy="Give a positive length.")
+    if options.max_pieces is not None and not 1 <= options.max_pieces <= MAXIMUM_PIECES:
+        raise InputError(
+            f"the largest number of pieces is {options.max_pieces}", remedy=f"Give a number from 1 to {MAXIMUM_PIECES}."
+        )
 
 
 def _actuators(

@@ -53,8 +53,35 @@ class CollisionChoice(Enum):
     """How the shapes that collide are chosen for a part."""
 
     AUTO = "auto"
+    BOX = "box"
+    SPHERE = "sphere"
+    CAPSULE = "capsule"
     HULL = "hull"
+    DECOMPOSITION = "decomposition"
     NONE = "none"
+
+
+@dataclass(frozen=True)
+class DecompositionLimits:
+    """How finely concave bodies are decomposed; None where nothing is said.
+
+    Attributes:
+        error: concavity a piece may keep, m.
+        pieces: largest number of pieces of a body; counts before the error.
+    """
+
+    error: float | None = None
+    pieces: int | None = None
+
+    def or_else(self, other: DecompositionLimits) -> DecompositionLimits:
+        """These limits, and the other's where these say nothing."""
+        return DecompositionLimits(
+            self.error if self.error is not None else other.error,
+            self.pieces if self.pieces is not None else other.pieces,
+        )
+
+
+NO_LIMITS = DecompositionLimits()
 
 
 @dataclass(frozen=True)
@@ -91,6 +118,7 @@ class Part:
         angular_velocity: at the start, in world axes, rad/s; used where no joint holds the part.
         place: where the part is described.
         collision_meshes: geometry that collides, where it is another than ``meshes``.
+        decomposition: limits for this part; count before those of the assembly.
     """
 
     name: str
@@ -104,6 +132,7 @@ class Part:
     angular_velocity: Array
     place: Place
     collision_meshes: tuple[Mesh, ...] | None = None
+    decomposition: DecompositionLimits = NO_LIMITS
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,6 +182,7 @@ class ContactSettings:
     Attributes:
         stiffness: of every pair, N/m, linear law; None: by Hertz from the materials.
         friction: "none", "regularised" or "anchored"; None: the library's default.
+        decomposition: limits for parts that have none of their own.
     """
 
     all_pairs: bool = True
@@ -160,6 +190,7 @@ class ContactSettings:
     included: tuple[tuple[str, str], ...] = ()
     stiffness: float | None = None
     friction: str | None = None
+    decomposition: DecompositionLimits = NO_LIMITS
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,6 +201,7 @@ class Assembly:
         name: as the source has it.
         gravity: acceleration, world axes, m/s2.
         notes: what the user should know about how the source was read; each one line.
+        length_unit: the source's unit of length, m.
     """
 
     name: str
@@ -185,6 +217,7 @@ class Assembly:
     joints: tuple[Joint, ...]
     contacts: ContactSettings = field(default_factory=ContactSettings)
     notes: tuple[str, ...] = ()
+    length_unit: float = 1.0
 
     def part(self, name: str) -> Part:
         """The part of that name.

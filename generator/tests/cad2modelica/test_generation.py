@@ -45,7 +45,7 @@ def test_what_is_written(hammer: Path, tmp_path: Path) -> None:
         assert text.startswith("within")
         assert "Documentation(info=" in text
         assert text.count("experiment(") == (1 if file.stem in ("Mechanics", "Mechatronics") else 0)
-    assert any("30 %" in note and "'arm'" in note for note in package.notes)
+    assert any("convex pieces" in note and "'arm'" in note for note in package.notes)
 
 
 def test_graph_shows_every_body_and_joint(hammer: Path, tmp_path: Path) -> None:
