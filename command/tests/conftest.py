@@ -8,8 +8,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from cmb.fmu_provider import FmuProvider
 from cmb.project import LIBRARY
-from program import HAMMER, Cmb
+from cmb_base.progress import silent
+from fmu_regression.case import load_case
+from fmu_regression.runner import Skip, Verdict, run_case
+from fmu_regression.summary import text_table
+from program import HAMMER, CaseCheck, Cmb
 
 
 @pytest.fixture(scope="session")
@@ -45,3 +50,24 @@ def hammer(cmb: Cmb, engine: None, tmp_path_factory: pytest.TempPathFactory) -> 
     assert done.returncode == 0, done.stderr
     (output / "summary.txt").write_text(done.stdout)
     return output
+
+
+@pytest.fixture(scope="session")
+def provide_fmu(engine: None, tmp_path_factory: pytest.TempPathFactory) -> FmuProvider:  # noqa: ARG001
+    """Builds the FMU of a regression case's model, each model once."""
+    return FmuProvider(tmp_path_factory.mktemp("fmus"), None, silent)
+
+
+@pytest.fixture
+def check_case(provide_fmu: FmuProvider) -> CaseCheck:
+    """Runs a regression case in its modes and fails with its table unless every check holds."""
+
+    def check(path: Path) -> None:
+        case = load_case(path)
+        fmu = provide_fmu(case)
+        if isinstance(fmu, Skip):
+            pytest.skip(fmu.reason)
+        result = run_case(case, fmu, time_limit=180)
+        assert result.verdict is Verdict.PASSED, text_table([result])
+
+    return check

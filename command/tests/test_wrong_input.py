@@ -108,6 +108,6 @@ def test_wrong_command_line(words: list[str], said: str, cmb: Cmb, tmp_path: Pat
 def test_every_command_has_help_with_examples(cmb: Cmb) -> None:
     overview = cmb("--help")
     assert overview.returncode == 0
-    for name in ("run", "generate", "fmu", "simulate", "report", "regress", "accuracy", "msl"):
+    for name in ("run", "generate", "fmu", "simulate", "report", "regress", "accuracy", "effects", "advise", "msl"):
         assert name in overview.stdout
         assert "examples:" in cmb(name, "--help").stdout

@@ -1,0 +1,13 @@
+"""Contact scenes with known answers come out as the closed forms say."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from program import CaseCheck, case_name, cases_of
+
+
+@pytest.mark.parametrize("path", cases_of("known_answers"), ids=case_name)
+def test_case(path: Path, check_case: CaseCheck) -> None:
+    check_case(path)

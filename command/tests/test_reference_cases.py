@@ -1,0 +1,13 @@
+"""The reference models agree with OpenModelica's trajectories, by model exchange and co-simulation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from program import CaseCheck, case_name, cases_of
+
+
+@pytest.mark.parametrize("path", cases_of("reference"), ids=case_name)
+def test_case(path: Path, check_case: CaseCheck) -> None:
+    check_case(path)
