@@ -1,0 +1,43 @@
+// Contact of a mesh with other bodies. Points and normals as ContactSet says, the mesh being the second body: normals
+// point out of the mesh. One-sided: the front of a triangle pushes, its back does not.
+#pragma once
+
+#include <vector>
+
+#include "convex/convex_distance.hpp"
+#include "convex/polytope.hpp"
+#include "manifold/contact_set.hpp"
+#include "mesh/shared_load.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace cmb::mesh {
+
+// Room that queries work in; one for each thread. Grows in the first calls.
+struct MeshContactScratch {
+  SharedLoad shared;
+  std::vector<Vec3> body_vertices, body_normals;  // in the mesh's frame
+  std::vector<Vec3> polygon, clipped;
+};
+
+// A ball. `center` in world axes. Apart, distance is that of the nearest place. Touching, there is a point for each
+// place of the mesh that is nearer than those around it (in a groove more than one), and they share the load as
+// SharedLoad says. Continuous down to a depth of half the radius. On a plane, whatever its triangulation: depth and
+// normal of the ball on a half-space, weight 1. Sheets
+// have no inside: a ball that passes through one from behind is pushed by the part that has come through.
+void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh, const Pose &pose,
+                    MeshContactScratch &scratch, ContactSet &result);
+
+// A capsule along z of `body_pose`, of the given length between the ends' centres. The ends are balls that share as on
+// a half-space; edges and corners of the mesh that reach in between carry what the ends leave.
+void capsule_contact(double radius, double length, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
+                     MeshContactScratch &scratch, ContactSet &result);
+
+// A convex polytope. The part of its surface behind the mesh's is divided among the triangles by the planes that halve
+// the angles between neighbours; each patch carries its depth below its triangle times its area as seen along the
+// triangle's normal, divided by the area of all patches. Weights sum to 1; the load is the mean depth. Sums of areas
+// do not depend on how a face is cut into triangles (within the depth of a sharp edge they do), and normals are those
+// of faces only. Depths count down to half the thickness of what lies behind a triangle.
+void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
+                      MeshContactScratch &scratch, ContactSet &result);
+
+}  // namespace cmb::mesh

@@ -1,0 +1,25 @@
+// Distance of a triangle and a convex polytope.
+#pragma once
+
+#include <vector>
+
+#include "convex/polytope.hpp"
+#include "mesh/mesh_data.hpp"
+
+namespace cmb::mesh {
+
+struct PolytopeDistance {
+  double distance = 0.0;  // m, 0 where they meet
+  Vec3 on_triangle, on_body;
+};
+
+// Distance of triangle abc and a polytope whose vertices, and unit outward face normals, are given in the triangle's
+// frame; exact to rounding. `polygon` and `clipped` are room.
+PolytopeDistance triangle_polytope_distance(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,
+                                            const std::vector<Vec3> &vertices, const std::vector<Vec3> &normals,
+                                            std::vector<Vec3> &polygon, std::vector<Vec3> &clipped);
+
+// Keeps the part of the polygon with normal . x >= offset; `room` is overwritten.
+void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset, std::vector<Vec3> &room);
+
+}  // namespace cmb::mesh

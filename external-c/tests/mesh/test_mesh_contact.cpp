@@ -1,0 +1,414 @@
+// Contact of meshes with other bodies.
+#include <gtest/gtest.h>
+
+#include "../convex/random_bodies.hpp"
+#include "convex/convex_distance.hpp"
+#include "mesh/mesh_contact.hpp"
+#include "mesh/mesh_halfspace.hpp"
+#include "mesh_samples.hpp"
+
+namespace {
+
+using namespace mesh_samples;
+using cmb::ContactPoint;
+using cmb::ContactSet;
+using cmb::convex::Polytope;
+using cmb::mesh::MeshContactScratch;
+using random_bodies::Random;
+using random_bodies::random_rotation;
+using random_bodies::rotation_about;
+
+struct Wrench {
+  Vec3 force, torque;  // of loads, about the origin
+  double load = 0.0;
+};
+
+Wrench wrench(const ContactSet &set) {
+  Wrench sum;
+  for (const ContactPoint &p : set.points) {
+    const Vec3 f = p.weight * p.depth * p.normal;
+    sum.force = sum.force + f;
+    sum.torque = sum.torque + cross(p.position, f);
+    sum.load += p.weight * p.depth;
+  }
+  return sum;
+}
+
+void expect_near(const Vec3 &a, const Vec3 &b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+ContactSet ball(const Vec3 &center, double radius, const TriangleMesh &m, const Pose &pose = {}) {
+  static MeshContactScratch scratch;
+  ContactSet set;
+  sphere_contact(center, radius, m, pose, scratch, set);
+  return set;
+}
+
+ContactSet capsule(double radius, double length, const Pose &body, const TriangleMesh &m, const Pose &pose = {}) {
+  static MeshContactScratch scratch;
+  ContactSet set;
+  capsule_contact(radius, length, body, m, pose, scratch, set);
+  return set;
+}
+
+ContactSet polytope(const Polytope &body, const Pose &body_pose, const TriangleMesh &m, const Pose &pose = {}) {
+  static MeshContactScratch scratch;
+  ContactSet set;
+  polytope_contact(body, body_pose, m, pose, scratch, set);
+  return set;
+}
+
+TriangleMesh flat_sheet() {
+  return mesh(sheet_mesh(4.0, 9, [](double, double) { return 0.0; }));
+}
+
+// Mesh against half-space.
+
+TEST(MeshOnHalfspace, CubeIsTheBox) {
+  Random random(1);
+  const TriangleMesh cube = mesh(box_mesh({1, 2, 3}, 3));
+  const auto hull = cmb::mesh::mesh_hull(cube);
+  ASSERT_TRUE(hull);
+  cmb::Shape box;
+  box.kind = cmb::ShapeKind::box;
+  box.body = cmb::convex::make_box({1, 2, 3});
+  box.polytope = std::make_shared<const cmb::ContactPolytope>(Polytope::box({1, 2, 3}));
+  for (int i = 0; i < 500; ++i) {
+    const Pose pose{random_rotation(random), {0, 0, random.uniform(0.3, 2.0)}};
+    const cmb::Plane plane{{0, 0, 1}, 0.0};
+    ContactSet a, b;
+    mesh_halfspace_contact(cube, hull, pose, plane, a);
+    halfspace_contact(box, pose, plane, b);
+    ASSERT_NEAR(a.distance, b.distance, 1e-13);
+    ASSERT_EQ(a.points.size(), b.points.size());
+    const Wrench x = wrench(a), y = wrench(b);
+    ASSERT_NEAR(norm(x.force - y.force), 0.0, 1e-12);
+    ASSERT_NEAR(norm(x.torque - y.torque), 0.0, 1e-12);
+  }
+}
+
+TEST(MeshOnHalfspace, FlatSheetRestsOnAllItsVertices) {
+  const TriangleMesh sheet = flat_sheet();
+  ASSERT_FALSE(cmb::mesh::mesh_hull(sheet));
+  ContactSet set;
+  mesh_halfspace_contact(sheet, nullptr, {{}, {0, 0, -0.25}}, {{0, 0, 1}, 0.0}, set);
+  EXPECT_DOUBLE_EQ(set.distance, -0.25);
+  expect_near(wrench(set).force, {0, 0, 0.25}, 1e-14);
+  expect_near(wrench(set).torque, {}, 1e-13);
+}
+
+// Balls.
+
+TEST(BallOnMesh, CubeIsTheBoxAwayFromConcavity) {
+  Random random(2);
+  const TriangleMesh cube = mesh(box_mesh({1, 2, 3}, 2));
+  cmb::convex::DistanceScratch scratch;
+  int touching = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Pose pose{random_rotation(random), random.direction()};
+    const Vec3 center = random.uniform(0.8, 2.2) * random.direction() + pose.translation;
+    const double radius = random.uniform(0.2, 0.6);
+    const ContactSet set = ball(center, radius, cube, pose);
+    const auto reference = signed_distance(cmb::convex::make_sphere(radius), cmb::convex::make_box({1, 2, 3}),
+                                           {pose.rotation, pose.translation - center}, scratch);
+    ASSERT_NEAR(set.distance, reference.distance, 1e-13);
+    ASSERT_NEAR(norm(set.normal - reference.normal), 0.0, 1e-7);
+    ASSERT_NEAR(norm(set.witness - center - 0.5 * (reference.point_a + reference.point_b)), 0.0, 1e-7);
+    if (set.distance >= 0.0) {
+      ASSERT_TRUE(set.points.empty());
+      continue;
+    }
+    ++touching;
+    ASSERT_EQ(set.points.size(), 1u);  // a convex body has one nearest place
+    ASSERT_NEAR(set.points[0].depth, -reference.distance, 1e-13);
+    ASSERT_NEAR(set.points[0].weight, 1.0, 1e-12);
+    ASSERT_NEAR(norm(set.points[0].normal - reference.normal), 0.0, 1e-7);
+  }
+  EXPECT_GT(touching, 200);
+}
+
+TEST(BallOnMesh, RollsOverATriangulatedPlaneWithoutBumps) {
+  const TriangleMesh sheet = flat_sheet();
+  Random random(3);
+  for (int i = 0; i <= 20000; ++i) {
+    // Along grid lines, along diagonals, through vertices, and anywhere.
+    double x = -1.8 + 3.6 * i / 20000.0, y = 0.0;
+    if (i % 4 == 1) y = x;
+    if (i % 4 == 2) y = 2.0 / 9.0;
+    if (i % 4 == 3) y = random.uniform(-1.8, 1.8);
+    const ContactSet set = ball({x, y, 0.4}, 0.5, sheet);
+    ASSERT_EQ(set.points.size(), 1u) << x << " " << y;
+    ASSERT_NEAR(set.distance, -0.1, 1e-15);
+    ASSERT_NEAR(set.points[0].depth, 0.1, 1e-15);
+    ASSERT_NEAR(set.points[0].weight, 1.0, 1e-12);
+    ASSERT_NEAR(norm(set.points[0].normal - Vec3{0, 0, 1}), 0.0, 1e-12);
+    ASSERT_NEAR(norm(set.points[0].position - Vec3{x, y, -0.05}), 0.0, 1e-12);
+  }
+}
+
+TEST(BallOnMesh, GrooveCarriesOnBothSides) {
+  // Two slopes of 45 degrees that meet in the line x = 0.
+  const TriangleMesh groove = mesh(sheet_mesh(4.0, 8, [](double x, double) { return std::fabs(x); }));
+  const double radius = 0.5, depth = 0.02;
+  const ContactSet set = ball({0, 0.1, (radius - depth) * std::sqrt(2.0)}, radius, groove);
+  const Wrench sum = wrench(set);
+  // The normals are at right angles: each side carries its whole depth.
+  expect_near(sum.force, {0, 0, std::sqrt(2.0) * depth}, 1e-12);
+  EXPECT_NEAR(set.distance, -depth, 1e-14);
+}
+
+// The largest change of the load vector between neighbouring poses, relative to the step.
+template <typename Query>
+double roughness(const Query &query, int steps) {
+  double most = 0.0;
+  Vec3 last = wrench(query(0.0)).force;
+  for (int i = 1; i <= steps; ++i) {
+    const Vec3 now = wrench(query(static_cast<double>(i) / steps)).force;
+    most = std::fmax(most, norm(now - last) * steps);
+    last = now;
+  }
+  return most;
+}
+
+TEST(BallOnMesh, LoadIsContinuousOverConcaveTerrain) {
+  // If the load jumped, the quotient would grow with the number of steps.
+  const TriangleMesh terrain =
+      mesh(sheet_mesh(4.0, 12, [](double x, double y) { return 0.15 * std::sin(3 * x) * std::cos(2 * y + x); }));
+  const auto query = [&](double s) {
+    const double x = -1.5 + 3.0 * s, y = 0.7 * std::sin(4 * s);
+    return ball({x, y, 0.36 + 0.15 * std::sin(3 * x) * std::cos(2 * y + x)}, 0.4, terrain);
+  };
+  const double coarse = roughness(query, 2000), fine = roughness(query, 32000);
+  EXPECT_GT(coarse, 0.01);
+  EXPECT_LT(fine, 1.5 * coarse + 0.2);
+  RecordProperty("roughness", std::to_string(coarse) + " " + std::to_string(fine));
+}
+
+TEST(BallOnMesh, LoadIsContinuousFromFloorToWall) {
+  for (const double slope : {0.05, 0.3, 1.0, 5.0, -0.3, -2.0}) {
+    const TriangleMesh bend = mesh(sheet_mesh(4.0, 8, [&](double x, double) { return slope * std::fmax(0.0, x); }));
+    // Up to where the slope is half a radius deep.
+    const double end = slope > 0.0 ? std::fmin(0.4, (0.35 - 0.25 * std::hypot(1.0, slope)) / slope) : 0.4;
+    const auto query = [&](double s) { return ball({-0.6 + (end + 0.6) * s, 0.03, 0.45 - 0.1 * s}, 0.5, bend); };
+    const double coarse = roughness(query, 1000), fine = roughness(query, 16000);
+    EXPECT_LT(fine, 1.2 * coarse + 0.1) << slope << " " << coarse << " " << fine;
+  }
+}
+
+TEST(BallOnMesh, BallPassesASheetFromBehindWithoutAJump) {
+  const TriangleMesh sheet = flat_sheet();
+  const auto query = [&](double s) { return ball({0.1, 0.2, -0.7 + 1.4 * s}, 0.5, sheet); };
+  EXPECT_LT(roughness(query, 16000), 1.41);  // its rate of change is the speed
+}
+
+// Capsules.
+
+TEST(CapsuleOnMesh, PlaneGivesTheHalfspacesAnswer) {
+  Random random(4);
+  const TriangleMesh sheet = flat_sheet();
+  cmb::Shape shape;
+  shape.kind = cmb::ShapeKind::capsule;
+  shape.body = cmb::convex::make_capsule(0.2, 1.0);
+  for (int i = 0; i < 1000; ++i) {
+    const double tilt = i % 3 == 0 ? 0.0 : random.uniform(0.0, 1.5);
+    Pose body{rotation_about({0, 1, 0}, 0.5 * 3.14159265358979323846 - tilt), {0, 0, 0}};
+    body.translation = {random.uniform(-1, 1), random.uniform(-1, 1), 0.2 + 0.5 * std::sin(tilt) - random.uniform(-0.05, 0.1)};
+    ContactSet reference;
+    halfspace_contact(shape, body, {{0, 0, 1}, 0.0}, reference);
+    const ContactSet set = capsule(0.2, 1.0, body, sheet);
+    ASSERT_NEAR(set.distance, reference.distance, 1e-13);
+    const Wrench a = wrench(set), b = wrench(reference);
+    ASSERT_NEAR(norm(a.force - b.force), 0.0, 1e-12);
+    ASSERT_NEAR(norm(a.torque - b.torque), 0.0, 1e-12);
+  }
+}
+
+TEST(CapsuleOnMesh, RidgeCarriesTheMiddle) {
+  const TriangleMesh ridge = mesh(sheet_mesh(4.0, 8, [](double x, double) { return -std::fabs(x); }));
+  // Axis along x, across the ridge, the ends clear of the slopes.
+  Pose body{{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}, {0.0, 0.1, 0.17}};
+  const ContactSet set = capsule(0.2, 2.0, body, ridge);
+  EXPECT_NEAR(set.distance, -0.03, 1e-14);
+  const Wrench sum = wrench(set);
+  expect_near(sum.force, {0, 0, 0.03}, 1e-13);
+  const auto query = [&](double s) {
+    body.translation = {-2.0 * s + 1.0, 0.1, 0.17};
+    return capsule(0.2, 1.0, body, ridge);
+  };
+  const double coarse = roughness(query, 1000), fine = roughness(query, 16000);
+  EXPECT_LT(fine, 1.2 * coarse + 0.1);
+}
+
+// Convex polytopes.
+
+TEST(BoxOnMesh, RestsOnATriangulatedPlaneWithTheBoxsLoad) {
+  const TriangleMesh sheet = flat_sheet();
+  Random random(5);
+  const Polytope box = Polytope::box({1.0, 0.8, 0.4});
+  for (int i = 0; i < 300; ++i) {
+    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1), depth = random.log_uniform(1e-6, 0.1);
+    const Pose pose{rotation_about({0, 0, 1}, i % 5 == 0 ? 0.0 : random.uniform(-3, 3)), {x, y, 0.2 - depth}};
+    const ContactSet set = polytope(box, pose, sheet);
+    ASSERT_NEAR(set.distance, -depth, 1e-14);
+    ASSERT_GE(set.points.size(), 3u);
+    ASSERT_LE(set.points.size(), 64u);
+    const Wrench sum = wrench(set);
+    ASSERT_NEAR(norm(sum.force - Vec3{0, 0, depth}), 0.0, 1e-12 * depth + 1e-15);
+    ASSERT_NEAR(norm(sum.torque - cross(Vec3{x, y, 0}, Vec3{0, 0, depth})), 0.0, 1e-12 * depth + 1e-15);
+    for (const ContactPoint &p : set.points) {
+      ASSERT_NEAR(p.depth, depth, 1e-12);
+      ASSERT_NEAR(p.position.z, -0.5 * depth, 1e-12);
+      ASSERT_EQ(p.normal.z, 1.0);
+    }
+  }
+}
+
+TEST(BoxOnMesh, LoadDoesNotDependOnTheTrianglesOfAFace) {
+  Random random(6);
+  const Polytope box = Polytope::box({1.0, 0.8, 0.4});
+  const TriangleMesh coarse = mesh(box_mesh({4, 4, 2}, 1)), fine = mesh(box_mesh({4, 4, 2}, 9));
+  for (int i = 0; i < 200; ++i) {
+    const Pose pose{rotation_about(random.direction(), random.uniform(-0.2, 0.2)),
+                    {random.uniform(-1.1, 1.1), random.uniform(-1.1, 1.1), 1.18}};
+    const Wrench a = wrench(polytope(box, pose, coarse)), b = wrench(polytope(box, pose, fine));
+    ASSERT_NEAR(norm(a.force - b.force), 0.0, 1e-10);
+    ASSERT_NEAR(norm(a.torque - b.torque), 0.0, 1e-10);
+  }
+}
+
+TEST(BoxOnMesh, CubeGivesTheBoxsDistanceWhereApart) {
+  Random random(8);
+  const TriangleMesh cube = mesh(box_mesh({1, 2, 3}, 2));
+  const Vec3 size{0.7, 0.5, 0.9};
+  const Polytope box = Polytope::box(size);
+  cmb::convex::DistanceScratch scratch;
+  int apart = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Pose pose{i % 4 == 0 ? Mat3{} : random_rotation(random), random.uniform(0.5, 3.5) * random.direction()};
+    const auto reference = signed_distance(cmb::convex::make_box(size), cmb::convex::make_box({1, 2, 3}), pose.inverse(), scratch);
+    const ContactSet set = polytope(box, pose, cube);
+    if (reference.distance > 0.0) {
+      ++apart;
+      ASSERT_NEAR(set.distance, reference.distance, 1e-12);
+      ASSERT_NEAR(norm(set.normal - pose.rotation * reference.normal), 0.0, 1e-6);
+      ASSERT_TRUE(set.points.empty());
+    }
+  }
+  EXPECT_GT(apart, 300);
+}
+
+TEST(BoxOnMesh, CubeGivesTheBoxsDepthOnFaces) {
+  // Shallow, near the middle of a face: the least translation is along its normal.
+  Random random(9);
+  const TriangleMesh cube = mesh(box_mesh({2, 2, 2}, 3));
+  const Vec3 size{0.7, 0.5, 0.9};
+  const Polytope box = Polytope::box(size);
+  cmb::convex::DistanceScratch scratch;
+  for (int i = 0; i < 500; ++i) {
+    Pose pose{random_rotation(random), {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0}};
+    const auto lowest = core_support(cmb::convex::make_box(size), transposed_times(pose.rotation, {0, 0, -1}));
+    const double depth = random.log_uniform(1e-4, 0.05);
+    pose.translation.z = 1.0 - depth - (pose.rotation * lowest.point).z;
+    const auto reference = signed_distance(cmb::convex::make_box(size), cmb::convex::make_box({2, 2, 2}), pose.inverse(), scratch);
+    const ContactSet set = polytope(box, pose, cube);
+    ASSERT_NEAR(set.distance, reference.distance, 1e-12);
+    ASSERT_NEAR(norm(set.normal - Vec3{0, 0, 1}), 0.0, 1e-12);
+    const Wrench sum = wrench(set);
+    ASSERT_GT(sum.load, 0.2 * depth);
+    ASSERT_LE(sum.load, depth * (1.0 + 1e-12));
+    ASSERT_NEAR(norm(sum.force - Vec3{0, 0, sum.load}), 0.0, 1e-12);
+  }
+}
+
+TEST(BoxOnMesh, OverhangingBoxIsNotPushedSideways) {
+  const TriangleMesh cube = mesh(box_mesh({2, 2, 2}, 3));
+  const Polytope box = Polytope::box({1, 1, 1});
+  for (const double x : {0.6, 0.9, 1.0, 1.3}) {
+    const ContactSet set = polytope(box, {{}, {x, 0.1, 1.49}}, cube);
+    const Wrench sum = wrench(set);
+    EXPECT_GT(sum.force.z, 0.009);
+    EXPECT_EQ(sum.force.x, 0.0);
+    EXPECT_EQ(sum.force.y, 0.0);
+  }
+}
+
+TEST(BoxOnMesh, LoadIsContinuous) {
+  const TriangleMesh cube = mesh(box_mesh({2, 2, 2}, 2)), ball_mesh = mesh(sphere_mesh(1.0, 2));
+  const TriangleMesh terrain =
+      mesh(sheet_mesh(4.0, 12, [](double x, double y) { return 0.1 * std::sin(3 * x) * std::cos(2 * y + x) - 0.3; }));
+  const Polytope box = Polytope::box({0.6, 0.5, 0.4});
+  const Mat3 turned = rotation_about(cmb::convex::normalized({1, 2, 0.5}), 0.3);
+  struct Case {
+    const TriangleMesh *mesh;
+    Vec3 from, to;
+  };
+  const Case cases[] = {{&cube, {-1.4, 0.2, 1.25}, {1.4, 0.3, 1.18}},
+                        {&ball_mesh, {-0.3, 0.1, 1.3}, {0.3, 0.0, 1.15}},
+                        {&terrain, {-1.3, 0.5, 0.05}, {1.3, -0.4, -0.05}}};
+  for (const Case &c : cases) {
+    const auto query = [&](double s) {
+      return polytope(box, {turned, c.from + s * (c.to - c.from)}, *c.mesh);
+    };
+    const double coarse = roughness(query, 500), fine = roughness(query, 8000);
+    EXPECT_GT(coarse, 0.001);
+    EXPECT_LT(fine, 1.5 * coarse + 0.2) << coarse << " " << fine;
+  }
+}
+
+TEST(BoxOnMesh, ThinWallPushesFromItsNearSideOnly) {
+  const TriangleMesh wall = mesh(box_mesh({4, 4, 0.1}, 4));
+  const Polytope box = Polytope::box({0.5, 0.5, 0.5});
+  expect_near(wrench(polytope(box, {{}, {0, 0, 0.29}}, wall)).force, {0, 0, 0.01}, 1e-13);
+  expect_near(wrench(polytope(box, {{}, {0, 0, -0.29}}, wall)).force, {0, 0, -0.01}, 1e-13);
+  EXPECT_EQ(wrench(polytope(box, {{}, {0, 0, 0.31}}, wall)).load, 0.0);
+}
+
+TEST(BoxOnMesh, SteppedPlateDoesNotPushBelowItsThinPart) {
+  // A tread: triangles of the top reach from the thick part to the thin one.
+  MeshData data;
+  const double outline[6][2] = {{-2, -2}, {0, -2}, {0, -0.1}, {2, -0.1}, {2, 0}, {-2, 0}};
+  for (const double y : {-1.0, 1.0}) {
+    for (const auto &p : outline) data.vertices.push_back({p[0], y, p[1]});
+  }
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const std::uint32_t j = (i + 1) % 6;
+    data.triangles.push_back({i, i + 6, j + 6});
+    data.triangles.push_back({i, j + 6, j});
+  }
+  for (const Triangle &cap : {Triangle{0, 1, 2}, Triangle{0, 2, 5}, Triangle{2, 3, 4}, Triangle{2, 4, 5}}) {
+    data.triangles.push_back(cap);
+    data.triangles.push_back({cap[0] + 6, cap[2] + 6, cap[1] + 6});
+  }
+  double volume = 0.0;
+  for (const Triangle &t : data.triangles) volume += dot(data.vertices[t[0]], cross(data.vertices[t[1]], data.vertices[t[2]]));
+  if (volume < 0.0) {
+    for (Triangle &t : data.triangles) std::swap(t[0], t[1]);
+  }
+  const TriangleMesh tread = mesh(std::move(data));
+  const Polytope box = Polytope::box({0.3, 0.3, 0.3});
+  const ContactSet set = polytope(box, {{}, {0.5, 0, -0.4}}, tread);
+  EXPECT_NEAR(set.distance, 0.15, 1e-14);
+  EXPECT_TRUE(set.points.empty());
+}
+
+TEST(MeshContact, FollowsThePose) {
+  // Moving both bodies moves the answer.
+  Random random(10);
+  const TriangleMesh cube = mesh(box_mesh({1, 2, 3}, 2));
+  const Polytope box = Polytope::box({0.7, 0.5, 0.9});
+  for (int i = 0; i < 100; ++i) {
+    const Pose body{random_rotation(random), random.uniform(0.8, 1.2) * random.direction()};
+    const Pose move{random_rotation(random), random.direction()};
+    const Mat3 moved_axes{{move.rotation * body.rotation.column(0), move.rotation * body.rotation.column(1),
+                           move.rotation * body.rotation.column(2)}};
+    const Pose moved{transposed(moved_axes), move(body.translation)};
+    const ContactSet a = polytope(box, body, cube), b = polytope(box, moved, cube, move);
+    ASSERT_NEAR(a.distance, b.distance, 1e-12);
+    ASSERT_NEAR(norm(move.rotation * wrench(a).force - wrench(b).force), 0.0, 1e-11);
+  }
+}
+
+}  // namespace
