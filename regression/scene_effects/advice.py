@@ -164,6 +164,7 @@ def _effect(advice: Advice, measured: Measurement) -> str:
 
 
 def _figures(measured: Measurement) -> dict[str, str]:
+    """Figures that are the same on every machine; wall times of short simulations say less."""
     figures: dict[str, str] = {}
     if measured.build is not None:
         build = measured.build
@@ -173,6 +174,4 @@ def _figures(measured: Measurement) -> dict[str, str]:
         counters = measured.counters
         figures |= {"evaluations": str(counters.evaluations), "steps": str(counters.steps)}
         figures["events"] = str(counters.state_events + counters.time_events)
-    if measured.wall_time is not None:
-        figures["time"] = f"{measured.wall_time:.2f} s"
     return figures

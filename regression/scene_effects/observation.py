@@ -63,7 +63,7 @@ def pair_signals(manager: Manager, description: ModelDescription) -> list[str]:
     name = manager.name
     wanted: list[str] = []
     for i in range(1, len(manager.pairs) + 1):
-        wanted += [f"{name}.{quantity}[{i}]" for quantity in ("distance", "normalForce", "approachSpeed")]
+        wanted += [f"{name}.{quantity}[{i}]" for quantity in ("distance", "normalForce", "approachSpeed", "touches")]
         for k in (1, 2, 3):
             wanted += [f"{name}.{quantity}[{i},{k}]" for quantity in ("force", "meanNormal", "sliding")]
         wanted += _in_order(description, f"{name}.pointNormalForce[{i},")
@@ -91,13 +91,16 @@ def _observe(manager: Manager, parameters: Parameters, result: SimulationResult,
     pressing = result[f"{name}.normalForce[{number}]"]
     force = result.vector([f"{name}.force[{number},{k}]" for k in (1, 2, 3)])
     touching = pressing > 0
+    if (flag := f"{name}.touches[{number}]") in result:
+        # A contact shorter than the output interval shows at its two events only, where the force is zero.
+        touching |= result[flag] > 0
     tangential = np.sqrt(np.maximum(0.0, (force**2).sum(axis=1) - _along_normal(name, number, result, force) ** 2))
     sliding = np.linalg.norm(result.vector([f"{name}.sliding[{number},{k}]" for k in (1, 2, 3)]), axis=1)
     sticks = touching & (sliding < _SLIDING * parameters.regularisation_speed)
     mu = parameters.pair["muDynamic"][pair]
     holding = np.zeros(time.size)
     if mu > 0:
-        np.divide(tangential, mu * pressing, out=holding, where=sticks)
+        np.divide(tangential, mu * pressing, out=holding, where=sticks & (pressing > 0))
     # Regularised friction holds the share q of its largest force at q/sqrt(1 - q^2) of the regularisation speed.
     bounded = np.minimum(holding, 0.999)
     creep = parameters.regularisation_speed * bounded / np.sqrt(1 - bounded**2)
