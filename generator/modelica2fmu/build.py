@@ -25,7 +25,7 @@ from modelica2fmu.packaging import SolverOptions, package_fmu
 from modelica2fmu.scalar_model import ScalarModel, derivative_name
 from modelica2fmu.scalarize import scalarize
 from modelica2fmu.source_map import SourceMap
-from modelica2fmu.standard_library import StandardLibrary, find_standard_library
+from modelica2fmu.standard_library import StandardLibrary, find_standard_library, other_libraries
 from modelica2fmu.systems import Systems, build_systems
 from modelica2fmu.variables import describe_enumerations, describe_variables
 
@@ -203,7 +203,7 @@ def translate(
     if not _MODEL_NAME.fullmatch(model):
         raise InputError(f"{model!r} is no name of a Modelica class")
     file, roots = locate(model, sources)
-    roots = [*roots, library.folder]
+    roots = [*roots, library.folder, *other_libraries()]
     source_map = SourceMap([file, *sources, library.folder])
     limit = sys.getrecursionlimit()
     sys.setrecursionlimit(max(limit, _RECURSION_LIMIT))

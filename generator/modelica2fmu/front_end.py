@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
@@ -42,13 +44,25 @@ def load_flat_model(model: str, file: Path, roots: Sequence[Path], source_map: S
             "the Modelica front end rumoca is not installed", remedy="install it: pip install rumoca==0.10.2"
         ) from error
     try:
-        compiled = rumoca.Session([str(root) for root in roots]).load(str(file), model=model)
-        flat: dict[str, Any] = compiled.to_dict("flat")
+        with _without_modelicapath():
+            compiled = rumoca.Session([str(root) for root in roots]).load(str(file), model=model)
+            flat: dict[str, Any] = compiled.to_dict("flat")
     except rumoca.RumocaError as error:
         raise _input_error(rumoca, str(error), model, file) from error
     except (OSError, RuntimeError, ValueError) as error:
         raise InputError(f"{model} cannot be compiled: {error}", place=Place(file=file)) from error
     return read_flat_model(flat, model, source_map)
+
+
+@contextmanager
+def _without_modelicapath() -> Iterator[None]:
+    """Hides MODELICAPATH from rumoca, which would prefer a library there to the one that was chosen."""
+    path = os.environ.pop("MODELICAPATH", None)
+    try:
+        yield
+    finally:
+        if path is not None:
+            os.environ["MODELICAPATH"] = path
 
 
 def _input_error(rumoca: Any, message: str, model: str, file: Path) -> InputError:

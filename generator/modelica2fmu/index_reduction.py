@@ -367,7 +367,7 @@ class _Reducer:
                 raise InputError(f"no equation determines {name} once the states are given", place=self._place_of(name))
         unknown: dict[str, None] = {}
         constant = self._constant_rates(candidates)
-        for name in sorted(candidates, key=lambda name: (*self._preference(name), name not in constant)):
+        for name in sorted(candidates, key=lambda name: self._preference(name, name in constant)):
             if len(matching.row_of) == len(rows):
                 break
             derivative = derivative_name(name)
@@ -430,16 +430,28 @@ class _Reducer:
             return ir.StateSelect.NEVER
         return self._model.variables[name].state_select
 
-    def _preference(self, name: str) -> tuple[bool, int, bool, bool]:
+    def _preference(self, name: str, is_explicit: bool) -> tuple[int, bool, int]:
         """How well a variable serves as a state; low values are dropped first.
 
-        Beside a body's quaternions its own angular velocity is the best state: the accelerations of all other
-        bodies follow from its derivative in the direction in which their equations are written.
+        Below StateSelect.prefer, what the differentiated equations give explicitly is dropped before what they
+        do not: a body's orientation is a better state than the height of a point on it. Then fixed start values
+        count, which need no solving at initialization, and stateSelect. Beside a body's
+        quaternions its own angular velocity is the best state: the accelerations of all other bodies follow
+        from its derivative in the direction in which their equations are written.
+
+        Args:
+            name: the variable.
+            is_explicit: = true, if a differentiated equation has its derivative with a constant factor.
         """
         if unwrapped(name)[0] == "der":
-            return (False, 0, False, False)
+            return (0, False, 0)
+        select = self._select(name)
         is_own = name in self._angular_velocities and name.rpartition(".")[0] in self._owners
-        return (True, self._select(name).value, is_own, self._model.variables[name].fixed)
+        if select in (ir.StateSelect.AVOID, ir.StateSelect.DEFAULT):
+            group = 2 if is_explicit and not is_own else 3
+        else:
+            group = 1 if select is ir.StateSelect.NEVER else 4
+        return (group, self._model.variables[name].fixed, select.value)
 
 
 def explicit_variables(residual: float | Node) -> list[str]:

@@ -77,6 +77,12 @@ def find_standard_library(explicit: Path | None = None, environment: Mapping[str
     )
 
 
+def other_libraries(environment: Mapping[str, str] = os.environ) -> list[Path]:
+    """Folders of MODELICAPATH without a Standard Library, for the other libraries of a model."""
+    folders = [Path(item) for item in environment.get("MODELICAPATH", "").split(os.pathsep) if item]
+    return [folder for folder in folders if folder.is_dir() and not _packages(folder)]
+
+
 def _places(environment: Mapping[str, str]) -> Iterator[tuple[str, Sequence[Path]]]:
     path = environment.get("MODELICAPATH", "")
     yield "MODELICAPATH", [Path(item) for item in path.split(os.pathsep) if item]
