@@ -98,7 +98,7 @@ def test_while_loop_on_variables_is_refused_with_its_function(translated):
   Integer n = halve(time);
 end Halving;
 """
-    with pytest.raises(InputError, match="while-loop|halve") as caught:
+    with pytest.raises(InputError, match=r"while-loop|halve") as caught:
         translated(text)
     assert caught.value.place is not None
     assert caught.value.place.line is not None
