@@ -15,6 +15,8 @@ from scene_effects.measurement import Bench, Measurement
 from scene_effects.study import measure_fullest
 from scene_effects.variants import Variant
 
+_ALLOWED_ANGLE = 0.01
+"""A difference of orientations in rad that does not matter."""
 _TITLES = {
     "friction": "Friction",
     "restitution": "Restitution",
@@ -38,12 +40,13 @@ class AdviceItem:
     measured: Measurement | None = None
 
     def is_confirmed(self, allowed: float) -> bool:
-        """Whether an effect that is not needed can go: positions differ by no more than ``allowed`` in m."""
+        """Whether an effect that is not needed can go: the bodies move as before, positions within ``allowed`` in m."""
         return (
             self.finding.verdict is Verdict.UNNEEDED
             and self.measured is not None
             and self.measured.difference is not None
             and self.measured.difference.position <= allowed
+            and self.measured.difference.angle <= _ALLOWED_ANGLE
         )
 
 

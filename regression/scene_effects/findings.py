@@ -108,7 +108,7 @@ def _friction(
     else:
         needed = Friction.REGULARISED
         reason = f"Tangential forces reach {100 * share:.3g} % of the largest normal force, "
-        reason += f"but hardly hold: {sticks}." if pair.sticking_time > 0 else "and all contacts slide."
+        reason += f"and what creeps is little: {sticks}." if pair.sticking_time > 0 else "and all contacts slide."
     now, wanted = _STRENGTH.index(manager.friction), _STRENGTH.index(needed)
     verdict = Verdict.FITS if now == wanted else Verdict.UNNEEDED if now > wanted else Verdict.MISSING
     return Finding("friction", verdict, reason, None if now == wanted else Change(friction=needed))
@@ -194,7 +194,7 @@ def _pairs(manager: Manager, observations: Sequence[PairObservation], allowed: f
     in_use = {body for k in kept for body in manager.pairs[k]}
     idle = [manager.bodies[b - 1].name for b in sorted({b for k in left for b in manager.pairs[k]} - in_use)]
     if idle:
-        reason += f" {', '.join(idle)} need no contact at all."
+        reason += f" Then without any contact: {', '.join(idle)}."
     return Finding("pairs", Verdict.UNNEEDED, reason, Change(kept_pairs=tuple(kept)))
 
 

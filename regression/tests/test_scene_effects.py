@@ -306,7 +306,7 @@ def test_pairs_that_stay_apart() -> None:
     assert found.change == Change(kept_pairs=(0, 2))
     assert "ball – floor (held at 200 mm)" in found.reason
     idle = finding("pairs", MANAGER, parameters(), HITS, APART, APART)
-    assert "floor need no contact at all" in idle.reason
+    assert "without any contact: floor" in idle.reason
     assert finding("pairs", MANAGER, parameters(), HITS, HITS, HITS).verdict is Verdict.FITS
 
 
@@ -320,8 +320,8 @@ def test_nothing_touches() -> None:
 # --- texts --------------------------------------------------------------------------------------------------------
 
 
-def measurement(name: str, states: int, position: float | None, error: str = "") -> Measurement:
-    difference = None if position is None else Difference(position, 0, 0.5, 0.0)
+def measurement(name: str, states: int, position: float | None, error: str = "", angle: float = 0.0) -> Measurement:
+    difference = None if position is None else Difference(position, 0, 0.5, angle)
     return Measurement(
         Variant(name, Change()),
         f"contacts({name})",
@@ -333,10 +333,10 @@ def measurement(name: str, states: int, position: float | None, error: str = "")
     )
 
 
-def advice(position: float) -> Advice:
+def advice(position: float, angle: float = 0.0) -> Advice:
     item = AdviceItem(
         Finding("friction", Verdict.UNNEEDED, "It hardly holds.", Change(friction=Friction.REGULARISED)),
-        measurement("less", 13, position),
+        measurement("less", 13, position, angle=angle),
     )
     return Advice("A.B", MANAGER, 2.0, 1e-3, measurement("as modelled", 16, None), (item,), None)
 
@@ -353,6 +353,7 @@ def test_advice_is_given_only_if_it_was_confirmed() -> None:
     assert "Friction: keep it." in bad
     assert "2 mm" in bad
     assert "Write:" not in bad
+    assert "Friction: keep it." in advice_text(advice(0.0, angle=0.1))  # spins in its place
 
 
 def test_table(tmp_path: Path) -> None:
