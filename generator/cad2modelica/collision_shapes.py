@@ -13,6 +13,7 @@ from scipy.spatial import ConvexHull, QhullError, cKDTree
 from cad2modelica.convex_decomposition import decompose
 from cad2modelica.mesh import Indices, bodies, is_closed, join, volume_integrals, weld
 from cad2modelica.model import NO_LIMITS, CollisionChoice, DecompositionLimits, Part
+from cad2modelica.reach import Ball
 from cad2modelica.solid_comparison import compare
 from cad2modelica.spatial import IDENTITY, Array, Pose
 
@@ -50,6 +51,16 @@ class CollisionShape:
     vertices: Array | None = None
 
     @property
+    def outline(self) -> tuple[Array, float]:
+        """Points of the body's frame, shape (n, 3), whose convex hull, grown by a margin (m), is the shape."""
+        if self.vertices is not None:
+            return self.pose.point(self.vertices), 0.0
+        if self.kind == "box":
+            signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+            return self.pose.point(signs * np.array(self.size) / 2), 0.0
+        return self.pose.point(np.array([[0, 0, -self.length / 2], [0, 0, self.length / 2]])), self.radius
+
+    @property
     def descriptor(self) -> str:
         """The contact engine's text for the shape."""
         words = ["cmb/1", self.kind]
@@ -79,6 +90,16 @@ class CollisionGeometry:
     def descriptor(self) -> str:
         """The contact engine's text for the body; empty if it does not collide."""
         return ";".join(shape.descriptor for shape in self.shapes)
+
+    def ball(self, pose: Pose) -> Ball:
+        """A ball that holds all shapes of the body standing at ``pose``."""
+        outlines = [shape.outline for shape in self.shapes]
+        if not outlines:
+            return Ball(pose.position, 0.0)
+        points = np.concatenate([points for points, _ in outlines])
+        center = (points.min(axis=0) + points.max(axis=0)) / 2
+        radius = max(float(np.linalg.norm(points - center, axis=1).max()) + margin for points, margin in outlines)
+        return Ball(pose.point(center), radius)
 
 
 def collision_geometry(part: Part, limits: DecompositionLimits = NO_LIMITS) -> CollisionGeometry:
@@ -154,8 +175,12 @@ def _pieces(vertices: Array, triangles: Indices, limits: DecompositionLimits) ->
 
 def _snapped(points: Array, vertices: Array, distance: float) -> Array:
     """Corners that are the body's own but for rounding become exactly those."""
-    away, nearest = cKDTree(vertices).query(points)
-    return np.asarray(np.where((away <= distance)[:, None], vertices[nearest], points))
+    found = cKDTree(vertices).query(points)
+    away, nearest = np.asarray(found[0]), np.asarray(found[1])
+    result = points.copy()
+    close = np.flatnonzero(away <= distance)
+    result[close] = vertices[nearest[close]]
+    return result
 
 
 def _accuracy(vertices: Array, triangles: Indices, pieces: list[ConvexHull]) -> str:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from cad2modelica.kinematic_graph import KinematicTree
 from cad2modelica.model import GROUND, Assembly, Joint, JointType
+from cad2modelica.reach import Ball, Reach
+
+LISTED = 10  # pairs named in a note
 
 
 def contact_pairs(assembly: Assembly, tree: KinematicTree, colliding: Sequence[str]) -> list[tuple[str, str]]:
@@ -43,6 +46,31 @@ def contact_pairs(assembly: Assembly, tree: KinematicTree, colliding: Sequence[s
         for second in colliding[index + 1 :]
         if may_touch(first, second)
     ]
+
+
+def within_reach(
+    assembly: Assembly, tree: KinematicTree, pairs: Sequence[tuple[str, str]], balls: Mapping[str, Ball]
+) -> tuple[list[tuple[str, str]], tuple[str, ...]]:
+    """Drops pairs that can never meet, whatever the joints do; those included explicitly stay.
+
+    Args:
+        assembly: the mechanism.
+        tree: its graph.
+        pairs: of names of parts and planes.
+        balls: for every part of a pair, one that holds its shapes.
+
+    Returns:
+        The pairs that are left, and a note on those that are not.
+    """
+    reach = Reach(assembly.parts, assembly.planes, tree)
+    included = {frozenset(pair) for pair in assembly.contacts.included}
+    left = [pair for pair in pairs if frozenset(pair) in included or not reach.never_meet(*pair, balls)]
+    dropped = [pair for pair in pairs if pair not in left]
+    if not dropped:
+        return left, ()
+    listed = ", ".join(f"{first!r} and {second!r}" for first, second in dropped[:LISTED])
+    more = f", and {len(dropped) - LISTED} more" if len(dropped) > LISTED else ""
+    return left, (f"left out of the contacts, because the joints keep them apart: {listed}{more}",)
 
 
 def _unit(name: str, tree: KinematicTree) -> str:

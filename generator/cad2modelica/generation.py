@@ -11,7 +11,7 @@ from cmb_base.progress import Progress, silent
 
 from cad2modelica.actuators import FILE_NAME, Actuator, read_actuators
 from cad2modelica.collision_shapes import MAXIMUM_PIECES, collision_geometry
-from cad2modelica.contact_pairs import contact_pairs
+from cad2modelica.contact_pairs import contact_pairs, within_reach
 from cad2modelica.graph_drawing import graph_svg
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import LoopAnalysis, analyse_loops
@@ -103,9 +103,10 @@ def generate(
         geometries[part.name] = collision_geometry(part, limits)
     colliding = [part.name for part in assembly.parts if geometries[part.name].shapes]
     colliding += [plane.name for plane in assembly.planes]
-    pairs = contact_pairs(assembly, tree, colliding)
+    balls = {part.name: geometries[part.name].ball(part.pose) for part in assembly.parts}
+    pairs, dropped = within_reach(assembly, tree, contact_pairs(assembly, tree, colliding), balls)
     view = mechanism_view(assembly, tree, loops, geometries, pairs)
-    notes = (*assembly.notes, *loops.notes, *(note for item in geometries.values() for note in item.notes))
+    notes = (*assembly.notes, *loops.notes, *(note for item in geometries.values() for note in item.notes), *dropped)
     actuators = _actuators(assembly_path, options, assembly, loops, view)
     texts = package_texts(assembly, view, geometries, actuators, name, notes)
     own = find_own_files(output, name, {*texts.files, ORDER})
