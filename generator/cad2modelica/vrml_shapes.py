@@ -12,8 +12,10 @@ from cad2modelica.mesh import Indices
 from cad2modelica.polygon import triangulate
 from cad2modelica.primitive_meshes import Surface, box_surface, cone_surface, cylinder_surface, sphere_surface
 from cad2modelica.spatial import Array
+from cad2modelica.vrml_extrusion import extrusion_surface
 from cad2modelica.vrml_syntax import Node, Numbers
 
+MAXIMUM_EXTRUSION = 1_000_000  # points: a short file could ask for any number
 WITHOUT_SURFACE = frozenset({"IndexedLineSet", "PointSet", "Text"})
 
 
@@ -88,9 +90,7 @@ def _indexed_face_set(node: Node, file: Path) -> Surface:
         worst = int(indices.max()) if indices.max() >= len(points) else int(indices.min())
         raise _wrong(node, f"coordIndex names point {worst}, but there are {len(points)} points", file)
     triangles = _split_faces(points, indices)
-    if not boolean_field(node, "ccw", True):
-        triangles = triangles[:, ::-1]
-    return points, triangles
+    return points, _turned(node, triangles)
 
 
 def _split_faces(points: Array, indices: Indices) -> Indices:
@@ -107,6 +107,65 @@ def _split_faces(points: Array, indices: Indices) -> Indices:
             corners = [int(corner) for corner in face]
             triangles += [(corners[a], corners[b], corners[c]) for a, b, c in triangulate(points[face])]
     return np.array(triangles, dtype=np.int64).reshape(-1, 3)
+
+
+def _elevation_grid(node: Node, file: Path) -> Surface:
+    """Heights over the x-z plane, x running fastest (ISO/IEC 14772-1, 6.17); two triangles a quadrilateral."""
+    columns, rows = (_whole(node, name, file) for name in ("xDimension", "zDimension"))
+    heights = list_field(node, "height", file)
+    if len(heights) != columns * rows or not np.isfinite(heights).all():
+        raise _wrong(node, f"field height needs {columns} x {rows} finite numbers, but has {len(heights)}", file)
+    if columns < 2 or rows < 2:
+        return np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64)
+    row, column = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
+    width, depth = _length(node, "xSpacing", 1.0, file), _length(node, "zSpacing", 1.0, file)
+    points = np.column_stack([width * column.ravel(), heights, depth * row.ravel()])
+    a = (row[:-1, :-1] * columns + column[:-1, :-1]).ravel()
+    b, c, d = a + columns, a + columns + 1, a + 1
+    triangles = np.stack([np.column_stack([a, b, c]), np.column_stack([a, c, d])], axis=1).reshape(-1, 3)
+    return points, _turned(node, triangles.astype(np.int64))
+
+
+def _extrusion(node: Node, file: Path) -> Surface:
+    section = _points(node, "crossSection", 2, (1, 1, 1, -1, -1, -1, -1, 1, 1, 1), file)
+    spine = _points(node, "spine", 3, (0, 0, 0, 0, 1, 0), file)
+    if len(section) < 2 or len(spine) < 2:
+        return np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64)
+    if len(section) * len(spine) > MAXIMUM_EXTRUSION:
+        raise _wrong(node, f"has more than {MAXIMUM_EXTRUSION} points", file)
+    scale = _along_spine(node, "scale", 2, (1, 1), len(spine), file)
+    orientation = _along_spine(node, "orientation", 4, (0, 0, 1, 0), len(spine), file)
+    caps = (boolean_field(node, "beginCap", True), boolean_field(node, "endCap", True))
+    points, triangles = extrusion_surface(section, spine, scale, orientation, caps)
+    return points, _turned(node, triangles)
+
+
+def _along_spine(node: Node, name: str, width: int, default: tuple[float, ...], count: int, file: Path) -> Array:
+    """One row for each point of the spine; a single row counts for all, and rows too many do not count."""
+    rows = _points(node, name, width, default, file)
+    if len(rows) == 1:
+        return np.tile(rows, (count, 1))
+    if len(rows) < count:
+        raise _wrong(node, f"field {name} needs 1 or {count} values, but has {len(rows)}", file)
+    return rows[:count]
+
+
+def _points(node: Node, name: str, width: int, default: tuple[float, ...], file: Path) -> Array:
+    values = list_field(node, name, file) if name in node.fields else np.array(default, dtype=np.float64)
+    if len(values) % width or not np.isfinite(values).all():
+        raise _wrong(node, f"field {name} needs {width} finite numbers a value", file)
+    return values.reshape(-1, width)
+
+
+def _whole(node: Node, name: str, file: Path) -> int:
+    value = float(number_field(node, name, (0.0,), file)[0])
+    if value < 0 or value != np.rint(value):
+        raise _wrong(node, f"field {name} must be a whole number, zero or more", file)
+    return int(value)
+
+
+def _turned(node: Node, triangles: Indices) -> Indices:
+    return triangles if boolean_field(node, "ccw", True) else triangles[:, ::-1]
 
 
 def _box(node: Node, file: Path) -> Surface:
@@ -142,4 +201,6 @@ _BUILDERS: dict[str, Callable[[Node, Path], Surface]] = {
     "Sphere": _sphere,
     "Cylinder": _cylinder,
     "Cone": _cone,
+    "ElevationGrid": _elevation_grid,
+    "Extrusion": _extrusion,
 }
