@@ -182,9 +182,15 @@ class PolytopeQuery {
     PolytopeDistance best;
     best.distance = std::numeric_limits<double>::infinity();
     std::uint32_t nearest = 0;
+    // The extents along the best direction so far bound the distance of the others.
+    Vec3 direction;
+    double lowest = 0.0;
     mesh_.hierarchy().visit_near(
         box_, [&] { return best.distance * best.distance; },
         [&](std::uint32_t t) {
+          const double highest = std::fmax(dot(direction, mesh_.corner(t, 0)),
+                                           std::fmax(dot(direction, mesh_.corner(t, 1)), dot(direction, mesh_.corner(t, 2))));
+          if (lowest - highest > best.distance) return;
           const PolytopeDistance candidate =
               triangle_polytope_distance(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), body_,
                                          scratch_.body_vertices, scratch_.body_normals, scratch_.polygon,
@@ -192,6 +198,9 @@ class PolytopeQuery {
           if (candidate.distance < best.distance || (candidate.distance == best.distance && t < nearest)) {
             best = candidate;
             nearest = t;
+            direction = normalized(best.on_body - best.on_triangle, mesh_.face_normal(t));
+            lowest = std::numeric_limits<double>::infinity();
+            for (const Vec3 &v : scratch_.body_vertices) lowest = std::fmin(lowest, dot(direction, v));
           }
         });
     result_.distance = best.distance;
