@@ -11,7 +11,7 @@ import sys
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile
@@ -60,6 +60,10 @@ def decompose(vertices: Array, triangles: Indices, error: float, maximum_pieces:
     """
     if len(triangles) > MAXIMUM_TRIANGLES:
         return Decomposition((), f"has {len(triangles)} triangles, more than {MAXIMUM_TRIANGLES}; export it coarser")
+    try:
+        tool = version("coacd")
+    except PackageNotFoundError:
+        return Decomposition((), "the Python package coacd is not installed")
     task: Task = {
         "vertices": np.ascontiguousarray(vertices, dtype=np.float64),
         "triangles": np.ascontiguousarray(triangles, dtype=np.int32),
@@ -69,7 +73,7 @@ def decompose(vertices: Array, triangles: Indices, error: float, maximum_pieces:
         "seed": np.int64(SEED),
         **{name: np.int64(value) for name, value in SEARCH.items()},
     }
-    entry = user_cache("decomposition") / f"{content_key(version('coacd'), task)}.json"
+    entry = user_cache("decomposition") / f"{content_key(tool, task)}.json"
     pieces = read_pieces(entry)
     if pieces is None:
         pieces, failure = _run(task)
@@ -83,7 +87,8 @@ def _run(task: Task) -> tuple[tuple[Array, ...] | None, str]:
     with tempfile.TemporaryDirectory(prefix="cmb-") as folder:
         task_file, result_file = Path(folder) / "task.npz", Path(folder) / "result.npz"
         np.savez(task_file, allow_pickle=False, **task)
-        command = [sys.executable, "-m", "cad2modelica.coacd_process", str(task_file), str(result_file)]
+        # -P: what lies in the current folder is no module of ours.
+        command = [sys.executable, "-P", "-m", "cad2modelica.coacd_process", str(task_file), str(result_file)]
         try:
             done = subprocess.run(command, capture_output=True, text=True, timeout=TIME_LIMIT, check=False)
         except subprocess.TimeoutExpired:

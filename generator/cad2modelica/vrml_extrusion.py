@@ -48,7 +48,7 @@ def spine_frames(spine: Array) -> Array:
     """Axes x, y, z of the cross-section's plane at each point of the spine as columns, shape (n, 3, 3).
 
     y is the tangent, z the normal of the plane through the neighbours; where that is not defined, the one before
-    counts, and at the beginning the first that is. On a straight spine all frames are the shortest turn from y to the spine.
+    counts, and at the beginning the first that is. On a straight spine all frames are the shortest turn from y to it.
     """
     closed = bool((spine[0] == spine[-1]).all()) and len(spine) > 2
     before, after = np.roll(spine, 1, axis=0), np.roll(spine, -1, axis=0)

@@ -18,6 +18,7 @@ from cad2modelica.model import NO_LIMITS, CollisionChoice, DecompositionLimits, 
 from cad2modelica.polygon import triangulate
 from cad2modelica.solid_comparison import compare
 from cad2modelica.spatial import IDENTITY
+from cmb_base.cache import user_cache
 from cmb_base.errors import InputError, Place
 from scipy.spatial import ConvexHull
 
@@ -182,6 +183,12 @@ def test_cache_gives_the_same_and_ignores_what_is_broken(cache: Path, monkeypatc
     monkeypatch.setattr(subprocess, "run", None)  # from here on only the cache can answer
     cached = decompose(vertices, triangles, 0.2, 8)
     assert [piece.tobytes() for piece in cached.pieces] == [piece.tobytes() for piece in first.pieces]
+
+
+def test_cache_folder() -> None:
+    assert user_cache("x", {"XDG_CACHE_HOME": "/c", "HOME": "/h"}) == Path("/c/contactmultibody/x")
+    for environment in ({"HOME": "/h"}, {"XDG_CACHE_HOME": "", "HOME": "/h"}, {"XDG_CACHE_HOME": "c", "HOME": "/h"}):
+        assert user_cache("x", environment) == Path("/h/.cache/contactmultibody/x")
 
 
 def test_without_a_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
