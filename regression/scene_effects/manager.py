@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from cmb_base.errors import InputError, Place
 from fmu_regression.fmu import ModelDescription
-from fmu_regression.result import SimulationResult, close_names_remedy
+from fmu_regression.result import SimulationResult
 
 from scene_effects.choices import Friction, Restitution
 
@@ -130,7 +130,7 @@ def find_manager(description: ModelDescription, name: str | None = None) -> Mana
     if not found:
         raise InputError("the model has no ContactMultiBody.ContactManager", place=place)
     if name is not None and name not in found:
-        raise InputError(f"{name} is no ContactManager", place=place, remedy=close_names_remedy(name, found))
+        raise InputError(f"{name} is no ContactManager", place=place, remedy=f"it has {', '.join(found)}")
     if name is None and len(found) > 1:
         raise InputError(
             f"the model has several managers: {', '.join(found)}", place=place, remedy="name one with --manager"

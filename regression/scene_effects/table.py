@@ -47,7 +47,7 @@ def write_effects(study: EffectStudy, target: Path) -> None:
         for measurement in study.measurements
     )
     modifications = tuple(
-        Row((Cell(m.variant.name, "text"), Cell((m.error and f"failed: {m.error}") or m.modification or "–", "text")))
+        f"{m.variant.name}: " + (f"failed: {m.error}" if m.error else m.modification or "no change")
         for m in study.measurements
     )
     pairs = tuple(
@@ -87,7 +87,7 @@ def write_effects(study: EffectStudy, target: Path) -> None:
         Section(
             "modifications",
             "The variants in Modelica",
-            tables=(Table((Column("Variant", "text"), Column("Modification", "text")), modifications),),
+            notes=modifications,
         ),
     ]
     subtitle = f"{study.duration:g} s simulated, {len(study.measurements)} variants"
