@@ -37,6 +37,7 @@ from fmpy.sundials.sunmatrix_dense import SUNDenseMatrix
 from fmu_regression.result import FloatArray, SolverCounters
 
 _CV_ONE_STEP = 2
+_ROOT_OF_ROUNDING = float(np.sqrt(np.finfo(float).eps))
 
 _FAILURES = {
     -1: "too many steps",
@@ -77,6 +78,18 @@ _counter = {
         "GEvals",
     )
 }
+_JacobianFn = ctypes.CFUNCTYPE(
+    ctypes.c_int,
+    ctypes.c_double,
+    CVRhsFn._argtypes_[1],
+    CVRhsFn._argtypes_[2],
+    *[ctypes.c_void_p] * 2,
+    *[CVRhsFn._argtypes_[1]] * 3,
+)
+_set_jacobian = _declare(sundials_cvode, "CVodeSetJacFn", ctypes.c_void_p, _JacobianFn)
+_matrix_data = _declare(
+    sundials_sunmatrixdense, "SUNDenseMatrix_Data", ctypes.c_void_p, result=ctypes.POINTER(ctypes.c_double)
+)
 _free_cvode = _declare(sundials_cvode, "CVodeFree", ctypes.POINTER(ctypes.c_void_p), result=None)
 _free_solver = _declare(sundials_sunlinsoldense, "SUNLinSolFree_Dense", ctypes.c_void_p)
 _free_matrix = _declare(sundials_sunmatrixdense, "SUNMatDestroy_Dense", ctypes.c_void_p, result=None)
@@ -101,6 +114,10 @@ class StepEnd(Enum):
 class Cvode:
     """Variable-order BDF with Newton's iteration, dense difference-quotient Jacobian and root finding.
 
+    The increments of the difference quotients are shares of the states' values or nominal values, whichever is
+    larger. CVODE's own shrink with the derivatives: at rest, where stiff contacts leave hardly any, the rounding of
+    large forces would make up a good part of the quotients.
+
     Not thread-safe. ``close`` frees the library's memory; the object is a context manager.
 
     Args:
@@ -111,7 +128,8 @@ class Cvode:
         states: shape (n,), n >= 1.
         indicator_count: number of event indicators.
         tolerance: relative tolerance.
-        absolute: shape (n,), absolute tolerances.
+        absolute: absolute tolerance of a state of nominal value 1.
+        nominal: shape (n,), > 0, nominal values of the states.
         max_step: longest step in s.
     """
 
@@ -123,9 +141,13 @@ class Cvode:
         states: FloatArray,
         indicator_count: int,
         tolerance: float,
-        absolute: FloatArray,
+        absolute: float,
+        nominal: FloatArray,
         max_step: float,
     ) -> None:
+        self._nominal = nominal.copy()
+        self._absolute_share = absolute
+        self._jacobian_evaluations = 0
         self._error: BaseException | None = None
         self._message = ""
         self._tolerance = tolerance
@@ -139,10 +161,11 @@ class Cvode:
         # References keep the callbacks alive as long as the library may call them.
         self._rhs = CVRhsFn(self._guard_rhs(derivatives))
         self._root = CVRootFn(self._guard_root(indicators))
+        self._jacobian = _JacobianFn(self._difference_quotients)
         self._handler = SUNErrHandlerFn(self._remember)
         self._check(SUNContext_PushErrHandler(self._context, self._handler, None))
         self._x = self._vector(states)
-        self._absolute = self._vector(absolute)
+        self._absolute = self._vector(absolute * nominal)
         self._interpolated = self._vector(states)
         self._memory = CVodeCreate(CV_BDF, self._context)
         self._check(CVodeInit(self._memory, self._rhs, time, self._x))
@@ -152,6 +175,7 @@ class Cvode:
         self._matrix = SUNDenseMatrix(states.size, states.size, self._context)
         self._linear = SUNLinSol_Dense(self._x, self._matrix, self._context)
         self._check(CVodeSetLinearSolver(self._memory, self._linear, self._matrix))
+        self._check(_set_jacobian(self._memory, self._jacobian))
         self._check(CVodeSetMaxStep(self._memory, max_step))
         self._check(CVodeSetNoInactiveRootWarn(self._memory))
 
@@ -206,11 +230,12 @@ class Cvode:
         self._check(_get_dky(self._memory, time, 0, self._interpolated))
         return NV_DATA_S(self._interpolated)
 
-    def restart(self, time: float, states: FloatArray, absolute: FloatArray) -> None:
-        """Starts anew after an event; states and absolute tolerances have shape (n,)."""
+    def restart(self, time: float, states: FloatArray, nominal: FloatArray) -> None:
+        """Starts anew after an event; states and nominal values have shape (n,)."""
         self._collect()
+        self._nominal[:] = nominal
         _fill(self._x, states)
-        _fill(self._absolute, absolute)
+        _fill(self._absolute, self._absolute_share * nominal)
         self._check(CVodeReInit(self._memory, time, self._x))
         self._check(CVodeSVtolerances(self._memory, self._tolerance, self._absolute))
 
@@ -220,7 +245,7 @@ class Cvode:
         by_name = dict(zip(_counter, (int(value) for value in now), strict=True))
         return SolverCounters(
             steps=by_name["Steps"],
-            evaluations=by_name["RhsEvals"] + by_name["LinRhsEvals"],
+            evaluations=by_name["RhsEvals"] + by_name["LinRhsEvals"] + self._jacobian_evaluations,
             jacobians=by_name["JacEvals"],
             error_test_failures=by_name["ErrTestFails"],
             convergence_failures=by_name["NonlinSolvConvFails"],
@@ -260,6 +285,25 @@ class Cvode:
             return 0
 
         return rhs
+
+    def _difference_quotients(self, time: float, x: Any, dx: Any, matrix: Any, data: Any, *work: Any) -> int:
+        size = self._nominal.size
+        states = np.ctypeslib.as_array(NV_DATA_S(x), (size,))
+        here = np.ctypeslib.as_array(NV_DATA_S(dx), (size,))
+        moved = np.ctypeslib.as_array(NV_DATA_S(work[0]), (size,))
+        columns = np.ctypeslib.as_array(_matrix_data(matrix), (size, size))
+        increments = _ROOT_OF_ROUNDING * np.maximum(np.abs(states), self._nominal)
+        for k in range(size):
+            kept = float(states[k])
+            states[k] = kept + increments[k]
+            status: int = self._rhs(time, x, work[0], data)
+            step = states[k] - kept
+            states[k] = kept
+            self._jacobian_evaluations += 1
+            if status != 0:
+                return status
+            columns[k] = (moved - here) / step
+        return 0
 
     def _guard_root(self, indicators: Callable[[float, Any, Any], None]) -> Callable[..., int]:
         def root(time: float, x: Any, values: Any, _data: Any) -> int:

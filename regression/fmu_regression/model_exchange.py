@@ -22,6 +22,16 @@ _MAX_STEPS_AT_A_TIME = 200
 Watch = Callable[[float], None]
 
 
+def absolute_tolerance(relative: float) -> float:
+    """Absolute tolerance for states of nominal value 1.
+
+    Positions have the nominal value 1 m as a rule, and penetrations of a micrometre carry the load: with the relative
+    tolerance itself they, and the fast modes of stiff contacts, would be left undetermined. Below a nanometre the
+    rounding of contact geometry times the contact's stiffness would keep Newton's iteration from converging.
+    """
+    return min(relative, max(1e-3 * relative, 1e-9))
+
+
 def integrate(
     instance: Instance,
     variables: Sequence[Variable],
@@ -39,7 +49,7 @@ def integrate(
         instance: a fresh instance.
         variables: what to record.
         grid: output times, shape (n,), n >= 2.
-        tolerance: relative tolerance; the absolute one of a state is that times its nominal value.
+        tolerance: relative tolerance; a state's absolute one is ``absolute_tolerance`` of it times its nominal value.
         start_values: checked start values.
         max_step: longest internal step in s.
         watch: called with the time after every internal step; may raise to stop.
@@ -96,7 +106,8 @@ class _Master:
             self._states(),
             self.instance.description.indicator_count,
             self.tolerance,
-            self._absolute(),
+            absolute_tolerance(self.tolerance),
+            self._nominal(),
             self.max_step,
         ) as solver:
             try:
@@ -150,7 +161,7 @@ class _Master:
                 self.raw.enterEventMode()
                 self._iterate_events(f"the event at t = {reached:.9g}")
                 self.recorder.sample(reached)
-                solver.restart(reached, self._states(), self._absolute())
+                solver.restart(reached, self._states(), self._nominal())
             self.watch(reached)
 
     def _iterate_events(self, where: str) -> None:
@@ -173,13 +184,13 @@ class _Master:
         self.raw.getContinuousStates(values, self.state_count)
         return np.array(values)
 
-    def _absolute(self) -> FloatArray:
+    def _nominal(self) -> FloatArray:
         if not self.state_count:
             return np.ones(1)
         values = (ctypes.c_double * self.state_count)()
         self.raw.getNominalsOfContinuousStates(values, self.state_count)
         nominal: FloatArray = np.abs(np.array(values))
-        return self.tolerance * nominal
+        return nominal
 
     def _move(self, time: float, states: Any) -> None:
         self.raw.setTime(time)
