@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from assembly_text import joint, part, write_assembly
 from cad2modelica import generate, read_assembly
-from cad2modelica.collision_shapes import CollisionGeometry, CollisionShape
+from cad2modelica.collision_shape import CollisionShape
+from cad2modelica.collision_shapes import CollisionGeometry
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.model import Assembly, Plane
 from cad2modelica.reach import Ball, Reach

@@ -1,0 +1,67 @@
+"""One convex shape and its text for the contact engine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from cad2modelica.spatial import IDENTITY, Array, Pose
+
+
+@dataclass(frozen=True, eq=False)
+class CollisionShape:
+    """One convex shape of a body.
+
+    Attributes:
+        kind: "sphere", "box", "capsule" or "hull".
+        pose: of the shape's frame in the body's.
+        radius: of spheres and capsules, m.
+        length: of a capsule's segment, m.
+        size: full lengths of a box, m.
+        vertices: corners of a hull in the body's frame, shape (n, 3), m.
+    """
+
+    kind: str
+    pose: Pose = IDENTITY
+    radius: float = 0.0
+    length: float = 0.0
+    size: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    vertices: Array | None = None
+
+    @property
+    def outline(self) -> tuple[Array, float]:
+        """Points of the body's frame, shape (n, 3), whose convex hull, grown by a margin (m), is the shape."""
+        if self.vertices is not None:
+            return self.pose.point(self.vertices), 0.0
+        if self.kind == "box":
+            signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+            return self.pose.point(signs * np.array(self.size) / 2), 0.0
+        return self.pose.point(np.array([[0, 0, -self.length / 2], [0, 0, self.length / 2]])), self.radius
+
+    @property
+    def descriptor(self) -> str:
+        """The contact engine's text for the shape."""
+        words = ["cmb/1", self.kind]
+        if self.kind == "box":
+            words.append(f"size={_numbers(np.array(self.size))}")
+        elif self.kind == "hull" and self.vertices is not None:
+            words.append(f"vertices={_numbers(self.vertices.ravel())}")
+        else:
+            words.append(f"radius={_number(self.radius)}")
+        if self.kind == "capsule":
+            words.append(f"length={_number(self.length)}")
+        if self.pose.position.any():
+            words.append(f"position={_numbers(self.pose.position)}")
+        if (self.pose.rotation != np.eye(3)).any():
+            words.append(f"rotation={_numbers(self.pose.rotation.T.ravel())}")
+        return " ".join(words)
+
+
+def _number(value: float) -> str:
+    number = float(value)
+    return "0" if number == 0.0 else repr(number).removesuffix(".0")
+
+
+def _numbers(values: Array) -> str:
+    return ",".join(_number(value) for value in values)

@@ -1,0 +1,172 @@
+"""Recognises boxes, spheres and capsules by the corners of their convex hulls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from scipy.optimize import least_squares
+from scipy.spatial import ConvexHull
+
+from cad2modelica.collision_shape import CollisionShape
+from cad2modelica.model import CollisionChoice
+from cad2modelica.spatial import Array, Pose
+
+FIT_TOLERANCE = 1e-6  # largest distance of a vertex from a recognised surface, relative to the size
+ROUND_VOLUME = 0.85  # a tessellated round body fills at least this share of the exact one
+
+
+def recognise(hull: ConvexHull, choice: CollisionChoice) -> CollisionShape | None:
+    """The simple shape that a hull is within tolerance, if the choice allows it; None if it is none.
+
+    Args:
+        hull: of the body, in the body's frame, m.
+        choice: of the part; a single shape's choice looks for that shape only.
+    """
+    if choice is CollisionChoice.HULL:
+        return None
+    points = hull.points[hull.vertices]
+    for recogniser in (RECOGNISERS[choice],) if choice in RECOGNISERS else RECOGNISERS.values():
+        shape = recogniser(points, hull)
+        if shape is not None:
+            return shape
+    return None
+
+
+def _as_box(points: Array, hull: ConvexHull) -> CollisionShape | None:
+    """Eight corners, three orthogonal directions of faces, and the volume of the box they span."""
+    if len(points) != 8:
+        return None
+    axes = _orthogonal_axes(hull.equations[:, :3])
+    if axes is None:
+        return None
+    local = points @ axes
+    low, high = local.min(axis=0), local.max(axis=0)
+    size = high - low
+    to_corner = np.minimum(np.abs(local - low), np.abs(local - high)).max()
+    if to_corner > FIT_TOLERANCE * np.linalg.norm(size):
+        return None
+    center = axes @ ((low + high) / 2)
+    return CollisionShape("box", _tidy(Pose(center, axes), float(np.linalg.norm(size))), size=_triple(size))
+
+
+def _orthogonal_axes(normals: Array) -> Array | None:
+    """A right-handed frame of face normals at right angles, nearest to the body's axes; None if there is none."""
+    distinct: list[Array] = []
+    for normal in normals:
+        if all(abs(abs(float(normal @ other)) - 1.0) > FIT_TOLERANCE for other in distinct):
+            distinct.append(normal)
+    if len(distinct) != 3:
+        return None
+    matrix = np.column_stack(distinct)
+    if np.abs(matrix.T @ matrix - np.eye(3)).max() > FIT_TOLERANCE:
+        return None
+    left, _, right = np.linalg.svd(matrix)
+    matrix = left @ right
+    columns: list[int] = []
+    for row in range(3):
+        order = np.argsort(-np.abs(matrix[row]), kind="stable")
+        columns.append(next(int(k) for k in order if int(k) not in columns))
+    axes = matrix[:, columns]
+    axes = axes * np.where(np.diag(axes) < 0, -1.0, 1.0)
+    return np.asarray(axes if np.linalg.det(axes) > 0 else axes * np.array([1.0, 1.0, -1.0]))
+
+
+def _as_sphere(points: Array, hull: ConvexHull) -> CollisionShape | None:
+    """All corners at one distance from a point, and enough of them to be a tessellated sphere."""
+    middle = points.mean(axis=0)
+    local = points - middle
+    matrix = np.column_stack([2 * local, np.ones(len(local))])
+    solution, _, rank, _ = np.linalg.lstsq(matrix, (local * local).sum(axis=1), rcond=None)
+    if rank < 4:
+        return None
+    center = solution[:3]
+    distances = np.linalg.norm(local - center, axis=1)
+    radius = float(distances.mean())
+    if np.abs(distances - radius).max() > FIT_TOLERANCE * radius:
+        return None
+    if hull.volume < ROUND_VOLUME * 4 / 3 * np.pi * radius**3:
+        return None
+    return CollisionShape("sphere", _tidy(Pose(center + middle, np.eye(3)), radius), radius=_round(radius))
+
+
+def _as_capsule(points: Array, hull: ConvexHull) -> CollisionShape | None:
+    """All corners at one distance from a segment, found by least squares from the longest direction."""
+    middle = points.mean(axis=0)
+    extent = points - middle
+    for direction in _axis_candidates(extent):
+        along = extent @ direction
+        across = np.linalg.norm(extent - np.outer(along, direction), axis=1)
+        radius = float(across.max())
+        half = float(along.max() - along.min()) / 2 - radius
+        if half <= FIT_TOLERANCE * radius:
+            continue
+        start = np.concatenate([direction * half, -direction * half, [radius]])
+        fit = least_squares(_capsule_residuals, start, args=(extent,), method="lm", xtol=1e-15, ftol=1e-15)
+        first, second, radius = fit.x[:3], fit.x[3:6], float(fit.x[6])
+        residual = float(np.abs(_segment_distance(extent, first, second) - radius).max())
+        length = float(np.linalg.norm(first - second))
+        if radius <= 0 or residual > FIT_TOLERANCE * (radius + length):
+            continue
+        if hull.volume < ROUND_VOLUME * (4 / 3 * np.pi * radius**3 + np.pi * radius**2 * length):
+            continue
+        axis = (first - second) / length
+        if axis[int(np.argmax(np.abs(axis)))] < 0:
+            axis = -axis
+        axis = _snap(axis)
+        pose = Pose((first + second) / 2 + middle, _frame_along(axis))
+        return CollisionShape("capsule", _tidy(pose, length + radius), radius=_round(radius), length=_round(length))
+    return None
+
+
+def _axis_candidates(extent: Array) -> list[Array]:
+    _, vectors = np.linalg.eigh(extent.T @ extent)
+    return [vectors[:, 2], *np.eye(3)]
+
+
+def _capsule_residuals(unknowns: Array, points: Array) -> Array:
+    """Distances from the surface of the capsule with the segment's ends and the radius ``unknowns``, shape (7,)."""
+    return np.asarray(_segment_distance(points, unknowns[:3], unknowns[3:6]) - unknowns[6])
+
+
+def _segment_distance(points: Array, first: Array, second: Array) -> Array:
+    direction = second - first
+    share = np.clip((points - first) @ direction / (direction @ direction), 0.0, 1.0)
+    return np.asarray(np.linalg.norm(points - first - np.outer(share, direction), axis=1))
+
+
+def _frame_along(axis: Array) -> Array:
+    helper = np.zeros(3)
+    helper[int(np.argmin(np.abs(axis)))] = 1.0
+    first = np.cross(helper, axis)
+    first /= np.linalg.norm(first)
+    return np.column_stack([first, np.cross(axis, first), axis])
+
+
+def _snap(axis: Array) -> Array:
+    rounded = np.rint(axis)
+    return rounded if np.abs(axis - rounded).max() < FIT_TOLERANCE else axis
+
+
+def _tidy(pose: Pose, size: float) -> Pose:
+    """Removes what is only rounding of the fit: offsets and rotation elements below the fit's accuracy."""
+    position = np.array([0.0 if abs(value) < 1e-3 * FIT_TOLERANCE * size else _round(value) for value in pose.position])
+    rotation = np.rint(pose.rotation)
+    return Pose(position, rotation if np.abs(rotation - pose.rotation).max() < 1e-9 else pose.rotation)
+
+
+def _round(value: float) -> float:
+    """Nine significant digits, as many as exported coordinates carry."""
+    return float(f"{value:.9g}")
+
+
+def _triple(values: Array) -> tuple[float, float, float]:
+    x, y, z = (_round(float(value)) for value in values)
+    return x, y, z
+
+
+RECOGNISERS: dict[CollisionChoice, Callable[[Array, ConvexHull], CollisionShape | None]] = {
+    CollisionChoice.BOX: _as_box,
+    CollisionChoice.SPHERE: _as_sphere,
+    CollisionChoice.CAPSULE: _as_capsule,
+}
