@@ -25,7 +25,7 @@ from cad2modelica.mesh import Indices
 from cad2modelica.spatial import Array
 
 MAXIMUM_CORNERS = 64  # of a piece: the cost of a distance grows with them
-MAXIMUM_TRIANGLES = 50_000  # CoACD's time grows with them: about a minute here
+MAXIMUM_TRIANGLES = 50_000  # CoACD's time grows with them: about half a minute here
 TIME_LIMIT = 600.0  # s
 SEED = 0
 SEARCH = {"resolution": 1000, "nodes": 10, "iterations": 30}  # of the search; CoACD: 2000, 20, 150
