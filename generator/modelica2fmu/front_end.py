@@ -45,13 +45,30 @@ def load_flat_model(model: str, file: Path, roots: Sequence[Path], source_map: S
         ) from error
     try:
         with _without_modelicapath():
-            compiled = rumoca.Session([str(root) for root in roots]).load(str(file), model=model)
+            compiled = _compile(rumoca.Session([str(root) for root in roots]), model, file, roots)
             flat: dict[str, Any] = compiled.to_dict("flat")
     except rumoca.RumocaError as error:
         raise _input_error(rumoca, str(error), model, file) from error
     except (OSError, RuntimeError, ValueError) as error:
         raise InputError(f"{model} cannot be compiled: {error}", place=Place(file=file)) from error
     return read_flat_model(flat, model, source_map)
+
+
+def _compile(session: Any, model: str, file: Path, roots: Sequence[Path]) -> Any:
+    """Loads ``file`` and compiles ``model``.
+
+    rumoca loads only libraries that the loaded text names, not those that they name in turn. A model in a file of its
+    own is therefore followed by a class that names them all; places in the text stay as they are.
+    """
+    if file.name == "package.mo":
+        return session.load(str(file), model=model)
+    packages = [root.name for root in roots if (root / "package.mo").is_file()]
+    packages += ["Modelica" for root in roots if (root / "Modelica" / "package.mo").is_file()]
+    imports = "".join(f"  import {package};\n" for package in dict.fromkeys(packages))
+    text = file.read_text(encoding="utf-8")
+    return session.loads(
+        f"{text}\nclass 'cmb libraries'\n{imports}end 'cmb libraries';\n", model=model, filename=str(file)
+    )
 
 
 @contextmanager

@@ -27,14 +27,8 @@ _MAX_LOG_LINES = 200
 _STATUS_NAMES = ("ok", "warning", "discard", "error", "fatal", "pending")
 
 
-def _fmpy_callbacks() -> Any:
-    callbacks = fmpy.fmi2.fmi2CallbackFunctions()
-    callbacks.logger = fmpy.fmi2.fmi2CallbackLoggerTYPE(fmpy.fmi2.printLogMessage)
-    return callbacks
-
-
 # What FMPy itself logs through; handed back to its proxy after each simulation.
-_FMPY_CALLBACKS = _fmpy_callbacks()
+_FMPY_LOGGER = fmpy.fmi2.fmi2CallbackLoggerTYPE(fmpy.fmi2.printLogMessage)
 
 
 @dataclass(frozen=True)
@@ -185,7 +179,7 @@ class Fmu:
             yield instance
         finally:
             raw.freeInstance()
-            _log_through(_FMPY_CALLBACKS)
+            _log_through(fmpy.fmi2.fmi2CallbackFunctions(logger=_FMPY_LOGGER))
 
 
 @contextmanager
@@ -364,7 +358,8 @@ def _callbacks(messages: list[str]) -> Any:
 def _log_through(callbacks: Any) -> None:
     """Lets FMPy's native proxy format the variadic arguments of messages before the logger of ``callbacks`` sees them.
 
-    The proxy hands messages to the logger it was given last, in the whole process: that one must stay alive.
+    The proxy hands messages to the logger it was given last, in the whole process: that one must stay alive. It takes
+    the logger's place in ``callbacks``, which must therefore be new.
     """
     from fmpy.logging import addLoggerProxy
 
