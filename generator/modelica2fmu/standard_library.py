@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from cmb_base.cache import user_cache
 from cmb_base.errors import InputError, Place
 
 _VERSION: Final = re.compile(r'\bversion\s*=\s*"([^"]+)"')
@@ -37,9 +38,8 @@ class StandardLibrary:
 
 
 def cache_folder(environment: Mapping[str, str] = os.environ) -> Path:
-    """Where ``cmb msl install`` keeps the official releases."""
-    base = environment.get("XDG_CACHE_HOME") or str(Path(environment.get("HOME", "~")).expanduser() / ".cache")
-    return Path(base) / "contactmultibody" / "msl"
+    """Where official releases are kept."""
+    return user_cache("msl", environment)
 
 
 def core_subset() -> Path:
