@@ -1,11 +1,9 @@
 #include "contact_multibody.h"
 
-#include <cmath>
-#include <exception>
-#include <new>
 #include <string>
 
-#include "interface/last_error.hpp"
+#include "interface/call_guard.hpp"
+#include "interface/pose_check.hpp"
 #include "query/overlap_query.hpp"
 #include "query/pair_query.hpp"
 #include "scene/registry.hpp"
@@ -18,60 +16,9 @@ using cmb::Pose;
 using cmb::Scene;
 using cmb::Vec3;
 
-constexpr double rotation_tolerance = 1e-2;
-constexpr double farthest_position = 1e12;  // m
-
-cmb_status fail(cmb_status status, const std::string &text) {
-  cmb::set_last_error(text.c_str());
-  return status;
-}
-
-// Runs `work`, turning exceptions into a status: none may leave through a C interface.
-template <typename Work>
-cmb_status guarded(Work &&work) noexcept {
-  try {
-    return work();
-  } catch (const cmb::SceneError &error) {
-    cmb::set_last_error(error.what());
-    return error.status();
-  } catch (const std::bad_alloc &) {
-    cmb::set_last_error("out of memory; make the scene smaller");
-    return CMB_ERROR_MEMORY;
-  } catch (const std::exception &error) {
-    cmb::set_last_error(error.what());
-    return CMB_ERROR_INTERNAL;
-  } catch (...) {
-    cmb::set_last_error("unknown failure");
-    return CMB_ERROR_INTERNAL;
-  }
-}
-
-// What is wrong with a body's pose; null if nothing.
-const char *pose_problem(const double *position, const double *rotation) {
-  for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(position[i])) return "has a position that is not finite";
-    if (std::fabs(position[i]) > farthest_position) return "is farther than 1e12 m from the origin";
-  }
-  for (int i = 0; i < 3; ++i) {
-    const double *row = rotation + 3 * i;
-    for (int j = i; j < 3; ++j) {
-      const double *other = rotation + 3 * j;
-      const double product = row[0] * other[0] + row[1] * other[1] + row[2] * other[2] - (i == j ? 1.0 : 0.0);
-      if (!(std::fabs(product) <= rotation_tolerance)) return "has a rotation that is not orthonormal to 1e-2";
-    }
-  }
-  const double *r = rotation;
-  const double determinant = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
-                             r[2] * (r[3] * r[7] - r[4] * r[6]);
-  return determinant > 0.0 ? nullptr : "has a rotation that is a reflection";
-}
-
-cmb_status check_body(std::size_t body, const double *position, const double *rotation) {
-  const char *problem = pose_problem(position + 3 * body, rotation + 9 * body);
-  if (problem == nullptr) return CMB_OK;
-  return fail(CMB_ERROR_POSE, "body " + std::to_string(body + 1) + " " + problem +
-                                  "; check the initial values, or the step size of the integrator");
-}
+using cmb::check_body_pose;
+using cmb::fail;
+using cmb::guarded;
 
 cmb_status check_query(cmb_scene handle, const double *position, const double *rotation, std::size_t body_count,
                        std::size_t point_capacity, const Scene *&scene) {
@@ -106,7 +53,7 @@ cmb_status check_pair_query(cmb_scene handle, std::size_t pair, const double *po
                                         std::to_string(scene->pairs.size()) + ", counted from 0");
   }
   for (const std::size_t body : {scene->pairs[pair].first, scene->pairs[pair].second}) {
-    status = check_body(body, position, rotation);
+    status = check_body_pose(body, position, rotation);
     if (status != CMB_OK) return status;
   }
   return CMB_OK;
@@ -186,7 +133,7 @@ cmb_status cmb_query_scene(cmb_scene scene, const double *position, const double
       return fail(CMB_ERROR_ARGUMENT, "an output array is NULL");
     }
     for (size_t body = 0; body < body_count; ++body) {
-      status = check_body(body, position, rotation);
+      status = check_body_pose(body, position, rotation);
       if (status != CMB_OK) return status;
     }
     for (size_t pair = 0; pair < pair_count; ++pair) {

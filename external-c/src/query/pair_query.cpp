@@ -51,25 +51,24 @@ double distance_bound(const Shape &a, const Pose &pose_a, const Shape &b, const 
   return norm(pose_a(a.bound_center) - pose_b(b.bound_center)) - a.bound_radius - b.bound_radius;
 }
 
-// One pair of shapes, not both half-spaces; appends to result.points.
+}  // namespace
+
 void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                   QueryScratch &scratch, ContactSet &result, cmb_backend &who) {
   if (b.kind == ShapeKind::halfspace) {
     who = CMB_BACKEND_ANALYTIC;
-      halfspace_contact(a, pose_a, world_plane(pose_b), result);
+    halfspace_contact(a, pose_a, world_plane(pose_b), result);
     return;
   }
   if (a.kind == ShapeKind::halfspace) {
     who = CMB_BACKEND_ANALYTIC;
-      halfspace_contact(b, pose_b, world_plane(pose_a), result);
+    halfspace_contact(b, pose_b, world_plane(pose_a), result);
     reverse(result);
     return;
   }
   const ConvexAnswer answer = convex_answer(scene, a, pose_a, b, pose_b, scratch.backend, who);
   convex_contact(a, pose_a, b, pose_b, answer, scratch.manifold, result);
 }
-
-}  // namespace
 
 Pose body_pose(const double *position, const double *rotation) {
   // `rotation` is world to body: its rows are the body's axes in the world. They are made orthonormal to rounding.

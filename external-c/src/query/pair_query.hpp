@@ -31,6 +31,11 @@ struct PairReport {
   cmb_backend backend = CMB_BACKEND_AUTO;  // who answered for the nearest shapes; AUTO where there are none
 };
 
+// The contact of two shapes, not both half-spaces, at their poses in the world: writes distance, normal and witness of
+// `result` and appends to its points. `who` receives the back end that answered.
+void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                  QueryScratch &scratch, ContactSet &result, cmb_backend &who);
+
 // The contact of bodies A and B; `result` is overwritten. Bodies without shape, and pairs of half-spaces, never
 // touch: their distance is CMB_DISTANCE_NONE.
 void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b, const Pose &pose_b,

@@ -1,0 +1,13 @@
+// Poses as callers give them.
+#pragma once
+
+#include <cstddef>
+
+#include "contact_multibody.h"
+
+namespace cmb {
+
+// CMB_OK, or CMB_ERROR_POSE with an error text that names the body (0-based index into the arrays).
+cmb_status check_body_pose(std::size_t body, const double *position, const double *rotation);
+
+}  // namespace cmb
