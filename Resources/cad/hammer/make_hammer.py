@@ -17,14 +17,23 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import cadquery as cq
-from cadquery.occ_impl.exporters.assembly import exportAssembly, toCAF
-from lxml import etree
-from OCP.BRepGProp import BRepGProp
-from OCP.BRepMesh import BRepMesh_IncrementalMesh
-from OCP.GProp import GProp_GProps
-from OCP.VrmlAPI import VrmlAPI_ShadedRepresentation, VrmlAPI_Writer
+from cadquery.occ_impl.exporters.assembly import exportAssembly
 
-NAMESPACE = "urn:contactmultibody:assembly:1"
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))  # cad_export lies beside the samples' folders
+
+from cad_export import (
+    add,
+    add_mass_properties,
+    new_assembly,
+    number,
+    numbers,
+    solid_of,
+    vrml_name,
+    weigh,
+    write_vrml,
+    write_xml,
+)
+
 CHORD_ERROR = 0.25  # mm
 ANGLE_ERROR = 0.30  # rad
 
@@ -62,14 +71,6 @@ class PartModel:
     def location(self) -> cq.Location:
         """The pose in the assembly."""
         return cq.Location(self.position, (0, 1, 0), self.angle_about_y)
-
-
-def solid_of(work: cq.Workplane) -> cq.Solid:
-    """The only solid of a workplane."""
-    (solid,) = work.solids().vals()
-    if not isinstance(solid, cq.Solid):
-        raise TypeError(f"expected a solid, got {type(solid).__name__}")
-    return solid
 
 
 def stadium(length: float, radius: float, half_width: float) -> cq.Workplane:
@@ -132,38 +133,6 @@ def make_ball() -> PartModel:
     return PartModel("ball", "steel", (solid_of(ball),), (0.80, 0.10, 0.10), (ANVIL_EDGE + BALL_OVERHANG, 0.0, height))
 
 
-def number(value: float) -> str:
-    """Shortest text that reads back to ``value`` rounded to 12 significant digits, without a negative zero."""
-    rounded = float(f"{value:.12g}")
-    return "0" if rounded == 0 else f"{rounded:.12g}"
-
-
-def numbers(*values: float) -> str:
-    """Blank-separated numbers."""
-    return " ".join(number(value) for value in values)
-
-
-def weigh(part: PartModel) -> tuple[float, tuple[float, float, float], list[list[float]]]:
-    """Mass (kg), centre of mass (mm) and inertia about it (kg mm2) in the part's axes, by the kernel."""
-    properties = GProp_GProps()
-    for solid in part.solids:
-        single = GProp_GProps()
-        BRepGProp.VolumeProperties_s(solid.wrapped, single, 1e-9)
-        properties.Add(single, DENSITY[part.material] * 1e-9)
-    centre = properties.CentreOfMass()
-    matrix = properties.MatrixOfInertia()
-    scale = max(abs(matrix.Value(i, i)) for i in (1, 2, 3))
-    inertia = [[matrix.Value(i, j) for j in (1, 2, 3)] for i in (1, 2, 3)]
-    cleaned = [[0.0 if abs(value) < 1e-8 * scale else value for value in row] for row in inertia]
-    coordinates = tuple(0.0 if abs(value) < 1e-6 else value for value in (centre.X(), centre.Y(), centre.Z()))
-    return properties.Mass(), (coordinates[0], coordinates[1], coordinates[2]), cleaned
-
-
-def vrml_name(name: str) -> str:
-    """The DEF name that the kernel's writer makes of a product name."""
-    return re.sub(r"\s", "_", name)
-
-
 def assembly_of(parts: list[PartModel], *, colored: bool) -> cq.Assembly:
     """The product structure: the swing's parts form an assembly of their own."""
     assembly = cq.Assembly(name="hammer")
@@ -175,19 +144,6 @@ def assembly_of(parts: list[PartModel], *, colored: bool) -> cq.Assembly:
     return assembly
 
 
-def write_vrml(assembly: cq.Assembly, parts: list[PartModel], file: Path) -> None:
-    """Meshes the parts and has the kernel write them, product structure and names included."""
-    for part in parts:
-        for solid in part.solids:
-            BRepMesh_IncrementalMesh(solid.wrapped, CHORD_ERROR, False, ANGLE_ERROR, False)
-    _, document = toCAF(assembly, coloredSTEP=True)
-    writer = VrmlAPI_Writer()
-    writer.SetRepresentation(VrmlAPI_ShadedRepresentation)
-    writer.SetDeflection(CHORD_ERROR)
-    if not writer.WriteDoc(document, str(file), 1.0):
-        raise RuntimeError(f"the kernel could not write {file}")
-
-
 def write_step(assembly: cq.Assembly, file: Path) -> None:
     """Writes STEP; the time stamp is set to a fixed one so that the same model gives the same file."""
     exportAssembly(assembly, str(file))
@@ -195,16 +151,9 @@ def write_step(assembly: cq.Assembly, file: Path) -> None:
     file.write_text(re.sub(r"'\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d'", "'2000-01-01T00:00:00'", text), encoding="utf-8")
 
 
-def add(owner: etree._Element, tag: str, text: str | None = None, **attributes: str) -> etree._Element:
-    """Adds a child element."""
-    element = etree.SubElement(owner, f"{{{NAMESPACE}}}{tag}", attributes)
-    element.text = text
-    return element
-
-
-def write_xml(parts: list[PartModel], file: Path) -> None:
+def write_assembly(parts: list[PartModel], file: Path) -> None:
     """Writes the assembly's XML file."""
-    root = etree.Element(f"{{{NAMESPACE}}}assembly", {"name": "Hammer"}, nsmap={None: NAMESPACE})
+    root = new_assembly("Hammer")
     add(root, "description", "A hammer on a two-link swing falls on an anvil; a ball rolls off the anvil's edge")
     add(root, "source", system="CadQuery, Open CASCADE Technology", file="hammer.step")
     add(root, "units", length="mm", mass="kg", angle="deg")
@@ -231,7 +180,6 @@ def write_xml(parts: list[PartModel], file: Path) -> None:
     add(ground, "plane", name="floor", material="concrete")
     section = add(root, "parts")
     for part in parts:
-        mass, centre, inertia = weigh(part)
         element = add(section, "part", name=part.name, material=part.material)
         if part.grounded:
             element.set("grounded", "true")
@@ -239,22 +187,7 @@ def write_xml(parts: list[PartModel], file: Path) -> None:
         add(pose, "position", numbers(*part.position))
         if part.angle_about_y:
             add(pose, "axisAngle", axis="0 1 0", angle=number(part.angle_about_y))
-        properties = add(element, "massProperties")
-        add(properties, "mass", number(mass))
-        add(properties, "centerOfMass", numbers(*centre))
-        add(
-            properties,
-            "inertia",
-            about="centerOfMass",
-            axes="part",
-            products="tensor",
-            xx=number(inertia[0][0]),
-            yy=number(inertia[1][1]),
-            zz=number(inertia[2][2]),
-            xy=number(inertia[0][1]),
-            xz=number(inertia[0][2]),
-            yz=number(inertia[1][2]),
-        )
+        add_mass_properties(element, weigh((solid, DENSITY[part.material]) for solid in part.solids))
         add(element, "geometry", file="hammer.wrl", node=vrml_name(part.name), coordinates="node", length="mm")
     joints = add(root, "joints")
     head = next(part for part in parts if part.name == "hammer head")
@@ -268,8 +201,7 @@ def write_xml(parts: list[PartModel], file: Path) -> None:
         add(joint, "start", position=number(angle), speed="0")
     contacts = add(root, "contacts", default="all", stiffness="1e6")
     add(contacts, "exclude", first="frame", second="hammer head")
-    etree.indent(root)
-    file.write_bytes(etree.tostring(root, xml_declaration=True, encoding="UTF-8") + b"\n")
+    write_xml(root, file)
 
 
 def main() -> None:
@@ -277,10 +209,12 @@ def main() -> None:
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent
     folder.mkdir(parents=True, exist_ok=True)
     parts = [make_frame(), make_arm(), make_head(), make_anvil(), make_ball()]
-    write_vrml(assembly_of(parts, colored=True), parts, folder / "hammer.wrl")
+    solids = [solid for part in parts for solid in part.solids]
+    vrml = folder / "hammer.wrl"
+    write_vrml(assembly_of(parts, colored=True), solids, vrml, chord_error=CHORD_ERROR, angle_error=ANGLE_ERROR)
     # Without colours: the kernel writes coloured products in an order that changes from run to run.
     write_step(assembly_of(parts, colored=False), folder / "hammer.step")
-    write_xml(parts, folder / "hammer.xml")
+    write_assembly(parts, folder / "hammer.xml")
 
 
 if __name__ == "__main__":
