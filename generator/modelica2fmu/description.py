@@ -166,6 +166,8 @@ class ModelDescription:
         experiment: the default experiment.
         external: external code.
         resources: files for the ``resources`` folder.
+        internal_parameters: Real slots that no variable shows and that parameters decide; the runtime keeps them
+            over the initialization.
     """
 
     name: str
@@ -181,3 +183,4 @@ class ModelDescription:
     experiment: DefaultExperiment = field(default_factory=DefaultExperiment)
     external: ExternalCode = field(default_factory=ExternalCode)
     resources: tuple[Resource, ...] = ()
+    internal_parameters: tuple[int, ...] = ()

@@ -31,6 +31,17 @@ def describe_variables(reduced: ReducedModel, slots: Slots, states: Sequence[str
     return _Describer(reduced, slots, states).run()
 
 
+def internal_parameters(reduced: ReducedModel, slots: Slots) -> tuple[int, ...]:
+    """Real slots of parameters that the translation introduced, which no variable of the FMU shows."""
+    return tuple(
+        sorted(
+            slots.of[name].index
+            for name, variable in reduced.model.variables.items()
+            if variable.declaration is None and variable.kind is Kind.PARAMETER and variable.type == "Real"
+        )
+    )
+
+
 def describe_enumerations(reduced: ReducedModel) -> tuple[EnumerationType, ...]:
     """Enumeration types that variables of the model have."""
     return tuple(
@@ -51,11 +62,7 @@ class _Describer:
     def run(self) -> tuple[Variable, ...]:
         described: list[Variable] = []
         for name, variable in self._variables.items():
-            if variable.declaration is None:
-                # The runtime must know which Real slots parameters decide; all else of the translation stays inside.
-                if variable.kind is Kind.PARAMETER and variable.type == "Real":
-                    described.append(self._hidden(variable))
-            else:
+            if variable.declaration is not None:
                 described.append(self._describe(name, variable))
         names = {variable.name for variable in described}
         for state in self._states:
@@ -64,18 +71,6 @@ class _Describer:
         for state in self._states:
             described.append(self._derivative(state))
         return tuple(described)
-
-    def _hidden(self, variable: ScalarVariable) -> Variable:
-        """A variable of the translation, under a quoted name."""
-        return Variable(
-            name=f"'{variable.name}'",
-            type=_TYPES.get(variable.type, DataType.INTEGER),
-            value_reference=self._slots.of[variable.name].index,
-            causality=Causality.CALCULATED_PARAMETER,
-            variability=Variability.TUNABLE,
-            initial=Initial.CALCULATED,
-            description="Variable of the translation",
-        )
 
     def _describe(self, name: str, variable: ScalarVariable) -> Variable:
         declaration = variable.declaration

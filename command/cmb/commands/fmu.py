@@ -6,6 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from modelica2fmu.build import BuildOptions, build_fmu
+from modelica2fmu.packaging import FmiVersion
 
 from cmb.modelica_sources import find_sources
 from cmb.terminal import progress_bars
@@ -13,12 +14,13 @@ from cmb.terminal import progress_bars
 NAME = "fmu"
 SUMMARY = "build an FMU from a Modelica model, with the contact engine inside"
 DESCRIPTION = (
-    "Translates a Modelica model into an FMU 2.0 for model exchange and co-simulation. No Modelica tool is needed; "
-    "the Modelica Standard Library is used where one is found (see `cmb msl`)."
+    "Translates a Modelica model into an FMU (FMI 2.0 or 3.0) for model exchange and co-simulation. No Modelica tool "
+    "is needed; the Modelica Standard Library is used where one is found (see `cmb msl`)."
 )
 EXAMPLES = """examples:
   cmb fmu ContactMultiBody.Examples.BallOnFloor --output ball.fmu
   cmb fmu Robot.Mechatronics --source ./Robot --output robot.fmu
+  cmb fmu Robot.Mechatronics --source ./Robot --fmi 3 --output robot3.fmu
   cmb fmu ReferenceModels.DoublePendulum --source ReferenceModels.mo --msl /opt/ModelicaStandardLibrary
 """
 
@@ -30,6 +32,9 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--source", type=Path, action="append", default=[], metavar="PATH", help="Modelica file or package folder"
     )
     parser.add_argument("--output", type=Path, metavar="FMU", help="file to write (the model's last name if left out)")
+    parser.add_argument(
+        "--fmi", choices=("2", "3"), default="2", help="version of the FMI standard: 2.0 (if left out) or 3.0"
+    )
     parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
     parser.add_argument("--log", action="store_true", help="print what was chosen: states, blocks, index reduction")
 
@@ -42,7 +47,7 @@ def run(arguments: Namespace) -> int:
             arguments.model,
             find_sources(arguments.model, arguments.source),
             output,
-            BuildOptions(msl=arguments.msl),
+            BuildOptions(msl=arguments.msl, fmi=FmiVersion(f"{arguments.fmi}.0")),
             progress,
         )
     print(f"{output}: {len(report.states)} states, {report.event_indicators} event indicators")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
 from modelica2fmu.description import Causality, DataType, Initial, ModelDescription, Variability, Variable
 from modelica2fmu.packaging.solver_variables import FIRST_REFERENCE, SolverOptions, effective_tolerance
@@ -60,13 +60,15 @@ def _lines(items: Iterable[str], separator: str = ", ", width: int = 110) -> str
     return "\n".join(lines)
 
 
-def _table(name: str, variables: list[Variable]) -> tuple[str, str]:
+def _table(name: str, variables: list[Variable], internal_parameters: Sequence[int]) -> tuple[str, str]:
     """Definitions and initializer of one slot table."""
     variables = [variable for variable in variables if variable.value_reference < FIRST_REFERENCE]
-    if not variables:
+    if not variables and not internal_parameters:
         return "", f".{name} = {{0, NULL, NULL}}"
-    count = 1 + max(variable.value_reference for variable in variables)
+    count = 1 + max((*(variable.value_reference for variable in variables), *internal_parameters))
     bits = [0] * count
+    for slot in internal_parameters:
+        bits[slot] = IS_PARAMETER
     names: list[str | None] = [None] * count
     for variable in variables:
         slot = variable.value_reference
@@ -94,7 +96,14 @@ def interface_source(description: ModelDescription, options: SolverOptions) -> s
         ("boolean", lambda variable: variable.type is DataType.BOOLEAN),
         ("string", lambda variable: variable.type is DataType.STRING),
     )
-    tables = [_table(name, [v for v in description.variables if belongs(v)]) for name, belongs in groups]
+    tables = [
+        _table(
+            name,
+            [variable for variable in description.variables if belongs(variable)],
+            description.internal_parameters if name == "real" else (),
+        )
+        for name, belongs in groups
+    ]
     experiment = description.experiment
     members = [initializer for _, initializer in tables]
     members += [

@@ -1,0 +1,25 @@
+"""What can be chosen about a build."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from modelica2fmu.packaging import FmiVersion, SolverOptions
+
+
+@dataclass(frozen=True)
+class BuildOptions:
+    """What can be chosen about a build.
+
+    Attributes:
+        msl: folder of the Modelica Standard Library; ``None`` to look for it.
+        fmi: version of the FMI standard.
+        solver: defaults of the co-simulation integrator.
+        cache: folder where FMUs are kept by what they are made from; ``None`` to build afresh.
+    """
+
+    msl: Path | None = None
+    fmi: FmiVersion = FmiVersion.FMI2
+    solver: SolverOptions = field(default_factory=SolverOptions)
+    cache: Path | None = None

@@ -1,0 +1,88 @@
+"""From a Modelica model to generated C and what the FMU says about it."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from cmb_base.errors import InputError
+
+from modelica2fmu import expression as ex
+from modelica2fmu.alias import ReducedModel, eliminate_aliases
+from modelica2fmu.code_generation import GeneratedModel, generate
+from modelica2fmu.description import ModelDescription
+from modelica2fmu.experiment import read_experiment
+from modelica2fmu.external_code import find_external_code
+from modelica2fmu.front_end import load_flat_model
+from modelica2fmu.phases import PhaseClock
+from modelica2fmu.scalar_model import ScalarModel, derivative_name
+from modelica2fmu.scalarize import scalarize
+from modelica2fmu.source_map import SourceMap
+from modelica2fmu.sources import locate
+from modelica2fmu.standard_library import StandardLibrary, other_libraries
+from modelica2fmu.systems import Systems, build_systems
+from modelica2fmu.variables import describe_enumerations, describe_variables, internal_parameters
+
+_MODEL_NAME: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\.[A-Za-z_][A-Za-z0-9_]*)*")
+_RECURSION_LIMIT: Final = 20_000
+
+
+@dataclass(frozen=True)
+class Translation:
+    """The intermediate results of a translation, for the report and for tests."""
+
+    scalar: ScalarModel
+    reduced: ReducedModel
+    systems: Systems
+    generated: GeneratedModel
+    description: ModelDescription
+
+
+def translate(
+    model: str, sources: Sequence[Path], library: StandardLibrary, clock: PhaseClock | None = None
+) -> Translation:
+    """Everything up to the C; see :func:`modelica2fmu.build.build_fmu`."""
+    clock = clock or PhaseClock()
+    if not _MODEL_NAME.fullmatch(model):
+        raise InputError(f"{model!r} is no name of a Modelica class")
+    clock.begin("load")
+    file, roots = locate(model, sources)
+    roots = [*roots, library.folder, *other_libraries()]
+    source_map = SourceMap([file, *sources, library.folder])
+    limit = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(limit, _RECURSION_LIMIT))
+    try:
+        ex.new_graph()
+        flat = load_flat_model(model, file, roots, source_map)
+        clock.begin("expand")
+        scalar = scalarize(flat, source_map)
+        clock.begin("reduce")
+        reduced = eliminate_aliases(scalar, source_map)
+        clock.begin("sort")
+        systems = build_systems(reduced, source_map.place)
+        clock.begin("generate")
+        external = find_external_code(scalar.external_annotations, roots, model.split(".")[0])
+        generated = generate(reduced, systems, external.includes, source_map.place)
+    finally:
+        sys.setrecursionlimit(limit)
+    states = tuple(systems.reduction.states)
+    description = ModelDescription(
+        name=model,
+        identifier=model.replace(".", "_"),
+        guid=generated.guid,
+        variables=describe_variables(reduced, generated.slots, states),
+        states=states,
+        derivatives=tuple(derivative_name(name) for name in states),
+        outputs=tuple(name for name, variable in reduced.model.variables.items() if variable.is_output),
+        indicator_count=len(systems.model.relations),
+        description=flat.description,
+        enumerations=describe_enumerations(reduced),
+        experiment=read_experiment(model, sources),
+        external=external,
+        internal_parameters=internal_parameters(reduced, generated.slots),
+    )
+    return Translation(scalar, reduced, systems, generated, description)
