@@ -18,6 +18,9 @@ from modelica2fmu.source_map import SourceMap
 # Expression trees of a sound model are shallow; deeper ones are an attack or a generator gone wrong.
 _DEPTH_LIMIT: Final = 400
 
+# What a folder with the Modelica Standard Library holds.
+_STANDARD_PACKAGES: Final = ("Modelica", "ModelicaServices", "Complex")
+
 _BUILTIN_NAMES: Final = {
     "NoEvent": "noEvent", "OuterProduct": "outerProduct", "SemiLinear": "semiLinear",
 }  # fmt: skip
@@ -43,6 +46,9 @@ def load_flat_model(model: str, file: Path, roots: Sequence[Path], source_map: S
         raise BuildError(
             "the Modelica front end rumoca is not installed", remedy="install it: pip install rumoca==0.10.2"
         ) from error
+    # With a package and the folder around it among the roots, rumoca would see only the package.
+    resolved = {root.resolve() for root in roots}
+    roots = [root for root in roots if root.resolve().parent not in resolved]
     try:
         with _without_modelicapath():
             compiled = _compile(rumoca.Session([str(root) for root in roots]), model, file, roots)
@@ -58,16 +64,26 @@ def _compile(session: Any, model: str, file: Path, roots: Sequence[Path]) -> Any
     """Loads ``file`` and compiles ``model``.
 
     rumoca loads only libraries that the loaded text names, not those that they name in turn. A model in a file of its
-    own is therefore followed by a class that names them all; places in the text stay as they are.
+    own is therefore followed by a class that names them all; places in the text stay as they are. A model of a library
+    among ``roots`` needs that class alone.
     """
-    if file.name == "package.mo":
+    is_package = file.name == "package.mo"
+    is_library = is_package and file.parent.parent.resolve() in {root.resolve() for root in roots}
+    if is_package and not is_library:
         return session.load(str(file), model=model)
     packages = [root.name for root in roots if (root / "package.mo").is_file()]
-    packages += ["Modelica" for root in roots if (root / "Modelica" / "package.mo").is_file()]
+    packages += [
+        name
+        for root in roots
+        for name in _STANDARD_PACKAGES
+        if (root / name / "package.mo").is_file() or (root / f"{name}.mo").is_file()
+    ]
     imports = "".join(f"  import {package};\n" for package in dict.fromkeys(packages))
-    text = file.read_text(encoding="utf-8")
+    text = "" if is_library else file.read_text(encoding="utf-8")
     return session.loads(
-        f"{text}\nclass 'cmb libraries'\n{imports}end 'cmb libraries';\n", model=model, filename=str(file)
+        f"{text}\nclass 'cmb libraries'\n{imports}end 'cmb libraries';\n",
+        model=model,
+        filename="libraries.mo" if is_library else str(file),
     )
 
 
