@@ -29,7 +29,7 @@ def step_through(
     start_values: Mapping[str, StartValue],
     watch: Callable[[float], None],
 ) -> tuple[Recorder, SolverCounters | None]:
-    """Simulates a fresh co-simulation instance; rows are recorded at the grid only, as FMI 2.0 shows no events.
+    """Simulates a fresh co-simulation instance; rows are at the grid only, as the FMU handles its events itself.
 
     The counters are those that an FMU of ContactMultiBody shows as variables ``cmbSolver.*``; other FMUs have none.
 
@@ -44,23 +44,25 @@ def step_through(
     Raises:
         SimulationError: a step failed; the FMU's last messages are in the text.
     """
-    raw = instance.raw
+    functions = instance.functions
     recorder = Recorder(instance, variables)
     time = float(grid[0])
     try:
-        raw.setupExperiment(tolerance=tolerance, startTime=time, stopTime=float(grid[-1]))
         instance.set_start_values(start_values)
-        raw.enterInitializationMode()
-        raw.exitInitializationMode()
+        functions.enter_initialization(tolerance, time, float(grid[-1]))
+        functions.exit_initialization()
         recorder.sample(time)
         for target in grid[1:].tolist():
             # A discarded step raises too: repeating it with the same length would fail again.
-            raw.doStep(currentCommunicationPoint=time, communicationStepSize=target - time)
+            outcome = functions.do_step(time, target - time)
+            if outcome.terminated or outcome.time < target - 1e-9 * (target - time):
+                cause = "the model asked to be terminated" if outcome.terminated else "the FMU ended a step early"
+                raise instance.failure(f"{cause} at t = {outcome.time:.9g}")
             time = target
             recorder.sample(time)
             watch(time)
         counters = _counters(instance)
-        raw.terminate()
+        functions.terminate()
     except FMICallException as error:
         raise instance.failure(f"the simulation failed after t = {time:.9g}", error) from error
     return recorder, counters
@@ -72,5 +74,6 @@ def _counters(instance: Instance) -> SolverCounters | None:
     for attribute, name in _COUNTERS.items():
         if name not in variables or variables[name].kind != "Integer":
             return None
-        found[attribute] = int(instance.raw.getInteger([variables[name].reference])[0])
+        read = instance.functions.reader(variables[name].data_type, [variables[name].reference])
+        found[attribute] = int(read()[0])
     return SolverCounters(**found)

@@ -1,4 +1,4 @@
-"""Opening an FMU (FMI 2.0) through FMPy: its description, its variables and instances of it."""
+"""Opening an FMU (FMI 2.0 or 3.0) through FMPy: its description, its variables and instances of it."""
 
 from __future__ import annotations
 
@@ -10,25 +10,37 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Literal
+from typing import Any
 
 import fmpy
-import fmpy.fmi2
 from cmb_base.errors import InputError, Place, SimulationError
 from fmpy.fmi1 import FMICallException
 from fmpy.model_description import read_model_description
 
+from fmu_regression.binding import Binding, Identity, Mode
+from fmu_regression.fmi2_binding import Fmi2Binding
+from fmu_regression.fmi3_binding import Fmi3Binding
 from fmu_regression.result import close_names_remedy
 
-Mode = Literal["me", "cs"]
+__all__ = [
+    "Fmu",
+    "Instance",
+    "Mode",
+    "ModelDescription",
+    "StartValue",
+    "Variable",
+    "check_signals",
+    "check_start_values",
+    "open_fmu",
+    "read_description",
+]
+
 StartValue = float | int | bool | str
 
 _MAX_LOG_LINES = 200
 _STATUS_NAMES = ("ok", "warning", "discard", "error", "fatal", "pending")
 
-
-# What FMPy itself logs through; handed back to its proxy after each simulation.
-_FMPY_LOGGER = fmpy.fmi2.fmi2CallbackLoggerTYPE(fmpy.fmi2.printLogMessage)
+_BINDINGS: Mapping[str, type[Fmi2Binding] | type[Fmi3Binding]] = {"2.0": Fmi2Binding, "3.0": Fmi3Binding}
 
 
 @dataclass(frozen=True)
@@ -38,6 +50,7 @@ class Variable:
     Attributes:
         name: Modelica name.
         reference: FMI value reference.
+        data_type: the FMI type, "Real" in FMI 2.0 or "Float64" in 3.0.
         kind: "Real", "Integer", "Boolean", "String" or "Enumeration".
         causality: FMI causality, e.g. "output", "local", "parameter".
         variability: FMI variability, e.g. "continuous", "discrete", "fixed".
@@ -48,6 +61,7 @@ class Variable:
 
     name: str
     reference: int
+    data_type: str
     kind: str
     causality: str
     variability: str
@@ -61,11 +75,13 @@ class ModelDescription:
     """What an FMU says about itself, as far as simulating it needs.
 
     Attributes:
+        fmi: version of the standard, "2.0" or "3.0".
         name: model name.
-        guid: identity of the binary.
+        guid: identity of the binary (FMI 3.0: instantiation token).
         identifiers: mode to the name of the binary; has a key for each mode that the FMU offers.
-        variables: name to variable.
+        variables: name to variable; arrays, binaries and clocks of FMI 3.0 are left out.
         states: names of the continuous states, in the FMU's order.
+        state_count: number of continuous states, elements of arrays included.
         indicator_count: number of event indicators.
         needs_completed_step: whether the FMU wants to hear of every completed step.
         variable_steps: whether the co-simulation takes communication steps of different lengths.
@@ -73,11 +89,13 @@ class ModelDescription:
         generation_tool: the tool that wrote the FMU, or "".
     """
 
+    fmi: str
     name: str
     guid: str
     identifiers: Mapping[Mode, str]
     variables: Mapping[str, Variable]
     states: tuple[str, ...]
+    state_count: int
     indicator_count: int
     needs_completed_step: bool
     variable_steps: bool
@@ -89,16 +107,16 @@ class ModelDescription:
 
 
 class Instance:
-    """An instance of an FMU: FMPy's object with the messages that it logged.
+    """An instance of an FMU: its functions with the messages that it logged.
 
     Attributes:
-        raw: FMPy's ``FMU2Model`` or ``FMU2Slave``.
+        functions: the FMI functions of the instance.
         description: the FMU's description.
         messages: logged lines, "[status] category: text".
     """
 
-    def __init__(self, raw: Any, description: ModelDescription, messages: list[str]) -> None:
-        self.raw = raw
+    def __init__(self, functions: Binding, description: ModelDescription, messages: list[str]) -> None:
+        self.functions = functions
         self.description = description
         self.messages = messages
 
@@ -117,14 +135,7 @@ class Instance:
         """Sets start values; names and types must have been checked by ``check_start_values``."""
         for name, value in values.items():
             variable = self.description.variables[name]
-            if variable.kind == "Real":
-                self.raw.setReal([variable.reference], [float(value)])
-            elif variable.kind == "Boolean":
-                self.raw.setBoolean([variable.reference], [bool(value)])
-            elif variable.kind == "String":
-                self.raw.setString([variable.reference], [str(value)])
-            else:
-                self.raw.setInteger([variable.reference], [int(value)])
+            self.functions.set(variable.data_type, variable.reference, value)
 
 
 @dataclass(frozen=True)
@@ -158,28 +169,28 @@ class Fmu:
             offered = ", ".join(sorted(description.identifiers)) or "nothing"
             raise InputError(f"the FMU offers {offered}, not {mode}", place=Place(file=self.path))
         messages: list[str] = []
-        callbacks = _callbacks(messages)
-        kind = fmpy.fmi2.FMU2Model if mode == "me" else fmpy.fmi2.FMU2Slave
+        identity = Identity(self.folder, description.name, description.guid, description.identifiers[mode])
         try:
-            raw = kind(
-                guid=description.guid,
-                unzipDirectory=str(self.folder),
-                modelIdentifier=description.identifiers[mode],
-                instanceName=description.name,
-            )
+            functions: Binding = _BINDINGS[description.fmi](identity, mode)
         except Exception as error:
             raise SimulationError(f"cannot load the FMU's binary: {error}", place=Place(file=self.path)) from error
-        instance = Instance(raw, description, messages)
+        instance = Instance(functions, description, messages)
+
+        def log(status: int, category: str, text: str) -> None:
+            if len(messages) >= _MAX_LOG_LINES:
+                del messages[: _MAX_LOG_LINES // 2]
+            kind = f" {category}:" if category else ""
+            messages.append(f"[{_status_name(status)}]{kind} {text.rstrip()}")
+
         try:
-            raw.instantiate(callbacks=callbacks, loggingOn=logging)
+            functions.instantiate(log, logging)
         except Exception as error:
-            raw.freeLibrary()
+            functions.unload()
             raise instance.failure("the FMU cannot be instantiated", error) from error
         try:
             yield instance
         finally:
-            raw.freeInstance()
-            _log_through(fmpy.fmi2.fmi2CallbackFunctions(logger=_FMPY_LOGGER))
+            functions.free()
 
 
 @contextmanager
@@ -187,7 +198,7 @@ def open_fmu(path: Path) -> Iterator[Fmu]:
     """Unpacks an FMU into a temporary folder and reads its description.
 
     Raises:
-        InputError: the file is missing, no FMU, not FMI 2.0, or has no binary for this platform.
+        InputError: the file is missing, no FMU, neither FMI 2.0 nor 3.0, or has no binary for this platform.
     """
     if not path.is_file():
         raise InputError("there is no such file", place=Place(file=path))
@@ -198,8 +209,9 @@ def open_fmu(path: Path) -> Iterator[Fmu]:
             fmpy.extract(str(path), str(folder))
         except Exception as error:
             raise InputError(f"the FMU cannot be unpacked: {error}", place=Place(file=path)) from error
-        if not (folder / "binaries" / fmpy.platform).is_dir():
-            raise InputError(f"the FMU has no binary for {fmpy.platform}", place=Place(file=path))
+        platform = fmpy.platform if description.fmi == "2.0" else fmpy.platform_tuple
+        if not (folder / "binaries" / platform).is_dir():
+            raise InputError(f"the FMU has no binary for {platform}", place=Place(file=path))
         yield Fmu(path=path, folder=folder, description=description)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
@@ -209,15 +221,18 @@ def read_description(path: Path) -> ModelDescription:
     """Reads the description of an FMU file without unpacking it.
 
     Raises:
-        InputError: the file is missing, no FMU, or not FMI 2.0.
+        InputError: the file is missing, no FMU, or neither FMI 2.0 nor 3.0.
     """
     try:
         raw = read_model_description(str(path), validate=True)
     except Exception as error:
         raise InputError(f"not a valid FMU: {error}", place=Place(file=path)) from error
-    if raw.fmiVersion != "2.0":
+    version = ".".join(raw.fmiVersion.split(".")[:2])
+    if version not in _BINDINGS:
         raise InputError(
-            f"FMI {raw.fmiVersion} is not supported", place=Place(file=path), remedy="export the model as FMI 2.0"
+            f"FMI {raw.fmiVersion} is not supported",
+            place=Place(file=path),
+            remedy="export the model as FMI 2.0 or 3.0",
         )
     identifiers: dict[Mode, str] = {}
     if raw.modelExchange is not None:
@@ -225,12 +240,15 @@ def read_description(path: Path) -> ModelDescription:
     if raw.coSimulation is not None:
         identifiers["cs"] = raw.coSimulation.modelIdentifier
     experiment = raw.defaultExperiment
+    variables = (_variable(v) for v in raw.modelVariables if not v.shape)
     return ModelDescription(
+        fmi=version,
         name=raw.modelName,
         guid=raw.guid,
         identifiers=MappingProxyType(identifiers),
-        variables=MappingProxyType({v.name: _variable(v) for v in raw.modelVariables}),
+        variables=MappingProxyType({v.name: v for v in variables if v is not None}),
         states=tuple(d.variable.derivative.name for d in raw.derivatives or [] if d.variable.derivative is not None),
+        state_count=sum(math.prod(d.variable.shape or ()) for d in raw.derivatives or []),
         indicator_count=int(raw.numberOfEventIndicators or 0),
         needs_completed_step=bool(raw.modelExchange is not None and raw.modelExchange.needsCompletedIntegratorStep),
         variable_steps=bool(raw.coSimulation is not None and raw.coSimulation.canHandleVariableCommunicationStepSize),
@@ -312,7 +330,19 @@ def _converted(variable: Variable, value: StartValue, place: Place) -> StartValu
         raise InputError(f"{value!r} is not a value of type {variable.kind}", place=place) from None
 
 
-def _variable(raw: Any) -> Variable:
+def _kind(data_type: str) -> str | None:
+    """Real, Integer, Boolean, String or Enumeration; None for types that no simulation here reads."""
+    if data_type.startswith("Float"):
+        return "Real"
+    if data_type.startswith(("Int", "UInt")):
+        return "Integer"
+    return data_type if data_type in ("Real", "Boolean", "String", "Enumeration") else None
+
+
+def _variable(raw: Any) -> Variable | None:
+    kind = _kind(raw.type)
+    if kind is None:
+        return None
     causality = raw.causality or "local"
     variability = raw.variability or "continuous"
     settable = causality == "input" or (
@@ -322,7 +352,8 @@ def _variable(raw: Any) -> Variable:
     return Variable(
         name=raw.name,
         reference=int(raw.valueReference),
-        kind=raw.type,
+        data_type=raw.type,
+        kind=kind,
         causality=causality,
         variability=variability,
         unit=unit,
@@ -337,30 +368,3 @@ def _number(text: str | float | None) -> float | None:
 
 def _status_name(status: int) -> str:
     return _STATUS_NAMES[status] if 0 <= status < len(_STATUS_NAMES) else f"status {status}"
-
-
-def _callbacks(messages: list[str]) -> Any:
-    def logger(_component: Any, _instance: bytes, status: int, category: bytes | None, message: bytes | None) -> None:
-        if len(messages) >= _MAX_LOG_LINES:
-            del messages[: _MAX_LOG_LINES // 2]
-        text = (message or b"").decode("utf-8", "replace").rstrip()
-        kind = (category or b"").decode("utf-8", "replace")
-        messages.append(f"[{_status_name(status)}] {kind}: {text}" if kind else f"[{_status_name(status)}] {text}")
-
-    callbacks = fmpy.fmi2.fmi2CallbackFunctions()
-    callbacks.logger = fmpy.fmi2.fmi2CallbackLoggerTYPE(logger)
-    callbacks.allocateMemory = fmpy.fmi2.fmi2CallbackAllocateMemoryTYPE(fmpy.calloc)
-    callbacks.freeMemory = fmpy.fmi2.fmi2CallbackFreeMemoryTYPE(fmpy.free)
-    _log_through(callbacks)
-    return callbacks
-
-
-def _log_through(callbacks: Any) -> None:
-    """Lets FMPy's native proxy format the variadic arguments of messages before the logger of ``callbacks`` sees them.
-
-    The proxy hands messages to the logger it was given last, in the whole process: that one must stay alive. It takes
-    the logger's place in ``callbacks``, which must therefore be new.
-    """
-    from fmpy.logging import addLoggerProxy
-
-    addLoggerProxy(fmpy.fmi2.byref(callbacks))

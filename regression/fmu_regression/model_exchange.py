@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -67,7 +66,7 @@ def integrate(
 
 
 class _Master:
-    """One run; methods follow the modes of FMI 2.0, section 3.2."""
+    """One run; methods follow the modes of FMI 2.0.4, section 3.2, and FMI 3.0.2, section 3."""
 
     def __init__(
         self,
@@ -79,24 +78,23 @@ class _Master:
         watch: Watch,
     ) -> None:
         self.instance = instance
-        self.raw = instance.raw
+        self.functions = instance.functions
         self.grid = grid
         self.tolerance = tolerance
         self.max_step = max_step
         self.watch = watch
         self.recorder = Recorder(instance, variables)
-        self.state_count = len(instance.description.states)
+        self.state_count = instance.description.state_count
         self.next_time_event = np.inf
         self.state_events = 0
         self.time_events = 0
         self.time = float(grid[0])
 
     def run(self, start_values: Mapping[str, StartValue]) -> tuple[Recorder, SolverCounters]:
-        raw = self.raw
-        raw.setupExperiment(tolerance=self.tolerance, startTime=self.time, stopTime=float(self.grid[-1]))
+        functions = self.functions
         self.instance.set_start_values(start_values)
-        raw.enterInitializationMode()
-        raw.exitInitializationMode()
+        functions.enter_initialization(self.tolerance, self.time, float(self.grid[-1]))
+        functions.exit_initialization()
         self._iterate_events("initialization")
         self.recorder.sample(self.time)
         with Cvode(
@@ -117,7 +115,7 @@ class _Master:
                     f"the integrator failed after t = {self.time:.9g}: {error}", error.__cause__
                 ) from error
             counters = solver.counters(self.state_events, self.time_events)
-        raw.terminate()
+        functions.terminate()
         return self.recorder, counters
 
     def _integrate(self, solver: Cvode) -> None:
@@ -142,7 +140,7 @@ class _Master:
             self._move(reached, solver.states)
             step_event = terminated = False
             if self.instance.description.needs_completed_step:
-                step_event, terminated = self.raw.completedIntegratorStep()
+                step_event, terminated = self.functions.completed_step()
             time_event = reached >= self.next_time_event
             on_grid = next_row < self.grid.size and self.grid[next_row] <= reached
             is_event = end is StepEnd.ROOT or time_event or step_event
@@ -158,7 +156,7 @@ class _Master:
                 crowd_time = reached
                 if crowd > _MAX_EVENTS_AT_A_TIME:
                     raise IntegrationError(f"more than {_MAX_EVENTS_AT_A_TIME} events at one time (chattering)")
-                self.raw.enterEventMode()
+                self.functions.enter_event_mode()
                 self._iterate_events(f"the event at t = {reached:.9g}")
                 self.recorder.sample(reached)
                 solver.restart(reached, self._states(), self._nominal())
@@ -166,36 +164,32 @@ class _Master:
 
     def _iterate_events(self, where: str) -> None:
         for _ in range(_MAX_EVENT_ITERATIONS):
-            again, terminated, _, _, defined, next_time = self.raw.newDiscreteStates()
-            if terminated:
+            update = self.functions.update_discrete_states()
+            if update.terminated:
                 raise self.instance.failure(f"the model asked to be terminated at {where}")
-            if not again:
+            if not update.again:
                 break
         else:
             raise self.instance.failure(f"the event iteration does not end at {where}")
-        self.next_time_event = float(next_time) if defined else np.inf
-        self.raw.enterContinuousTimeMode()
+        self.next_time_event = update.next_time
+        self.functions.enter_continuous_time_mode()
 
     def _states(self) -> FloatArray:
         if not self.state_count:
             # CVODE wants a state; a constant one costs nothing.
             return np.ones(1)
-        values = (ctypes.c_double * self.state_count)()
-        self.raw.getContinuousStates(values, self.state_count)
-        return np.array(values)
+        return np.array(self.functions.get_states(self.state_count))
 
     def _nominal(self) -> FloatArray:
         if not self.state_count:
             return np.ones(1)
-        values = (ctypes.c_double * self.state_count)()
-        self.raw.getNominalsOfContinuousStates(values, self.state_count)
-        nominal: FloatArray = np.abs(np.array(values))
+        nominal: FloatArray = np.abs(np.array(self.functions.get_nominals(self.state_count)))
         return nominal
 
     def _move(self, time: float, states: Any) -> None:
-        self.raw.setTime(time)
+        self.functions.set_time(time)
         if self.state_count:
-            self.raw.setContinuousStates(states, self.state_count)
+            self.functions.set_states(states, self.state_count)
 
     def _derivatives(self, time: float, states: Any, derivatives: Any) -> None:
         if not self.state_count:
@@ -203,7 +197,7 @@ class _Master:
             return
         try:
             self._move(time, states)
-            self.raw.getDerivatives(derivatives, self.state_count)
+            self.functions.get_derivatives(derivatives, self.state_count)
         except FMICallException as error:
             if error.status == _FMI_DISCARD:
                 raise RecoverableError(str(error)) from error
@@ -211,4 +205,4 @@ class _Master:
 
     def _indicators(self, time: float, states: Any, values: Any) -> None:
         self._move(time, states)
-        self.raw.getEventIndicators(values, self.instance.description.indicator_count)
+        self.functions.get_indicators(values, self.instance.description.indicator_count)

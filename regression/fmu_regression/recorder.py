@@ -2,21 +2,13 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
+from fmu_regression.binding import Reader
 from fmu_regression.fmu import Instance, Variable
 from fmu_regression.result import FloatArray
-
-_GETTERS: dict[str, tuple[str, Any]] = {
-    "Real": ("fmi2GetReal", ctypes.c_double),
-    "Integer": ("fmi2GetInteger", ctypes.c_int),
-    "Enumeration": ("fmi2GetInteger", ctypes.c_int),
-    "Boolean": ("fmi2GetBoolean", ctypes.c_int),
-}
 
 
 class Recorder:
@@ -28,17 +20,13 @@ class Recorder:
     """
 
     def __init__(self, instance: Instance, variables: Sequence[Variable]) -> None:
-        self._component = instance.raw.component
         self._variables = tuple(variables)
         self._time: list[float] = []
-        self._groups: list[tuple[Any, Any, Any, list[FloatArray], tuple[Variable, ...]]] = []
-        for kinds in (("Real",), ("Integer", "Enumeration"), ("Boolean",)):
-            members = tuple(v for v in self._variables if v.kind in kinds)
-            if members:
-                name, number = _GETTERS[kinds[0]]
-                references = (ctypes.c_uint * len(members))(*(v.reference for v in members))
-                values = (number * len(members))()
-                self._groups.append((getattr(instance.raw, name), references, values, [], members))
+        self._groups: list[tuple[Reader, list[FloatArray], tuple[Variable, ...]]] = []
+        for data_type in dict.fromkeys(variable.data_type for variable in self._variables):
+            members = tuple(variable for variable in self._variables if variable.data_type == data_type)
+            read = instance.functions.reader(data_type, [variable.reference for variable in members])
+            self._groups.append((read, [], members))
 
     @property
     def row_count(self) -> int:
@@ -51,16 +39,15 @@ class Recorder:
         Raises:
             fmpy.fmi1.FMICallException: the FMU cannot compute them.
         """
-        for get, references, values, rows, _ in self._groups:
-            get(self._component, references, len(values), values)
-            rows.append(np.array(values, dtype=np.float64))
+        for read, rows, _ in self._groups:
+            rows.append(read())
         self._time.append(time)
 
     def table(self) -> tuple[FloatArray, Mapping[str, FloatArray]]:
         """Time, shape (n,), and name to values, each of shape (n,), in the order asked for."""
         time = np.array(self._time, dtype=np.float64)
         columns: dict[str, FloatArray] = {}
-        for *_, rows, members in self._groups:
+        for _, rows, members in self._groups:
             block = np.array(rows, dtype=np.float64).reshape(len(rows), len(members))
             for k, variable in enumerate(members):
                 columns[variable.name] = np.ascontiguousarray(block[: time.size, k])
