@@ -1,6 +1,6 @@
 # make demo   sets up and runs the main job on Resources/cad/hammer
 # make test   sets up and passes the tests
-# make bench  times the engine beside libccd and FCL
+# make bench  times the engine beside libccd, FCL and coal
 .PHONY: demo test setup setup-test lint bench clean
 
 demo: setup
@@ -24,6 +24,4 @@ clean:
 	rm -rf out build .deps .venv ContactMultiBody/Resources/Include ContactMultiBody/Resources/Library
 
 bench: setup
-	cmake -S external-c -B build/external-c/bench -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMB_TESTS=OFF -DCMB_BENCH=ON -DCMB_FUZZ=OFF > .deps/bench.log
-	cmake --build build/external-c/bench --target bench_convex >> .deps/bench.log
-	find build/external-c/bench -name bench_convex -type f -exec {} \;
+	scripts/bench

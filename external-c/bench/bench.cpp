@@ -1,35 +1,34 @@
-// Times queries of one pair: the engine through its C interface, libccd's portal refinement and FCL's collide bare.
-// Prints medians in microseconds. No dependency but the libraries compared.
-#include <ccd/ccd.h>
-#include <fcl/geometry/shape/box.h>
-#include <fcl/geometry/shape/capsule.h>
-#include <fcl/geometry/shape/convex.h>
-#include <fcl/geometry/shape/halfspace.h>
-#include <fcl/geometry/shape/sphere.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/collision_object.h>
-
+// Times the contact of one pair in one run: the engine, through its C interface and with its manifold, beside libccd's
+// portal refinement, FCL's collide and coal's collide without and with contact patch.
+//
+//   bench [poses a row]
+//
+// A row is a kind of pair at one distance (relative to the sizes of about 1 m); every query has another pose. The
+// contestants take turns, sweep after sweep over all poses, so that what else the machine does hits them alike.
+// Printed: medians in microseconds, half the interquartile range, the engine's ratio to coal with patch, and to
+// libccd; and each one's largest error of the distance, the engine's exact path (checked against independent
+// references by the tests) being the measure.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <functional>
+#include <cstdlib>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "contact_multibody.h"
+#include "backend/distance_backend.hpp"
+#include "contact_peer.hpp"
+#include "random_bodies.hpp"
 #include "scene/descriptor.hpp"
 
 namespace {
 
-using cmb::Pose;
-using cmb::Shape;
-using cmb::ShapeKind;
-using cmb::Vec3;
+using namespace cmb;
+using namespace cmb::bench;
+using random_bodies::Random;
 
-constexpr int poses_a_case = 64, repetitions = 25;
+constexpr int sweeps = 31;
 
 std::string digits(double value) {
   char text[32];
@@ -37,169 +36,196 @@ std::string digits(double value) {
   return text;
 }
 
-// A hull of points on a sphere of radius 0.5.
-std::string hull_of_sphere(int points) {
-  std::mt19937 random(1);
+// The hull of points on a sphere of diameter 1.
+std::string hull_descriptor(int points) {
+  Random random(static_cast<std::uint64_t>(points));
   std::string text = "cmb/1 hull vertices=";
   for (int i = 0; i < points; ++i) {
-    // Golden-section spiral, slightly shaken so that no four points lie in a plane.
-    const double z = 1.0 - (2.0 * i + 1.0) / points, angle = 2.39996322972865332 * i + 1e-3 * (random() % 100);
-    const double r = std::sqrt(1.0 - z * z);
-    text += (i > 0 ? "," : "") + digits(0.5 * r * std::cos(angle)) + "," + digits(0.5 * r * std::sin(angle)) + "," +
-            digits(0.5 * z);
+    const Vec3 p = 0.5 * random.direction();
+    text += (i > 0 ? "," : "") + digits(p.x) + "," + digits(p.y) + "," + digits(p.z);
   }
   return text;
 }
 
-struct Case {
+enum class Attitude {
+  any,   // both bodies anyhow
+  flat,  // A's foot on B's top, turned about the vertical and moved within B's top
+};
+
+struct Row {
   const char *name;
   std::string a, b;
-  double height;  // of A's frame above B's, at the deepest
-  double tilt;    // rad, at most
+  double distance;
+  Attitude attitude = Attitude::any;
 };
 
-double median_microseconds(const std::function<void(int)> &query) {
-  std::vector<double> times;
-  for (int r = 0; r < repetitions; ++r) {
-    const auto begin = std::chrono::steady_clock::now();
-    for (int pose = 0; pose < poses_a_case; ++pose) query(pose);
-    const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - begin;
-    times.push_back(taken.count() / poses_a_case);
-  }
-  std::nth_element(times.begin(), times.begin() + repetitions / 2, times.end());
-  return times[repetitions / 2];
+double lowest(const Shape &shape) {
+  return (convex::core_support(shape.body, {0, 0, -1}).point).z - shape.body.radius;
 }
 
-struct PlacedShape {
-  const Shape *shape;
-  Pose pose;
-};
-
-void support(const void *object, const ccd_vec3_t *direction, ccd_vec3_t *result) {
-  const PlacedShape &placed = *static_cast<const PlacedShape *>(object);
-  const Vec3 local = transposed_times(placed.pose.rotation, {direction->v[0], direction->v[1], direction->v[2]});
-  const Vec3 core = cmb::convex::core_support(placed.shape->body, local).point;
-  const Vec3 p = placed.pose(core + placed.shape->body.radius * normalized(local));
-  ccdVec3Set(result, p.x, p.y, p.z);
-}
-
-void center(const void *object, ccd_vec3_t *result) {
-  const PlacedShape &placed = *static_cast<const PlacedShape *>(object);
-  const Vec3 p = placed.pose(cmb::convex::core_center(placed.shape->body));
-  ccdVec3Set(result, p.x, p.y, p.z);
-}
-
-std::shared_ptr<fcl::CollisionGeometryd> fcl_geometry(const Shape &shape) {
-  const Vec3 &h = shape.body.half;
-  switch (shape.kind) {
-    case ShapeKind::halfspace: return std::make_shared<fcl::Halfspaced>(fcl::Vector3d(0, 0, 1), 0.0);
-    case ShapeKind::sphere: return std::make_shared<fcl::Sphered>(shape.body.radius);
-    case ShapeKind::capsule: return std::make_shared<fcl::Capsuled>(shape.body.radius, 2 * h.z);
-    case ShapeKind::box: return std::make_shared<fcl::Boxd>(2 * h.x, 2 * h.y, 2 * h.z);
-    default: break;
-  }
-  const auto &polytope = shape.polytope->geometry();
-  auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
-  auto faces = std::make_shared<std::vector<int>>();
-  for (const Vec3 &v : polytope.vertices()) vertices->emplace_back(v.x, v.y, v.z);
-  for (const auto &face : polytope.faces()) {
-    faces->push_back(face.count);
-    for (int k = 0; k < face.count; ++k) {
-      faces->push_back(polytope.face_vertices()[static_cast<std::size_t>(face.first + k)]);
-    }
-  }
-  return std::make_shared<fcl::Convexd>(vertices, static_cast<int>(polytope.faces().size()), faces);
-}
-
-void run(const Case &c) {
-  std::mt19937 random(3);
-  const auto uniform = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
-  std::vector<double> position(6 * poses_a_case, 0.0), rotation(18 * poses_a_case, 0.0);
-  std::vector<Pose> pose_a(poses_a_case);
-  for (int k = 0; k < poses_a_case; ++k) {
-    const double yaw = uniform(-3.1, 3.1), tilt = uniform(-c.tilt, c.tilt);
-    const double cy = std::cos(yaw), sy = std::sin(yaw), ct = std::cos(tilt), st = std::sin(tilt);
-    // First tilted about y, then turned about z.
-    pose_a[static_cast<std::size_t>(k)] = {{{{cy * ct, -sy, cy * st}, {sy * ct, cy, sy * st}, {-st, 0, ct}}},
-                                           {uniform(-0.1, 0.1), uniform(-0.1, 0.1), c.height + uniform(0, 1e-3)}};
-    const Pose &pose = pose_a[static_cast<std::size_t>(k)];
-    for (int i = 0; i < 3; ++i) {
-      position[static_cast<std::size_t>(6 * k + i)] = pose.translation[i];
-      for (int j = 0; j < 3; ++j) {
-        rotation[static_cast<std::size_t>(18 * k + 3 * i + j)] = pose.rotation.row[j][i];
-        rotation[static_cast<std::size_t>(18 * k + 9 + 3 * i + j)] = i == j ? 1.0 : 0.0;
+PosedPair place(const Row &row, std::size_t poses) {
+  PosedPair pair;
+  pair.descriptor_a = row.a;
+  pair.descriptor_b = row.b;
+  pair.a = parse_descriptor(row.a)[0];
+  pair.b = parse_descriptor(row.b)[0];
+  Random random(5);
+  BackendScratch scratch;
+  for (int attempts = 0; pair.pose_a.size() < poses && attempts < 100 * static_cast<int>(poses); ++attempts) {
+    Pose a, b;
+    if (row.attitude == Attitude::flat || pair.b.kind == ShapeKind::halfspace) {
+      const double top = pair.b.kind == ShapeKind::halfspace
+                             ? 0.0
+                             : convex::core_support(pair.b.body, {0, 0, 1}).point.z + pair.b.body.radius;
+      if (row.attitude == Attitude::flat) {
+        a.rotation = random_bodies::rotation_about({0, 0, 1}, random.uniform(-3, 3));
+        a.translation = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), top - lowest(pair.a) + row.distance};
+      } else {
+        a.rotation = random_bodies::random_rotation(random);
+        const Vec3 down = transposed_times(a.rotation, Vec3{0, 0, -1});
+        const double reach = dot(down, convex::core_support(pair.a.body, down).point) + pair.a.body.radius;
+        a.translation = {0, 0, reach + row.distance};
       }
+      pair.pose_a.push_back(a);
+      pair.pose_b.push_back(b);
+      continue;
+    }
+    a.rotation = random_bodies::random_rotation(random);
+    b.rotation = random_bodies::random_rotation(random);
+    a.translation = random.direction();
+    for (int k = 0; k < 3; ++k) {
+      const ConvexAnswer answer = *exact_distance(pair.a, a, pair.b, b, scratch);
+      a.translation = a.translation + (row.distance - answer.distance) * answer.normal;
+    }
+    if (std::fabs(exact_distance(pair.a, a, pair.b, b, scratch)->distance - row.distance) <
+        0.2 * std::fabs(row.distance)) {
+      pair.pose_a.push_back(a);
+      pair.pose_b.push_back(b);
     }
   }
-  const char *geometry[] = {c.a.c_str(), c.b.c_str()};
-  const int pairs[] = {1, 2};
-  cmb_scene scene = 0;
-  if (cmb_intern(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene) != CMB_OK) {
-    std::printf("%s: %s\n", c.name, cmb_last_error());
-    return;
-  }
-  double distance, depth[8], weight[8], normal[24], point[24];
-  const double engine = median_microseconds([&](int k) {
-    cmb_query_scene(scene, &position[static_cast<std::size_t>(6 * k)], &rotation[static_cast<std::size_t>(18 * k)], 2, 1,
-                    8, &distance, depth, weight, normal, point);
-  });
+  return pair;
+}
 
-  const auto shapes_a = cmb::parse_descriptor(c.a), shapes_b = cmb::parse_descriptor(c.b);
-  double ccd_time = std::nan("");
-  if (shapes_b[0].kind != ShapeKind::halfspace) {
-    ccd_t options;
-    CCD_INIT(&options);
-    options.support1 = options.support2 = support;
-    options.center1 = options.center2 = center;
-    options.max_iterations = 500;
-    PlacedShape a{&shapes_a[0], {}}, b{&shapes_b[0], {}};
-    ccd_time = median_microseconds([&](int k) {
-      a.pose = pose_a[static_cast<std::size_t>(k)];
-      ccd_real_t ccd_depth;
-      ccd_vec3_t direction, at;
-      ccdMPRPenetration(&a, &b, &options, &ccd_depth, &direction, &at);
-    });
-  }
+struct Column {
+  std::unique_ptr<ContactPeer> peer;
+  std::vector<double> times;  // of a query in each sweep, microseconds
+  double median = 0.0, half_spread = 0.0, error = 0.0;
+  std::size_t failures = 0;
+};
 
-  fcl::CollisionObjectd object_a(fcl_geometry(shapes_a[0])), object_b(fcl_geometry(shapes_b[0]));
-  const double fcl_time = median_microseconds([&](int k) {
-    fcl::Transform3d transform = fcl::Transform3d::Identity();
-    const Pose &pose = pose_a[static_cast<std::size_t>(k)];
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) transform.linear()(i, j) = pose.rotation.row[i][j];
-      transform.translation()(i) = pose.translation[i];
+void run(const Row &row, std::size_t poses) {
+  const PosedPair pair = place(row, poses);
+  Column columns[5];
+  columns[0].peer = make_engine(pair);
+  columns[1].peer = make_coal_collide(pair, true);
+  columns[2].peer = make_coal_collide(pair, false);
+  columns[3].peer = make_libccd_portal(pair);
+  columns[4].peer = make_fcl_collide(pair);
+  BackendScratch scratch;
+  for (Column &column : columns) {
+    if (!column.peer) continue;
+    for (std::size_t k = 0; k < pair.pose_a.size(); ++k) {
+      const double found = column.peer->ask(k);  // also warms up
+      const double exact = pair.b.kind == ShapeKind::halfspace
+                               ? row.distance
+                               : exact_distance(pair.a, pair.pose_a[k], pair.b, pair.pose_b[k], scratch)->distance;
+      if (std::isfinite(found)) column.error = std::fmax(column.error, std::fabs(found - exact));
+      if (!std::isfinite(found)) ++column.failures;
     }
-    object_a.setTransform(transform);
-    object_a.computeAABB();
-    fcl::CollisionRequestd request(8, true);
-    request.gjk_solver_type = fcl::GST_INDEP;
-    fcl::CollisionResultd result;
-    fcl::collide(&object_a, &object_b, request, result);
-  });
-  std::printf("%-34s %10.2f %10.2f %10.2f\n", c.name, engine, ccd_time, fcl_time);
+  }
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (Column &column : columns) {
+      if (!column.peer) continue;
+      const auto begin = std::chrono::steady_clock::now();
+      for (std::size_t k = 0; k < pair.pose_a.size(); ++k) column.peer->ask(k);
+      const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - begin;
+      column.times.push_back(spent.count() / static_cast<double>(pair.pose_a.size()));
+    }
+  }
+  std::printf("%-32s %7g", row.name, row.distance);
+  for (Column &column : columns) {
+    if (!column.peer) {
+      std::printf(" | %21s", "-");
+      continue;
+    }
+    std::sort(column.times.begin(), column.times.end());
+    const std::size_t n = column.times.size();
+    column.median = column.times[n / 2];
+    column.half_spread = 0.5 * (column.times[3 * n / 4] - column.times[n / 4]);
+    std::printf(" | %7.3f %5.3f ", column.median, column.half_spread);
+    if (column.failures == pair.pose_a.size()) {
+      std::printf("%7s", "none");
+    } else {
+      std::printf("%7.0e", column.error);
+    }
+  }
+  const auto ratio = [&](const Column &other) {
+    if (other.peer) {
+      std::printf(" %6.2f", columns[0].median / other.median);
+    } else {
+      std::printf(" %6s", "-");
+    }
+  };
+  std::printf(" |");
+  ratio(columns[1]);
+  ratio(columns[3]);
+  std::printf("\n");
+  std::fflush(stdout);
 }
 
 }  // namespace
 
-int main() {
-  const std::string sphere = "cmb/1 sphere radius=0.5", cube = "cmb/1 box size=1,1,1",
+int main(int argc, char **argv) {
+  const std::size_t poses = argc > 1 ? static_cast<std::size_t>(std::atol(argv[1])) : 256;
+  const std::string sphere = "cmb/1 sphere radius=0.5", cube = "cmb/1 box size=1,1,1", box = "cmb/1 box size=0.6,0.8,1",
                     table = "cmb/1 box size=4,4,1", plane = "cmb/1 halfspace",
-                    capsule = "cmb/1 capsule radius=0.2 length=0.6", hull = hull_of_sphere(100);
-  const Case cases[] = {{"sphere, half-space", sphere, plane, 0.49, 3.0},
-                        {"box flat, half-space", cube, plane, 0.49, 0.0},
-                        {"box tilted, half-space", cube, plane, 0.55, 0.3},
-                        {"hull of 100 points, half-space", hull, plane, 0.48, 3.0},
-                        {"sphere, sphere", sphere, sphere, 0.98, 3.0},
-                        {"sphere, box", sphere, cube, 0.98, 3.0},
-                        {"capsule, capsule", capsule, capsule, 0.88, 0.3},
-                        {"capsule, box", capsule, table, 0.98, 0.3},
-                        {"box, box apart", cube, table, 1.5, 0.3},
-                        {"box flat, larger box", cube, table, 0.99, 0.0},
-                        {"box tilted, larger box", cube, table, 1.05, 0.3},
-                        {"box flat, equal box", cube, cube, 0.99, 0.0},
-                        {"hull of 100 points, box", hull, table, 0.98, 3.0},
-                        {"hulls of 100 points", hull, hull, 0.97, 3.0}};
-  std::printf("median of one query, microseconds\n%-34s %10s %10s %10s\n", "pair", "engine", "libccd MPR", "FCL");
-  for (const Case &c : cases) run(c);
+                    capsule = "cmb/1 capsule radius=0.2 length=0.6", cylinder = "cmb/1 cylinder radius=0.4 length=0.7",
+                    cone = "cmb/1 cone radius=0.4 length=0.8", ellipsoid = "cmb/1 ellipsoid size=0.6,0.8,1",
+                    hull20 = hull_descriptor(20), hull100 = hull_descriptor(100), hull1000 = hull_descriptor(1000);
+  const Row rows[] = {
+      {"sphere, half-space", sphere, plane, -0.01},
+      {"box, half-space", box, plane, -0.01},
+      {"box flat, half-space", box, plane, -0.01, Attitude::flat},
+      {"cylinder flat, half-space", cylinder, plane, -0.01, Attitude::flat},
+      {"hull of 100, half-space", hull100, plane, -0.01},
+      {"sphere, sphere", sphere, sphere, -0.01},
+      {"sphere, box", sphere, box, -0.01},
+      {"capsule, capsule", capsule, capsule, -0.01},
+      {"capsule, box", capsule, box, -0.01},
+      {"box, box", box, box, -0.001},
+      {"box, box", box, box, -0.01},
+      {"box, box", box, box, -0.1},
+      {"box flat on larger box", cube, table, -0.01, Attitude::flat},
+      {"box flat on equal box", cube, cube, -0.01, Attitude::flat},
+      {"cylinder, box", cylinder, box, -0.01},
+      {"cylinder flat on larger box", cylinder, table, -0.01, Attitude::flat},
+      {"cylinder, cylinder", cylinder, cylinder, -0.01},
+      {"cylinder flat on cylinder", cylinder, cylinder, -0.01, Attitude::flat},
+      {"cone, box", cone, box, -0.01},
+      {"cone flat on larger box", cone, table, -0.01, Attitude::flat},
+      {"ellipsoid, box", ellipsoid, box, -0.01},
+      {"ellipsoid, ellipsoid", ellipsoid, ellipsoid, -0.01},
+      {"hulls of 20", hull20, hull20, -0.001},
+      {"hulls of 20", hull20, hull20, -0.01},
+      {"hulls of 20", hull20, hull20, -0.1},
+      {"hulls of 100", hull100, hull100, -0.001},
+      {"hulls of 100", hull100, hull100, -0.01},
+      {"hulls of 100", hull100, hull100, -0.1},
+      {"hulls of 100", hull100, hull100, -0.3},
+      {"hulls of 1000", hull1000, hull1000, -0.001},
+      {"hulls of 1000", hull1000, hull1000, -0.01},
+      {"hulls of 1000", hull1000, hull1000, -0.1},
+      {"hull of 100, larger box", hull100, table, -0.01},
+      {"box, box apart", box, box, 0.05},
+      {"box, box far apart", box, box, 3.0},
+      {"hulls of 100 apart", hull100, hull100, 0.05},
+      {"hulls of 100 far apart", hull100, hull100, 3.0},
+      {"cylinder, cylinder apart", cylinder, cylinder, 0.05},
+  };
+  std::printf("microseconds a query: median, half the interquartile range; largest error of the distance, m\n");
+  std::printf("%-32s %7s | %-21s | %-21s | %-21s | %-21s | %-21s | ratio of engine to\n", "pair", "m apart",
+              "engine with manifold", "coal with patch", "coal", "libccd MPR", "FCL collide");
+  std::printf("%-32s %7s | %21s | %21s | %21s | %21s | %21s | %6s %6s\n", "", "", "", "", "", "", "", "patch", "MPR");
+  for (const Row &row : rows) run(row, poses);
   return 0;
 }

@@ -1,0 +1,34 @@
+// Who computes the contact of a pair of shapes: the engine and its peers, each asked at the same poses.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scene/shape.hpp"
+
+namespace cmb::bench {
+
+// A pair of shapes, and where both are.
+struct PosedPair {
+  std::string descriptor_a, descriptor_b;
+  Shape a, b;                   // parsed from the descriptors
+  std::vector<Pose> pose_a, pose_b;  // in step
+};
+
+class ContactPeer {
+ public:
+  virtual ~ContactPeer() = default;
+  // Computes the contact at pose k. Returns the signed distance found: NaN where the peer finds none.
+  virtual double ask(std::size_t k) = 0;
+};
+
+// The pair is borrowed and must outlive the peer. Null where a peer has no answer for such shapes.
+std::unique_ptr<ContactPeer> make_engine(const PosedPair &pair);       // cmb_query_scene, with its manifold
+std::unique_ptr<ContactPeer> make_libccd_portal(const PosedPair &pair);  // ccdMPRPenetration: one point
+std::unique_ptr<ContactPeer> make_fcl_collide(const PosedPair &pair);  // fcl::collide, its own solver
+// coal::collide, with or without its contact patch. Null where the program is built without coal.
+std::unique_ptr<ContactPeer> make_coal_collide(const PosedPair &pair, bool with_patch);
+
+}  // namespace cmb::bench
