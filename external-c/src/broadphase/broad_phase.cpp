@@ -1,0 +1,91 @@
+#include "broadphase/broad_phase.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "geometry/pose_algebra.hpp"
+#include "query/pair_query.hpp"
+
+namespace cmb {
+
+BroadPhase::BroadPhase(const Scene &scene, CollisionFilter filter) : scene_(scene), filter_(std::move(filter)) {
+  std::size_t shapes = 0;
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+    first_shape_.push_back(shapes);
+    shapes += scene.bodies[body].size();
+    for (std::size_t shape = 0; shape < scene.bodies[body].size(); ++shape) {
+      const Proxy proxy{static_cast<std::uint32_t>(body), static_cast<std::uint32_t>(shape)};
+      if (scene.bodies[body][shape].kind == ShapeKind::halfspace) {
+        halfspaces_.push_back(proxy);
+      } else {
+        bounded_.push_back(proxy);
+        local_bounds_.push_back(local_bounds(scene.bodies[body][shape]));
+      }
+    }
+  }
+  first_shape_.push_back(shapes);
+}
+
+void BroadPhase::emit(const Proxy &a, const Proxy &b, std::vector<Candidate> &found) const {
+  if (!filter_.may_touch(a.body, b.body)) return;
+  if (a.body < b.body) {
+    found.push_back({a.body, b.body, a.shape, b.shape});
+  } else {
+    found.push_back({b.body, a.body, b.shape, a.shape});
+  }
+}
+
+void BroadPhase::find_candidates(const double *position, const double *rotation, BroadPhaseScratch &scratch) const {
+  scratch.body_poses.clear();
+  scratch.shape_poses.clear();
+  for (std::size_t body = 0; body < body_count(); ++body) {
+    const Pose pose = body_pose(position + 3 * body, rotation + 9 * body);
+    scratch.body_poses.push_back(pose);
+    for (const Shape &shape : scene_.bodies[body]) scratch.shape_poses.push_back(compose(pose, shape.in_body));
+  }
+  scratch.bounds.clear();
+  for (std::size_t i = 0; i < bounded_.size(); ++i) {
+    const Proxy &proxy = bounded_[i];
+    scratch.bounds.push_back(
+        world_bounds(local_bounds_[i], scratch.shape_poses[first_shape_[proxy.body] + proxy.shape]));
+  }
+
+  scratch.found.clear();
+  scratch.grid.visit_overlaps(scratch.bounds, [&](std::uint32_t i, std::uint32_t j) {
+    emit(bounded_[i], bounded_[j], scratch.found);
+  });
+  for (const Proxy &halfspace : halfspaces_) {
+    const Pose &plane = scratch.shape_poses[first_shape_[halfspace.body] + halfspace.shape];
+    const Vec3 normal = plane.rotation.column(2);
+    for (std::size_t i = 0; i < bounded_.size(); ++i) {
+      const Pose &pose = scratch.shape_poses[first_shape_[bounded_[i].body] + bounded_[i].shape];
+      const double height = dot(normal, pose(local_bounds_[i].center) - plane.translation);
+      if (height <= half_extent(local_bounds_[i], transposed_times(pose.rotation, normal))) {
+        emit(halfspace, bounded_[i], scratch.found);
+      }
+    }
+  }
+  sort_candidates(scratch);
+}
+
+// By counting, then within the short rows of one body.
+void BroadPhase::sort_candidates(BroadPhaseScratch &scratch) const {
+  std::vector<std::size_t> &row_end = scratch.row_end;
+  row_end.assign(body_count() + 1, 0);
+  for (const Candidate &c : scratch.found) ++row_end[c.body_a + 1];
+  for (std::size_t body = 0; body < body_count(); ++body) row_end[body + 1] += row_end[body];
+  scratch.candidates.resize(scratch.found.size());
+  for (const Candidate &c : scratch.found) scratch.candidates[row_end[c.body_a]++] = c;
+  std::size_t begin = 0;
+  for (std::size_t body = 0; body < body_count(); ++body) {
+    const auto row = scratch.candidates.begin();
+    std::sort(row + static_cast<std::ptrdiff_t>(begin), row + static_cast<std::ptrdiff_t>(row_end[body]),
+              [](const Candidate &a, const Candidate &b) {
+                return std::tie(a.body_b, a.shape_a, a.shape_b) < std::tie(b.body_b, b.shape_a, b.shape_b);
+              });
+    begin = row_end[body];
+  }
+}
+
+}  // namespace cmb

@@ -1,0 +1,62 @@
+// From bodies at their poses to the few pairs of shapes that may touch.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "broadphase/bounds.hpp"
+#include "broadphase/collision_filter.hpp"
+#include "broadphase/hierarchical_grid.hpp"
+#include "scene/scene.hpp"
+
+namespace cmb {
+
+// Two shapes whose bounds overlap, of bodies body_a < body_b that the filter lets touch. All numbers are 0-based.
+struct Candidate {
+  std::uint32_t body_a, body_b, shape_a, shape_b;
+};
+
+// Room that a search works in; one for each thread.
+struct BroadPhaseScratch {
+  std::vector<Pose> body_poses, shape_poses;
+  std::vector<Bounds> bounds;
+  HierarchicalGrid grid;
+  std::vector<Candidate> found;
+  std::vector<std::size_t> row_end;
+  std::vector<Candidate> candidates;
+};
+
+// Immutable; shared by threads. The scene must outlive it.
+class BroadPhase {
+ public:
+  // The filter has as many bodies as the scene.
+  BroadPhase(const Scene &scene, CollisionFilter filter);
+
+  const Scene &scene() const { return scene_; }
+  const CollisionFilter &filter() const { return filter_; }
+  std::size_t body_count() const { return scene_.bodies.size(); }
+
+  // Fills scratch.candidates, sorted by body_a, body_b, shape_a, shape_b, and the poses of bodies and shapes in the
+  // world. The result depends on the poses alone. position, rotation: as cmb_query_scene takes them.
+  void find_candidates(const double *position, const double *rotation, BroadPhaseScratch &scratch) const;
+
+  // Where the shapes of a body begin in scratch.shape_poses.
+  std::size_t first_shape(std::size_t body) const { return first_shape_[body]; }
+
+ private:
+  struct Proxy {
+    std::uint32_t body, shape;
+  };
+
+  void emit(const Proxy &a, const Proxy &b, std::vector<Candidate> &found) const;
+  void sort_candidates(BroadPhaseScratch &scratch) const;
+
+  const Scene &scene_;
+  CollisionFilter filter_;
+  std::vector<std::size_t> first_shape_;     // of each body, and the number of all shapes
+  std::vector<Proxy> bounded_, halfspaces_;  // all shapes
+  std::vector<LocalBounds> local_bounds_;    // of the bounded ones
+};
+
+}  // namespace cmb

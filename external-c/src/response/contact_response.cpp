@@ -1,0 +1,120 @@
+#include "response/contact_response.hpp"
+
+#include <cmath>
+
+#include "response/effective_mass.hpp"
+#include "response/pair_law.hpp"
+#include "response/point_forces.hpp"
+
+namespace cmb {
+
+namespace {
+
+Vec3 row_of(const double *array, std::size_t row) {
+  return {array[3 * row], array[3 * row + 1], array[3 * row + 2]};
+}
+
+
+class Evaluation {
+ public:
+  Evaluation(const BroadPhase &broad_phase, const cmb_contact_law &law, const cmb_body_properties &properties,
+             const cmb_motion &motion, ResponseScratch &scratch)
+      : broad_phase_(broad_phase), law_(law), properties_(properties), motion_(motion), scratch_(scratch) {}
+
+  void add(std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
+    const PairLaw pair = pair_law(law_, properties_, a, b, scratch_.damping);
+    const double mass = needs_masses(law_) ? pair_mass(a, b, points) : 0.0;
+    const Vec3 origin_a = row_of(motion_.position, a), origin_b = row_of(motion_.position, b);
+    const Vec3 v_a = row_of(motion_.velocity, a), v_b = row_of(motion_.velocity, b);
+    const Vec3 w_a = row_of(motion_.angular_velocity, a), w_b = row_of(motion_.angular_velocity, b);
+    for (const ContactPoint &point : points) {
+      const Vec3 arm_a = point.position - origin_a, arm_b = point.position - origin_b;
+      const Vec3 velocity = v_a + cross(w_a, arm_a) - v_b - cross(w_b, arm_b);
+      const double approach_speed = -dot(velocity, point.normal);
+      const double normal_force = point.weight * unit_force(point.depth, approach_speed, pair, mass);
+
+      Vec3 force = normal_force * point.normal;
+      Vec3 turning;
+      if (law_.use_friction != 0) {
+        const Vec3 sliding = velocity + approach_speed * point.normal;
+        const double mu = stribeck(norm(sliding), pair.mu_static, pair.mu_dynamic, law_.stribeck_speed);
+        force = force + friction_force(normal_force, sliding, mu, law_.regularisation_speed);
+        if (law_.spin_radius > 0.0) {
+          turning = spin_torque(normal_force, point.normal, w_a - w_b, pair.mu_dynamic, law_.spin_radius,
+                                law_.turning_regularisation_speed);
+        }
+      }
+      if (law_.rolling_lever > 0.0) {
+        turning = turning + rolling_torque(normal_force, point.normal, w_a - w_b, law_.rolling_lever,
+                                           law_.turning_regularisation_speed);
+      }
+
+      scratch_.force[a] = scratch_.force[a] + force;
+      scratch_.force[b] = scratch_.force[b] - force;
+      scratch_.torque[a] = scratch_.torque[a] + cross(arm_a, force) + turning;
+      scratch_.torque[b] = scratch_.torque[b] - cross(arm_b, force) - turning;
+      sums_.elastic_energy += point.weight * pair.stiffness * depth_power(point.depth, law_.exponent) * point.depth /
+                              (law_.exponent + 1.0);
+      sums_.largest_depth = std::fmax(sums_.largest_depth, point.depth);
+    }
+    ++sums_.contact_count;
+  }
+
+  const cmb_response_sums &sums() const { return sums_; }
+
+ private:
+  // Normal force of a point of weight 1.
+  double unit_force(double depth, double approach_speed, const PairLaw &pair, double mass) const {
+    if (law_.normal_law == CMB_LAW_SPRING_DAMPER) {
+      return spring_damper_force(depth, approach_speed, pair.stiffness, law_.exponent, law_.damping,
+                                 law_.damping_depth);
+    }
+    if (law_.use_restitution != 0) {
+      return memoryless_force(depth, approach_speed, pair.stiffness, law_.exponent, mass, pair.damping);
+    }
+    return damped_force(depth, approach_speed, pair.stiffness, law_.exponent, law_.steady_rate);
+  }
+
+  Inertia inertia_of(std::size_t body) const {
+    if (broad_phase_.filter().fixed(body)) return {};
+    const Pose &pose = scratch_.broad_phase.body_poses[body];
+    return {false, properties_.mass[body], pose(row_of(properties_.center_of_mass, body)),
+            properties_.inertia + 9 * body, &pose.rotation};
+  }
+
+  double pair_mass(std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) const {
+    return effective_mass(contact_center(points), inertia_of(a), inertia_of(b));
+  }
+
+  const BroadPhase &broad_phase_;
+  const cmb_contact_law &law_;
+  const cmb_body_properties &properties_;
+  const cmb_motion &motion_;
+  ResponseScratch &scratch_;
+  cmb_response_sums sums_{};
+};
+
+}  // namespace
+
+ResponseScratch &response_scratch() {
+  static thread_local ResponseScratch scratch;
+  return scratch;
+}
+
+cmb_response_sums evaluate_response(const BroadPhase &broad_phase, const cmb_contact_law &law,
+                                    const cmb_body_properties &properties, const cmb_motion &motion,
+                                    ResponseScratch &scratch, QueryScratch &query) {
+  for (std::size_t body = 0; body < broad_phase.body_count(); ++body) {
+    check_body(law, properties, body, broad_phase.filter().fixed(body));
+  }
+  scratch.force.assign(broad_phase.body_count(), {});
+  scratch.torque.assign(broad_phase.body_count(), {});
+  Evaluation evaluation(broad_phase, law, properties, motion, scratch);
+  visit_contacts(broad_phase, motion.position, motion.rotation, scratch.broad_phase, query,
+                 [&](std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
+                   evaluation.add(a, b, points);
+                 });
+  return evaluation.sums();
+}
+
+}  // namespace cmb

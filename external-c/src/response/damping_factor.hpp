@@ -1,0 +1,38 @@
+// Damping factors of the laws of the normal force, as ContactMultiBody.NormalForce computes them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "contact_multibody_scene.h"
+
+namespace cmb {
+
+// d(e) of a law; 0 for CMB_LAW_SPRING_DAMPER. restitution: 0 ... 1.
+double damping_factor(cmb_normal_law law, double restitution);
+
+// ln(1 - d e) where the free impact with damping factor d >= 0 ends: the negative root of t - exp(t) + 1 + d - ln(1 + d).
+// Damping factors below 0.001 count as 0.001.
+double logarithm_at_separation(double damping);
+
+// What the law of one pair needs to know of its restitution.
+struct Damping {
+  double factor = 0.0;                    // d
+  double logarithm_at_separation = 0.0;   // ln(1 - d e)
+};
+
+// Remembers a few values: materials are few, pairs are many. What it returns does not depend on what it remembers.
+class DampingMemory {
+ public:
+  const Damping &find(cmb_normal_law law, double restitution);
+
+ private:
+  struct Entry {
+    int law = 0;  // of no law
+    double restitution = 0.0;
+    Damping damping;
+  };
+  std::array<Entry, 64> entries_;
+};
+
+}  // namespace cmb
