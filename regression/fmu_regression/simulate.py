@@ -12,6 +12,7 @@ from cmb_base.progress import Progress, silent
 from fmu_regression.co_simulation import step_through
 from fmu_regression.fmu import Mode, ModelDescription, StartValue, check_signals, check_start_values, open_fmu
 from fmu_regression.grid import output_grid
+from fmu_regression.limited_process import run_limited
 from fmu_regression.model_exchange import integrate
 from fmu_regression.result import SimulationResult, SolverCounters
 
@@ -50,8 +51,8 @@ def simulate(
         max_step: longest step of the integrator in s; if None, the output interval for model exchange, so that a
             contact long enough to show in the output is not stepped over, and the FMU's own choice for co-simulation.
         parameters: start values by name.
-        time_limit: seconds of wall time after which the simulation is given up; looked at between steps, so that a
-            single step of co-simulation that does not return is not stopped.
+        time_limit: seconds of wall time after which the simulation is given up. With a limit it runs in a process of
+            its own, so that a step that does not return is stopped too, and a crash of the FMU is an error.
         progress: receives the phase "simulate" with the share of the time that is done.
 
     Returns:
@@ -59,7 +60,7 @@ def simulate(
 
     Raises:
         InputError: the file, a name or a number is wrong.
-        SimulationError: the simulation failed.
+        SimulationError: the simulation failed, took too long or crashed.
     """
     with open_fmu(fmu) as opened:
         description = opened.description
@@ -71,32 +72,36 @@ def simulate(
         grid = output_grid(first, last, step)
         variables = check_signals(description, default_signals(description) if signals is None else signals)
         values = check_start_values(description, parameters or {})
-        began = clock.perf_counter()
-        watch = _Watch(first, last, began, time_limit, progress, description.name)
-        with opened.instantiate(mode) as instance:
+
+        def run(report: Progress) -> SimulationResult:
+            began = clock.perf_counter()
+            watch = _Watch(first, last, began, time_limit, report, description.name)
             counters: SolverCounters | None
-            if mode == "me":
-                recorder, counters = integrate(instance, variables, grid, accuracy, values, max_step or step, watch)
-            else:
-                recorder, counters = step_through(
-                    instance, variables, grid, accuracy, _with_longest_step(description, values, max_step), watch
-                )
-            log = tuple(instance.messages)
-            wall_time = clock.perf_counter() - began
-        time, columns = recorder.table()
-    progress("simulate", 1.0)
-    return SimulationResult(
-        time=time,
-        signals=columns,
-        model=description.name,
-        mode=mode,
-        tolerance=accuracy,
-        interval=step,
-        counters=counters,
-        wall_time=wall_time,
-        log=log,
-        units={variable.name: variable.unit for variable in variables if variable.unit},
-    )
+            with opened.instantiate(mode) as instance:
+                if mode == "me":
+                    recorder, counters = integrate(instance, variables, grid, accuracy, values, max_step or step, watch)
+                else:
+                    recorder, counters = step_through(
+                        instance, variables, grid, accuracy, _with_longest_step(description, values, max_step), watch
+                    )
+                log = tuple(instance.messages)
+                wall_time = clock.perf_counter() - began
+            time, columns = recorder.table()
+            report("simulate", 1.0)
+            return SimulationResult(
+                time=time,
+                signals=columns,
+                model=description.name,
+                mode=mode,
+                tolerance=accuracy,
+                interval=step,
+                counters=counters,
+                wall_time=wall_time,
+                log=log,
+                units={variable.name: variable.unit for variable in variables if variable.unit},
+            )
+
+        return run(progress) if time_limit is None else run_limited(run, time_limit, progress, description.name)
 
 
 def default_signals(description: ModelDescription) -> list[str]:

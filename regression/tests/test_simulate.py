@@ -99,6 +99,39 @@ def test_time_limit(bouncing_mass: Path) -> None:
         simulate(bouncing_mass, stop=1000, interval=1e-4, mode="cs", time_limit=0.2)
 
 
+@pytest.mark.parametrize("mode", ["me", "cs"])
+def test_a_step_that_does_not_return_is_stopped(bouncing_mass: Path, mode: Mode) -> None:
+    with pytest.raises(SimulationError, match=r"given up after 0\.1 s.*a step did not return"):
+        simulate(bouncing_mass, parameters={"fails_at": 0.3, "failure": 101}, mode=mode, time_limit=0.1)
+
+
+def test_a_crash_of_the_fmu_is_an_error(bouncing_mass: Path) -> None:
+    with pytest.raises(SimulationError, match="crashed: signal SIGABRT"):
+        simulate(bouncing_mass, parameters={"fails_at": 0.3, "failure": 100}, mode="cs", time_limit=60)
+
+
+def test_a_limit_changes_nothing_else(bouncing_mass: Path) -> None:
+    seen: list[float] = []
+    free, limited = (
+        simulate(
+            bouncing_mass,
+            stop=1.0,
+            interval=0.01,
+            time_limit=limit,
+            progress=lambda _, share, __="": seen.append(share),
+        )
+        for limit in (None, 60)
+    )
+    assert limited.time.tobytes() == free.time.tobytes()
+    assert limited["h"].tobytes() == free["h"].tobytes()
+    assert limited.counters == free.counters
+    assert seen.count(1.0) == 2
+    with pytest.raises(SimulationError, match="cannot be computed") as caught:
+        simulate(bouncing_mass, parameters={"fails_at": 0.3}, time_limit=60)
+    assert caught.value.place is not None
+    assert caught.value.place.component == "BouncingMass"
+
+
 def test_progress_is_reported(bouncing_mass: Path) -> None:
     seen: list[float] = []
     simulate(

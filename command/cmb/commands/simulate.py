@@ -15,7 +15,10 @@ from cmb.terminal import progress_bars
 
 NAME = "simulate"
 SUMMARY = "simulate an FMU and write its trajectories as CSV"
-DESCRIPTION = "Simulates an FMU through FMPy, by model exchange with CVODE or by the co-simulation solver inside it."
+DESCRIPTION = (
+    "Simulates an FMU (FMI 2.0 or 3.0) through FMPy, by model exchange with CVODE or by the co-simulation solver "
+    "inside it."
+)
 EXAMPLES = """examples:
   cmb simulate ball.fmu --output ball.csv
   cmb simulate ball.fmu --output ball.csv --stop 3 --tolerance 1e-8 --mode cs
@@ -31,6 +34,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the solver")
     parser.add_argument("--interval", type=float, metavar="S", help="output interval in s")
     parser.add_argument("--max-step", type=float, metavar="S", help="longest solver step in s")
+    parser.add_argument("--time-limit", type=float, metavar="S", help="wall time in s after which to give up")
     parser.add_argument("--mode", choices=("me", "cs"), default="me", help="model exchange or co-simulation")
     parser.add_argument(
         "--signal", action="append", metavar="NAME", help="variable to record, repeatable (outputs and states if none)"
@@ -52,6 +56,7 @@ def run(arguments: Namespace) -> int:
             mode=arguments.mode,
             max_step=arguments.max_step,
             parameters=parse_assignments(arguments.set),
+            time_limit=arguments.time_limit,
             progress=progress,
         )
     with whole_file(arguments.output) as staging:

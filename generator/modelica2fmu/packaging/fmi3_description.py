@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from lxml import etree
@@ -108,10 +108,10 @@ def _slot_reference(variable: Variable) -> int:
     return (_KIND[variable.type] << _KIND_SHIFT) + variable.value_reference
 
 
-def _merge(reference: int, variables: Sequence[Variable]) -> _Group:
+def _merge(reference: int, variables: Sequence[Variable], preferred: Container[str]) -> _Group:
     if variables[0].causality is Causality.INDEPENDENT:
         return _Group(reference, variables[0], tuple(variables[1:]))
-    first = min(variables, key=lambda variable: _CAUSALITIES.index(variable.causality))
+    first = min(variables, key=lambda v: (_CAUSALITIES.index(v.causality), v.name not in preferred))
     started = min(variables, key=lambda variable: _INITIALS.index(variable.initial))
     if first.causality is not Causality.INPUT:
         first_merged = replace(first, initial=started.initial, start=started.start)
@@ -139,11 +139,13 @@ def _with_own_variables(description: ModelDescription) -> ModelDescription:
     return replace(description, variables=tuple(variables))
 
 
-def _groups(variables: Iterable[Variable], references: dict[str, int]) -> list[_Group]:
+def _groups(description: ModelDescription, references: dict[str, int]) -> list[_Group]:
+    """The variables by reference; states and derivatives keep their names where others are equal to them."""
+    preferred = {*description.states, *description.derivatives}
     slots: dict[int, list[Variable]] = {}
-    for variable in variables:
+    for variable in description.variables:
         slots.setdefault(references[variable.name], []).append(variable)
-    return [_merge(reference, members) for reference, members in slots.items()]
+    return [_merge(reference, members, preferred) for reference, members in slots.items()]
 
 
 def _type_definitions(enumerations: Iterable[EnumerationType]) -> etree._Element:
@@ -249,7 +251,7 @@ def fmi3_description(description: ModelDescription) -> bytes:
     check_description(description)
     complete = _with_own_variables(description)
     references = _value_references(complete.variables)
-    groups = _groups(complete.variables, references)
+    groups = _groups(complete, references)
     primary = {group.reference: group.variable.name for group in groups}
     merged = replace(
         complete,
