@@ -50,9 +50,17 @@ typedef int cmb_scene;
  * geometry  body_count descriptor strings, none NULL; an empty string is a body without shape.
  * pairs     pair_count rows of two 1-based body numbers; may be NULL if pair_count is 0.
  * scene     receives the handle; unchanged on error. Not NULL.
- * The scene lives until the library is unloaded; nothing has to be freed. */
+ * The scene lives until the library is unloaded; nothing has to be freed. Descriptors that name files are refused. */
 CMB_API cmb_status cmb_intern(const char *const *geometry, size_t body_count, const int *pairs, size_t pair_count,
                       cmb_backend backend, cmb_scene *scene);
+
+/* The same, for descriptors that name files.
+ * folder    what file names are relative to; no file outside of it is read, links resolved. "/" allows all files.
+ *           NULL or empty: files are refused.
+ * Files are read now, once each; a scene that is known already is not read again, even if its files have changed. */
+CMB_API cmb_status cmb_intern_with_files(const char *const *geometry, size_t body_count, const int *pairs,
+                                         size_t pair_count, cmb_backend backend, const char *folder,
+                                         cmb_scene *scene);
 
 /* Evaluates all pairs of a scene. All arrays are the caller's, row-major, none NULL unless its size is 0.
  * position  [body_count][3], rotation [body_count][3][3] (world to body, Modelica's R.T)

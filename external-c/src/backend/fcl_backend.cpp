@@ -48,7 +48,8 @@ std::shared_ptr<fcl::CollisionGeometryd> geometry(const Shape &shape) {
     case ShapeKind::ellipsoid: return std::make_shared<fcl::Ellipsoidd>(half.x, half.y, half.z);
     case ShapeKind::cylinder: return std::make_shared<fcl::Cylinderd>(half.x, 2.0 * half.z);
     case ShapeKind::cone: return std::make_shared<fcl::Coned>(half.x, 2.0 * half.z);
-    case ShapeKind::halfspace: break;
+    case ShapeKind::halfspace:
+    case ShapeKind::mesh: break;
   }
   return nullptr;
 }

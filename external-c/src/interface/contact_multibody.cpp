@@ -99,6 +99,11 @@ extern "C" {
 
 cmb_status cmb_intern(const char *const *geometry, size_t body_count, const int *pairs, size_t pair_count,
                       cmb_backend backend, cmb_scene *scene) {
+  return cmb_intern_with_files(geometry, body_count, pairs, pair_count, backend, nullptr, scene);
+}
+
+cmb_status cmb_intern_with_files(const char *const *geometry, size_t body_count, const int *pairs, size_t pair_count,
+                                 cmb_backend backend, const char *folder, cmb_scene *scene) {
   return guarded([&] {
     if (scene == nullptr) return fail(CMB_ERROR_ARGUMENT, "scene is NULL");
     if (body_count > 0 && geometry == nullptr) return fail(CMB_ERROR_ARGUMENT, "geometry is NULL");
@@ -112,7 +117,7 @@ cmb_status cmb_intern(const char *const *geometry, size_t body_count, const int 
       return fail(CMB_ERROR_ARGUMENT, "there is no back end " + std::to_string(static_cast<int>(backend)) +
                                           "; use 0 auto, 1 analytic, 2 libccd or 3 FCL");
     }
-    *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend);
+    *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend, folder == nullptr ? "" : folder);
     return CMB_OK;
   });
 }

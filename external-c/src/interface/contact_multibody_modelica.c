@@ -5,10 +5,14 @@
 /* Supplied by the Modelica tool (ModelicaUtilities.h of the Modelica specification); does not return. */
 extern void ModelicaFormatError(const char *string, ...);
 
+/* A model is trusted as code is: it may name any file. */
+static const char *const all_files = "/";
+
 int cmb_modelica_intern(const char **geometry, size_t body_count, const int *pairs, size_t pair_count, int backend) {
   cmb_scene scene = 0;
   const cmb_status status =
-      cmb_intern((const char *const *)geometry, body_count, pairs, pair_count, (cmb_backend)backend, &scene);
+      cmb_intern_with_files((const char *const *)geometry, body_count, pairs, pair_count, (cmb_backend)backend,
+                            all_files, &scene);
   if (status != CMB_OK) {
     ModelicaFormatError("ContactMultiBody: %s: %s\n", cmb_status_text(status), cmb_last_error());
   }

@@ -9,14 +9,7 @@
 
 namespace cmb::mesh {
 
-MeshData read_mesh_file(const std::string &path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  const auto reader = ending == ".stl" ? read_stl : ending == ".obj" ? read_obj : ending == ".ply" ? read_ply : nullptr;
-  if (reader == nullptr) {
-    throw MeshError(path, "the name does not end in .stl, .obj or .ply", "export the mesh in one of these formats");
-  }
+std::string read_whole_file(const std::string &path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
     throw MeshError(path, "no such file", "check the path");
@@ -31,7 +24,18 @@ MeshData read_mesh_file(const std::string &path) {
   if (!file.read(contents.data(), static_cast<std::streamsize>(contents.size()))) {
     throw MeshError(path, "cannot be read", "check its permissions");
   }
-  MeshData data = reader(contents, path);
+  return contents;
+}
+
+MeshData read_mesh_file(const std::string &path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const auto reader = ending == ".stl" ? read_stl : ending == ".obj" ? read_obj : ending == ".ply" ? read_ply : nullptr;
+  if (reader == nullptr) {
+    throw MeshError(path, "the name does not end in .stl, .obj or .ply", "export the mesh in one of these formats");
+  }
+  MeshData data = reader(read_whole_file(path), path);
   weld_vertices(data, path);
   return data;
 }

@@ -16,8 +16,10 @@ MeshData read_stl(std::string_view contents, const std::string &source);  // ASC
 MeshData read_obj(std::string_view contents, const std::string &source);  // v and f; all else is passed over
 MeshData read_ply(std::string_view contents, const std::string &source);  // ASCII and binary of both byte orders
 
-// Reads the file, by its name's ending (.stl, .obj, .ply, any case), and shares vertices at the same place. Files of
-// more than MeshLimits::file_bytes, and anything but regular files, are refused.
+// The whole contents of a regular file. Files of more than MeshLimits::file_bytes are refused. Throws MeshError.
+std::string read_whole_file(const std::string &path);
+
+// Reads the file, by its name's ending (.stl, .obj, .ply, any case), and shares vertices at the same place.
 MeshData read_mesh_file(const std::string &path);
 
 }  // namespace cmb::mesh

@@ -69,6 +69,7 @@ std::optional<ShapeOverlap> shapes(const Shape &a, const Pose &pose_a, const Sha
     }
     return std::nullopt;
   }
+  if (a.mesh || b.mesh) return std::nullopt;
   BackendScratch scratch;
   const ConvexAnswer answer = *exact_distance(a, pose_a, b, pose_b, scratch);
   if (answer.distance >= 0.0) return ShapeOverlap{};

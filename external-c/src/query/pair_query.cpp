@@ -5,6 +5,8 @@
 
 #include "geometry/pose_algebra.hpp"
 #include "manifold/halfspace_manifold.hpp"
+#include "query/mesh_halfspace.hpp"
+#include "query/mesh_query.hpp"
 
 namespace cmb {
 
@@ -51,19 +53,29 @@ double distance_bound(const Shape &a, const Pose &pose_a, const Shape &b, const 
   return norm(pose_a(a.bound_center) - pose_b(b.bound_center)) - a.bound_radius - b.bound_radius;
 }
 
+// Of two shapes, the one with the higher rank is the second body.
+int rank(const Shape &shape) { return shape.kind == ShapeKind::halfspace ? 2 : shape.kind == ShapeKind::mesh ? 1 : 0; }
+
 }  // namespace
 
 void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                   QueryScratch &scratch, ContactSet &result, cmb_backend &who) {
-  if (b.kind == ShapeKind::halfspace) {
-    who = CMB_BACKEND_ANALYTIC;
-    halfspace_contact(a, pose_a, world_plane(pose_b), result);
+  if (rank(a) > rank(b)) {
+    query_shapes(scene, b, pose_b, a, pose_a, scratch, result, who);
+    reverse(result);
     return;
   }
-  if (a.kind == ShapeKind::halfspace) {
-    who = CMB_BACKEND_ANALYTIC;
-    halfspace_contact(b, pose_b, world_plane(pose_a), result);
-    reverse(result);
+  who = CMB_BACKEND_ANALYTIC;
+  if (b.kind == ShapeKind::halfspace) {
+    if (a.kind == ShapeKind::mesh) {
+      mesh_halfspace_contact(a, pose_a, world_plane(pose_b), result);
+    } else {
+      halfspace_contact(a, pose_a, world_plane(pose_b), result);
+    }
+    return;
+  }
+  if (b.kind == ShapeKind::mesh) {
+    mesh_contact(a, pose_a, b, pose_b, scratch.mesh, result);
     return;
   }
   const ConvexAnswer answer = convex_answer(scene, a, pose_a, b, pose_b, scratch.backend, who);

@@ -7,6 +7,7 @@
 #include "backend/distance_backend.hpp"
 #include "manifold/contact_set.hpp"
 #include "manifold/convex_manifold.hpp"
+#include "query/mesh_query.hpp"
 #include "scene/scene.hpp"
 
 namespace cmb {
@@ -18,6 +19,7 @@ Pose body_pose(const double *position, const double *rotation);
 struct QueryScratch {
   BackendScratch backend;
   ManifoldScratch manifold;
+  MeshQueryScratch mesh;
   ContactSet contact;
   ContactSet shape_contact;
   std::vector<Pose> poses_a, poses_b;

@@ -1,35 +1,27 @@
 #include "scene/registry.hpp"
 
-#include <array>
-#include <atomic>
+#include <algorithm>
 #include <cstring>
+#include <map>
 #include <memory>
-#include <mutex>
-#include <new>
-#include <unordered_map>
-#include <utility>
+#include <vector>
 
 #include "scene/descriptor.hpp"
+#include "scene/interned.hpp"
+#include "scene/mesh_hull.hpp"
 
 namespace cmb {
 
 namespace {
 
-struct Registry {
-  std::mutex mutex;
-  std::unordered_map<std::string, cmb_scene> handles;                  // guarded by the mutex
-  std::array<std::unique_ptr<const Scene>, scene_limit> owned;         // guarded by the mutex
-  std::array<std::atomic<const Scene *>, scene_limit> published{};     // written under the mutex, read by all
-};
-
-Registry &registry() {
-  static Registry instance;
+Interned<Scene, scene_limit> &registry() {
+  static Interned<Scene, scene_limit> instance;
   return instance;
 }
 
 std::string scene_key(const char *const *geometry, std::size_t body_count, const int *pairs, std::size_t pair_count,
-                      cmb_backend backend) {
-  std::string key = std::to_string(static_cast<int>(backend));
+                      cmb_backend backend, const std::string &folder) {
+  std::string key = std::to_string(static_cast<int>(backend)) + ' ' + std::to_string(folder.size()) + ':' + folder;
   for (std::size_t i = 0; i < body_count; ++i) {
     key += ' ';
     key += std::to_string(std::strlen(geometry[i]));
@@ -43,8 +35,26 @@ std::string scene_key(const char *const *geometry, std::size_t body_count, const
   return key;
 }
 
+// Half-spaces touch meshes by their hulls; without half-spaces none is needed.
+void attach_mesh_hulls(std::vector<BodyShapes> &bodies) {
+  const auto is_halfspace = [](const Shape &shape) { return shape.kind == ShapeKind::halfspace; };
+  const bool needed = std::any_of(bodies.begin(), bodies.end(), [&](const BodyShapes &shapes) {
+    return std::any_of(shapes.begin(), shapes.end(), is_halfspace);
+  });
+  if (!needed) return;
+  std::map<const mesh::TriangleMesh *, std::shared_ptr<const ContactPolytope>> hulls;
+  for (BodyShapes &shapes : bodies) {
+    for (Shape &shape : shapes) {
+      if (!shape.mesh) continue;
+      const auto [entry, added] = hulls.try_emplace(shape.mesh.get());
+      if (added) entry->second = make_mesh_hull(*shape.mesh);
+      shape.mesh_hull = entry->second;
+    }
+  }
+}
+
 std::unique_ptr<Scene> make_scene(const char *const *geometry, std::size_t body_count, const int *pairs,
-                                  std::size_t pair_count, cmb_backend backend) {
+                                  std::size_t pair_count, cmb_backend backend, const std::string &folder) {
   auto scene = std::make_unique<Scene>();
   scene->backend = backend;
   scene->pairs.reserve(pair_count);
@@ -62,43 +72,35 @@ std::unique_ptr<Scene> make_scene(const char *const *geometry, std::size_t body_
     }
     scene->pairs.push_back({static_cast<std::size_t>(first - 1), static_cast<std::size_t>(second - 1)});
   }
+  GeometryFiles files(folder);
   scene->bodies.reserve(body_count);
   for (std::size_t i = 0; i < body_count; ++i) {
     try {
-      scene->bodies.push_back(parse_descriptor(geometry[i]));
+      scene->bodies.push_back(parse_descriptor(geometry[i], files));
     } catch (const DescriptorError &error) {
       throw SceneError(CMB_ERROR_DESCRIPTOR, "descriptor " + std::to_string(i + 1) + ", column " +
                                                  std::to_string(error.column()) + ": " + error.what());
     }
   }
+  attach_mesh_hulls(scene->bodies);
   return scene;
 }
 
 }  // namespace
 
 cmb_scene intern_scene(const char *const *geometry, std::size_t body_count, const int *pairs, std::size_t pair_count,
-                       cmb_backend backend) {
-  Registry &all = registry();
-  std::string key = scene_key(geometry, body_count, pairs, pair_count, backend);
-  const std::lock_guard<std::mutex> lock(all.mutex);
-  const auto known = all.handles.find(key);
-  if (known != all.handles.end()) return known->second;
-  const std::size_t slot = all.handles.size();
-  if (slot >= scene_limit) {
+                       cmb_backend backend, const std::string &folder) {
+  const cmb_scene handle = registry().intern(
+      scene_key(geometry, body_count, pairs, pair_count, backend, folder), [&]() -> std::unique_ptr<const Scene> {
+        return make_scene(geometry, body_count, pairs, pair_count, backend, folder);
+      });
+  if (handle == 0) {
     throw SceneError(CMB_ERROR_MEMORY, "there are " + std::to_string(scene_limit) +
                                            " scenes already; intern a scene once, not at every step");
   }
-  std::unique_ptr<const Scene> scene = make_scene(geometry, body_count, pairs, pair_count, backend);
-  const cmb_scene handle = static_cast<cmb_scene>(slot + 1);
-  all.handles.emplace(std::move(key), handle);
-  all.owned[slot] = std::move(scene);
-  all.published[slot].store(all.owned[slot].get(), std::memory_order_release);
   return handle;
 }
 
-const Scene *find_scene(cmb_scene handle) {
-  if (handle < 1 || static_cast<std::size_t>(handle) > scene_limit) return nullptr;
-  return registry().published[static_cast<std::size_t>(handle - 1)].load(std::memory_order_acquire);
-}
+const Scene *find_scene(cmb_scene handle) { return registry().find(handle); }
 
 }  // namespace cmb

@@ -11,10 +11,10 @@ namespace cmb {
 
 constexpr std::size_t scene_limit = 65536;
 
-// The handle of the scene with these arguments, which is made where it does not exist yet. Throws SceneError,
-// std::bad_alloc. Guarded by a mutex.
+// The handle of the scene with these arguments, which is made where it does not exist yet. Files are read within
+// `folder` only; none where it is empty. Throws SceneError, std::bad_alloc. Guarded by a mutex.
 cmb_scene intern_scene(const char *const *geometry, std::size_t body_count, const int *pairs, std::size_t pair_count,
-                       cmb_backend backend);
+                       cmb_backend backend, const std::string &folder = {});
 
 // The scene of a handle, null where there is none; without locking.
 const Scene *find_scene(cmb_scene handle);

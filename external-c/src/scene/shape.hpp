@@ -1,4 +1,4 @@
-// Shapes: convex solids, and the half-space, in the frame of the body that carries them.
+// Shapes: convex solids, half-spaces and triangle meshes, in the frame of the body that carries them.
 #pragma once
 
 #include <memory>
@@ -10,17 +10,23 @@
 
 namespace cmb {
 
+namespace mesh {
+class TriangleMesh;
+}
+
 using convex::Mat3;
 using convex::Pose;
 using convex::Vec3;
 
-enum class ShapeKind { halfspace, sphere, box, capsule, hull, ellipsoid, cylinder, cone };
+enum class ShapeKind { halfspace, sphere, box, capsule, hull, ellipsoid, cylinder, cone, mesh };
 
 // Immutable once parsed; shared by threads.
 struct Shape {
   ShapeKind kind = ShapeKind::halfspace;
-  convex::ConvexBody body;                           // of every kind but halfspace
+  convex::ConvexBody body;                           // of every kind but halfspace and mesh
   std::shared_ptr<const ContactPolytope> polytope;   // of box and hull
+  std::shared_ptr<const mesh::TriangleMesh> mesh;    // of mesh, which height fields are too
+  std::shared_ptr<const ContactPolytope> mesh_hull;  // of a mesh that a half-space may touch, if it is no plane
   Pose in_body;                                      // point_in_body = in_body(point_in_shape)
   Vec3 bound_center;                                 // bounding sphere in the shape's frame;
   double bound_radius = 0.0;                         // not for halfspace

@@ -4,8 +4,9 @@
 #include "../convex/random_bodies.hpp"
 #include "convex/convex_distance.hpp"
 #include "mesh/mesh_contact.hpp"
-#include "mesh/mesh_halfspace.hpp"
 #include "mesh_samples.hpp"
+#include "query/mesh_halfspace.hpp"
+#include "scene/mesh_hull.hpp"
 
 namespace {
 
@@ -67,11 +68,18 @@ TriangleMesh flat_sheet() {
 
 // Mesh against half-space.
 
+cmb::Shape mesh_shape(const TriangleMesh &m) {
+  cmb::Shape shape;
+  shape.kind = cmb::ShapeKind::mesh;
+  shape.mesh = std::make_shared<const TriangleMesh>(m);
+  shape.mesh_hull = cmb::make_mesh_hull(m);
+  return shape;
+}
+
 TEST(MeshOnHalfspace, CubeIsTheBox) {
   Random random(1);
-  const TriangleMesh cube = mesh(box_mesh({1, 2, 3}, 3));
-  const auto hull = cmb::mesh::mesh_hull(cube);
-  ASSERT_TRUE(hull);
+  const cmb::Shape cube = mesh_shape(mesh(box_mesh({1, 2, 3}, 3)));
+  ASSERT_TRUE(cube.mesh_hull);
   cmb::Shape box;
   box.kind = cmb::ShapeKind::box;
   box.body = cmb::convex::make_box({1, 2, 3});
@@ -80,7 +88,7 @@ TEST(MeshOnHalfspace, CubeIsTheBox) {
     const Pose pose{random_rotation(random), {0, 0, random.uniform(0.3, 2.0)}};
     const cmb::Plane plane{{0, 0, 1}, 0.0};
     ContactSet a, b;
-    mesh_halfspace_contact(cube, hull, pose, plane, a);
+    mesh_halfspace_contact(cube, pose, plane, a);
     halfspace_contact(box, pose, plane, b);
     ASSERT_NEAR(a.distance, b.distance, 1e-13);
     ASSERT_EQ(a.points.size(), b.points.size());
@@ -91,13 +99,27 @@ TEST(MeshOnHalfspace, CubeIsTheBox) {
 }
 
 TEST(MeshOnHalfspace, FlatSheetRestsOnAllItsVertices) {
-  const TriangleMesh sheet = flat_sheet();
-  ASSERT_FALSE(cmb::mesh::mesh_hull(sheet));
+  const cmb::Shape sheet = mesh_shape(flat_sheet());
+  ASSERT_FALSE(sheet.mesh_hull);
   ContactSet set;
-  mesh_halfspace_contact(sheet, nullptr, {{}, {0, 0, -0.25}}, {{0, 0, 1}, 0.0}, set);
+  mesh_halfspace_contact(sheet, {{}, {0, 0, -0.25}}, {{0, 0, 1}, 0.0}, set);
   EXPECT_DOUBLE_EQ(set.distance, -0.25);
   expect_near(wrench(set).force, {0, 0, 0.25}, 1e-14);
   expect_near(wrench(set).torque, {}, 1e-13);
+}
+
+// The hull of a fine mesh is found from a choice of its vertices.
+TEST(MeshOnHalfspace, FineSphereReachesAsFarAsItsRadius) {
+  const TriangleMesh sphere = mesh(sphere_mesh(1.0, 5));
+  ASSERT_GT(sphere.vertices().size(), 8192u);
+  const auto hull = cmb::make_mesh_hull(sphere);
+  Random random(11);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 d = random_rotation(random).column(0);
+    const double reach = dot(d, hull->geometry().vertices()[static_cast<std::size_t>(hull->geometry().support_vertex(d))]);
+    ASSERT_LE(reach, 1.0 + 1e-12);
+    ASSERT_GT(reach, 0.998);
+  }
 }
 
 // Balls.

@@ -1,0 +1,111 @@
+#include "scene/geometry_files.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "mesh/mesh_file.hpp"
+
+namespace cmb {
+
+using convex::Vec3;
+using mesh::MeshError;
+
+std::string GeometryFiles::resolve(std::string_view name) const {
+  const std::string shown(name);
+  if (name.empty()) throw MeshError("file", "the name is empty", "give the file's name");
+  if (!allowed_) {
+    throw MeshError(shown, "no folder is given that files may be read from",
+                    "intern the scene with cmb_intern_with_files, or give vertices and triangles");
+  }
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::canonical(folder_, error);
+  if (error) throw MeshError(shown, "the folder " + folder_.string() + " cannot be read", "check the folder's name");
+  const std::filesystem::path path = std::filesystem::weakly_canonical(folder / std::filesystem::path(shown), error);
+  if (error) throw MeshError(shown, "not a file name", "check the name");
+  const auto [folder_end, path_end] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  if (folder_end != folder.end() || path_end == path.end()) {
+    throw MeshError(shown, "lies outside of the folder " + folder.string(), "copy it into that folder");
+  }
+  return path.string();
+}
+
+const mesh::MeshData &GeometryFiles::mesh_data(std::string_view name) {
+  const std::string path = resolve(name);
+  const auto known = mesh_data_.find(path);
+  if (known != mesh_data_.end()) return known->second;
+  return mesh_data_.emplace(path, mesh::read_mesh_file(path)).first->second;
+}
+
+std::shared_ptr<const mesh::TriangleMesh> GeometryFiles::triangle_mesh(std::string_view name, double scale) {
+  const std::string path = resolve(name);
+  std::shared_ptr<const mesh::TriangleMesh> &known = meshes_[{path, scale}];
+  if (!known) {
+    mesh::MeshData data = mesh_data(name);
+    for (Vec3 &p : data.vertices) p = scale * p;
+    known = std::make_shared<const mesh::TriangleMesh>(std::move(data), mesh::MeshUse::any, path);
+  }
+  return known;
+}
+
+namespace {
+
+GeometryFiles::Table parse_table(std::string_view text, const std::string &source) {
+  const auto separates = [](char c) { return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\r'; };
+  GeometryFiles::Table table;
+  std::size_t line = 0, position = 0;
+  while (position < text.size()) {
+    const std::size_t end = std::min(text.find('\n', position), text.size());
+    ++line;
+    const std::string place = source + ", line " + std::to_string(line);
+    std::size_t count = 0, i = position;
+    const bool comment = text[position] == '#';
+    while (i < end && !comment) {
+      if (separates(text[i])) {
+        ++i;
+        continue;
+      }
+      std::size_t stop = i;
+      while (stop < end && !separates(text[stop])) ++stop;
+      const char *first = text.data() + i + (text[i] == '+' ? 1 : 0), *last = text.data() + stop;
+      double value = 0.0;
+      const auto [parsed, error] = std::from_chars(first, last, value);
+      if (error != std::errc() || parsed != last || !std::isfinite(value)) {
+        throw MeshError(place, "number " + std::to_string(count + 1) + " is not a finite number",
+                        "write heights in metres, separated by blanks or commas");
+      }
+      if (table.values.size() >= mesh::MeshLimits::vertices) {
+        throw MeshError(place, "more than " + std::to_string(mesh::MeshLimits::vertices) + " heights",
+                        "use a coarser grid");
+      }
+      table.values.push_back(value);
+      ++count;
+      i = stop;
+    }
+    if (count > 0) {
+      if (table.rows > 0 && count != table.columns) {
+        throw MeshError(place, std::to_string(count) + " heights where the rows before have " +
+                                   std::to_string(table.columns),
+                        "give every row as many heights");
+      }
+      table.columns = count;
+      ++table.rows;
+    }
+    position = end + 1;
+  }
+  if (table.rows == 0) throw MeshError(source, "no heights", "write a line of heights for each row of the grid");
+  return table;
+}
+
+}  // namespace
+
+const GeometryFiles::Table &GeometryFiles::table(std::string_view name) {
+  const std::string path = resolve(name);
+  const auto known = tables_.find(path);
+  if (known != tables_.end()) return known->second;
+  return tables_.emplace(path, parse_table(mesh::read_whole_file(path), path)).first->second;
+}
+
+}  // namespace cmb
