@@ -322,6 +322,8 @@ def _free_start(motion: tuple[Array, Array], pose: Pose) -> list[str]:
         f"angles_start={vector(angles)}",
         "w_0_fixed=true",
         f"w_0_start={vector(tidy_length(angular_velocity))}",
+        # Without it the root of the mechanism's orientations, whose coordinates are the states, may be any other body.
+        "enforceStates=true",
     ]
 
 

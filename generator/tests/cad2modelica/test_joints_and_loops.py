@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -152,6 +153,23 @@ def test_free_part_and_free_joint(moved: Trajectory) -> None:
         speed = velocity + np.cross(spin, arm)
         expected = position + arm + np.outer(moved.time, speed) + np.outer(moved.time**2 / 2, GRAVITY)
         np.testing.assert_allclose(center_of(moved, name), expected, atol=1e-6, err_msg=name)
+
+
+def test_free_part_is_the_root_of_its_mechanism(tmp_path: Path) -> None:
+    """A limb chosen as root would make the free part's given orientation a nonlinear condition on the limb's."""
+    parts = [part("torso", position=(0, 0, 1)), part("upper", position=(1, 0, 1)), part("lower", position=(2, 0, 1))]
+    joints = [
+        joint("hip", "revolute", "torso", "upper", origin=(0.5, 0, 1), axis=(0, 0, 1)),
+        joint("knee", "revolute", "upper", "lower", origin=(1.5, 0, 1), axis=(0, 1, 0)),
+    ]
+    package = generate(write_assembly(tmp_path / "limbs.xml", parts, joints), tmp_path / "out")
+    text = (package.root / "Mechanics.mo").read_text()
+    bodies = re.findall(r"Parts\.Body (\w+)\((.*?)\) \"", text, flags=re.DOTALL)
+    assert {name: "enforceStates=true" in modifiers for name, modifiers in bodies} == {
+        "torso": True,
+        "upper": False,
+        "lower": False,
+    }
 
 
 def test_fixed_joint_carries_its_part(moved: Trajectory) -> None:
