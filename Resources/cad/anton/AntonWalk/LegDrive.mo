@@ -1,0 +1,56 @@
+within AntonWalk;
+model LegDrive "Three servos that move a leg as the gait wants"
+  import SI = Modelica.Units.SI;
+  parameter Gait gait "Gait";
+  parameter Real offset(unit="1") "Where the leg is in its cycle at the start";
+  parameter SI.Angle direction "Direction in which the leg stands off, from the torso's x axis";
+  parameter SI.Length coxa=0.05 "Length from the hip's axis to the lift axis" annotation (Dialog(group="Geometry"));
+  parameter SI.Length femur=0.09 "Length from the lift axis to the knee" annotation (Dialog(group="Geometry"));
+  parameter SI.Length tibia=0.135 "Length from the knee to the foot's centre" annotation (Dialog(group="Geometry"));
+  parameter SI.Length reach=0.155 "Distance of the foot's middle position from the hip's axis" annotation (Dialog(group="Geometry"));
+  parameter SI.Height height=0.09812 "Height of the hip above the centre of a standing foot" annotation (Dialog(group="Geometry"));
+  parameter SI.RotationalSpringConstant c=300 "Gain of the angle" annotation (Dialog(group="Servos"));
+  parameter SI.RotationalDampingConstant d=4 "Gain of the speed" annotation (Dialog(group="Servos"));
+  final parameter SI.Position startPath[2]=footPosition(offset, gait.dutyFactor, gait.stride, gait.lift) "Foot at the start";
+  final parameter SI.Angle start[3]=jointAngles(
+      {reach + startPath[1]*cos(direction),-startPath[1]*sin(direction),startPath[2] - height},
+      coxa, femur, tibia) "Angles of the joints at the start";
+  Modelica.Blocks.Interfaces.RealInput cycle "Cycles since the start" annotation (Placement(transformation(extent={{-140,20},{-100,60}})));
+  Modelica.Blocks.Interfaces.RealInput rate(unit="1/s") "Derivative of cycle" annotation (Placement(transformation(extent={{-140,-60},{-100,-20}})));
+  Modelica.Mechanics.Rotational.Interfaces.Flange_b hip "To the hip's axis" annotation (Placement(transformation(extent={{90,50},{110,70}})));
+  Modelica.Mechanics.Rotational.Interfaces.Flange_b lift "To the lift axis" annotation (Placement(transformation(extent={{90,-10},{110,10}})));
+  Modelica.Mechanics.Rotational.Interfaces.Flange_b knee "To the knee's axis" annotation (Placement(transformation(extent={{90,-70},{110,-50}})));
+  ContactMultiBody.Actuators.Rotational.Servo servo[3](each c=c, each d=d, each useSpeedReference=true) "Servos of hip, lift and knee"
+    annotation (Placement(transformation(extent={{20,-10},{40,10}})));
+protected
+  SI.Position path[2] "Foot against its middle position, forward and up";
+  SI.Length slope[2] "Derivative of the path by the cycle";
+  SI.Position foot[3] "Foot against the hip, outward, sideways, up";
+  SI.Velocity velocity[3] "Derivative of foot";
+  SI.Angle phi[3] "Wanted angles";
+  SI.AngularVelocity w[3] "Wanted speeds";
+equation
+  path = footPosition(cycle + offset, gait.dutyFactor, gait.stride, gait.lift);
+  slope = footSlope(cycle + offset, gait.dutyFactor, gait.stride, gait.lift);
+  foot = {reach + path[1]*cos(direction),-path[1]*sin(direction),path[2] - height};
+  velocity = rate*{slope[1]*cos(direction),-slope[1]*sin(direction),slope[2]};
+  phi = jointAngles(foot, coxa, femur, tibia);
+  w = jointSpeeds(foot, velocity, phi, femur, tibia);
+  servo.phi_ref = phi;
+  servo.w_ref = w;
+  connect(servo[1].flange, hip) annotation (Line(points={{40,0},{70,0},{70,60},{100,60}}));
+  connect(servo[2].flange, lift) annotation (Line(points={{40,0},{100,0}}));
+  connect(servo[3].flange, knee) annotation (Line(points={{40,0},{70,0},{70,-60},{100,-60}}));
+  annotation (
+    Icon(graphics={
+        Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
+        Line(points={{-60,20},{-20,20},{30,60},{60,-70}}, thickness=1),
+        Ellipse(extent={{50,-60},{70,-80}}, fillColor={0,0,0}, fillPattern=FillPattern.Solid),
+        Text(extent={{-150,150},{150,110}}, textColor={0,0,255}, textString="%name")}),
+    Documentation(info="<html>
+<p>
+The path of the foot by <a href=\"modelica://AntonWalk.footPosition\">footPosition</a>, the joints' angles for it by
+<a href=\"modelica://AntonWalk.jointAngles\">jointAngles</a>, the derivatives of both, and a servo for each joint that follows both.
+</p>
+</html>"));
+end LegDrive;
