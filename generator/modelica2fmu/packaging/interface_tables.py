@@ -112,6 +112,7 @@ def interface_source(description: ModelDescription, options: SolverOptions) -> s
         f".relative_tolerance = {effective_tolerance(description, options)!r}",
         f".absolute_tolerance = {options.absolute_tolerance!r}",
         f".maximum_step = {options.maximum_step!r}",
+        f".maximum_steps = {options.maximum_steps}",
     ]
     return (
         "/* Generated: the interface of the model's variables, as in modelDescription.xml. */\n"

@@ -15,6 +15,7 @@ FIRST_REFERENCE = 0x40000000
 PREFIX = "cmbSolver"
 
 DEFAULT_TOLERANCE = 1e-6
+_LARGEST_INTEGER = 2**31 - 1
 
 
 @dataclass(frozen=True)
@@ -26,11 +27,13 @@ class SolverOptions:
         absolute_tolerance: divided by each state's nominal value; 0 for 1e-3 times the relative tolerance,
             1e-9 at least where that is not more than the relative one.
         maximum_step: s; 0 for the communication step.
+        maximum_steps: of the integrator in one communication step; more discard it.
     """
 
     relative_tolerance: float | None = None
     absolute_tolerance: float = 0.0
     maximum_step: float = 0.0
+    maximum_steps: int = 100_000
 
 
 def effective_tolerance(description: ModelDescription, options: SolverOptions) -> float:
@@ -46,11 +49,14 @@ def with_solver_variables(description: ModelDescription, options: SolverOptions)
     Raises:
         InputError: a variable of the model has one of their names, or an option is out of range.
     """
+    place = Place(component=description.name)
+    if not 1 <= options.maximum_steps <= _LARGEST_INTEGER:
+        raise InputError(f"the integrator cannot be allowed {options.maximum_steps} steps", place=place)
     tolerance = effective_tolerance(description, options)
     if not 0.0 < tolerance < 1.0 or options.absolute_tolerance < 0.0 or options.maximum_step < 0.0:
         raise InputError(
             "the integrator's tolerance must lie between 0 and 1, its other options must not be negative",
-            place=Place(component=description.name),
+            place=place,
         )
     reals = (
         ("relativeTolerance", tolerance, "", "Relative tolerance where the importer gives none"),
@@ -94,11 +100,24 @@ def with_solver_variables(description: ModelDescription, options: SolverOptions)
         )
         for index, (name, text) in enumerate(integers)
     ]
+    variables.append(
+        Variable(
+            name=f"{PREFIX}.maximumSteps",
+            type=DataType.INTEGER,
+            value_reference=FIRST_REFERENCE + len(integers),
+            causality=Causality.PARAMETER,
+            variability=Variability.FIXED,
+            initial=Initial.EXACT,
+            start=options.maximum_steps,
+            description="Co-simulation: Most steps of the integrator in one communication step, which fails beyond",
+            minimum=1.0,
+        )
+    )
     taken = {variable.name for variable in description.variables} & {variable.name for variable in variables}
     if taken:
         raise InputError(
             f"the name {min(taken)} belongs to the FMU's integrator",
-            place=Place(component=description.name),
+            place=place,
             remedy=f"Rename the component {PREFIX} of the model.",
         )
     return replace(description, variables=(*description.variables, *variables))

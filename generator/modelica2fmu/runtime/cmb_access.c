@@ -124,12 +124,15 @@ static void mark_set(cmb_instance *instance, const cmb_slot_table *table, unsign
   if (instance->situation.phase == CMB_PHASE_STEP) instance->situation.event_pending = 1;
 }
 
+static int accepts_solver_options(cmb_instance *instance) {
+  if (before_start(instance)) return 1;
+  snprintf(instance->message, sizeof instance->message,
+           "Options of the integrator can only be set before initialization ends");
+  return 0;
+}
+
 static cmb_result set_solver_option(cmb_instance *instance, unsigned option, double value) {
-  if (!before_start(instance)) {
-    snprintf(instance->message, sizeof instance->message,
-             "Options of the integrator can only be set before initialization ends");
-    return CMB_RESULT_ERROR;
-  }
+  if (!accepts_solver_options(instance)) return CMB_RESULT_ERROR;
   if (!(value >= 0.0) || (option == CMB_SOLVER_RELATIVE_TOLERANCE && !(value > 0.0 && value < 1.0))) {
     snprintf(instance->message, sizeof instance->message, "%g is no value for an option of the integrator", value);
     return CMB_RESULT_ERROR;
@@ -169,12 +172,31 @@ cmb_result cmb_set_reals(cmb_instance *instance, const unsigned *reference, size
   return CMB_RESULT_OK;
 }
 
+static cmb_result set_maximum_steps(cmb_instance *instance, int value) {
+  if (!accepts_solver_options(instance)) return CMB_RESULT_ERROR;
+  if (value < 1) {
+    snprintf(instance->message, sizeof instance->message, "%d is no number of steps for the integrator", value);
+    return CMB_RESULT_ERROR;
+  }
+  instance->situation.solver_integer[CMB_SOLVER_MAXIMUM_STEPS] = value;
+  return CMB_RESULT_OK;
+}
+
 cmb_result cmb_set_integers(cmb_instance *instance, const unsigned *reference, size_t count, const int *value) {
   const cmb_slot_table *table = &cmb_interface_tables.integer;
-  const cmb_result result = check_settable(instance, table, "Integer", cmb_model.integer_count, reference, count);
-  if (result != CMB_RESULT_OK) return result;
+  static const unsigned maximum_steps = CMB_SOLVER_FIRST_REFERENCE + CMB_SOLVER_MAXIMUM_STEPS;
+  for (size_t i = 0; i < count; ++i) {
+    if (reference[i] == maximum_steps) continue;
+    const cmb_result result = check_settable(instance, table, "Integer", cmb_model.integer_count, &reference[i], 1);
+    if (result != CMB_RESULT_OK) return result;
+  }
   for (size_t i = 0; i < count; ++i) {
     const unsigned slot = reference[i];
+    if (slot == maximum_steps) {
+      const cmb_result result = set_maximum_steps(instance, value[i]);
+      if (result != CMB_RESULT_OK) return result;
+      continue;
+    }
     if (before_start(instance)) {
       instance->start_integer[slot] = instance->set_integer[slot] = value[i];
       instance->integer_is_set[slot] = 1;

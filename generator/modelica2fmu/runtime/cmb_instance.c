@@ -144,6 +144,7 @@ cmb_result cmb_instance_reset(cmb_instance *instance) {
   instance->situation.solver_real[CMB_SOLVER_RELATIVE_TOLERANCE] = cmb_interface_tables.relative_tolerance;
   instance->situation.solver_real[CMB_SOLVER_ABSOLUTE_TOLERANCE] = cmb_interface_tables.absolute_tolerance;
   instance->situation.solver_real[CMB_SOLVER_MAXIMUM_STEP] = cmb_interface_tables.maximum_step;
+  instance->situation.solver_integer[CMB_SOLVER_MAXIMUM_STEPS] = cmb_interface_tables.maximum_steps;
   instance->values.time = instance->situation.settings.start_time;
   instance->values.next_time_event = HUGE_VAL;
   instance->values.initial = 0;

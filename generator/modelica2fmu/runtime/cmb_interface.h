@@ -31,6 +31,7 @@ typedef struct cmb_interface {
   double relative_tolerance;       /* of the co-simulation solver where the importer gives none */
   double absolute_tolerance;       /* times a state's nominal value; 0: see cmb_solver.c */
   double maximum_step;             /* s; 0: the communication step */
+  int maximum_steps;               /* of the integrator in one communication step */
 } cmb_interface;
 
 extern const cmb_interface cmb_interface_tables;
@@ -46,6 +47,7 @@ enum {
   CMB_SOLVER_CONVERGENCE_FAILURES,
   CMB_SOLVER_STATE_EVENTS,
   CMB_SOLVER_TIME_EVENTS,
+  CMB_SOLVER_MAXIMUM_STEPS,      /* an option, not a counter: steps allowed in one communication step */
   CMB_SOLVER_INTEGER_COUNT
 };
 

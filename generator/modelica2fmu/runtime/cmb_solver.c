@@ -15,7 +15,7 @@
 #include "cmb_evaluate.h"
 #include "cmb_event.h"
 
-enum { MAXIMUM_STEPS = 1000000, MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
+enum { MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
 
 struct cmb_solver {
   cmb_instance *instance;
@@ -29,6 +29,7 @@ struct cmb_solver {
   int initialized, restart;
   cmb_result cause; /* of the last failed evaluation */
   long counted[CMB_SOLVER_INTEGER_COUNT];
+  long steps_left; /* that are still allowed */
   long quotient_evaluations; /* of the right-hand side, since the last count */
 };
 
@@ -65,18 +66,6 @@ static int roots(realtype time, N_Vector state, realtype *indicator, void *data)
   return to_cvode(solver, cmb_event_indicators(solver->instance, indicator));
 }
 
-static int jacobian(realtype time, N_Vector state, N_Vector derivative, SUNMatrix matrix, void *data, N_Vector first,
-                    N_Vector second, N_Vector third) {
-  cmb_solver *solver = data;
-  (void)derivative, (void)first, (void)second, (void)third;
-  cmb_set_point(solver->instance, time, NV_DATA_S(state));
-  cmb_result result = cmb_update_continuous(solver->instance);
-  if (result == CMB_RESULT_OK) {
-    result = cmb_call_model(solver->instance, CMB_CALL_JACOBIAN, SUNDenseMatrix_Data(matrix));
-  }
-  return to_cvode(solver, result);
-}
-
 /* Difference quotients with increments by the states' values or nominal values, whichever is larger. CVODE's own shrink
  * with the derivatives: at rest, where stiff contacts leave hardly any, the rounding of large forces would make up a
  * good part of the quotients, and wrong Jacobians let Newton accept points beside the fast modes' equilibrium. */
@@ -98,6 +87,29 @@ static int difference_quotients(realtype time, N_Vector state, N_Vector derivati
     for (size_t i = 0; i < solver->state_count; ++i) column[i] = (moved[i] - here[i]) / step;
   }
   return 0;
+}
+
+static int all_finite(const double *numbers, size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    if (!isfinite(numbers[i])) return 0;
+  }
+  return 1;
+}
+
+/* The model's own Jacobian; where it has none, since a part of the model cannot be differentiated there (the root of
+ * zero, a call that fails beside the point), difference quotients. */
+static int jacobian(realtype time, N_Vector state, N_Vector derivative, SUNMatrix matrix, void *data, N_Vector first,
+                    N_Vector second, N_Vector third) {
+  cmb_solver *solver = data;
+  cmb_set_point(solver->instance, time, NV_DATA_S(state));
+  cmb_result result = cmb_update_continuous(solver->instance);
+  if (result != CMB_RESULT_OK) return to_cvode(solver, result);
+  result = cmb_call_model(solver->instance, CMB_CALL_JACOBIAN, SUNDenseMatrix_Data(matrix));
+  if (result == CMB_RESULT_ERROR) return to_cvode(solver, result);
+  if (result == CMB_RESULT_OK && all_finite(SUNDenseMatrix_Data(matrix), solver->state_count * solver->state_count)) {
+    return 0;
+  }
+  return difference_quotients(time, state, derivative, matrix, data, first, second, third);
 }
 
 cmb_solver *cmb_solver_create(cmb_instance *instance) {
@@ -182,7 +194,6 @@ static int first_start(cmb_solver *solver) {
   if (flag == CV_SUCCESS && solver->state_count > 0) {
     flag = CVodeSetJacFn(solver->memory, cmb_model.jacobian != NULL ? jacobian : difference_quotients);
   }
-  if (flag == CV_SUCCESS) flag = CVodeSetMaxNumSteps(solver->memory, MAXIMUM_STEPS);
   if (flag == CV_SUCCESS) flag = CVodeSetMaxHnilWarns(solver->memory, -1);
   if (flag == CV_SUCCESS && cmb_model.indicator_count > 0) {
     flag = CVodeRootInit(solver->memory, (int)cmb_model.indicator_count, roots);
@@ -214,6 +225,7 @@ static void count(cmb_solver *solver) {
   CVodeGetNumJacEvals(solver->memory, &now[CMB_SOLVER_JACOBIANS]);
   CVodeGetNumErrTestFails(solver->memory, &now[CMB_SOLVER_ERROR_TEST_FAILURES]);
   CVodeGetNumNonlinSolvConvFails(solver->memory, &now[CMB_SOLVER_CONVERGENCE_FAILURES]);
+  solver->steps_left -= now[CMB_SOLVER_STEPS] - solver->counted[CMB_SOLVER_STEPS];
   for (int i = 0; i < CMB_SOLVER_INTEGER_COUNT; ++i) {
     solver->instance->situation.solver_integer[i] += (int)(now[i] - solver->counted[i]);
     solver->counted[i] = now[i];
@@ -228,6 +240,13 @@ static cmb_result explain(cmb_solver *solver, int flag, double time, const char 
                                     flag == CV_MEM_FAIL || flag == CV_ILL_INPUT
                                 ? CMB_RESULT_ERROR
                                 : CMB_RESULT_DISCARD;
+  if (flag == CV_TOO_MUCH_WORK) {
+    snprintf(instance->message, sizeof instance->message,
+             "The integrator gives up at time %.15g: it needs more than %d steps in one communication step. If the model "
+             "is right, raise cmbSolver.maximumSteps or take shorter communication steps",
+             time, instance->situation.solver_integer[CMB_SOLVER_MAXIMUM_STEPS]);
+    return result;
+  }
   char *name = CVodeGetReturnFlagName(flag);
   snprintf(instance->message, sizeof instance->message, "The integrator stops at time %.15g (%s)%s%.900s", time,
            name != NULL ? name : "?", cause[0] != '\0' ? ": " : "", cause);
@@ -265,12 +284,14 @@ static int integrate(cmb_solver *solver, double end, double limit, double larges
   solver->cause = CMB_RESULT_OK;
   solver->instance->message[0] = '\0';
   int flag = solver->restart ? start(solver) : CV_SUCCESS;
+  if (flag == CV_SUCCESS) flag = CVodeSetMaxNumSteps(solver->memory, solver->steps_left > 0 ? solver->steps_left : 1);
   if (flag == CV_SUCCESS) flag = CVodeSetMaxStep(solver->memory, largest_step);
   if (flag == CV_SUCCESS) flag = CVodeSetStopTime(solver->memory, fmin(limit, DBL_MAX));
   for (size_t i = 0; i < solver->state_count; ++i) {
     solver->entry[i] = solver->instance->values.real[cmb_model.state[i]];
   }
   if (flag != CV_SUCCESS) return flag;
+  if (solver->steps_left <= 0) return CV_TOO_MUCH_WORK;
   flag = CVode(solver->memory, end, solver->state, reached, CV_NORMAL);
   count(solver);
   return flag;
@@ -294,6 +315,8 @@ static double last_step_begin(cmb_solver *solver) {
 static int is_too_short(double begin, double end) {
   return end - begin <= 8.0 * DBL_EPSILON * fmax(fabs(begin), fabs(end));
 }
+
+void cmb_solver_allow_steps(cmb_solver *solver, long count) { solver->steps_left = count; }
 
 cmb_result cmb_solver_advance(cmb_solver *solver, double target, double limit, double maximum_step, cmb_stop *stop) {
   cmb_instance *instance = solver->instance;
@@ -328,7 +351,7 @@ cmb_result cmb_solver_advance(cmb_solver *solver, double target, double limit, d
     const int root_failed = flag == CV_RTFUNC_FAIL && solver->cause == CMB_RESULT_DISCARD;
     const double failed_at = root_failed ? last_step_begin(solver) : reached;
     solver->restart = 1;
-    if (is_recoverable(flag)) {
+    if (is_recoverable(flag) || flag == CV_TOO_MUCH_WORK) {
       reached = move_to_last_good_point(solver, begin);
     } else {
       cmb_set_point(instance, begin, solver->entry);

@@ -16,6 +16,9 @@ void cmb_solver_destroy(cmb_solver *solver);
  * going on after restoring it give the same numbers. solver may be NULL. */
 void cmb_solver_restart(cmb_solver *solver);
 
+/* Allows so many steps of the integrator from now on, in all advances together. */
+void cmb_solver_allow_steps(cmb_solver *solver, long count);
+
 /* Integrates from the instance's time to target or to the first zero of an event indicator before it; never
  * evaluates the model after limit. Time and states of the instance are those reached, also where the result
  * is CMB_RESULT_DISCARD (the last good point) or CMB_RESULT_ERROR. */

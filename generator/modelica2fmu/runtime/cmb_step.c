@@ -50,6 +50,7 @@ cmb_result cmb_do_step(cmb_instance *instance, double target, int stop_at_events
       return CMB_RESULT_ERROR;
     }
   }
+  cmb_solver_allow_steps(instance->solver, situation->solver_integer[CMB_SOLVER_MAXIMUM_STEPS]);
   cmb_result result = CMB_RESULT_OK;
   if (situation->event_pending) result = carry_out_event(instance);
 

@@ -12,6 +12,8 @@ from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 from importer import DISCARD, ERROR, WARNING, Importer
 
+LAST_SUCCESSFUL_TIME = 2  # fmi2LastSuccessfulTime
+
 
 def make_guarded(importer: Importer, fail: int, **reals: float) -> Any:
     instance = importer.make(FMU2Slave)
@@ -261,4 +263,30 @@ def test_logging_follows_the_categories(ball: Path, tmp_path: Path) -> None:
     instance.setDebugLogging(False, [])
     instance.doStep(1.5, 0.5)
     assert importer.messages == []
+    instance.freeInstance()
+
+
+@pytest.mark.parametrize("kind", [0, 1])
+def test_a_communication_step_is_given_up_after_so_many_steps_of_the_integrator(
+    oscillator: Path, tmp_path: Path, kind: int
+) -> None:
+    """A step cannot be stopped from outside, so it has a bound; values are those of the time that was reached."""
+    importer = Importer(oscillator, tmp_path)
+    instance = importer.make(FMU2Slave)
+    limit = importer.references["cmbSolver.maximumSteps"]
+    assert list(instance.getInteger([limit])) == [100_000]
+    for wrong in (0, -5):
+        expect(ERROR, instance.setInteger, [limit], [wrong])
+    instance.setInteger([limit], [200])
+    importer.initialize(instance, **{"cmbSolver.maximumStep": 0.01})
+    time = 0.0
+    if kind == 1:  # the bound is one of each step: many short ones are no matter
+        for _ in range(10):
+            instance.doStep(time, 0.3)
+            time += 0.3
+    expect(DISCARD, instance.doStep, time, 10.0)
+    assert any("more than 200 steps" in message and "maximumSteps" in message for _, _, message in importer.messages)
+    reached = instance.getRealStatus(LAST_SUCCESSFUL_TIME)
+    assert time < reached <= time + 200 * 0.01 + 0.01  # the step before may overshoot by one
+    assert importer.reals(instance, "s")[0] == pytest.approx(np.cos(2.0 * reached), abs=1e-5)
     instance.freeInstance()
