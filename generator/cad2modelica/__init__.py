@@ -2,5 +2,6 @@
 
 from cad2modelica.generation import GeneratedPackage, GenerateOptions, generate
 from cad2modelica.reading import read_assembly
+from cad2modelica.regeneration import Edited
 
-__all__ = ["GenerateOptions", "GeneratedPackage", "generate", "read_assembly"]
+__all__ = ["Edited", "GenerateOptions", "GeneratedPackage", "generate", "read_assembly"]

@@ -1,42 +1,41 @@
-"""Actuators of the mechatronic model: which joint is driven how, from a TOML file.
-
-```toml
-[[actuator]]
-joint = "shoulder"       # name in the CAD assembly
-kind = "torque"          # torque, force: driven by an input; damper, springDamper: passive
-name = "shoulderMotor"   # optional
-damping = 0.5            # N.m.s/rad or N.s/m: damper, springDamper
-stiffness = 100.0        # N.m/rad or N/m: springDamper
-```
-"""
+"""The mechatronic model's components: drives, sensors, and the model's own inputs and outputs."""
 
 from __future__ import annotations
 
-import math
-import tomllib
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
 
-from cmb_base.errors import Place
-
-from cad2modelica.loops import LoopAnalysis
-from cad2modelica.model import Assembly, Joint, JointType
+from cad2modelica.actuator_catalogue import SENSOR, ComponentClass, Signal, components_for
+from cad2modelica.actuator_file import Assignment
+from cad2modelica.model import Assembly, Joint
 from cad2modelica.modelica_names import NamePool
 from cad2modelica.modelica_text import number
-from cad2modelica.problems import Problems
 
-FILE_NAME = "actuators.toml"
-MAXIMUM_BYTES = 2**20
-
-_ROTATIONAL, _TRANSLATIONAL = "Modelica.Mechanics.Rotational", "Modelica.Mechanics.Translational"
-_DRIVEN = {
-    ("torque", JointType.REVOLUTE): (f"{_ROTATIONAL}.Sources.Torque", "tau", "torque"),
-    ("force", JointType.PRISMATIC): (f"{_TRANSLATIONAL}.Sources.Force", "f", "force"),
+_WORDS = {
+    "Angle": "angle",
+    "AngularVelocity": "speed",
+    "Torque": "torque",
+    "Length": "position",
+    "Velocity": "speed",
+    "Force": "force",
+    "ElectricPotential": "voltage",
+    "ElectricCurrent": "current",
 }
-_PASSIVE = {"damper": ("Damper", ("damping",)), "springDamper": ("SpringDamper", ("stiffness", "damping"))}
-_PARAMETERS = {"damping": "d", "stiffness": "c"}
-_KINDS = ("torque", "force", *_PASSIVE)
+
+
+@dataclass(frozen=True)
+class ModelSignal:
+    """An input or output of the mechatronic model.
+
+    Attributes:
+        connector: that of the actuator it is connected to.
+        name: in the mechatronic model.
+        modifiers: of the declaration.
+    """
+
+    connector: str
+    name: str
+    modifiers: tuple[str, ...]
+    description: str
 
 
 @dataclass(frozen=True)
@@ -45,8 +44,7 @@ class Actuator:
 
     Attributes:
         joint: Modelica name of the joint.
-        flanges: the actuator's connectors at the joint's axis and at its housing.
-        input: the actuator's input connector and the name of the model's input; None for passive ones.
+        connections: own connector and the one it is connected to: flange and housing.
     """
 
     class_name: str
@@ -54,114 +52,97 @@ class Actuator:
     modifiers: tuple[str, ...]
     description: str
     joint: str
-    flanges: tuple[str, str]
-    input: tuple[str, str] | None
+    connections: tuple[tuple[str, str], ...]
+    inputs: tuple[ModelSignal, ...]
+    outputs: tuple[ModelSignal, ...]
 
 
-def read_actuators(
-    file: Path, assembly: Assembly, loops: LoopAnalysis, joint_names: dict[str, str], taken: set[str]
+def place_actuators(
+    assignments: tuple[Assignment, ...], assembly: Assembly, joint_names: dict[str, str], taken: set[str]
 ) -> tuple[Actuator, ...]:
-    """Reads an actuator file.
+    """Names and connects what the actuator file assigns.
+
+    Drives act on the joint's axis, or through its sensor if it has one. Inputs start at the value the file gives,
+    wanted angles and positions else at the joint's own start. Drives with inputs and sensors have outputs; where
+    there is a sensor, it alone tells angle, speed and torque.
 
     Args:
-        file: the TOML file.
+        assignments: checked by ``read_assignments``.
         assembly: the mechanism.
-        loops: its loops; planar loop constraints cannot be driven.
         joint_names: Modelica name of every joint.
         taken: names of the mechanics' components.
-
-    Raises:
-        InputError: the file is wrong; a ``ProblemList`` if several problems were found.
     """
-    place = Place(file=file)
-    problems = Problems(str(file))
-    actuators: list[Actuator] = []
     pool = NamePool(taken)
     joints = {joint.name: joint for joint in assembly.joints}
-    driven: set[str] = set()
-    for entry in _entries(file, problems):
-        joint = joints.get(entry.get("joint", ""))
-        where = Place(file=file, component=f"actuator of joint {entry.get('joint')!r}")
-        if joint is None:
-            known = ", ".join(sorted(joints)[:30]) or "none"
-            problems.add("there is no such joint", where, f"Joints of the assembly: {known}.")
-        elif joint.name in driven:
-            problems.add("the joint has another actuator", where, "Give one actuator a joint.")
-        elif joint.name in loops.planar_constraints:
-            problems.add(
-                "the joint closes a planar loop and has no coordinate", where, "Drive another joint of the loop."
-            )
+    names = [pool.instance(item.name or _default_name(item), "actuator") for item in assignments]
+    sensors = {item.joint: name for item, name in zip(assignments, names, strict=True) if item.component == SENSOR}
+    told: set[tuple[str, str]] = set()
+    actuators = []
+    for item, name in zip(assignments, names, strict=True):
+        joint = joints[item.joint]
+        component = next(c for c in components_for(joint.type) if c.name == item.component)
+        modelica = joint_names[joint.name]
+        sensor = sensors.get(item.joint)
+        if item.component == SENSOR:
+            flange = ("flange_b", f"{modelica}.axis")
         else:
-            driven.add(joint.name)
-            actuator = _actuator(entry, joint, joint_names[joint.name], pool, problems, where)
-            actuators += [actuator] if actuator is not None else []
-    if not actuators:
-        problems.add("names no actuator", place, "Add a table [[actuator]], or remove the file.")
-    problems.raise_if_any()
+            flange = ("flange", f"{sensor}.flange_a" if sensor is not None else f"{modelica}.axis")
+        actuators.append(
+            Actuator(
+                class_name=component.class_name,
+                name=name,
+                modifiers=("useSupport=true", *(f"{key}={_text(value)}" for key, value in item.parameters.items())),
+                description=f"{component.description.split(',')[0]} at {joint.name}",
+                joint=modelica,
+                connections=(flange, ("support", f"{modelica}.support")),
+                inputs=_inputs(component, item, joint, pool),
+                outputs=_outputs(component, item, sensor, told, pool),
+            )
+        )
     return tuple(actuators)
 
 
-def _entries(file: Path, problems: Problems) -> list[dict[str, Any]]:
-    data = file.read_bytes()[: MAXIMUM_BYTES + 1]
-    try:
-        content = tomllib.loads(data.decode("utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        problems.add(f"is not TOML: {error}", Place(file=file), "Correct the file.")
-        problems.raise_if_any()
-        return []
-    unknown = sorted(set(content) - {"actuator"})
-    entries: Any = content.get("actuator", [])
-    if unknown or not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-        problems.add("only tables [[actuator]] are known", Place(file=file), "Correct the file.")
-        problems.raise_if_any()
-    return list(entries)
+def _default_name(item: Assignment) -> str:
+    # "hip torque" is the name of an output.
+    return f"{item.joint} {'drive' if item.component.lower() in _WORDS.values() else item.component}"
 
 
-def _actuator(
-    entry: dict[str, Any], joint: Joint, joint_name: str, pool: NamePool, problems: Problems, place: Place
-) -> Actuator | None:
-    kind = entry.get("kind", "")
-    if joint.type not in (JointType.REVOLUTE, JointType.PRISMATIC):
-        problems.add(f"a {joint.type.value} joint cannot be driven", place, "Drive revolute and prismatic joints.")
-        return None
-    wanted = _PASSIVE[kind][1] if kind in _PASSIVE else ()
-    unknown = sorted(set(entry) - {"joint", "kind", "name", *wanted})
-    if unknown:
-        problems.add(f"{', '.join(unknown)} has no meaning for kind {kind!r}", place, "Remove it.")
-        return None
-    default = f"{joint.name} {kind if kind in _PASSIVE else 'drive'}"
-    name = pool.instance(str(entry.get("name", default)), "actuator")
-    if kind in _PASSIVE:
-        values = [entry.get(key) for key in wanted]
-        numbers = [float(v) for v in values if isinstance(v, int | float) and not isinstance(v, bool)]
-        if len(numbers) != len(wanted) or not all(math.isfinite(v) and v >= 0 for v in numbers):
-            problems.add(f"a {kind} needs {' and '.join(wanted)}, not negative", place, "Add the numbers.")
-            return None
-        modifiers = [f"{_PARAMETERS[key]}={number(value)}" for key, value in zip(wanted, numbers, strict=True)]
-        domain = _ROTATIONAL if joint.type is JointType.REVOLUTE else _TRANSLATIONAL
-        return Actuator(
-            f"{domain}.Components.{_PASSIVE[kind][0]}",
-            name,
-            tuple(modifiers),
-            f"{kind} at {joint.name}",
-            joint_name,
-            ("flange_b", "flange_a"),
-            None,
-        )
-    found = _DRIVEN.get((kind, joint.type))
-    if found is None:
-        problems.add(
-            f"kind {kind!r} does not suit a {joint.type.value} joint", place, f"Known kinds: {', '.join(_KINDS)}."
-        )
-        return None
-    class_name, connector, quantity = found
-    signal = pool.instance(f"{joint.name} {quantity}", "input")
-    return Actuator(
-        class_name,
-        name,
-        ("useSupport=true",),
-        f"{kind} drive of {joint.name}",
-        joint_name,
-        ("flange", "support"),
-        (connector, signal),
-    )
+def _inputs(component: ComponentClass, item: Assignment, joint: Joint, pool: NamePool) -> tuple[ModelSignal, ...]:
+    signals = []
+    for signal in component.inputs:
+        if signal.condition is not None and not item.parameters.get(signal.condition, False):
+            continue
+        holds = signal.quantity in ("Angle", "Length")
+        start = item.inputs.get(signal.name, joint.position if holds else 0.0)
+        suffix = " reference" if signal.name.endswith("_ref") else ""
+        name = pool.instance(f"{item.joint} {_WORDS[signal.quantity]}{suffix}", "input")
+        modifiers = (f"start={number(start)}", *_type_modifiers(signal))
+        signals.append(ModelSignal(signal.name, name, modifiers, f"{signal.description} at {item.joint}"))
+    return tuple(signals)
+
+
+def _outputs(
+    component: ComponentClass, item: Assignment, sensor: str | None, told: set[tuple[str, str]], pool: NamePool
+) -> tuple[ModelSignal, ...]:
+    is_sensor = item.component == SENSOR
+    if not component.inputs and not is_sensor:
+        return ()
+    signals = []
+    for signal in component.outputs:
+        word = _WORDS[signal.quantity]
+        measured = word != "current"
+        if measured and ((sensor is not None and not is_sensor) or (item.joint, word) in told):
+            continue
+        if word not in ("torque", "force", "current"):
+            told.add((item.joint, word))
+        name = pool.instance(f"{item.joint} {word}", "output")
+        signals.append(ModelSignal(signal.name, name, _type_modifiers(signal), f"{signal.description} at {item.joint}"))
+    return tuple(signals)
+
+
+def _type_modifiers(signal: Signal) -> tuple[str, ...]:
+    return f'final quantity="{signal.quantity}"', f'final unit="{signal.unit}"'
+
+
+def _text(value: float | bool) -> str:
+    return ("true" if value else "false") if isinstance(value, bool) else number(value)

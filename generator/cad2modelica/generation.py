@@ -9,19 +9,35 @@ from cmb_base.errors import InputError
 from cmb_base.output import whole_folder
 from cmb_base.progress import Progress, silent
 
-from cad2modelica.actuators import FILE_NAME, Actuator, read_actuators
+from cad2modelica.actuator_file import FILE_NAME, Assignment, named_joints, read_assignments
+from cad2modelica.actuators import place_actuators
 from cad2modelica.collision_shapes import MAXIMUM_PIECES, collision_geometry
 from cad2modelica.contact_pairs import contact_pairs, within_reach
 from cad2modelica.graph_drawing import graph_svg
 from cad2modelica.kinematic_graph import kinematic_tree
-from cad2modelica.loops import LoopAnalysis, analyse_loops
-from cad2modelica.mechanism_view import RESERVED, MechanismView, mechanism_view
+from cad2modelica.loops import analyse_loops
+from cad2modelica.mechanism_view import RESERVED, mechanism_view
 from cad2modelica.model import Assembly, DecompositionLimits
 from cad2modelica.modelica_names import NamePool
 from cad2modelica.own_files import GRAPH, ORDER, SCENE, find_own_files
 from cad2modelica.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
 from cad2modelica.reading import read_assembly
+from cad2modelica.regeneration import (
+    MECHATRONICS_FILE,
+    RECORD,
+    Edited,
+    Record,
+    actuator_signature,
+    checksum,
+    plan_mechatronics,
+    read_record,
+    record_text,
+    require_same_structure,
+)
 from cad2modelica.scene_file import scene_text
+from cad2modelica.structure import structure_of
+
+GENERATED = ("package.mo", "Mechanics.mo", "Geometry.mo", RECORD)
 
 
 @dataclass(frozen=True)
@@ -31,7 +47,9 @@ class GenerateOptions:
     Attributes:
         package: name of the package; made of the assembly's name if None.
         actuators: TOML file that assigns actuators to joints; ``actuators.toml`` beside the assembly, if there is
-            one, if None. It counts when the mechatronic model is written for the first time.
+            one, if None.
+        accept_structure: whether a package of another structure may be replaced.
+        edited: what happens to an edited mechatronic model when the assignment of actuators has changed.
         collision_error: concavity that a piece of a concave body may keep, in the assembly's unit of length (m for
             URDF); counts before the assembly's own ``collisionError``, but not before a part's.
         max_pieces: largest number of pieces of a concave body; counts likewise.
@@ -41,6 +59,8 @@ class GenerateOptions:
     actuators: Path | None = None
     collision_error: float | None = None
     max_pieces: int | None = None
+    accept_structure: bool = False
+    edited: Edited = Edited.ASK
 
 
 @dataclass(frozen=True)
@@ -74,9 +94,9 @@ def generate(
 
     Args:
         assembly_path: the assembly's XML file.
-        output: folder that will hold the package's folder, ``scene.json`` and ``graph.svg``. The mechatronic
-            model and all other files of the modeller's own that are there from an earlier generation are kept byte
-            for byte.
+        output: folder that will hold the package's folder, ``scene.json`` and ``graph.svg``. All files of the
+            modeller's own that are there from an earlier generation are kept byte for byte, and the mechatronic model
+            unless the assignment of actuators has changed.
         options: choices.
         progress: is told what is being done.
 
@@ -84,7 +104,7 @@ def generate(
         What was written.
 
     Raises:
-        InputError: the input is wrong; nothing is written then.
+        InputError: the input is wrong, or what is there must not be replaced without consent; nothing is written then.
     """
     _check(options)
     assembly = read_assembly(assembly_path, progress)
@@ -107,23 +127,36 @@ def generate(
     pairs, dropped = within_reach(assembly, tree, contact_pairs(assembly, tree, colliding), balls)
     view = mechanism_view(assembly, tree, loops, geometries, pairs)
     notes = (*assembly.notes, *loops.notes, *(note for item in geometries.values() for note in item.notes), *dropped)
-    actuators = _actuators(assembly_path, options, assembly, loops, view)
+    own = find_own_files(output, name, {*GENERATED, ORDER})
+    earlier = read_record(own.root)
+    structure = structure_of(assembly, loops, view)
+    file = _actuator_file(assembly_path, options)
+    assigned = named_joints(file) if file is not None else ()
+    changes = require_same_structure(earlier, structure, own, assigned, options.accept_structure)
+    assignments: tuple[Assignment, ...] = read_assignments(file, assembly, loops) if file is not None else ()
+    plan = plan_mechatronics(own, earlier, structure, actuator_signature(assignments, assembly), options.edited)
+    taken = {component.name for component in view.components} | {*view.material_names.values(), *RESERVED}
+    actuators = place_actuators(assignments, assembly, view.joint_names, taken)
     texts = package_texts(assembly, view, geometries, actuators, name, notes)
-    own = find_own_files(output, name, {*texts.files, ORDER})
-    notes += tuple(
-        own.lost_references({*view.part_names.values(), *view.plane_names.values(), *view.joint_names.values()})
-    )
-    if actuators and Path(f"{MECHATRONICS}.mo") in own.files:
-        notes += (f"{FILE_NAME} was not used: {MECHATRONICS}.mo exists; remove it to have it written anew",)
+    if plan.write_mechatronics or earlier is None:
+        written = checksum(texts.mechatronics.encode())
+    else:
+        written = earlier.mechatronics
+    notes += (*changes, *plan.notes)
     progress("write package", 0.5, name)
     with whole_folder(output) as staging:
         root = staging / name
         root.mkdir()
         own.copy_to(root)
-        for file, text in texts.files.items():
-            (root / file).write_text(text, encoding="utf-8")
-        if not (root / f"{MECHATRONICS}.mo").exists():
-            (root / f"{MECHATRONICS}.mo").write_text(texts.mechatronics, encoding="utf-8")
+        if plan.keep_old is not None:
+            (root / MECHATRONICS_FILE).rename(root / plan.keep_old)
+        for file_name, text in texts.files.items():
+            (root / file_name).write_text(text, encoding="utf-8")
+        if plan.write_mechatronics:
+            (root / MECHATRONICS_FILE).write_text(texts.mechatronics, encoding="utf-8")
+        record = Record(structure, actuator_signature(assignments, assembly), written)
+        (root / RECORD).parent.mkdir(exist_ok=True)
+        (root / RECORD).write_text(record_text(record), encoding="utf-8")
         (root / ORDER).write_text("".join(f"{item}\n" for item in own.package_order(CLASSES)), encoding="utf-8")
         (staging / SCENE).write_text(scene_text(assembly, tree, loops, view, name), encoding="utf-8")
         (staging / GRAPH).write_text(graph_svg(assembly, tree), encoding="utf-8")
@@ -147,14 +180,9 @@ def _check(options: GenerateOptions) -> None:
         )
 
 
-def _actuators(
-    assembly_path: Path, options: GenerateOptions, assembly: Assembly, loops: LoopAnalysis, view: MechanismView
-) -> tuple[Actuator, ...]:
+def _actuator_file(assembly_path: Path, options: GenerateOptions) -> Path | None:
     file = options.actuators or assembly_path.parent / FILE_NAME
-    if options.actuators is None and not file.is_file():
-        return ()
-    taken = {component.name for component in view.components} | {*view.material_names.values(), *RESERVED}
-    return read_actuators(file, assembly, loops, view.joint_names, taken)
+    return file if options.actuators is not None or file.is_file() else None
 
 
 def _package_name(assembly: Assembly, options: GenerateOptions) -> str:

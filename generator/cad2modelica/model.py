@@ -19,6 +19,7 @@ class JointType(Enum):
 
     REVOLUTE = "revolute"
     PRISMATIC = "prismatic"
+    SCREW = "screw"
     CYLINDRICAL = "cylindrical"
     PLANAR = "planar"
     UNIVERSAL = "universal"
@@ -40,6 +41,7 @@ class JointType(Enum):
 _FREEDOMS = {
     JointType.REVOLUTE: 1,
     JointType.PRISMATIC: 1,
+    JointType.SCREW: 1,
     JointType.CYLINDRICAL: 2,
     JointType.PLANAR: 3,
     JointType.UNIVERSAL: 2,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 import shutil
 from collections.abc import Collection
@@ -25,13 +24,11 @@ class OwnFiles:
         root: the earlier package's folder.
         files: paths relative to it.
         order: the earlier package's order of classes.
-        components: names of bodies and joints the earlier model had.
     """
 
     root: Path
     files: tuple[Path, ...] = ()
     order: tuple[str, ...] = ()
-    components: frozenset[str] = frozenset()
 
     def copy_to(self, root: Path) -> None:
         """Copies the files byte for byte."""
@@ -46,20 +43,20 @@ class OwnFiles:
         kept = tuple(name for name in self.order if name in known)
         return (*kept, *(name for name in (*generated, *sorted(own)) if name not in kept))
 
-    def lost_references(self, components: Collection[str]) -> list[str]:
-        """Remarks on components that are gone but named in the modeller's files."""
-        gone = sorted(self.components - set(components))
-        notes = []
+    def references_to(self, names: Collection[str]) -> list[str]:
+        """Places in the modeller's Modelica files that name one of ``names``, one line of text each."""
+        found = []
         for file in self.files:
             if file.suffix != ".mo":
                 continue
-            text = (self.root / file).read_text(encoding="utf-8", errors="replace")
-            notes += [
-                f"{file}: uses {name!r}, which the mechanics has no longer; correct the file"
-                for name in gone
-                if re.search(rf"\b{re.escape(name)}\b", text)
+            lines = (self.root / file).read_text(encoding="utf-8", errors="replace").splitlines()
+            found += [
+                f"{file}:{number} uses {name!r}"
+                for number, line in enumerate(lines, start=1)
+                for name in sorted(names)
+                if re.search(rf"\b{re.escape(name)}\b", line)
             ]
-        return notes
+        return found
 
 
 def find_own_files(output: Path, package: str, generated: Collection[str]) -> OwnFiles:
@@ -93,11 +90,4 @@ def find_own_files(output: Path, package: str, generated: Collection[str]) -> Ow
     files = tuple(path for path in paths if str(path) not in generated)
     order_file = root / ORDER
     order = tuple(order_file.read_text(encoding="utf-8").split()) if order_file.is_file() else ()
-    return OwnFiles(root, files, order, _components(output / SCENE))
-
-
-def _components(scene: Path) -> frozenset[str]:
-    if not scene.is_file():
-        return frozenset()
-    content = json.loads(scene.read_text(encoding="utf-8"))
-    return frozenset(item["name"] for key in ("bodies", "joints") for item in content.get(key, ()))
+    return OwnFiles(root, files, order)

@@ -85,7 +85,7 @@ def package_texts(
     mechatronics = environment.get_template("mechatronics.mo.jinja").render(
         **common,
         actuators=actuators,
-        flanges=[f"{actuator.joint}(useAxisFlange=true)" for actuator in actuators],
+        flanges=[f"{joint}(useAxisFlange=true)" for joint in dict.fromkeys(item.joint for item in actuators)],
         actuator_connections=[
             {"first": item.first, "second": item.second, "points": _points(item.points), "color": item.color}
             for item in drives.connections

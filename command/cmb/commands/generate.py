@@ -5,21 +5,24 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cad2modelica import GenerateOptions, generate
+from cad2modelica import generate
 
 from cmb.assembly_file import find_assembly
-from cmb.collision_arguments import add_collision_arguments
+from cmb.generation_arguments import add_generation_arguments, generation_options
 from cmb.terminal import progress_bars
 
 NAME = "generate"
 SUMMARY = "CAD assembly (XML and VRML, or URDF) to a Modelica package"
 DESCRIPTION = (
     "Reads an assembly (XML with parts, joints, masses and inertias and VRML geometry; or URDF) and writes a Modelica "
-    "package with the mechanical model and the mechatronic model that extends it."
+    "package with the mechanical model and the mechatronic model that extends it. In a package that is there already "
+    "the mechanical model is written anew; the mechatronic one only if the assignment of actuators has changed. Where "
+    "parts or joints are others than before, nothing is written without consent."
 )
 EXAMPLES = """examples:
   cmb generate Resources/cad/hammer --output out/model
   cmb generate robot/robot.urdf --output out/robot --actuators robot/drives.toml
+  cmb generate robot/robot.xml --output out/robot --accept-structure
 """
 
 
@@ -29,14 +32,7 @@ def add_arguments(parser: ArgumentParser) -> None:
         "assembly", type=Path, metavar="ASSEMBLY", help="the assembly's XML or URDF file, or its folder"
     )
     parser.add_argument("--output", type=Path, required=True, metavar="FOLDER", help="folder to write the package into")
-    parser.add_argument("--package", metavar="NAME", help="name of the Modelica package (the assembly's if left out)")
-    parser.add_argument(
-        "--actuators",
-        type=Path,
-        metavar="TOML",
-        help="which actuators drive which joints (actuators.toml beside the assembly if left out)",
-    )
-    add_collision_arguments(parser)
+    add_generation_arguments(parser)
 
 
 def run(arguments: Namespace) -> int:
@@ -45,12 +41,7 @@ def run(arguments: Namespace) -> int:
         package = generate(
             find_assembly(arguments.assembly),
             arguments.output,
-            GenerateOptions(
-                package=arguments.package,
-                actuators=arguments.actuators,
-                collision_error=arguments.collision_error,
-                max_pieces=arguments.max_pieces,
-            ),
+            generation_options(arguments),
             progress,
         )
     print(f"{package.name}: {package.root}")

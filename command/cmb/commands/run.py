@@ -6,7 +6,7 @@ import shutil
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cad2modelica import GenerateOptions, generate
+from cad2modelica import generate
 from cmb_base.output import whole_folder
 from cmb_base.progress import Progress
 from fmu_regression.fmu import read_description
@@ -19,7 +19,7 @@ from fmu_regression.summarise import summarise
 from modelica2fmu.build import BuildOptions, build_fmu
 
 from cmb.assembly_file import find_assembly
-from cmb.collision_arguments import add_collision_arguments
+from cmb.generation_arguments import add_generation_arguments, generation_options
 from cmb.project import LIBRARY
 from cmb.terminal import progress_bars
 
@@ -48,7 +48,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--interval", type=float, metavar="S", help="output interval in s")
     parser.add_argument("--mode", choices=("me", "cs"), default="me", help="model exchange or co-simulation")
     parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
-    add_collision_arguments(parser)
+    add_generation_arguments(parser)
 
 
 def run(arguments: Namespace) -> int:
@@ -72,8 +72,7 @@ def _keep_package(earlier: Path, now: Path) -> None:
 def _carry_out(
     arguments: Namespace, assembly: Path, folder: Path, progress: Progress
 ) -> tuple[SimulationResult, Scene]:
-    options = GenerateOptions(collision_error=arguments.collision_error, max_pieces=arguments.max_pieces)
-    package = generate(assembly, folder / PACKAGE_FOLDER, options, progress)
+    package = generate(assembly, folder / PACKAGE_FOLDER, generation_options(arguments), progress)
     fmu = folder / f"{assembly.stem}.fmu"
     build_fmu(package.mechatronics, (package.root, LIBRARY), fmu, BuildOptions(msl=arguments.msl), progress)
     scene = load_scene(package.scene)

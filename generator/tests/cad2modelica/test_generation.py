@@ -252,11 +252,10 @@ def test_own_classes_are_kept_and_listed(hammer: Path, tmp_path: Path) -> None:
     package = generate(file, tmp_path / "out")
     drive = 'within Hammer;\nmodel Drive "Own"\n  extends Mechanics(elbow(useAxisFlange=true));\nend Drive;\n'
     (package.root / "Drive.mo").write_text(drive)
-    (package.root / "Resources").mkdir()
     (package.root / "Resources" / "table.txt").write_text("1 2 3")
     (package.root / "package.order").write_text("Drive\nMechanics\nMechatronics\nGeometry\n")
     file.write_text(file.read_text().replace('joint name="elbow"', 'joint name="wrist"'))
-    again = generate(file, tmp_path / "out")
+    again = generate(file, tmp_path / "out", GenerateOptions(accept_structure=True))
     assert (again.root / "Drive.mo").read_text() == drive
     assert (again.root / "Resources" / "table.txt").read_text() == "1 2 3"
     assert (again.root / "package.order").read_text().split() == ["Drive", "Mechanics", "Mechatronics", "Geometry"]

@@ -1,0 +1,47 @@
+"""Arguments of the commands that generate a package: actuators, and consent to replace what is there."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from cad2modelica import Edited, GenerateOptions
+
+from cmb.collision_arguments import add_collision_arguments
+
+
+def add_generation_arguments(parser: ArgumentParser) -> None:
+    """Adds the arguments."""
+    parser.add_argument("--package", metavar="NAME", help="name of the Modelica package (the assembly's if left out)")
+    parser.add_argument(
+        "--actuators",
+        type=Path,
+        metavar="TOML",
+        help="which actuators drive which joints (actuators.toml beside the assembly if left out)",
+    )
+    parser.add_argument(
+        "--accept-structure",
+        action="store_true",
+        help="replace a package whose parts or joints are others than those of the assembly now",
+    )
+    parser.add_argument(
+        "--mechatronics",
+        type=Edited,
+        choices=[Edited.KEEP, Edited.REPLACE],
+        default=Edited.ASK,
+        metavar="{keep,replace}",
+        help="what happens to a mechatronic model edited by hand when the assignment of actuators has changed",
+    )
+    add_collision_arguments(parser)
+
+
+def generation_options(arguments: Namespace) -> GenerateOptions:
+    """What the arguments say."""
+    return GenerateOptions(
+        package=arguments.package,
+        actuators=arguments.actuators,
+        collision_error=arguments.collision_error,
+        max_pieces=arguments.max_pieces,
+        accept_structure=arguments.accept_structure,
+        edited=arguments.mechatronics,
+    )

@@ -1,0 +1,189 @@
+"""What a generation may change in an earlier package, and what it must ask about first.
+
+``Resources/generation.json`` in the package records what the generator wrote: the mechanics' structure with its
+signature, that of the assignment of actuators, and the check sum of the mechatronic model's file. So the next
+generation knows what has changed since, and whether somebody edited the mechatronic model.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from enum import Enum
+from pathlib import Path
+
+from cmb_base.errors import InputError, Place
+
+from cad2modelica.actuator_file import Assignment
+from cad2modelica.model import Assembly
+from cad2modelica.own_files import OwnFiles
+from cad2modelica.structure import Structure, differences, structure_from
+
+RECORD = "Resources/generation.json"
+MECHATRONICS_FILE = Path("Mechatronics.mo")
+FORMAT = 1
+
+
+class Edited(Enum):
+    """What to do with an edited mechatronic model when the assignment of actuators has changed."""
+
+    ASK = "ask"
+    KEEP = "keep"
+    REPLACE = "replace"
+
+
+@dataclass(frozen=True)
+class Record:
+    """What an earlier generation wrote; ``mechatronics`` is the SHA-256 of the model's file."""
+
+    structure: Structure
+    actuators: str
+    mechatronics: str
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is going to be written.
+
+    Attributes:
+        write_mechatronics: whether the mechatronic model is written, anew or for the first time.
+        keep_old: name that an edited model is kept under when it is replaced; None if none is.
+        notes: what the user should know.
+    """
+
+    write_mechatronics: bool
+    keep_old: str | None
+    notes: tuple[str, ...]
+
+
+def read_record(root: Path) -> Record | None:
+    """The record of an earlier package; None if there is none, or none that can be read."""
+    try:
+        data = json.loads((root / RECORD).read_text(encoding="utf-8"))
+        if data["format"] != FORMAT:
+            return None
+        return Record(structure_from(data["structure"]), str(data["actuators"]), str(data["mechatronics"]))
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+
+
+def record_text(record: Record) -> str:
+    """The record as JSON."""
+    data = {
+        "format": FORMAT,
+        "signature": record.structure.signature,
+        "structure": asdict(record.structure),
+        "actuators": record.actuators,
+        "mechatronics": record.mechatronics,
+    }
+    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
+
+
+def actuator_signature(assignments: Sequence[Assignment], assembly: Assembly) -> str:
+    """SHA-256 of all that the mechatronic model says itself: the assignment, and the experiment's settings."""
+    data = [[asdict(item) for item in assignments], assembly.stop_time, assembly.tolerance]
+    return checksum(json.dumps(data, sort_keys=True).encode())
+
+
+def checksum(data: bytes) -> str:
+    """SHA-256 in hexadecimal digits."""
+    return hashlib.sha256(data).hexdigest()
+
+
+def require_same_structure(
+    earlier: Record | None, structure: Structure, own: OwnFiles, assigned: Sequence[str], accepted: bool
+) -> tuple[str, ...]:
+    """Compares the structure with the earlier one.
+
+    Args:
+        earlier: of the earlier package.
+        structure: now.
+        own: the modeller's files, the mechatronic model among them.
+        assigned: joints the actuator file names.
+        accepted: whether a changed structure may be written.
+
+    Returns:
+        Notes on what has changed; empty if nothing has.
+
+    Raises:
+        InputError: it has changed, and that is not accepted.
+    """
+    if earlier is None or earlier.structure == structure:
+        return ()
+    changes = differences(earlier.structure, structure)
+    gone = earlier.structure.names - structure.names
+    lost = own.references_to(gone)
+    joints = {joint.source for joint in structure.joints}
+    lost += [f"actuators: no joint {name!r}" for name in dict.fromkeys(assigned) if name not in joints]
+    if accepted:
+        return (*(f"structure: {change}" for change in changes), *(f"no longer fits: {item}" for item in lost))
+    edited = is_edited(own, earlier)
+    lines = ["the mechanism has another structure than the package that is there:"]
+    lines += [f"  - {change}" for change in changes]
+    lines += (
+        ["What no longer fits:", *(f"  - {item}" for item in lost)] if lost else ["Nothing refers to what is gone."]
+    )
+    lines.append(
+        "Nothing was written. With --accept-structure Mechanics, Geometry and scene.json are written anew, and"
+    )
+    lines.append(
+        f"{MECHATRONICS_FILE} stays as you edited it."
+        if edited
+        else f"{MECHATRONICS_FILE}, which nobody has edited, is written anew from the assignment of actuators."
+    )
+    raise InputError(
+        "\n".join(lines),
+        place=Place(file=own.root),
+        remedy="Adapt the files named above (or rename back in the CAD system), then repeat with --accept-structure.",
+    )
+
+
+def is_edited(own: OwnFiles, earlier: Record | None) -> bool:
+    """Whether somebody changed the mechatronic model since it was generated; so it counts without a record too."""
+    if MECHATRONICS_FILE not in own.files:
+        return False
+    return earlier is None or checksum((own.root / MECHATRONICS_FILE).read_bytes()) != earlier.mechatronics
+
+
+def plan_mechatronics(
+    own: OwnFiles, earlier: Record | None, structure: Structure, actuators: str, edited_choice: Edited
+) -> Plan:
+    """Decides about the mechatronic model.
+
+    It is written if there is none, or if the assignment or the structure has changed and nobody edited it. An
+    edited one stays when the structure has changed; when the assignment has, the user must choose.
+
+    Raises:
+        InputError: the assignment has changed, the model was edited, and no choice was made.
+    """
+    if MECHATRONICS_FILE not in own.files:
+        return Plan(True, None, ())
+    same_actuators = earlier is not None and earlier.actuators == actuators
+    same_structure = earlier is not None and earlier.structure == structure
+    if not is_edited(own, earlier):
+        return Plan(not (same_actuators and same_structure), None, ())
+    if same_actuators or (earlier is None and edited_choice is Edited.ASK):
+        note = f"{MECHATRONICS_FILE} was edited and stays as it is"
+        return Plan(False, None, (note,) if earlier is None or not same_structure else ())
+    if edited_choice is Edited.KEEP:
+        return Plan(False, None, (f"{MECHATRONICS_FILE} was edited and stays; the new assignment is not in it",))
+    if edited_choice is Edited.REPLACE:
+        name = _free_name(own)
+        return Plan(True, name, (f"{MECHATRONICS_FILE} was written anew; the edited one is kept as {name}",))
+    raise InputError(
+        f"{MECHATRONICS_FILE} was edited by hand, and the assignment of actuators has changed since: "
+        "nothing was written",
+        place=Place(file=own.root / MECHATRONICS_FILE),
+        remedy="Choose --mechatronics keep (it stays as it is) or --mechatronics replace (it is written anew, the "
+        "edited file is kept beside it).",
+    )
+
+
+def _free_name(own: OwnFiles) -> str:
+    names = {str(file) for file in own.files}
+    number = 1
+    while f"{MECHATRONICS_FILE}.edited{number}" in names:
+        number += 1
+    return f"{MECHATRONICS_FILE}.edited{number}"
