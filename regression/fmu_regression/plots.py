@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 from fmu_regression.result import FloatArray
 from fmu_regression.thinning import display_rows
 
+TIME_LABEL = "time in s"
+PER_PLOT = 8
 _TOTAL_POINTS = 400_000
 _MIN_POINTS = 2_000
 _MAX_POINTS = 20_000
@@ -59,6 +61,22 @@ class Plot:
     points: bool = False
     x_log: bool = False
     y_log: bool = False
+
+
+def plots_over_time(identity: str, title: str, label: str, series: Sequence[Series]) -> list[Plot]:
+    """As many plots as the curves need, eight in each."""
+    parts = [series[k : k + PER_PLOT] for k in range(0, len(series), PER_PLOT)]
+    return [
+        Plot(
+            identity if len(parts) == 1 else f"{identity}-{k + 1}",
+            title if len(parts) == 1 else f"{title}, {k + 1} of {len(parts)}",
+            TIME_LABEL,
+            label,
+            tuple(part),
+        )
+        for k, part in enumerate(parts)
+        if any(np.isfinite(curve.y).any() for curve in part)
+    ]
 
 
 def encode_plots(plots: Sequence[Plot]) -> list[dict[str, Any]]:

@@ -5,51 +5,46 @@ from __future__ import annotations
 from collections import defaultdict
 from pathlib import Path
 
-import numpy as np
 from cmb_base.output import whole_file
 
 from fmu_regression.animation import make_animation
 from fmu_regression.energy import EnergyBalance, energy_balance
+from fmu_regression.figures import NO_FIGURES, Figures, rows_within
 from fmu_regression.impacts import Impact, find_impacts
-from fmu_regression.page import Cell, Column, Row, Section, Table, Tile, render_page
-from fmu_regression.plots import Plot, Series
+from fmu_regression.page import Section, Tile, render_page
+from fmu_regression.plots import TIME_LABEL, Plot, Series, plots_over_time
+from fmu_regression.report_contacts import contact_section, impact_section
 from fmu_regression.result import SimulationResult
-from fmu_regression.scene import ContactPair, Scene, load_scene
-from fmu_regression.signals import pair_signal
+from fmu_regression.scene import Scene, load_scene
 
-TIME_LABEL = "time in s"
-_PER_PLOT = 8
 _MAX_PLOTS = 40
-_MAX_TABLE_ROWS = 500
-_CLOSE_RESTITUTION = 0.02
-_QUANTITIES = {
-    "normalForce": ("Contact force", "normal force in N"),
-    "distance": ("Distance between the bodies", "signed distance in m"),
-    "approachSpeed": ("Approach speed", "approach speed in m/s"),
-}
 
 
-def write_report(result: SimulationResult, scene_file: Path | None, target: Path) -> None:
+def write_report(
+    result: SimulationResult, scene_file: Path | None, target: Path, figures: Figures = NO_FIGURES
+) -> None:
     """Writes the report of a result as one self-contained HTML file.
 
     Args:
         result: the simulation; signals as ``signals_for`` chooses them give the fullest report.
         scene_file: ``scene.json``; without it the report has plots of all signals only.
         target: the HTML file; it appears whole or not at all.
+        figures: plots and numbers of the modeller's choice.
 
     Raises:
         InputError: the scene file is wrong.
     """
     scene = load_scene(scene_file) if scene_file is not None else None
-    text = report_html(result, scene)
+    text = report_html(result, scene, figures)
     with whole_file(target) as staging:
         staging.write_text(text, encoding="utf-8", newline="\n")
 
 
-def report_html(result: SimulationResult, scene: Scene | None) -> str:
+def report_html(result: SimulationResult, scene: Scene | None, figures: Figures = NO_FIGURES) -> str:
     """The report's HTML; the same input gives the same text."""
+    chosen = _chosen_section(figures.within(result), result)
     if scene is None:
-        sections = [_overview(result, None, (), None), _all_signals(result)]
+        sections = [_overview(result, None, (), None), *([chosen] if chosen else []), _all_signals(result)]
         title = result.model or "Simulation"
     else:
         impacts = find_impacts(scene, result)
@@ -58,8 +53,9 @@ def report_html(result: SimulationResult, scene: Scene | None) -> str:
         candidates = [
             _overview(result, scene, impacts, energy),
             _animation(scene, result),
-            _impact_section(scene, impacts),
-            _contact_section(scene, result),
+            chosen,
+            impact_section(scene, impacts),
+            contact_section(scene, result),
             _joint_section(scene, result),
             _energy_section(energy),
         ]
@@ -122,88 +118,14 @@ def _animation(scene: Scene, result: SimulationResult) -> Section | None:
     return None if animation is None else Section("animation", "Animation", animation=animation)
 
 
-def _impact_section(scene: Scene, impacts: tuple[Impact, ...]) -> Section | None:
-    if not scene.pairs:
-        return None
-    if not impacts:
-        return Section("impacts", "Impacts", lead="No two bodies touch.")
-    notes = []
-    if len(impacts) > _MAX_TABLE_ROWS:
-        notes.append(f"{len(impacts) - _MAX_TABLE_ROWS} further contacts are left out here")
-    if any(not impact.located for impact in impacts):
-        notes.append(
-            "~ the result has no event at the start or end of this contact; time and speeds are interpolated between "
-            "samples"
-        )
-    columns = (
-        Column("Start, s", "text"),
-        Column("Pair", "text"),
-        Column("Duration, ms"),
-        Column("Speed before, m/s"),
-        Column("Speed after, m/s"),
-        Column("Restitution"),
-        Column("asked for"),
-        Column("Peak force, N"),
-        Column("Impulse, N s"),
-    )
-    rows = tuple(_impact_row(scene, impact) for impact in impacts[:_MAX_TABLE_ROWS])
-    return Section(
-        "impacts",
-        "Impacts",
-        lead="Speeds are those along the contact normal when the contact begins and ends.",
-        tables=(Table(columns, rows),),
-        notes=tuple(notes),
-    )
-
-
-def _impact_row(scene: Scene, impact: Impact) -> Row:
-    delivered, asked = impact.restitution, impact.pair.restitution
-    close = delivered is not None and asked is not None and abs(delivered - asked) <= _CLOSE_RESTITUTION
-    duration = "to the end" if impact.end is None else f"{1000 * (impact.end - impact.start):.4g}"
-    return Row(
-        cells=(
-            Cell(f"{'' if impact.located else '~ '}{impact.start:.6f}", "text"),
-            Cell(scene.pair_label(impact.pair), "text"),
-            Cell(duration),
-            Cell(_optional(impact.speed_before, ".4g")),
-            Cell(_optional(impact.speed_after, ".4g")),
-            Cell(_optional(delivered, ".4f"), "good" if close else ""),
-            Cell(_optional(asked, ".4g")),
-            Cell(_optional(impact.peak_force, ".5g")),
-            Cell(_optional(impact.impulse, ".4g")),
-        ),
-        time=f"{impact.start if impact.peak_time is None else impact.peak_time:.9g}",
-    )
-
-
-def _optional(value: float | None, form: str) -> str:
-    return "–" if value is None else format(value + 0.0, form)
-
-
-def _contact_section(scene: Scene, result: SimulationResult) -> Section | None:
-    touching = [pair for pair in scene.pairs if _ever_touches(scene, pair, result)]
+def _chosen_section(figures: Figures, result: SimulationResult) -> Section | None:
+    tiles = tuple(Tile(number.title, f"{number.value(result):.5g}", number.unit) for number in figures.numbers)
     plots: list[Plot] = []
-    for quantity, (title, label) in _QUANTITIES.items():
-        pairs = scene.pairs if quantity == "distance" and len(scene.pairs) <= _PER_PLOT else touching
-        series = [
-            Series(scene.pair_label(pair), result.time, result[name])
-            for pair in pairs
-            if (name := pair_signal(scene, pair, quantity)) in result
-        ]
-        plots += _plots_of(f"contact-{quantity}", title, label, series)
-    if not plots:
-        return None
-    left_out = len(scene.pairs) - len(touching)
-    notes = (f"{left_out} pairs that never touch are left out",) if left_out and len(scene.pairs) > _PER_PLOT else ()
-    return Section("contacts", "Contacts", plots=tuple(plots), notes=notes)
-
-
-def _ever_touches(scene: Scene, pair: ContactPair, result: SimulationResult) -> bool:
-    force = pair_signal(scene, pair, "normalForce")
-    distance = pair_signal(scene, pair, "distance")
-    if force in result:
-        return bool((result[force] != 0).any())
-    return distance in result and bool((result[distance] < 0).any())
+    for k, chosen in enumerate(figures.plots):
+        rows = rows_within(result, chosen.window)
+        series = [Series(label, result.time[rows], result[name][rows]) for label, name in chosen.signals]
+        plots += plots_over_time(f"chosen-{k + 1}", chosen.title, chosen.label, series)
+    return Section("chosen", "Chosen figures", tiles=tiles, plots=tuple(plots)) if tiles or plots else None
 
 
 def _joint_section(scene: Scene, result: SimulationResult) -> Section | None:
@@ -217,7 +139,7 @@ def _joint_section(scene: Scene, result: SimulationResult) -> Section | None:
         for unit, series in by_unit.items():
             what = {"rad": "angle", "m": "length"}.get(unit, "coordinate")
             label = f"{what} in {unit or '1'}" if kind == "variable" else f"rate in {unit or '1'}/s"
-            plots += _plots_of(f"joint-{kind}-{unit or 'none'}", title, label, series)
+            plots += plots_over_time(f"joint-{kind}-{unit or 'none'}", title, label, series)
     return Section("joints", "Joints", plots=tuple(plots[:_MAX_PLOTS])) if plots else None
 
 
@@ -254,22 +176,6 @@ def _all_signals(result: SimulationResult) -> Section:
         groups[name.split("[", 1)[0]].append(Series(name, result.time, values))
     plots: list[Plot] = []
     for k, (name, series) in enumerate(groups.items()):
-        plots += _plots_of(f"signal-{k}", name, result.axis_label(series[0].name), series)
+        plots += plots_over_time(f"signal-{k}", name, result.axis_label(series[0].name), series)
     notes = (f"{len(plots) - _MAX_PLOTS} further plots are left out",) if len(plots) > _MAX_PLOTS else ()
     return Section("signals", "Signals", plots=tuple(plots[:_MAX_PLOTS]), notes=notes)
-
-
-def _plots_of(identity: str, title: str, label: str, series: list[Series]) -> list[Plot]:
-    """As many plots as the curves need, eight in each."""
-    parts = [series[k : k + _PER_PLOT] for k in range(0, len(series), _PER_PLOT)]
-    return [
-        Plot(
-            identity if len(parts) == 1 else f"{identity}-{k + 1}",
-            title if len(parts) == 1 else f"{title}, {k + 1} of {len(parts)}",
-            TIME_LABEL,
-            label,
-            tuple(part),
-        )
-        for k, part in enumerate(parts)
-        if any(np.isfinite(curve.y).any() for curve in part)
-    ]
