@@ -9,7 +9,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import Protocol
 
-from cmb.commands import accuracy, advise, effects, fmu, generate, msl, regress, report, run, simulate
+from cmb.commands import accuracy, advise, assign, effects, fmu, generate, msl, regress, report, run, simulate
 
 
 class Command(Protocol):
@@ -27,4 +27,16 @@ class Command(Protocol):
         """Carries the command out and returns the exit status."""
 
 
-ALL_COMMANDS: tuple[Command, ...] = (run, generate, fmu, simulate, report, regress, accuracy, effects, advise, msl)
+ALL_COMMANDS: tuple[Command, ...] = (
+    run,
+    generate,
+    assign,
+    fmu,
+    simulate,
+    report,
+    regress,
+    accuracy,
+    effects,
+    advise,
+    msl,
+)

@@ -86,7 +86,8 @@ def test_changed_structure_is_not_written_without_consent(
     assert files_of(tmp_path / "out") == before
 
 
-def test_type_and_partners_of_a_joint_are_structure(tmp_path: Path, made: Path) -> None:
+@pytest.mark.usefixtures("made")
+def test_type_and_partners_of_a_joint_are_structure(tmp_path: Path) -> None:
     text = leg(tmp_path).read_text()
     (tmp_path / "leg.xml").write_text(text.replace('name="knee" type="revolute"', 'name="knee" type="prismatic"'))
     with pytest.raises(InputError, match="'knee' was revolute from 'thigh' to 'shank', and is prismatic"):
