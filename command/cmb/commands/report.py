@@ -8,6 +8,8 @@ from pathlib import Path
 from fmu_regression.report import write_report
 from fmu_regression.result import read_csv
 
+from cmb.experiment import Experiment, read_experiment
+
 NAME = "report"
 SUMMARY = "write report.html from a result: forces, joints, energy, impacts, 3-D animation"
 DESCRIPTION = (
@@ -24,11 +26,15 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
     parser.add_argument("result", type=Path, metavar="CSV", help="trajectories as `cmb simulate` writes them")
     parser.add_argument("--scene", type=Path, metavar="JSON", help="scene file of the generated package")
+    parser.add_argument(
+        "--experiment", type=Path, metavar="TOML", help="experiment file with further plots and numbers (see cmb run)"
+    )
     parser.add_argument("--output", type=Path, required=True, metavar="HTML", help="file to write")
 
 
 def run(arguments: Namespace) -> int:
     """Writes the report."""
-    write_report(read_csv(arguments.result), arguments.scene, arguments.output)
+    experiment = read_experiment(arguments.experiment) if arguments.experiment else Experiment()
+    write_report(read_csv(arguments.result), arguments.scene, arguments.output, experiment.figures)
     print(arguments.output)
     return 0

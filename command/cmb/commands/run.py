@@ -7,6 +7,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from cad2modelica import generate
+from cmb_base.errors import Place
 from cmb_base.output import whole_folder
 from cmb_base.progress import Progress
 from fmu_regression.fmu import read_description
@@ -19,6 +20,7 @@ from fmu_regression.summarise import summarise
 from modelica2fmu.build import BuildOptions, build_fmu
 
 from cmb.assembly_file import find_assembly
+from cmb.experiment import Experiment, find_experiment
 from cmb.generation_arguments import add_generation_arguments, generation_options
 from cmb.project import LIBRARY
 from cmb.terminal import progress_bars
@@ -27,10 +29,12 @@ NAME = "run"
 SUMMARY = "CAD assembly to Modelica package, FMU, result and report in one go"
 DESCRIPTION = (
     "Reads an assembly, writes the Modelica package, builds the FMU with the contact engine inside, simulates it "
-    "and writes result.csv and report.html. The output folder appears when everything is there."
+    "and writes result.csv and report.html. The output folder appears when everything is there. A file experiment.toml "
+    "beside the assembly may name another model, of the modeller's own, and what the report shows beside the usual."
 )
 EXAMPLES = """examples:
   cmb run Resources/cad/hammer --output out/hammer
+  cmb run Resources/cad/anton --output out/anton
   cmb run robot/robot.xml --output out/robot --stop 10 --tolerance 1e-5 --mode cs
 """
 
@@ -54,11 +58,12 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> int:
     """Runs the whole road and prints the summary."""
     assembly = find_assembly(arguments.assembly)
+    experiment = find_experiment(assembly.parent)
     output = arguments.output or Path("out") / assembly.stem
     with progress_bars() as progress, whole_folder(output) as staging:
         _keep_package(output / PACKAGE_FOLDER, staging / PACKAGE_FOLDER)
-        result, scene = _carry_out(arguments, assembly, staging, progress)
-    print(summarise(result, scene))
+        result, scene = _carry_out(arguments, assembly, experiment, staging, progress)
+    print("\n".join([summarise(result, scene), *experiment.figures.lines(result)]))
     print(f"\nresults in {output}: the Modelica package, the FMU, result.csv, report.html")
     return 0
 
@@ -70,15 +75,19 @@ def _keep_package(earlier: Path, now: Path) -> None:
 
 
 def _carry_out(
-    arguments: Namespace, assembly: Path, folder: Path, progress: Progress
+    arguments: Namespace, assembly: Path, experiment: Experiment, folder: Path, progress: Progress
 ) -> tuple[SimulationResult, Scene]:
     package = generate(assembly, folder / PACKAGE_FOLDER, generation_options(arguments), progress)
     fmu = folder / f"{assembly.stem}.fmu"
-    build_fmu(package.mechatronics, (package.root, LIBRARY), fmu, BuildOptions(msl=arguments.msl), progress)
+    model = experiment.model or package.mechatronics
+    sources = (*experiment.sources, package.root, LIBRARY)
+    build_fmu(model, sources, fmu, BuildOptions(msl=arguments.msl), progress)
     scene = load_scene(package.scene)
+    description = read_description(fmu)
+    experiment.figures.require(description.variables, Place(file=experiment.file))
     result = simulate(
         fmu,
-        signals=signals_for(scene, read_description(fmu)),
+        signals=list(dict.fromkeys([*signals_for(scene, description), *experiment.figures.signals])),
         stop=arguments.stop,
         tolerance=arguments.tolerance,
         interval=arguments.interval,
@@ -87,6 +96,6 @@ def _carry_out(
     )
     write_csv(result, folder / "result.csv")
     progress("report", 0.0)
-    write_report(result, package.scene, folder / "report.html")
+    write_report(result, package.scene, folder / "report.html", experiment.figures)
     progress("report", 1.0)
     return result, scene
