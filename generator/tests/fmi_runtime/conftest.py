@@ -10,7 +10,7 @@ from pathlib import Path
 import fixture_models as models
 import pytest
 from modelica2fmu.description import ExternalCode, ModelDescription
-from modelica2fmu.packaging import package_fmu
+from modelica2fmu.packaging import FmiVersion, package_fmu
 from modelica2fmu.packaging.package import RUNTIME
 
 Packager = Callable[[ModelDescription, str], Path]
@@ -68,3 +68,29 @@ def external_code(tmp_path_factory: pytest.TempPathFactory) -> ExternalCode:
 @pytest.fixture(scope="session")
 def guarded(package: Packager, external_code: ExternalCode) -> Path:
     return package(replace(models.GUARDED, external=external_code), "guarded")
+
+
+@pytest.fixture(scope="session")
+def package3(tmp_path_factory: pytest.TempPathFactory) -> Packager:
+    """The same for FMI 3.0."""
+
+    def build(description: ModelDescription, name: str) -> Path:
+        target = tmp_path_factory.mktemp("fmu3") / f"{name}.fmu"
+        return package_fmu(description, models.source(name), target, version=FmiVersion.FMI3)
+
+    return build
+
+
+@pytest.fixture(scope="session")
+def ball3(package3: Packager) -> Path:
+    return package3(models.BALL, "ball")
+
+
+@pytest.fixture(scope="session")
+def schedule3(package3: Packager) -> Path:
+    return package3(models.SCHEDULE, "schedule")
+
+
+@pytest.fixture(scope="session")
+def oscillator3(package3: Packager) -> Path:
+    return package3(models.OSCILLATOR, "oscillator")

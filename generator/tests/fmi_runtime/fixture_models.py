@@ -177,3 +177,10 @@ SWITCHING = model(
     ["x"],
     indicators=1,
 )
+
+
+def by_file_name(name: str) -> ModelDescription:
+    """The description of the model in ``name.c``."""
+    return {
+        "oscillator": OSCILLATOR, "ball": BALL, "schedule": SCHEDULE, "guarded": GUARDED, "switching": SWITCHING
+    }[name]  # fmt: skip

@@ -17,32 +17,7 @@ from fmpy.fmi1 import FMICallException
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.validation import validate_fmu
 from modelica2fmu.description import Causality, ModelDescription
-from modelica2fmu.packaging import FmiVersion, package_fmu
 from test_simulation import bouncing_height
-
-
-@pytest.fixture(scope="session")
-def package3(tmp_path_factory: pytest.TempPathFactory) -> Callable[[ModelDescription, str], Path]:
-    def build(description: ModelDescription, name: str) -> Path:
-        target = tmp_path_factory.mktemp("fmu3") / f"{name}.fmu"
-        return package_fmu(description, models.source(name), target, version=FmiVersion.FMI3)
-
-    return build
-
-
-@pytest.fixture(scope="session")
-def ball3(package3: Callable[[ModelDescription, str], Path]) -> Path:
-    return package3(models.BALL, "ball")
-
-
-@pytest.fixture(scope="session")
-def schedule3(package3: Callable[[ModelDescription, str], Path]) -> Path:
-    return package3(models.SCHEDULE, "schedule")
-
-
-@pytest.fixture(scope="session")
-def oscillator3(package3: Callable[[ModelDescription, str], Path]) -> Path:
-    return package3(models.OSCILLATOR, "oscillator")
 
 
 class Session:
