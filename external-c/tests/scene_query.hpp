@@ -3,54 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 #include <vector>
 
 #include "contact_multibody.h"
-#include "convex/vector3.hpp"
+#include "poses.hpp"
 
 namespace cmb::test {
-
-using convex::Mat3;
-using convex::Vec3;
-
-// A number as descriptors take it, with all its digits.
-inline std::string digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
-// A body's pose: `rotation` maps body to world.
-struct BodyPose {
-  Vec3 position;
-  Mat3 rotation;
-};
-
-// Rotation by `angle` about the unit vector `axis`.
-inline Mat3 rotation_about(const Vec3 &axis, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  Mat3 result;
-  for (int i = 0; i < 3; ++i) {
-    Vec3 e;
-    e.set(i, 1.0);
-    const Vec3 turned = c * e + s * cross(axis, e) + ((1.0 - c) * dot(axis, e)) * axis;
-    for (int j = 0; j < 3; ++j) result.row[j].set(i, turned[j]);
-  }
-  return result;
-}
-
-inline Mat3 product(const Mat3 &a, const Mat3 &b) {
-  Mat3 result;
-  for (int j = 0; j < 3; ++j) {
-    const Vec3 column = a * b.column(j);
-    for (int i = 0; i < 3; ++i) result.row[i].set(j, column[i]);
-  }
-  return result;
-}
 
 struct Point {
   double depth = 0.0;

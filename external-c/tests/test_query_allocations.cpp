@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "rigid_bodies.hpp"
 #include "scene_query.hpp"
 
 namespace {
@@ -59,6 +60,35 @@ TEST(Allocations, StopOnceTheScratchHasGrown) {
   const unsigned long before = allocations;
   for (int k = 0; k < 60; ++k) query(k);
   EXPECT_EQ(allocations - before, 0u);
+}
+
+TEST(Allocations, StopInScenesWithAFilterToo) {
+  Bodies bodies;
+  for (int i = 0; i < 100; ++i) bodies.add_sphere(0.1, 1.0, 1e4);
+  bodies.add("cmb/1 box size=0.2,0.2,0.2;cmb/1 capsule radius=0.1 length=0.4", 1.0, {0.1, 0.1, 0.1}, 1e4);
+  bodies.add_fixed("cmb/1 halfspace");
+  bodies.intern({1, 2});
+  Motion motion(bodies.count());
+  const auto move = [&](int k) {
+    for (std::size_t i = 0; i + 1 < bodies.count(); ++i) {
+      const double phase = 0.1 * k + static_cast<double>(i);
+      Motion::set_row(motion.position, i, {0.3 * std::sin(phase), 0.3 * std::cos(1.7 * phase), 0.1 + 0.1 * std::sin(2.3 * phase)});
+    }
+  };
+  std::vector<cmb_contact> contacts(20000);
+  std::size_t count = 0;
+  Wrenches wrenches(bodies, motion);
+  const auto evaluate = [&](int k) {
+    move(k);
+    wrenches.evaluate(bodies, motion);
+    cmb_query_contacts(bodies.broadphase, motion.position.data(), motion.rotation.data(), bodies.count(),
+                       contacts.size(), contacts.data(), &count);
+  };
+  for (int k = 0; k < 30; ++k) evaluate(k);
+  const unsigned long before = allocations;
+  for (int k = 0; k < 30; ++k) evaluate(k);
+  EXPECT_EQ(allocations - before, 0u);
+  EXPECT_GT(count, 100u);
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ struct Bounds {
 };
 
 inline bool overlap(const Bounds &a, const Bounds &b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
+  // Every comparison is made: none is likely to decide alone.
+  return (a.low.x <= b.high.x) & (b.low.x <= a.high.x) & (a.low.y <= b.high.y) & (b.low.y <= a.high.y) &
+         (a.low.z <= b.high.z) & (b.low.z <= a.high.z);
 }
 
 // A box in a shape's frame, swept by a sphere, that holds the shape. Immutable.
