@@ -1,6 +1,7 @@
 // A polytope with what its vertices carry in a contact.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +31,18 @@ class ContactPolytope {
 
   // Whether the share of vertex v is the same for all directions, as for every box.
   bool share_is_constant(std::int32_t v) const { return constant_[static_cast<std::size_t>(v)] >= 0.0; }
+
+  // The normals of the faces at vertex v, in turn: faces_at(v) of them.
+  std::size_t faces_at(std::int32_t v) const {
+    return static_cast<std::size_t>(corner_begin_[static_cast<std::size_t>(v) + 1] -
+                                    corner_begin_[static_cast<std::size_t>(v)]);
+  }
+  const Vec3 &face_normal_at(std::int32_t v, std::size_t i) const {
+    return corners_[static_cast<std::size_t>(corner_begin_[static_cast<std::size_t>(v)]) + i].normal;
+  }
+
+  // The solid angle of vertex v's whole normal cone.
+  double normal_cone(std::int32_t v) const { return normal_cone_[static_cast<std::size_t>(v)]; }
 
   // The solid angle of vertex v's normal cone within the half-space of directions u with
   // u . down >= 0, but at least a quarter of that of the whole cone.
