@@ -7,7 +7,9 @@
 #include "convex/convex_distance.hpp"
 #include "convex/polytope.hpp"
 #include "manifold/contact_set.hpp"
+#include "mesh/patch_load.hpp"
 #include "mesh/shared_load.hpp"
+#include "mesh/smooth_facets.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace cmb::mesh {
@@ -16,7 +18,9 @@ namespace cmb::mesh {
 struct MeshContactScratch {
   SharedLoad shared;
   std::vector<Vec3> body_vertices, body_normals;  // in the mesh's frame
-  std::vector<Vec3> polygon, clipped;
+  PatchScratch patch;
+  Facets facets;
+  ContactSet half_contact;
 };
 
 // A ball. `center` in world axes. Apart, distance is that of the nearest place. Touching, there is a point for each
@@ -32,12 +36,22 @@ void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh,
 void capsule_contact(double radius, double length, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                      MeshContactScratch &scratch, ContactSet &result);
 
-// A convex polytope. The part of its surface behind the mesh's is divided among the triangles by the planes that halve
-// the angles between neighbours; each patch carries its depth below its triangle times its area as seen along the
-// triangle's normal, divided by the area of all patches. Weights sum to 1; the load is the mean depth. Sums of areas
+// A convex polytope. The part of its surface behind the mesh's is divided among the triangles' wedges (TriangleWedge) and
+// carries as PatchLoad says. Weights sum to 1; the load is the mean depth. Sums of areas
 // do not depend on how a face is cut into triangles (within the depth of a sharp edge they do), and normals are those
 // of faces only. Depths count down to half the thickness of what lies behind a triangle.
 void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                       MeshContactScratch &scratch, ContactSet &result);
+
+// An ellipsoid, a cylinder or a cone: its surface below each triangle's plane, cut into pieces that turn with the plane
+// (facets_below), carries as a polytope's does. On a plane an ellipsoid has depth, normal and weight of the ellipsoid on
+// a half-space; cylinders and cones have the mean depth of what is below the plane, a standing one its depth.
+void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
+                    MeshContactScratch &scratch, ContactSet &result);
+
+// Two meshes, A and B; normals point out of B. Each one's triangles push the other's surface as they push a polytope's,
+// and each gives half of the load. Exchanging the meshes gives the same points with normals reversed.
+void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
+                       MeshContactScratch &scratch, ContactSet &result);
 
 }  // namespace cmb::mesh

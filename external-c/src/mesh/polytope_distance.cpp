@@ -5,19 +5,9 @@
 
 #include "mesh/segment_distance.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "mesh/triangle_wedge.hpp"
 
 namespace cmb::mesh {
-
-void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset, std::vector<Vec3> &room) {
-  room.clear();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 &p = polygon[i], &q = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    const double above_p = dot(normal, p) - offset, above_q = dot(normal, q) - offset;
-    if (above_p >= 0.0) room.push_back(p);
-    if ((above_p < 0.0) != (above_q < 0.0)) room.push_back(p + (above_p / (above_p - above_q)) * (q - p));
-  }
-  polygon.swap(room);
-}
 
 PolytopeDistance triangle_polytope_distance(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,
                                             const std::vector<Vec3> &vertices, const std::vector<Vec3> &normals,

@@ -19,7 +19,4 @@ PolytopeDistance triangle_polytope_distance(const Vec3 &a, const Vec3 &b, const 
                                             const std::vector<Vec3> &vertices, const std::vector<Vec3> &normals,
                                             std::vector<Vec3> &polygon, std::vector<Vec3> &clipped);
 
-// Keeps the part of the polygon with normal . x >= offset; `room` is overwritten.
-void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset, std::vector<Vec3> &room);
-
 }  // namespace cmb::mesh

@@ -5,18 +5,11 @@
 
 namespace cmb::mesh {
 
-namespace {
-
-constexpr std::uint32_t leaf_size = 4;
-
-void include(Bounds &box, const Vec3 &p) {
-  for (int k = 0; k < 3; ++k) {
-    box.low.set(k, std::fmin(box.low[k], p[k]));
-    box.high.set(k, std::fmax(box.high[k], p[k]));
-  }
+Bounds bounds_of(const std::vector<Vec3> &points) {
+  Bounds box{points[0], points[0]};
+  for (const Vec3 &p : points) include(box, p);
+  return box;
 }
-
-}  // namespace
 
 TriangleHierarchy::TriangleHierarchy(const std::vector<Vec3> &vertices, const std::vector<Triangle> &triangles)
     : order_(triangles.size()) {

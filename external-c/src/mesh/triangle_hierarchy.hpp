@@ -1,6 +1,7 @@
 // A hierarchy of axis-aligned boxes over triangles.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +12,28 @@ namespace cmb::mesh {
 struct Bounds {
   Vec3 low, high;
 };
+
+// A box seen from another frame: the box there that holds it.
+inline Bounds moved(const Bounds &box, const Pose &pose) {
+  const Vec3 middle = pose(0.5 * (box.low + box.high)), half = 0.5 * (box.high - box.low);
+  Vec3 reach;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &row = pose.rotation.row[k];
+    reach.set(k, std::fabs(row.x) * half.x + std::fabs(row.y) * half.y + std::fabs(row.z) * half.z);
+  }
+  return {middle - reach, middle + reach};
+}
+
+// The box of points, of which there is one at least.
+Bounds bounds_of(const std::vector<Vec3> &points);
+
+// Makes the box hold p.
+inline void include(Bounds &box, const Vec3 &p) {
+  for (int k = 0; k < 3; ++k) {
+    box.low.set(k, std::fmin(box.low[k], p[k]));
+    box.high.set(k, std::fmax(box.high[k], p[k]));
+  }
+}
 
 // Distance of two boxes, squared; 0 where they meet.
 inline double distance2(const Bounds &a, const Bounds &b) {
@@ -26,6 +49,8 @@ inline double distance2(const Bounds &a, const Bounds &b) {
 // and the same for the same input.
 class TriangleHierarchy {
  public:
+  static constexpr std::uint32_t leaf_size = 4;  // triangles in a leaf, at most
+
   TriangleHierarchy(const std::vector<Vec3> &vertices, const std::vector<Triangle> &triangles);
 
   const Bounds &bounds() const { return nodes_[0].bounds; }
@@ -75,12 +100,16 @@ class TriangleHierarchy {
     }
   }
 
- private:
   struct Node {
     Bounds bounds;
-    std::uint32_t first = 0;  // leaf: into order_; else: left child, the right one follows it
+    std::uint32_t first = 0;  // leaf: into order(); else: left child, the right one follows it
     std::uint32_t count = 0;  // of triangles; 0 where the node has children
   };
+  // The root is nodes()[0]; a walk needs a stack of at most 64 nodes.
+  const std::vector<Node> &nodes() const { return nodes_; }
+  const std::vector<std::uint32_t> &order() const { return order_; }
+
+ private:
   static bool meets(const Bounds &box, const Vec3 &origin, const Vec3 &direction, double longest);
 
   std::vector<Node> nodes_;

@@ -164,21 +164,22 @@ void TriangleMesh::build_depth_limits() {
   }
 }
 
-NearestPoint TriangleMesh::nearest(const Vec3 &p) const {
+NearestPoint TriangleMesh::nearest(const Vec3 &p, std::uint32_t first) const {
   double best = std::numeric_limits<double>::infinity();
   TrianglePoint at;
-  std::uint32_t triangle = 0;
-  hierarchy_.visit_near({p, p}, [&] { return best; },
-                        [&](std::uint32_t t) {
-                          const TrianglePoint candidate = nearest_on_triangle(p, corner(t, 0), corner(t, 1), corner(t, 2));
-                          const double d2 = norm2(p - candidate.point);
-                          // The smallest number wins a tie, so that the order of the walk does not matter.
-                          if (d2 < best || (d2 == best && t < triangle)) {
-                            best = d2;
-                            at = candidate;
-                            triangle = t;
-                          }
-                        });
+  std::uint32_t triangle = first;
+  const auto offer = [&](std::uint32_t t) {
+    const TrianglePoint candidate = nearest_on_triangle(p, corner(t, 0), corner(t, 1), corner(t, 2));
+    const double d2 = norm2(p - candidate.point);
+    // The smallest number wins a tie, so that the order of the walk does not matter.
+    if (d2 < best || (d2 == best && t < triangle)) {
+      best = d2;
+      at = candidate;
+      triangle = t;
+    }
+  };
+  offer(first);
+  hierarchy_.visit_near({p, p}, [&] { return best; }, offer);
   const Vec3 pseudo = at.feature == TriangleFeature::face   ? face_normal(triangle)
                       : at.feature == TriangleFeature::edge ? edge_normal(triangle, at.index)
                                                             : vertex_normal(triangles()[triangle][at.index]);

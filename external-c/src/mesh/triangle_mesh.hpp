@@ -70,8 +70,9 @@ class TriangleMesh {
   const Vec3 &bound_center() const { return bound_center_; }
   double bound_radius() const { return bound_radius_; }
 
-  // Where the mesh is nearest to p (finite). Neither allocates nor throws.
-  NearestPoint nearest(const Vec3 &p) const;
+  // Where the mesh is nearest to p (finite). The search begins with triangle `first`: the nearer that one is, the faster;
+  // the answer does not depend on it. Neither allocates nor throws.
+  NearestPoint nearest(const Vec3 &p, std::uint32_t first = 0) const;
 
  private:
   void build_normals();

@@ -21,7 +21,11 @@ void mesh_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose
     case ShapeKind::ellipsoid:
     case ShapeKind::cylinder:
     case ShapeKind::cone:
+      mesh::smooth_contact(a.body, pose_a, mesh, pose_b, scratch, result);
+      return;
     case ShapeKind::mesh:
+      mesh::mesh_pair_contact(*a.mesh, pose_a, mesh, pose_b, scratch, result);
+      return;
     case ShapeKind::halfspace:
       return;
   }

@@ -1,0 +1,126 @@
+#include "mesh/mesh_pair_distance.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mesh/segment_distance.hpp"
+
+namespace cmb::mesh {
+
+namespace {
+
+// Whether a side of triangle `edges` passes through triangle `face`, and where.
+bool pierces(const Vec3 (&edges)[3], const Vec3 (&face)[3], Vec3 &where) {
+  const Vec3 n = cross(face[1] - face[0], face[2] - face[0]);
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &from = edges[k], &to = edges[(k + 1) % 3];
+    const double h0 = dot(n, from - face[0]), h1 = dot(n, to - face[0]);
+    if ((h0 > 0.0) == (h1 > 0.0)) continue;
+    const Vec3 p = from + (h0 / (h0 - h1)) * (to - from);
+    bool inside = true;
+    for (int i = 0; i < 3 && inside; ++i) {
+      inside = dot(cross(n, face[(i + 1) % 3] - face[i]), p - face[i]) >= 0.0;
+    }
+    if (inside) {
+      where = p;
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+TrianglePair triangle_distance(const Vec3 (&a)[3], const Vec3 (&b)[3]) {
+  TrianglePair best;
+  best.distance = std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Vec3 &on_a, const Vec3 &on_b) {
+    const double distance = norm(on_a - on_b);
+    if (!(distance < best.distance)) return;
+    best.distance = distance;
+    best.on_a = on_a;
+    best.on_b = on_b;
+  };
+  for (int i = 0; i < 3; ++i) {
+    offer(a[i], nearest_on_triangle(a[i], b[0], b[1], b[2]).point);
+    offer(nearest_on_triangle(b[i], a[0], a[1], a[2]).point, b[i]);
+    for (int j = 0; j < 3; ++j) {
+      const SegmentPoints points = nearest_of_segments(a[i], a[(i + 1) % 3] - a[i], b[j], b[(j + 1) % 3] - b[j]);
+      offer(points.first, points.second);
+    }
+  }
+  Vec3 where;
+  if (pierces(a, b, where) || pierces(b, a, where)) {
+    best.distance = 0.0;
+    best.on_a = best.on_b = where;
+  }
+  return best;
+}
+
+TrianglePair mesh_pair_distance(const TriangleMesh &a, const TriangleMesh &b, const Pose &b_in_a) {
+  const auto &nodes_a = a.hierarchy().nodes(), &nodes_b = b.hierarchy().nodes();
+  TrianglePair best;
+  best.distance = std::numeric_limits<double>::infinity();
+  const auto leaves = [&](const TriangleHierarchy::Node &leaf_a, const TriangleHierarchy::Node &leaf_b) {
+    for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
+      const std::uint32_t tb = b.hierarchy().order()[j];
+      const Vec3 corners_b[3] = {b_in_a(b.corner(tb, 0)), b_in_a(b.corner(tb, 1)), b_in_a(b.corner(tb, 2))};
+      for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
+        const std::uint32_t ta = a.hierarchy().order()[i];
+        const Vec3 corners_a[3] = {a.corner(ta, 0), a.corner(ta, 1), a.corner(ta, 2)};
+        Bounds box_a{corners_a[0], corners_a[0]}, box_b{corners_b[0], corners_b[0]};
+        for (int k = 1; k < 3; ++k) {
+          include(box_a, corners_a[k]);
+          include(box_b, corners_b[k]);
+        }
+        if (distance2(box_a, box_b) > best.distance * best.distance) continue;
+        TrianglePair pair = triangle_distance(corners_a, corners_b);
+        pair.a = ta;
+        pair.b = tb;
+        // The smallest numbers win a tie, so that the order of the walk does not matter.
+        if (pair.distance < best.distance ||
+            (pair.distance == best.distance && std::pair(ta, tb) < std::pair(best.a, best.b))) {
+          best = pair;
+        }
+      }
+    }
+  };
+  struct Entry {
+    std::uint32_t a, b;
+    double apart2;
+  };
+  Entry stack[128];  // each step replaces one pair by two, one of them a level deeper; trees are less than 32 deep
+  int size = 0;
+  stack[size++] = {0, 0, 0.0};
+  while (size > 0) {
+    const Entry entry = stack[--size];
+    if (entry.apart2 > best.distance * best.distance) continue;
+    const auto &node_a = nodes_a[entry.a], &node_b = nodes_b[entry.b];
+    if (node_a.count > 0 && node_b.count > 0) {
+      leaves(node_a, node_b);
+      continue;
+    }
+    // The larger box is opened.
+    const bool open_a =
+        node_b.count > 0 || (node_a.count == 0 && norm2(node_a.bounds.high - node_a.bounds.low) >=
+                                                      norm2(node_b.bounds.high - node_b.bounds.low));
+    Entry first = entry, second = entry;
+    if (open_a) {
+      first.a = node_a.first;
+      second.a = node_a.first + 1;
+    } else {
+      first.b = node_b.first;
+      second.b = node_b.first + 1;
+    }
+    for (Entry *child : {&first, &second}) {
+      child->apart2 = distance2(nodes_a[child->a].bounds, moved(nodes_b[child->b].bounds, b_in_a));
+    }
+    const bool first_nearer = first.apart2 <= second.apart2;
+    stack[size++] = first_nearer ? second : first;
+    stack[size++] = first_nearer ? first : second;
+  }
+  return best;
+}
+
+}  // namespace cmb::mesh

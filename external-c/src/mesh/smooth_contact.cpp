@@ -1,0 +1,111 @@
+#include <cmath>
+#include <limits>
+
+#include "geometry/pose_algebra.hpp"
+#include "mesh/convex_gap.hpp"
+#include "mesh/mesh_contact.hpp"
+#include "mesh/patch_load.hpp"
+#include "mesh/smooth_facets.hpp"
+#include "mesh/swallowed.hpp"
+#include "mesh/triangle_wedge.hpp"
+
+namespace cmb::mesh {
+
+namespace {
+
+// Everything in the mesh's frame but the result.
+class SmoothQuery {
+ public:
+  SmoothQuery(const convex::ConvexBody &body, const Pose &body_in_mesh, const TriangleMesh &mesh, const Pose &pose,
+              MeshContactScratch &scratch, ContactSet &result)
+      : body_(body), place_(body_in_mesh), mesh_(mesh), pose_(pose), scratch_(scratch), result_(result) {
+    for (int k = 0; k < 3; ++k) {
+      Vec3 axis;
+      axis.set(k, 1.0);
+      box_.high.set(k, reach(axis));
+      box_.low.set(k, -reach(-axis));
+    }
+    size_ = 0.5 * norm(box_.high - box_.low);
+  }
+
+  void run() {
+    const Vec3 center = 0.5 * (box_.low + box_.high);
+    // No place of the body is deeper than this; what pushes it lies within twice that.
+    const double deepest = size_ - mesh_.nearest(center).distance;
+    PatchLoad load(mesh_, pose_, scratch_.patch, result_);
+    if (deepest > 0.0) {
+      const double farthest = std::fmin(size_, 2.0 * deepest);
+      mesh_.hierarchy().visit_near(
+          box_, [&] { return farthest * farthest; }, [&](std::uint32_t t) { triangle(t, load); });
+    }
+    if (load.touches()) {
+      load.finish();
+    } else {
+      apart();
+      swallowed_contact(center, mesh_, pose_, result_);
+    }
+  }
+
+ private:
+  // How far the body reaches along d.
+  double reach(const Vec3 &d) const {
+    const Vec3 local = transposed_times(place_.rotation, d);
+    return dot(local, convex::core_support(body_, local).point) + dot(d, place_.translation);
+  }
+
+  void triangle(std::uint32_t t, PatchLoad &load) {
+    const TriangleWedge wedge(mesh_, t, size_);
+    const Vec3 &normal = wedge.normal();
+    const double depth = reach(-normal) + dot(normal, mesh_.corner(t, 0));
+    if (!(depth > 0.0) || !wedge.may_meet(0.5 * (box_.low + box_.high), size_)) return;
+    const Vec3 local = transposed_times(place_.rotation, normal);
+    Facets &facets = scratch_.facets;
+    const double factor = facets_below(body_, local, wedge.depth(place_.translation), facets);
+    for (const Facets::Facet &facet : facets.facets) {
+      if (!(dot(facet.normal, local) < 0.0)) continue;
+      scratch_.patch.polygon.clear();
+      for (std::size_t k = 0; k < facet.count; ++k) {
+        scratch_.patch.polygon.push_back(place_(facets.corners[facet.first + k]));
+      }
+      load.push(wedge, place_.rotation * facet.normal, factor);
+    }
+  }
+
+  void apart() {
+    ConvexGap best;
+    best.distance = std::numeric_limits<double>::infinity();
+    std::uint32_t nearest = 0;
+    mesh_.hierarchy().visit_near(
+        box_, [&] { return best.distance * best.distance; },
+        [&](std::uint32_t t) {
+          const ConvexGap gap = triangle_convex_gap(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), body_,
+                                                    place_, best.distance);
+          if (gap.distance < best.distance || (gap.distance == best.distance && t < nearest)) {
+            best = gap;
+            nearest = t;
+          }
+        });
+    result_.distance = best.distance;
+    result_.normal = pose_.rotation * normalized(best.on_body - best.on_triangle, mesh_.face_normal(nearest));
+    result_.witness = pose_(0.5 * (best.on_body + best.on_triangle));
+  }
+
+  const convex::ConvexBody &body_;
+  const Pose &place_;
+  const TriangleMesh &mesh_;
+  const Pose &pose_;
+  MeshContactScratch &scratch_;
+  ContactSet &result_;
+  Bounds box_;
+  double size_ = 0.0;
+};
+
+}  // namespace
+
+void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
+                    MeshContactScratch &scratch, ContactSet &result) {
+  const Pose body_in_mesh = relative_pose(pose, body_pose);
+  SmoothQuery(body, body_in_mesh, mesh, pose, scratch, result).run();
+}
+
+}  // namespace cmb::mesh
