@@ -9,8 +9,8 @@ model LegDrive "Three servos that move a leg as the gait wants"
   parameter SI.Length tibia=0.135 "Length from the knee to the foot's centre" annotation (Dialog(group="Geometry"));
   parameter SI.Length reach=0.155 "Distance of the foot's middle position from the hip's axis" annotation (Dialog(group="Geometry"));
   parameter SI.Height height=0.09812 "Height of the hip above the centre of a standing foot" annotation (Dialog(group="Geometry"));
-  parameter SI.RotationalSpringConstant c=300 "Gain of the angle" annotation (Dialog(group="Servos"));
-  parameter SI.RotationalDampingConstant d=4 "Gain of the speed" annotation (Dialog(group="Servos"));
+  parameter SI.RotationalSpringConstant c[3]={600,900,300} "Gains of the angles of hip, lift and knee" annotation (Dialog(group="Servos"));
+  parameter SI.RotationalDampingConstant d[3]={8,10,5} "Gains of the speeds" annotation (Dialog(group="Servos"));
   final parameter SI.Position startPath[2]=footPosition(offset, gait.dutyFactor, gait.stride, gait.lift) "Foot at the start";
   final parameter SI.Angle start[3]=jointAngles(
       {reach + startPath[1]*cos(direction),-startPath[1]*sin(direction),startPath[2] - height},
@@ -20,7 +20,7 @@ model LegDrive "Three servos that move a leg as the gait wants"
   Modelica.Mechanics.Rotational.Interfaces.Flange_b hip "To the hip's axis" annotation (Placement(transformation(extent={{90,50},{110,70}})));
   Modelica.Mechanics.Rotational.Interfaces.Flange_b lift "To the lift axis" annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   Modelica.Mechanics.Rotational.Interfaces.Flange_b knee "To the knee's axis" annotation (Placement(transformation(extent={{90,-70},{110,-50}})));
-  ContactMultiBody.Actuators.Rotational.Servo servo[3](each c=c, each d=d, each useSpeedReference=true) "Servos of hip, lift and knee"
+  ContactMultiBody.Actuators.Rotational.Servo servo[3](c=c, d=d, each useSpeedReference=true) "Servos of hip, lift and knee"
     annotation (Placement(transformation(extent={{20,-10},{40,10}})));
 protected
   SI.Position path[2] "Foot against its middle position, forward and up";

@@ -78,7 +78,7 @@ equation
   connect(rearRight.lift, rearRightLift.axis);
   connect(rearRight.knee, rearRightKnee.axis);
   annotation (
-    experiment(StopTime=25, Tolerance=1e-4, Interval=0.01),
+    experiment(StopTime=25, Tolerance=1e-4, Interval=0.007),
     Documentation(info="<html>
 <p>
 Anton stands with all feet on the floor, three of them in front and three behind their middle positions. With the start command the six
