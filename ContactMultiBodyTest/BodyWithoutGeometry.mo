@@ -5,6 +5,6 @@ model BodyWithoutGeometry "A body without geometry has the equations of its coun
   ContactMultiBody.Parts.Body mine(m=1, r_CM={0,0,0});
   Modelica.Mechanics.MultiBody.Parts.Body standard(m=1, r_CM={0,0,0});
   annotation (experiment(StopTime=1, Tolerance=1e-6), Documentation(info="<html>
-<p><code>mine</code> and <code>standard</code> differ by the parameters geometry and material alone.</p>
+<p><code>mine</code> and <code>standard</code> differ by the parameters geometry, material and inertia alone.</p>
 </html>"));
 end BodyWithoutGeometry;

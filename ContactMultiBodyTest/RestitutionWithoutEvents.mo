@@ -20,7 +20,7 @@ model RestitutionWithoutEvents "A free impact delivers exactly the restitution a
     material={ball.material,floor.material},
     friction=ContactMultiBody.Types.Friction.None,
     restitutionMethod=ContactMultiBody.Types.RestitutionMethod.Memoryless,
-    effectiveMass={ContactMultiBody.Materials.effectiveMass(ball.m)});
+    inertia={ball.inertia,floor.inertia});
   Real delivered "Speed after the impact by the speed before it";
 equation
   delivered = ball.v_0[3]/3;

@@ -1,6 +1,6 @@
 within ContactMultiBody.Examples;
 model BallWithoutEvents "A ball bounces and comes to rest without a single event"
-  extends BallOnFloor(contacts(restitutionMethod=Types.RestitutionMethod.Memoryless, effectiveMass={ball.m}));
+  extends BallOnFloor(contacts(restitutionMethod=Types.RestitutionMethod.Memoryless, inertia={ball.inertia,floor.inertia}));
   annotation (
     experiment(StopTime=3, Tolerance=1e-8, Interval=0.002),
     Documentation(info="<html>

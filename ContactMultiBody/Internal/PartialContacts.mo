@@ -41,8 +41,10 @@ partial model PartialContacts "Forces between bodies from depths, normals and po
     annotation (Dialog(group="Restitution", enable=useRestitution));
   parameter SI.Velocity restSpeed(min=Modelica.Constants.small)=0.01 "Impacts slower than this come to rest, for ImpactSpeed only"
     annotation (Dialog(group="Restitution", enable=useRestitution));
-  parameter SI.Mass effectiveMass[m](each min=Modelica.Constants.small)=fill(1, m)
-    "Effective mass 1/(1/m1 + 1/m2) of each pair, for Memoryless only"
+  parameter Parts.Inertia inertia[n] "Inertia of each body, usually {body1.inertia, ...}, for Memoryless only"
+    annotation (Dialog(group="Restitution", enable=restitutionMethod == Types.RestitutionMethod.Memoryless));
+  parameter SI.Mass effectiveMass[m](each min=0)=fill(0, m)
+    "Effective mass of each pair; 0: computed from the bodies' inertia where they touch, for Memoryless only"
     annotation (Dialog(group="Restitution", enable=restitutionMethod == Types.RestitutionMethod.Memoryless));
   parameter Real steadyRate[m](each min=0, each unit="s/m")=fill(0.5, m)
     "Damping D of each pair in F = K x^n (1 + D dx/dt), where restitution is not used"
@@ -93,13 +95,18 @@ partial model PartialContacts "Forces between bodies from depths, normals and po
   SI.Force normalForce[m] "Normal force of each pair, summed over its points";
   SI.Force force[m, 3] "Force on the first body of each pair, in world axes";
   SI.Velocity approachSpeed[m] "Speed at which the bodies of each pair approach where they touch";
-  SI.Velocity impactSpeed[if catchImpacts then m else 0] "Approach speed of each pair when its last contact started";
+  SI.Velocity impactSpeed[if catchImpacts then m else 0]
+    "Approach speed of each pair when it last was struck";
   Boolean touches[if catchImpacts then m else 0] "= true, if the bodies of the pair touch";
   SI.Energy elasticEnergy "Energy stored in the compliance of all contacts";
   SI.Position anchorStretch[if friction == Types.Friction.Anchored then m else 0, 3](each start=0, each fixed=true)
     "Way each pair slid since its anchor was set, in world axes";
 
 protected
+  final parameter SI.Mass mass[n]=inertia.m "Mass of each body; 0: immovable";
+  final parameter SI.Position r_CM[n, 3]=inertia.r_CM "Centre of mass of each body, in its frame";
+  final parameter Real inverseInertia[n, 3, 3](each unit="1/(kg.m2)")=inverseTensors(inertia.I)
+    "Inverse of each body's tensor of inertia, in its frame";
   final parameter Real logarithmAtSeparation[m](each unit="1")=logarithmsAtSeparation(dampingFactor)
     "ln(1 - d e) of each pair";
   SI.Position r_0[n, 3] "Origins of the bodies' frames";
@@ -115,18 +122,34 @@ protected
   SI.Force pointForce[m, pointCapacity, 3] "Force of each point on the first body";
   SI.Force bodyForce[n, 3] "Contact force on each body, in world axes";
   SI.Torque bodyTorque[n, 3] "Contact torque on each body about its frame, in world axes";
+  final parameter Boolean isMemoryless=useRestitution and normalLaw <> Types.NormalLaw.SpringDamper and restitutionMethod
+       == Types.RestitutionMethod.Memoryless "= true, if restitution is delivered without events" annotation (Evaluate=true);
+  SI.Velocity strikeSpeed[if catchImpacts then m else 0] "Greatest approach speed of the points where each pair touches";
+  Boolean struck[if catchImpacts then m else 0] "= true, if a touching pair meets faster than when it last was struck";
   Real rate[if catchImpacts then m else 0](each unit="s/m") "Damping factor by impact speed of each pair";
-  ImpactSpeeds impact(m=m) if catchImpacts;
+  SI.Acceleration springDeceleration[if isMemoryless then m else 0, pointCapacity]
+    "Deceleration of each point by the springs of its pair";
   Real meanNormal[if friction == Types.Friction.Anchored then m else 0, 3](each unit="1") "Normal of each pair as a whole";
   SI.Velocity sliding[if friction == Types.Friction.Anchored then m else 0, 3] "Tangential velocity of each pair as a whole";
   SI.AngularVelocity spin[if friction == Types.Friction.Anchored then m else 0] "Mean angular velocity about the normal";
   Real mu[if friction == Types.Friction.Anchored then m else 0](each unit="1") "Coefficient of friction at the present speed";
+initial equation
+  if catchImpacts then
+    pre(impactSpeed) = strikeSpeed;
+  end if;
 equation
   for i in 1:n loop
     r_0[i, :] = frame[i].r_0;
     w_0[i, :] = Frames.resolve1(frame[i].R, frame[i].R.w);
   end for;
   v_0 = der(r_0);
+
+  if isMemoryless then
+    for i in 1:m loop
+      assert(effectiveMass[i] > 0 or mass[pair[i, 1]] > 0 or mass[pair[i, 2]] > 0,
+        "Restitution without events needs masses: give the manager inertia={body1.inertia, ...} or effectiveMass.");
+    end for;
+  end if;
 
   pointVelocity = pointVelocities(point, r_0, v_0, w_0, pair);
   pointSpeed = approachSpeeds(pointVelocity, normal);
@@ -136,9 +159,15 @@ equation
     for i in 1:m loop
       touches[i] = distance[i] < 0;
     end for;
-    impact.touches = touches;
-    impact.approachSpeed = approachSpeed;
-    impactSpeed = impact.impactSpeed;
+    strikeSpeed = strikeSpeeds(depth, pointSpeed);
+    for i in 1:m loop
+      struck[i] = strikeSpeed[i] > 1.25*max(pre(impactSpeed[i]), restSpeed) and distance[i] < 0;
+    end for;
+    when touches then
+      impactSpeed = caughtSpeeds(touches, pre(touches), struck, strikeSpeed, pre(impactSpeed));
+    elsewhen struck then
+      impactSpeed = caughtSpeeds(touches, pre(touches), struck, strikeSpeed, pre(impactSpeed));
+    end when;
     for i in 1:m loop
       rate[i] = NormalForce.dampingRate(dampingFactor[i], impactSpeed[i], restSpeed);
     end for;
@@ -148,14 +177,28 @@ equation
     pointNormalForce = springDamperForces(depth, weight, pointSpeed, stiffness, exponent, damping, dampingDepth);
   elseif catchImpacts then
     pointNormalForce = normalForces(depth, weight, pointSpeed, stiffness, exponent, rate);
-  elseif useRestitution then
+  elseif isMemoryless then
+    springDeceleration = springDecelerations(
+      depth,
+      weight,
+      normal,
+      point,
+      stiffness,
+      exponent,
+      pair,
+      r_0,
+      {frame[i].R.T for i in 1:n},
+      mass,
+      r_CM,
+      inverseInertia,
+      effectiveMass);
     pointNormalForce = memorylessForces(
       depth,
       weight,
       pointSpeed,
       stiffness,
       exponent,
-      effectiveMass,
+      springDeceleration,
       dampingFactor,
       logarithmAtSeparation);
   else

@@ -6,7 +6,7 @@ pure function memorylessForces "Normal forces of all points that deliver a resti
   input Modelica.Units.SI.Velocity speed[size(depth, 1), size(depth, 2)] "Approach speeds";
   input Real stiffness[size(depth, 1)] "Stiffness of each pair";
   input Real exponent(unit="1") "Exponent of the depth";
-  input Modelica.Units.SI.Mass effectiveMass[size(depth, 1)] "Effective mass of each pair";
+  input Modelica.Units.SI.Acceleration springDeceleration[size(depth, 1), size(depth, 2)] "Deceleration of each point by the springs";
   input Real damping[size(depth, 1)](each unit="1") "Damping factor of each pair";
   input Real logarithmAtSeparation[size(depth, 1)](each unit="1") "ln(1 - d e) of each pair";
   output Modelica.Units.SI.Force force[size(depth, 1), size(depth, 2)] "Normal forces";
@@ -18,7 +18,7 @@ algorithm
         speed[i, k],
         stiffness[i],
         exponent,
-        effectiveMass[i],
+        springDeceleration[i, k],
         damping[i],
         logarithmAtSeparation[i]);
     end for;

@@ -2,7 +2,7 @@ within ContactMultiBody.NormalForce;
 pure function exact "Damping factor that delivers exactly the restitution asked for"
   extends Internal.PartialDampingFactor;
 protected
-  constant Real eMin=0.01 "Smaller coefficients would need unbounded damping";
+  constant Real eMin=5e-4 "Smaller coefficients would need unbounded damping";
   constant Real eSeries=0.98 "Above, logarithms cancel and the equation is solved by its series";
   Real e "Restitution within the range the law can deliver";
   Real q "Restitution within the range of Newton's method";
@@ -26,7 +26,7 @@ algorithm
   annotation (Documentation(info="<html>
 <p>
 Solves (1 + d)/(1 - d e) = exp(d (1 + e)) for d; for e towards 1, d tends to 3(1 - e)/2, for e towards 0 to 1/e. The
-coefficient of restitution is limited to the range 0.01 ... 1, which bounds d by 100. The number of Newton steps is fixed, so that the function can be
+coefficient of restitution is limited to the range 0.0005 ... 1, which bounds d by 2000. The number of Newton steps is fixed, so that the function can be
 translated to expressions; the relative error is below 1e-9.
 </p>
 </html>"));

@@ -2,10 +2,7 @@ within ContactMultiBody.NormalForce;
 pure function memorylessSpeedRatio "Present speed by impact speed, from depth and speed alone"
   extends Modelica.Icons.Function;
   input Modelica.Units.SI.Velocity approachSpeed "Approach speed dx/dt";
-  input Modelica.Units.SI.Length depth "Penetration depth x";
-  input Real stiffness(min=0) "Stiffness K in N/m^exponent";
-  input Real exponent(min=1, unit="1") "Exponent n of the depth";
-  input Modelica.Units.SI.Mass effectiveMass "Effective mass of the pair, 1/(1/m1 + 1/m2)";
+  input Real specificEnergy(min=0, unit="m2/s2") "Elastic energy by effective mass, K x^(n+1)/(m (n+1))";
   input Real damping(min=0, unit="1") "Damping factor d";
   input Real logarithmAtSeparation(max=0, unit="1") "ln(1 - d e)";
   output Real ratio(unit="1") "(dx/dt)/v0, between -e and 1";
@@ -29,7 +26,7 @@ algorithm
   c := 1 + d - log(1 + d);
   start := log(1 + d);
   span := start - logarithmAtSeparation;
-  q := min(max(approachSpeed/sqrt(stiffness*depth^(exponent + 1)/(effectiveMass*(exponent + 1)) + Modelica.Constants.small), -qMax), qMax);
+  q := min(max(approachSpeed/sqrt(specificEnergy + Modelica.Constants.small), -qMax), qMax);
   low := -10;
   high := 10;
   for i in 1:10 loop

@@ -4,6 +4,7 @@ model BodyBox "Rigid box that can collide; mass and animation follow from size a
   parameter String geometry=Shapes.box({length,width,height}, r_CM, R.T) "Descriptor of the geometry in frame_a, see Shapes"
     annotation (Dialog(group="Contact"));
   parameter Materials.Material material "Material of the surface" annotation (Dialog(group="Contact"), choicesAllMatching=true);
+  final parameter Inertia inertia(m=m, r_CM=r_CM, I=I) "Inertia, for contacts without events";
   annotation (Documentation(info="<html>
 <p>
 Modelica.Mechanics.MultiBody.Parts.BodyBox whose geometry is by default the box itself, holes filled. Neither geometry nor

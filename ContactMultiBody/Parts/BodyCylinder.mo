@@ -4,6 +4,7 @@ model BodyCylinder "Rigid cylinder that can collide; mass and animation follow f
   parameter String geometry=Shapes.cylinder(diameter/2, length, r_CM, {R.T[2, :],R.T[3, :],R.T[1, :]})
     "Descriptor of the geometry in frame_a, see Shapes" annotation (Dialog(group="Contact"));
   parameter Materials.Material material "Material of the surface" annotation (Dialog(group="Contact"), choicesAllMatching=true);
+  final parameter Inertia inertia(m=m, r_CM=r_CM, I=I) "Inertia, for contacts without events";
   annotation (Documentation(info="<html>
 <p>
 Modelica.Mechanics.MultiBody.Parts.BodyCylinder whose geometry is by default the cylinder itself, bore filled. Neither geometry nor

@@ -4,6 +4,7 @@ model BodyShape "Rigid body with two frames that can collide"
   parameter String geometry="" "Descriptor of the geometry in frame_a, see Shapes; empty: does not collide"
     annotation (Dialog(group="Contact"));
   parameter Materials.Material material "Material of the surface" annotation (Dialog(group="Contact"), choicesAllMatching=true);
+  final parameter Inertia inertia(m=m, r_CM=r_CM, I={{I_11,I_21,I_31},{I_21,I_22,I_32},{I_31,I_32,I_33}}) "Inertia, for contacts without events";
   annotation (Documentation(info="<html>
 <p>
 Modelica.Mechanics.MultiBody.Parts.BodyShape with a geometry and a material. Neither adds an equation; contacts are computed by the

@@ -4,6 +4,7 @@ model Fixed "Frame fixed in the world that can carry a geometry"
   parameter String geometry="" "Descriptor of the geometry in frame_b, see Shapes; empty: does not collide"
     annotation (Dialog(group="Contact"));
   parameter Materials.Material material "Material of the surface" annotation (Dialog(group="Contact"), choicesAllMatching=true);
+  final parameter Inertia inertia "Inertia, for contacts without events";
   annotation (Documentation(info="<html>
 <p>
 Modelica.Mechanics.MultiBody.Parts.Fixed with a geometry and a material; frame_b is connected to the

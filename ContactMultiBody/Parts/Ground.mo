@@ -6,6 +6,7 @@ model Ground "Immovable half-space or shape"
   parameter String geometry=Shapes.halfSpace(normal=normal) "Descriptor of the geometry in frame_a, see Shapes"
     annotation (Dialog(group="Contact"));
   parameter Materials.Material material "Material of the surface" annotation (Dialog(group="Contact"), choicesAllMatching=true);
+  final parameter Inertia inertia "Inertia, for contacts without events";
   Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame_a "Frame of the ground, parallel to the world frame"
     annotation (Placement(transformation(extent={{-16,84},{16,116}})));
 equation

@@ -10,8 +10,10 @@ error-controlled solver therefore needs no tolerance below 1e-6 for its own sake
 as half-spaces, which nothing can pass.</li>
 <li>The solution of the law is exact for a free impact. Gravity, joints and other contacts act during an impact as well; their share is of the order of g sqrt(m/K)/v<sub>0</sub>, so that slow bounces lose more than e says. Below
 <code>restSpeed</code> the damping rises until bounces die.</li>
-<li>The speed of impact is caught once a contact. If a body that still touches is struck a second time with another part, as a box that falls flat after landing on its edge, the first
-speed goes on to count; with <code>Memoryless</code> each point has its own.</li>
+<li>The speed of impact is caught by an event when a pair starts to touch, and again when a point of a touching pair meets more than a quarter faster than that: as when a box falls flat
+after landing on its edge, or when something strikes a body that rests. A second strike that is slower than the first one finds the first speed and comes back with more than e of its own. With <code>Memoryless</code>
+each point recovers its own speed.</li>
+<li>A contact that exists when the simulation starts is taken to have started at the speed it then has.</li>
 <li>Anchored friction is elastic up to 0.9 of its limit: displacement under load is F/S and goes back. It does not creep.</li>
 <li>Depth at rest is m g/K (exponent 1), shared by the points of a face.</li>
 </ul>

@@ -81,10 +81,13 @@ def memoryless(manager: Manager, parameters: Parameters) -> Change:
     masses = []
     for k, (a, b) in enumerate(manager.pairs):
         inverse = 1 / parameters.masses[a - 1] + 1 / parameters.masses[b - 1]
-        masses.append(1 / inverse if inverse > 0 and math.isfinite(inverse) else parameters.pair["effectiveMass"][k])
+        given = parameters.pair["effectiveMass"][k] or _UNKNOWN_MASS
+        masses.append(1 / inverse if inverse > 0 and math.isfinite(inverse) else given)
     return Change(restitution=Restitution.MEMORYLESS, values={"effectiveMass": tuple(masses)})
 
 
+_UNKNOWN_MASS = 1.0
+"""kg; the effective mass of a pair of bodies whose masses the FMU does not show."""
 _DAMPING_AT_REST = 20.0
 """Damping factor by which ContactMultiBody.NormalForce.dampingRate damps a contact that starts at rest."""
 
@@ -111,7 +114,7 @@ _RESTITUTION: Mapping[Restitution, tuple[tuple[str, str], ...]] = {
 _LIBRARY_DEFAULTS: Mapping[str, float] = {
     "contactRadius": 0.01,
     "damping": 1e3,
-    "effectiveMass": 1.0,
+    "effectiveMass": 0.0,
     "steadyRate": 0.5,
     "spinRadius": 0.0,
     "rollingLever": 0.0,

@@ -38,7 +38,7 @@ MANAGER = Manager(
     turning=False,
     point_capacity=4,
 )
-DEFAULTS = {"contactRadius": 0.01, "damping": 1e3, "effectiveMass": 1.0, "steadyRate": 0.5}
+DEFAULTS = {"contactRadius": 0.01, "damping": 1e3, "effectiveMass": 0.0, "steadyRate": 0.5}
 
 
 def parameters(**pair: tuple[float, ...]) -> Parameters:
