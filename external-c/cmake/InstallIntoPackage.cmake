@@ -3,7 +3,8 @@
 # FMU can carry them.
 set(library_folder "${CMB_PACKAGE_RESOURCES}/Library/linux64")
 
-install(FILES include/contact_multibody.h include/contact_multibody_scene.h include/contact_multibody_modelica.h
+install(FILES include/contact_multibody.h include/contact_multibody_modelica.h include/contact_multibody_scene.h
+        include/contact_multibody_scene_modelica.h
         DESTINATION "${CMB_PACKAGE_RESOURCES}/Include")
 install(TARGETS ContactMultiBody ARCHIVE DESTINATION "${library_folder}")
 install(TARGETS contactmultibody_shared LIBRARY DESTINATION "${library_folder}")

@@ -15,8 +15,11 @@ double in_series(double a, double b, double exponent) {
 
 double pair_stiffness(const cmb_contact_law &law, const cmb_body_properties &properties, std::size_t a, std::size_t b) {
   if (properties.stiffness != nullptr) return in_series(properties.stiffness[a], properties.stiffness[b], law.exponent);
+  constexpr double flat = 1e-9;  // 1/m
+  const double curvature = properties.curvature[a] + properties.curvature[b];
+  if (!(curvature > flat)) return HUGE_VAL;
   const double compliance = 1.0 / properties.modulus[a] + 1.0 / properties.modulus[b];
-  return 4.0 / 3.0 / (std::sqrt(properties.curvature[a] + properties.curvature[b]) * compliance);
+  return 4.0 / 3.0 / (std::sqrt(curvature) * compliance);
 }
 
 void require(bool holds, const char *what) {
