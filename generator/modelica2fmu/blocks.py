@@ -54,6 +54,7 @@ class LinearBlock:
         right: right-hand side.
         inner: what follows from the torn unknowns.
         size: number of unknowns before tearing.
+        residuals: the equations of the linear system before ``inner`` was inserted, row by row.
     """
 
     torn: tuple[str, ...]
@@ -61,6 +62,7 @@ class LinearBlock:
     right: tuple[float | Node, ...]
     inner: tuple[Assignment, ...]
     size: int
+    residuals: tuple[float | Node, ...]
 
 
 @dataclass(frozen=True)
@@ -263,7 +265,10 @@ class _Sorter:
         ordered = sorted(torn, key=lambda name: fill[name])
         matrix = tuple(tuple(form.coefficients.get(name, 0) for name in ordered) for form in residual_forms)
         right = tuple(ex.negate(form.constant) for form in residual_forms)
-        return LinearBlock(tuple(ordered), matrix, right, tuple(inner), size)
+        residuals = tuple(
+            entry.residual for number in remaining if isinstance(entry := self._entries[number], Residual)
+        )
+        return LinearBlock(tuple(ordered), matrix, right, tuple(inner), size, residuals)
 
     # --- for tearing ---
 

@@ -3,12 +3,14 @@
 A sequence of statements becomes functions of bounded size, because compilers need more than linear time for long
 ones. Within a function, a node that is used more than once is a local constant; a node that later functions use too
 is kept in the work array.
+
+Nodes below which certain symbols stand can be vectors of ``LANES`` numbers, for derivatives in as many directions.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -17,6 +19,7 @@ from modelica2fmu.expression import Node
 
 _STATEMENTS_PER_FUNCTION: Final = 1200
 _INLINE_LENGTH: Final = 160
+LANES: Final = 4  # CMB_LANES of runtime/cmb_model.h
 
 _CALLS: Final = {
     "abs": "fabs", "sqrt": "sqrt", "sin": "sin", "cos": "cos", "tan": "tan", "asin": "asin", "acos": "acos",
@@ -38,6 +41,15 @@ def number(value: float) -> str:
         return "HUGE_VAL" if value > 0 else "-HUGE_VAL"
     text = repr(float(value))
     return f"({text})" if text.startswith("-") else text
+
+
+def c_text(text: str) -> str:
+    """A C string literal, in ASCII with octal escapes of its UTF-8 bytes."""
+    characters = []
+    for byte in text.encode("utf-8"):
+        character = chr(byte)
+        characters.append(character if 32 <= byte < 127 and character not in '"\\?' else f"\\{byte:03o}")
+    return '"' + "".join(characters) + '"'
 
 
 Write = Callable[["float | Node"], str]
@@ -103,6 +115,7 @@ def functions_of(
     signature: str,
     prologue: Sequence[str],
     split: bool = True,
+    is_lane_symbol: Callable[[str], bool] | None = None,
 ) -> list[Function]:
     """Functions that execute the statements in order when called one after the other.
 
@@ -114,13 +127,15 @@ def functions_of(
         signature: parameters of each function.
         prologue: first lines of each body.
         split: = false for a single function.
+        is_lane_symbol: true for symbols that are vectors.
     """
     chunks = _chunks(statements, split)
-    homes = _homes(chunks, work)
+    lane_nodes = _lane_nodes(statements, is_lane_symbol)
+    homes = _homes(chunks, work, lane_nodes)
     result = []
     for position, chunk in enumerate(chunks):
         name = f"{prefix}_{position + 1}" if split else prefix
-        body = _Body(chunk, position, homes, location).lines()
+        body = _Body(chunk, position, homes, location, lane_nodes).lines()
         text = "\n".join([f"int {name}({signature})", "{", *prologue, *body, "  return CMB_RESULT_OK;", "}", ""])
         result.append(Function(name, text, chunk.is_discrete, len(body)))
     return result
@@ -143,7 +158,18 @@ def _chunks(statements: Sequence[Statement], split: bool) -> list[_Chunk]:
     return chunks or [_Chunk(False)]
 
 
-def _homes(chunks: Sequence[_Chunk], work: WorkSpace) -> dict[Node, tuple[int, int]]:
+def _lane_nodes(statements: Sequence[Statement], is_lane_symbol: Callable[[str], bool] | None) -> set[Node]:
+    """All nodes that are vectors."""
+    found: set[Node] = set()
+    if is_lane_symbol is None:
+        return found
+    for node in ex.topological(root for statement in statements for root in statement.roots):
+        if (node.op == "symbol" and is_lane_symbol(node.name)) or any(arg in found for arg in node.args):
+            found.add(node)
+    return found
+
+
+def _homes(chunks: Sequence[_Chunk], work: WorkSpace, lane_nodes: Collection[Node]) -> dict[Node, tuple[int, int]]:
     """Nodes that continuous chunks share with later ones: number of the first chunk, offset in the work array."""
     first: dict[Node, int] = {}
     shared: dict[Node, None] = {}
@@ -163,7 +189,7 @@ def _homes(chunks: Sequence[_Chunk], work: WorkSpace) -> dict[Node, tuple[int, i
                 if owner is None and not chunk.is_discrete:
                     first[node] = position
                 stack.extend(node.args)
-    return {node: (first[node], work.real(1)) for node in shared}
+    return {node: (first[node], work.real(LANES if node in lane_nodes else 1)) for node in shared}
 
 
 class _Body:
@@ -175,7 +201,9 @@ class _Body:
         position: int,
         homes: dict[Node, tuple[int, int]],
         location: Callable[[str], str],
+        lane_nodes: Collection[Node],
     ) -> None:
+        self._lane_nodes = lane_nodes
         self._chunk = chunk
         self._position = position
         self._homes = homes
@@ -231,13 +259,17 @@ class _Body:
                 self._names[node] = number(node.value)
                 continue
             if self._is_elsewhere(node):
-                self._names[node] = f"w[{self._homes[node][1]}]"
+                self._names[node] = self._home(node)
                 continue
             if not ready:
                 stack.append((node, True))
                 stack.extend((arg, False) for arg in node.args if arg not in self._names)
                 continue
             self._name(node)
+
+    def _home(self, node: Node) -> str:
+        offset = self._homes[node][1]
+        return lanes_at(offset) if node in self._lane_nodes else f"w[{offset}]"
 
     def _name(self, node: Node) -> None:
         text = self._text(node)
@@ -246,10 +278,11 @@ class _Body:
             self._names[node] = text
             return
         name = f"n{len(self._names)}"
-        self._lines.append(f"  const double {name} = {bare(text)};")
+        type_name = "cmb_lanes" if node in self._lane_nodes else "double"
+        self._lines.append(f"  const {type_name} {name} = {bare(text)};")
         self._names[node] = name
         if home is not None:
-            self._lines.append(f"  w[{home[1]}] = {name};")
+            self._lines.append(f"  {self._home(node)} = {name};")
 
     def _text(self, node: Node) -> str:
         args = [self._names[arg] for arg in node.args]
@@ -260,9 +293,21 @@ class _Body:
             return f"(-{args[0]})"
         if node.op == "not":
             return f"(!{args[0]})"
+        if node.op == "select" and node in self._lane_nodes:
+            # A branch that is no vector is the number zero: derivatives are linear in the directions.
+            first, second = (
+                f"(cmb_lanes){text}" if arg in self._lane_nodes else "(cmb_lanes){0}"
+                for arg, text in zip(node.args[1:], args[1:], strict=True)
+            )
+            return f"({args[0]} ? {first} : {second})"
         if node.op == "select":
             return f"({args[0]} ? {args[1]} : {args[2]})"
         return f"{_CALLS[node.op]}({', '.join(args)})"
+
+
+def lanes_at(offset: int) -> str:
+    """C lvalue of the vector at an offset of the work array."""
+    return f"LANES(w, {offset})"
 
 
 def bare(text: str) -> str:

@@ -20,14 +20,15 @@ from modelica2fmu.blocks import (
     needed_blocks,
     solve_order,
 )
-from modelica2fmu.c_expressions import Function, Statement, WorkSpace, Write, bare, functions_of, number
+from modelica2fmu.c_expressions import Function, Statement, WorkSpace, Write, bare, c_text, functions_of, number
+from modelica2fmu.call_code import call_statement
 from modelica2fmu.expression import Node
+from modelica2fmu.jacobian_code import Factors, JacobianCode, JacobianPlaces, jacobian_code
 from modelica2fmu.packaging import GeneratedSource
 from modelica2fmu.scalar_model import (
     INITIAL,
     TERMINAL,
     TIME,
-    CallArgument,
     ExternalCall,
     Kind,
     ScalarAssert,
@@ -37,6 +38,7 @@ from modelica2fmu.scalar_model import (
 )
 from modelica2fmu.slots import Slot, Slots, Store, assign_slots
 from modelica2fmu.systems import PlaceOf, Systems
+from modelica2fmu.tangents import tangents
 
 _SIGNATURE: Final = "cmb_values *v"
 _PROLOGUE: Final = (
@@ -97,6 +99,8 @@ class _Generator:
         self._starts: dict[str, int] = {}
         self._residuals = 0
         self._slots = Slots()
+        self._factors: dict[tuple[str, ...], Factors] = {}  # of linear systems while simulating, by their unknowns
+        self._jacobian: JacobianCode | None = None
 
     def run(self) -> GeneratedModel:
         systems, model = self._systems, self._model
@@ -125,6 +129,7 @@ class _Generator:
         self._add("cmb_part_assert", [self._assert(item, "CMB_RESULT_DISCARD") for item in continuous_asserts])
         self._add("cmb_part_event", self._event())
         self._add("cmb_part_indicators", [], self._indicators())
+        self._add_jacobian(simulation)
         return self._assemble()
 
     # --- places of symbols ---
@@ -171,7 +176,7 @@ class _Generator:
         if isinstance(block, Assignment):
             return [self._assign(block.target, block.value, block.is_discrete)]
         if isinstance(block, ExternalCall):
-            return [self._call(block)]
+            return [call_statement(block, self._store)]
         if isinstance(block, LinearBlock):
             return self._linear(block)
         return [self._nonlinear(block)]
@@ -192,7 +197,7 @@ class _Generator:
         if not isinstance(factor, Node):
             return self._assign(name, ex.divide(right, factor))
         value = ex.divide(right, factor)
-        message = _c_text(f"The equation for {name} is singular")
+        message = c_text(f"The equation for {name} is singular")
 
         def lines(write: Write) -> list[str]:
             return [
@@ -206,8 +211,9 @@ class _Generator:
         return Statement((factor, value), lines)
 
     def _linear_system(self, block: LinearBlock, n: int) -> list[Statement]:
-        matrix, right = self._work.real(n * n), self._work.real(n)
+        matrix, scale, right = self._work.real(n * n), self._work.real(n), self._work.real(n)
         pivot = self._work.integer(n)
+        self._factors[block.torn] = Factors(matrix, scale, pivot)
         statements = [
             Statement((), lambda _: [f"memset(w + {matrix}, 0, {n * n} * sizeof(double));"]),
         ]
@@ -218,14 +224,15 @@ class _Generator:
                     statements.append(self._work_statement(matrix + column * n + row, value))
             statements.append(self._work_statement(right + row, block.right[row]))
         names = ", ".join(block.torn[:3]) + (", ..." if n > 3 else "")
-        message = _c_text(f"A linear system of {n} equations is singular (unknowns {names})")
+        message = c_text(f"A linear system of {n} equations is singular (unknowns {names})")
 
         def solve(_: Write) -> list[str]:
             lines = [
-                f"if (cmb_solve_linear({n}, w + {matrix}, w + {right}, v->integer_work + {pivot}) != 0) {{",
+                f"if (cmb_factorize({n}, w + {matrix}, w + {scale}, v->integer_work + {pivot}) != 0) {{",
                 f"  cmb_report_error(v, {message});",
                 "  return CMB_RESULT_DISCARD;",
                 "}",
+                f"cmb_substitute({n}, w + {matrix}, w + {scale}, v->integer_work + {pivot}, w + {right});",
             ]
             return lines + [self._store(name, f"w[{right + k}]") for k, name in enumerate(block.torn)]
 
@@ -248,7 +255,7 @@ class _Generator:
         self._functions.extend(
             functions_of(name, [take, *inner, *give], self._location, self._work, signature, prologue, split=False)
         )
-        work = self._work.real(n * n + 6 * n)
+        work = self._work.real(n * n + 7 * n)
         integers = self._work.integer(n)
         nominal = [
             (variable.nominal if (variable := self._model.variables.get(torn)) is not None else None) or 0.0
@@ -271,72 +278,6 @@ class _Generator:
             ]
 
         return Statement((), solve)
-
-    # --- external calls ---
-
-    def _call(self, call: ExternalCall) -> Statement:
-        roots = tuple(
-            value for argument in call.args if not argument.is_output for value in argument.values
-            if not isinstance(value, str)
-        )  # fmt: skip
-
-        def lines(write: Write) -> list[str]:
-            result = ["{"]
-            passed = []
-            copies: list[str] = []
-            if not call.has_prototype:
-                result.append(f"  {self._prototype(call)}")
-            for position, argument in enumerate(call.args):
-                name = f"a{position}"
-                passed.append(self._argument(name, argument, write, result, copies))
-            text = f"{call.symbol}({', '.join(passed)})"
-            if call.result is not None:
-                text = f"const {_c_type(call.result[1])} result = {text}"
-                copies.append(self._store(call.result[0], "result"))
-            result.append(f"  {text};")
-            result.extend(f"  {copy}" for copy in copies)
-            result.append("}")
-            return result
-
-        return Statement(roots, lines)
-
-    def _argument(
-        self, name: str, argument: CallArgument, write: Write, declarations: list[str], copies: list[str]
-    ) -> str:
-        c_type = _c_type(argument.type)
-        if argument.is_output:
-            count = max(len(argument.values), 1)
-            declarations.append(f"  {c_type} {name}[{count}] = {{0}};")
-            for k, value in enumerate(argument.values):
-                assert isinstance(value, Node)
-                copies.append(self._store(value.name, f"{name}[{k}]"))
-            return name
-        texts = [self._value(argument.type, value, write) for value in argument.values]
-        if not argument.is_array:
-            return f"({c_type}){texts[0]}" if argument.type != "String" else texts[0]
-        initial = ", ".join(texts) if texts else "0"
-        declarations.append(f"  {c_type} {name}[{max(len(texts), 1)}] = {{{initial}}};")
-        return name
-
-    @staticmethod
-    def _value(type_name: str, value: float | str | Node, write: Write) -> str:
-        if isinstance(value, str):
-            return _c_text(value)
-        text = write(value)
-        if type_name in ("Integer", "Boolean", "size"):
-            return str(int(value)) if not isinstance(value, Node) else f"(int)({text})"
-        return text
-
-    @staticmethod
-    def _prototype(call: ExternalCall) -> str:
-        types = []
-        for argument in call.args:
-            c_type = _c_type(argument.type)
-            pointer = "*" if argument.is_array or argument.is_output else ""
-            constant = "const " if pointer and not argument.is_output and argument.type != "String" else ""
-            types.append(f"{constant}{c_type} {pointer}".strip())
-        returned = _c_type(call.result[1]) if call.result is not None else "void"
-        return f"extern {returned} {call.symbol}({', '.join(types) or 'void'});"
 
     # --- parameters ---
 
@@ -476,6 +417,23 @@ class _Generator:
             signature, prologue = _SIGNATURE, _PROLOGUE
         self._functions.extend(functions_of(prefix, statements, self._location, self._work, signature, prologue))
 
+    def _add_jacobian(self, simulation: Sequence[Block]) -> None:
+        """Code of the Jacobian, where it pays."""
+        states = self._systems.reduction.states
+        rates = [derivative_name(name) for name in states]
+        if not states:
+            return
+        steps = tangents(needed_blocks(simulation, rates), states, rates)
+        places = JacobianPlaces(
+            self._location, self._work, self._factors, [self._nominal(name) for name in states], _SIGNATURE, _PROLOGUE
+        )
+        self._jacobian = jacobian_code(steps, states, rates, places)
+        self._functions.extend(self._jacobian.functions)
+
+    def _nominal(self, name: str) -> float:
+        variable = self._model.variables.get(name)
+        return abs(variable.nominal) if variable is not None and variable.nominal else 1.0
+
     def _assemble(self) -> GeneratedModel:
         header = _HEADER + "".join(f"{function.text.splitlines()[0]};\n" for function in self._functions) + "#endif\n"
         includes = '#include "model_parts.h"\n' + "".join(f"{text}\n" for text in self._includes)
@@ -513,11 +471,8 @@ class _Generator:
         slots, states = self._slots, self._systems.reduction.states
         counts = slots.counts
         real, integer, boolean, string = self._start_tables()
-        texts = [_c_text(f"{item.indicator} > 0"[:_INDICATOR_TEXT]) for item in self._model.relations] or ["NULL"]
-        nominal = [
-            number(abs(variable.nominal) if (variable := self._model.variables.get(name)) and variable.nominal else 1.0)
-            for name in states
-        ]
+        texts = [c_text(f"{item.indicator} > 0"[:_INDICATOR_TEXT]) for item in self._model.relations] or ["NULL"]
+        nominal = [number(self._nominal(name)) for name in states]
         state = [str(slots.of[name].index) for name in states]
         rates = [str(slots.of[derivative_name(name)].index) for name in states]
         parameters = _calls(self._names("cmb_part_parameters"))
@@ -566,8 +521,8 @@ static cmb_result discrete(cmb_values *v, int *states_changed)
 {discrete}  return (cmb_result)result;
 }}
 
-const cmb_model_description cmb_model = {{
-  .name = {_c_text(self._model.name)},
+{"" if self._jacobian is None else self._jacobian.text}const cmb_model_description cmb_model = {{
+  .name = {c_text(self._model.name)},
   .guid = "{_GUID_PLACE}",
   .real_count = {counts[Store.REAL]},
   .integer_count = {counts[Store.INTEGER]},
@@ -590,6 +545,7 @@ const cmb_model_description cmb_model = {{
   .indicators = indicators,
   .discrete = discrete,
   .indicator_text = indicator_text,
+  .jacobian = {"NULL" if self._jacobian is None else "jacobian"},
 }};
 """
 
@@ -607,7 +563,7 @@ const cmb_model_description cmb_model = {{
             if value is None or isinstance(value, Node):
                 continue
             if slot.store is Store.STRING:
-                string[slot.index] = _c_text(str(value))
+                string[slot.index] = c_text(str(value))
             elif isinstance(value, str):
                 continue
             elif slot.store is Store.REAL:
@@ -637,10 +593,6 @@ def _calls(names: Iterable[str], args: str = "v") -> str:
     return "".join(f"  if ((result = {name}({args})) != CMB_RESULT_OK) return (cmb_result)result;\n" for name in names)
 
 
-def _c_type(type_name: str) -> str:
-    return {"Real": "double", "String": "const char *", "size": "size_t"}.get(type_name, "int")
-
-
 def _nodes(message: Text) -> tuple[Node, ...]:
     return tuple(part for part in message.parts if isinstance(part, Node))
 
@@ -650,18 +602,9 @@ def _message(message: Text, write: Write, report: str) -> list[str]:
     values = "".join(f", (double)({write(part)})" for part in message.parts if isinstance(part, Node))
     return [
         "  char message[512];",
-        f"  snprintf(message, sizeof message, {_c_text(parts)}{values});",
+        f"  snprintf(message, sizeof message, {c_text(parts)}{values});",
         f"  {report}(v, message);",
     ]
-
-
-def _c_text(text: str) -> str:
-    """A C string literal, in ASCII with octal escapes of its UTF-8 bytes."""
-    characters = []
-    for byte in text.encode("utf-8"):
-        character = chr(byte)
-        characters.append(character if 32 <= byte < 127 and character not in '"\\?' else f"\\{byte:03o}")
-    return '"' + "".join(characters) + '"'
 
 
 def _wrapped(items: Sequence[str]) -> str:
@@ -678,6 +621,10 @@ _HEADER: Final = """#ifndef MODEL_PARTS_H
 #include <stdio.h>
 #include <string.h>
 #include "cmb_model.h"
+
+/* Derivatives along CMB_LANES directions, and where they are in the work array. */
+typedef double cmb_lanes __attribute__((vector_size(CMB_LANES * sizeof(double)), aligned(sizeof(double)), may_alias));
+#define LANES(w, offset) (*(cmb_lanes *)((w) + (offset)))
 
 static inline double cmb_min(double x, double y) { return x < y ? x : y; }
 static inline double cmb_max(double x, double y) { return x > y ? x : y; }

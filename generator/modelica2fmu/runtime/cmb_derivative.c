@@ -106,6 +106,13 @@ static cmb_result multiply_jacobian(cmb_instance *instance, const unsigned *unkn
   return result;
 }
 
+static int all_finite(const double *numbers, size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    if (!isfinite(numbers[i])) return 0;
+  }
+  return 1;
+}
+
 cmb_result cmb_directional_derivative(cmb_instance *instance, const unsigned *unknown, size_t unknown_count,
                                       const unsigned *known, size_t known_count, const double *seed,
                                       double *sensitivity) {
@@ -120,7 +127,8 @@ cmb_result cmb_directional_derivative(cmb_instance *instance, const unsigned *un
 
   if (cmb_model.jacobian != NULL && instance->situation.phase != CMB_PHASE_INITIALIZATION && known_count > 0 &&
       all_in(cmb_model.derivative, unknown, unknown_count) && all_in(cmb_model.state, known, known_count)) {
-    return multiply_jacobian(instance, unknown, unknown_count, known, known_count, seed, sensitivity);
+    result = multiply_jacobian(instance, unknown, unknown_count, known, known_count, seed, sensitivity);
+    if (result == CMB_RESULT_ERROR || (result == CMB_RESULT_OK && all_finite(sensitivity, unknown_count))) return result;
   }
 
   /* Central differences are best at the cube root of the rounding error (Nocedal and Wright, section 8.1). */

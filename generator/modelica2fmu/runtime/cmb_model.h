@@ -41,12 +41,18 @@ typedef struct cmb_values {
 /* Provided by the runtime, called by generated code. */
 void cmb_report_error(cmb_values *values, const char *message);   /* cause of a CMB_RESULT_ERROR or _DISCARD */
 void cmb_report_warning(cmb_values *values, const char *message);
-/* Solves A x = b in place (column-major n x n; A and b overwritten, solution in b; pivot has n ints).
+/* Scales and factorizes A (column-major n x n, overwritten). `scale` has n doubles, `pivot` n ints.
  * 0 on success, k+1 if column k is singular. */
-int cmb_solve_linear(int n, double *a, double *b, int *pivot);
+int cmb_factorize(int n, double *a, double *scale, int *pivot);
+/* Solves A x = b with what cmb_factorize left: b in, x out. */
+void cmb_substitute(int n, const double *a, const double *scale, const int *pivot, double *b);
+/* Derivatives are computed for this many directions at once. */
+enum { CMB_LANES = 4 };
+/* The same for CMB_LANES right-hand sides: b[i * CMB_LANES + lane]. */
+void cmb_substitute_lanes(int n, const double *a, const double *scale, const int *pivot, double *b);
 /* Damped Newton with finite-difference Jacobian for small nonlinear blocks, used by generated code:
  * residual(values, context, x, r) returns a cmb_result. x: start value in, solution out. nominal may be NULL.
- * work needs n*n + 6*n doubles, integer_work n ints. CMB_RESULT_DISCARD when it does not converge. */
+ * work needs n*n + 7*n doubles, integer_work n ints. CMB_RESULT_DISCARD when it does not converge. */
 typedef int (*cmb_residual)(cmb_values *values, const void *context, const double *x, double *r);
 int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual residual, int n, double *x,
                         const double *nominal, double tolerance, double *work, int *integer_work);

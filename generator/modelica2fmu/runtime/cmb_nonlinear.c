@@ -25,6 +25,7 @@ typedef struct newton {
   double *step;        /* [n] */
   double *row_scale;   /* [n] size of each row of the Jacobian times the nominal values */
   double *x_scale;     /* [n] */
+  double *linear_scale; /* [n] of the factorized Jacobian's rows */
 } newton;
 
 static int all_finite(int n, const double *vector) {
@@ -107,7 +108,8 @@ int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual re
                    .x_trial = vectors + 2 * size,
                    .step = vectors + 3 * size,
                    .row_scale = vectors + 4 * size,
-                   .x_scale = vectors + 5 * size};
+                   .x_scale = vectors + 5 * size,
+                   .linear_scale = vectors + 6 * size};
 
   int result = evaluate(&solver, x, solver.r);
   if (result != CMB_RESULT_OK) return result;
@@ -119,7 +121,7 @@ int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual re
     if (result != CMB_RESULT_OK) return result;
     norm = scaled_norm(&solver, solver.r);
     memcpy(solver.step, solver.r, size * sizeof(double));
-    const int singular = cmb_solve_linear(n, solver.jacobian, solver.step, integer_work);
+    const int singular = cmb_factorize(n, solver.jacobian, solver.linear_scale, integer_work);
     if (singular != 0) {
       if (norm <= tolerance) return CMB_RESULT_OK; /* solved already; the missing direction does not matter */
       char message[200];
@@ -128,6 +130,7 @@ int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual re
       cmb_report_error(values, message);
       return CMB_RESULT_DISCARD;
     }
+    cmb_substitute(n, solver.jacobian, solver.linear_scale, integer_work, solver.step);
 
     double step_size = 0.0;
     for (int i = 0; i < n; ++i) step_size = fmax(step_size, fabs(solver.step[i]) / solver.x_scale[i]);

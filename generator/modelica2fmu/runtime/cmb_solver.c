@@ -285,7 +285,13 @@ static int integrate(cmb_solver *solver, double end, double limit, double larges
   solver->instance->message[0] = '\0';
   int flag = solver->restart ? start(solver) : CV_SUCCESS;
   if (flag == CV_SUCCESS) flag = CVodeSetMaxNumSteps(solver->memory, solver->steps_left > 0 ? solver->steps_left : 1);
+  /* Smaller steps than the rounding of time lead nowhere: they only creep up to where the model cannot be evaluated. */
+  const double smallest_step = 2.0 * DBL_EPSILON * fmax(fabs(solver->instance->values.time), fabs(end));
+  if (flag == CV_SUCCESS) flag = CVodeSetMinStep(solver->memory, 0.0);
   if (flag == CV_SUCCESS) flag = CVodeSetMaxStep(solver->memory, largest_step);
+  if (flag == CV_SUCCESS && (largest_step <= 0.0 || smallest_step < largest_step)) {
+    flag = CVodeSetMinStep(solver->memory, smallest_step);
+  }
   if (flag == CV_SUCCESS) flag = CVodeSetStopTime(solver->memory, fmin(limit, DBL_MAX));
   for (size_t i = 0; i < solver->state_count; ++i) {
     solver->entry[i] = solver->instance->values.real[cmb_model.state[i]];

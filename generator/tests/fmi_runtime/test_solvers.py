@@ -37,8 +37,11 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
 def solve(library: ctypes.CDLL) -> Callable[[Array, Array], tuple[int, Array]]:
     def solve_linear(a: Array, b: Array) -> tuple[int, Array]:
         matrix, x = np.array(a, order="F", copy=True), b.copy()
-        pivot = np.zeros(len(b), dtype=np.int32)
-        result = library.cmb_solve_linear(len(b), pointer(matrix), pointer(x), pointer(pivot))
+        scale, pivot = np.zeros(len(b)), np.zeros(len(b), dtype=np.int32)
+        parts = pointer(matrix), pointer(scale), pointer(pivot)
+        result = library.cmb_factorize(len(b), *parts)
+        if result == 0:
+            library.cmb_substitute(len(b), *parts, pointer(x))
         return result, x
 
     return solve_linear
@@ -52,6 +55,18 @@ def test_random_systems_are_solved_to_rounding(solve: Callable[[Array, Array], t
         assert result == 0
         assert np.linalg.norm(a @ found - a @ x) <= 1e-13 * n * np.linalg.norm(a) * np.linalg.norm(x)
         assert np.allclose(found, x, rtol=0.0, atol=1e-14 * n * np.linalg.cond(a))
+
+
+def test_many_right_hand_sides_are_solved_at_once(library: ctypes.CDLL) -> None:
+    random = np.random.default_rng(3)
+    lanes = 4
+    for n in (1, 2, 7, 24):
+        a, x = random.standard_normal((n, n)), random.standard_normal((n, lanes))
+        matrix, right = np.array(a, order="F", copy=True), np.ascontiguousarray(a @ x)
+        scale, pivot = np.zeros(n), np.zeros(n, dtype=np.int32)
+        assert library.cmb_factorize(n, pointer(matrix), pointer(scale), pointer(pivot)) == 0
+        library.cmb_substitute_lanes(n, pointer(matrix), pointer(scale), pointer(pivot), pointer(right))
+        assert np.allclose(right, x, rtol=0.0, atol=1e-14 * n * np.linalg.cond(a))
 
 
 def test_rows_and_columns_of_different_units(solve: Callable[[Array, Array], tuple[int, Array]]) -> None:
@@ -97,7 +112,7 @@ def test_small_integer_systems(solve: Callable[[Array, Array], tuple[int, Array]
 def solve_system(library: ctypes.CDLL) -> Callable[[int, list[float]], tuple[int, Array, str]]:
     def run(number: int, start: list[float]) -> tuple[int, Array, str]:
         n = len(start)
-        x, work = np.array(start), np.full(n * n + 6 * n + 1, 0.25)
+        x, work = np.array(start), np.full(n * n + 7 * n + 1, 0.25)
         integers = np.zeros(n, dtype=np.int32)
         result = library.solve_system(number, n, pointer(x), ctypes.c_double(1e-10), pointer(work), pointer(integers))
         assert work[-1] == 0.25  # not a number more than promised

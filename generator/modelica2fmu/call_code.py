@@ -1,0 +1,90 @@
+"""C statements that call external functions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from modelica2fmu.c_expressions import Statement, Write, c_text
+from modelica2fmu.expression import Node
+from modelica2fmu.scalar_model import CallArgument, ExternalCall
+
+
+def call_statement(call: ExternalCall, store: Callable[[str, str], str]) -> Statement:
+    """The statement that makes a call and stores its outputs.
+
+    Args:
+        call: the call.
+        store: C statement that stores a C expression in a symbol.
+    """
+    roots = tuple(
+        value for argument in call.args if not argument.is_output for value in argument.values
+        if not isinstance(value, str)
+    )  # fmt: skip
+
+    def lines(write: Write) -> list[str]:
+        result = ["{"]
+        passed = []
+        copies: list[str] = []
+        if not call.has_prototype:
+            result.append(f"  {_prototype(call)}")
+        for position, argument in enumerate(call.args):
+            passed.append(_argument(f"a{position}", argument, write, store, result, copies))
+        text = f"{call.symbol}({', '.join(passed)})"
+        if call.result is not None:
+            text = f"const {_c_type(call.result[1])} result = {text}"
+            copies.append(store(call.result[0], "result"))
+        result.append(f"  {text};")
+        result.extend(f"  {copy}" for copy in copies)
+        result.append("}")
+        return result
+
+    return Statement(roots, lines)
+
+
+def _argument(
+    name: str,
+    argument: CallArgument,
+    write: Write,
+    store: Callable[[str, str], str],
+    declarations: list[str],
+    copies: list[str],
+) -> str:
+    """C text of an argument; arrays are declared before the call, outputs copied after it."""
+    c_type = _c_type(argument.type)
+    if argument.is_output:
+        count = max(len(argument.values), 1)
+        declarations.append(f"  {c_type} {name}[{count}] = {{0}};")
+        for k, value in enumerate(argument.values):
+            assert isinstance(value, Node)
+            copies.append(store(value.name, f"{name}[{k}]"))
+        return name
+    texts = [_value(argument.type, value, write) for value in argument.values]
+    if not argument.is_array:
+        return f"({c_type}){texts[0]}" if argument.type != "String" else texts[0]
+    initial = ", ".join(texts) if texts else "0"
+    declarations.append(f"  {c_type} {name}[{max(len(texts), 1)}] = {{{initial}}};")
+    return name
+
+
+def _value(type_name: str, value: float | str | Node, write: Write) -> str:
+    if isinstance(value, str):
+        return c_text(value)
+    text = write(value)
+    if type_name in ("Integer", "Boolean", "size"):
+        return str(int(value)) if not isinstance(value, Node) else f"(int)({text})"
+    return text
+
+
+def _prototype(call: ExternalCall) -> str:
+    types = []
+    for argument in call.args:
+        c_type = _c_type(argument.type)
+        pointer = "*" if argument.is_array or argument.is_output else ""
+        constant = "const " if pointer and not argument.is_output and argument.type != "String" else ""
+        types.append(f"{constant}{c_type} {pointer}".strip())
+    returned = _c_type(call.result[1]) if call.result is not None else "void"
+    return f"extern {returned} {call.symbol}({', '.join(types) or 'void'});"
+
+
+def _c_type(type_name: str) -> str:
+    return {"Real": "double", "String": "const char *", "size": "size_t"}.get(type_name, "int")

@@ -1,0 +1,327 @@
+"""C of the Jacobian of the states' derivatives, from the tangents of all blocks.
+
+Tangents are vectors of ``LANES`` directions, so that what does not depend on the direction is computed once for
+several columns; there are as many passes as it takes to give each state a direction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+from modelica2fmu import expression as ex
+from modelica2fmu.blocks import NonlinearBlock
+from modelica2fmu.c_expressions import (
+    LANES,
+    Function,
+    Statement,
+    WorkSpace,
+    Write,
+    bare,
+    functions_of,
+    lanes_at,
+    number,
+)
+from modelica2fmu.call_code import call_statement
+from modelica2fmu.expression import Node
+from modelica2fmu.scalar_model import ExternalCall
+from modelica2fmu.tangents import (
+    CallTangent,
+    SolvedTangent,
+    Tangent,
+    TangentAssignment,
+    is_tangent,
+    probe_name,
+    tangent_name,
+    tangent_targets,
+)
+
+_INPUT: Final = "$input["
+_RELATIVE_STEP: Final = 1.5e-8  # of difference quotients of external functions: the root of the rounding error
+
+
+@dataclass(frozen=True)
+class Factors:
+    """Offsets in the work arrays of a factorized matrix, the scales of its rows, and its pivots."""
+
+    matrix: int
+    scale: int
+    pivot: int
+
+
+@dataclass(frozen=True)
+class JacobianPlaces:
+    """What the code of the Jacobian shares with that of the model.
+
+    Attributes:
+        location: C lvalue of a symbol of the model.
+        work: the work arrays.
+        factors: of the linear systems, by their unknowns.
+        nominal: sizes of the states.
+        signature: parameters of a generated function.
+        prologue: its first lines.
+    """
+
+    location: Callable[[str], str]
+    work: WorkSpace
+    factors: Mapping[tuple[str, ...], Factors]
+    nominal: Sequence[float]
+    signature: str
+    prologue: Sequence[str]
+
+
+@dataclass(frozen=True)
+class JacobianCode:
+    """Functions, and the text of ``jacobian`` of cmb_model.h that calls them."""
+
+    functions: tuple[Function, ...]
+    text: str
+
+
+def jacobian_code(
+    steps: Sequence[Tangent], states: Sequence[str], rates: Sequence[str], places: JacobianPlaces
+) -> JacobianCode:
+    """The C that fills ``jacobian[i + j * states]`` after ``continuous`` was called.
+
+    Args:
+        steps: see :func:`modelica2fmu.tangents.tangents`.
+        states: the columns.
+        rates: the rows.
+        places: what is shared with the model.
+    """
+    return _Writer(steps, states, rates, places).run()
+
+
+class _Writer:
+    def __init__(
+        self, steps: Sequence[Tangent], states: Sequence[str], rates: Sequence[str], places: JacobianPlaces
+    ) -> None:
+        self._steps = steps
+        self._states = states
+        self._rates = rates
+        self._places = places
+        self._homes: dict[str, int] = {}
+        self._step = places.work.real(LANES)
+        self._functions: list[Function] = []
+        self._probes: list[str] = []
+        self._shifted: dict[int, str] = {}
+
+    def run(self) -> JacobianCode:
+        statements: list[Statement] = []
+        for step in self._steps:
+            statements.extend(self._statements(step))
+        parts = self._functions_of("cmb_part_tangent", statements)
+        self._functions.extend(parts)
+        return JacobianCode(tuple(self._functions), self._driver([part.name for part in parts]))
+
+    # --- places ---
+
+    def _home(self, name: str) -> int:
+        """Offset of a tangent in the work array."""
+        if name not in self._homes:
+            self._homes[name] = self._places.work.real(LANES)
+        return self._homes[name]
+
+    def _location(self, name: str) -> str:
+        return lanes_at(self._home(name)) if is_tangent(name) else self._places.location(name)
+
+    def _functions_of(self, prefix: str, statements: Sequence[Statement]) -> list[Function]:
+        places = self._places
+        return functions_of(
+            prefix, statements, self._location, places.work, places.signature, places.prologue,
+            is_lane_symbol=is_tangent,
+        )  # fmt: skip
+
+    # --- steps ---
+
+    def _statements(self, step: Tangent) -> list[Statement]:
+        if isinstance(step, TangentAssignment):
+            return [self._set(self._home(step.target), step.value)]
+        if isinstance(step, CallTangent):
+            return [self._call(step)]
+        return self._solved(step)
+
+    @staticmethod
+    def _set(offset: int, value: float | Node) -> Statement:
+        if not isinstance(value, Node):
+            return Statement((), lambda _: [f"{lanes_at(offset)} = (cmb_lanes){{0}};"])
+        return Statement((value,), lambda write: [f"{lanes_at(offset)} = {bare(write(value))};"])
+
+    def _solved(self, step: SolvedTangent) -> list[Statement]:
+        n = len(step.targets)
+        factors = self._places.factors.get(step.block.torn)
+        if isinstance(step.block, NonlinearBlock) or factors is None:
+            factors = self._probe(step, n)
+        offset = self._places.work.real(n * LANES)
+        self._homes.update({name: offset + k * LANES for k, name in enumerate(step.targets)})
+        statements = [self._set(offset + k * LANES, ex.negate(item)) for k, item in enumerate(step.residuals)]
+        text = (
+            f"cmb_substitute_lanes({n}, w + {factors.matrix}, w + {factors.scale}, "
+            f"v->integer_work + {factors.pivot}, w + {offset});"
+        )
+        return [*statements, Statement((), lambda _: [text])]
+
+    def _probe(self, step: SolvedTangent, n: int) -> Factors:
+        """A function that computes and factorizes the Jacobian of a nonlinear block."""
+        work = self._places.work
+        factors = Factors(work.real(n * n), work.real(n), work.integer(n))
+        inner = [statement for item in step.probe for statement in self._statements(item)]
+        columns = [work.real(LANES) for _ in step.columns]
+        inner += [self._set(offset, value) for offset, value in zip(columns, step.columns, strict=True)]
+        name = f"cmb_probe_{len(self._probes) + 1}"
+        parts = self._functions_of(f"{name}_part", inner)
+        seeds = [self._home(probe_name(torn)) for torn in step.block.torn]
+        sizes = [f"fmax(fabs({self._places.location(torn)}), 1.0)" for torn in step.block.torn]
+        text = _PROBE.format(
+            name=name, signature=self._places.signature, prologue="\n".join(self._places.prologue), n=n,
+            step=self._step, relative=number(_RELATIVE_STEP), seeds=_joined(seeds), sizes=", ".join(sizes),
+            columns=_joined(columns), matrix=factors.matrix, scale=factors.scale, pivot=factors.pivot,
+            calls=_calls([part.name for part in parts], 4),
+        )  # fmt: skip
+        self._functions.extend([*parts, Function(name, text, False, text.count("\n"))])
+        self._probes.append(name)
+        return factors
+
+    # --- external calls ---
+
+    def _call(self, step: CallTangent) -> Statement:
+        function = self._shifted_call(step)
+        inputs, outputs = step.inputs, step.outputs
+
+        def lines(write: Write) -> list[str]:
+            result = ["{"]
+            result += [f"  const cmb_lanes d{k} = {bare(write(rate))};" for k, (_, rate) in enumerate(inputs)]
+            moves = " || ".join(f"d{k}[lane] != 0.0" for k in range(len(inputs)))
+            result += [
+                "  for (int lane = 0; lane < CMB_LANES; ++lane) {",
+                f"    const double step = w[{self._step} + lane];",
+                *(f"    {lanes_at(self._home(target))}[lane] = 0.0;" for _, target in outputs),
+                f"    if (!({moves})) continue;",
+                f"    double output[{len(outputs)}];",
+                f"    const double input[{len(inputs)}] = {{",
+                *(f"      {write(value)} + step * d{k}[lane]," for k, (value, _) in enumerate(inputs)),
+                "    };",
+                f"    const int result = {function}(v, input, output);",
+                "    if (result != CMB_RESULT_OK) return result;",
+                *(
+                    f"    {lanes_at(self._home(target))}[lane] = (output[{k}] - {self._places.location(name)}) / step;"
+                    for k, (name, target) in enumerate(outputs)
+                ),
+                "  }",
+                "}",
+            ]
+            return result
+
+        return Statement(tuple(item for pair in inputs for item in pair), lines)
+
+    def _shifted_call(self, step: CallTangent) -> str:
+        """A function that makes a call with other Real inputs."""
+        key = len(self._shifted) + 1
+        name = f"cmb_shifted_call_{key}"
+        shifted = {value: ex.symbol(f"{_INPUT}{k}]") for k, (value, _) in enumerate(step.inputs)}
+        places = {name: k for k, (name, _) in enumerate(step.outputs)}
+
+        def store(target: str, text: str) -> str:
+            return f"output[{places[target]}] = {text};" if target in places else f"(void)({text});"
+
+        def location(symbol: str) -> str:
+            return f"input[{symbol[len(_INPUT) : -1]}]" if symbol.startswith(_INPUT) else self._places.location(symbol)
+
+        signature = f"{self._places.signature}, const double *input, double *output"
+        self._functions.extend(
+            functions_of(
+                name,
+                [call_statement(_with_inputs(step.call, shifted), store)],
+                location,
+                self._places.work,
+                signature,
+                (*self._places.prologue, "  (void)input; (void)output;"),
+                split=False,
+            )
+        )
+        self._shifted[key] = name
+        return name
+
+    # --- the whole ---
+
+    def _driver(self, parts: Sequence[str]) -> str:
+        computed = {name for step in self._steps for name in tangent_targets(step)}
+        seeds = [self._home(tangent_name(name)) for name in self._states]
+        computed |= {tangent_name(name) for name in self._states}
+        rates = [self._home(name) if (name := tangent_name(rate)) in computed else -1 for rate in self._rates]
+        return _DRIVER.format(
+            n=len(self._states), seeds=_joined(seeds), rates=_joined(rates), step=self._step,
+            relative=number(_RELATIVE_STEP), probes=_calls(self._probes, 2), calls=_calls(parts, 4),
+        )  # fmt: skip
+
+
+def _with_inputs(call: ExternalCall, inputs: Mapping[Node, Node]) -> ExternalCall:
+    """The call with some inputs replaced."""
+    args = tuple(
+        replace(
+            argument,
+            values=tuple(inputs.get(value, value) if isinstance(value, Node) else value for value in argument.values),
+        )
+        if argument.type == "Real" and not argument.is_output
+        else argument
+        for argument in call.args
+    )
+    return replace(call, args=args)
+
+
+def _joined(items: Sequence[int]) -> str:
+    rows = [", ".join(str(item) for item in items[start : start + 12]) for start in range(0, len(items), 12)]
+    return ",\n    ".join(rows)
+
+
+def _calls(names: Sequence[str], indent: int) -> str:
+    blank = " " * indent
+    return "".join(f"{blank}if ((result = {name}(v)) != CMB_RESULT_OK) return (cmb_result)result;\n" for name in names)
+
+
+_PROBE: Final = """int {name}({signature})
+{{
+{prologue}
+  static const int seed[{n}] = {{{seeds}}}, column[{n}] = {{{columns}}};
+  const double size[{n}] = {{{sizes}}};
+  int result = CMB_RESULT_OK;
+  for (int first = 0; first < {n}; first += CMB_LANES) {{
+    for (int j = 0; j < {n}; ++j) {{
+      for (int lane = 0; lane < CMB_LANES; ++lane) {{
+        LANES(w, seed[j])[lane] = first + lane == j;
+        if (first + lane == j) w[{step} + lane] = {relative} * size[j];
+      }}
+    }}
+{calls}    for (int lane = 0; lane < CMB_LANES && first + lane < {n}; ++lane) {{
+      for (int i = 0; i < {n}; ++i) w[{matrix} + (first + lane) * {n} + i] = LANES(w, column[i])[lane];
+    }}
+  }}
+  return cmb_factorize({n}, w + {matrix}, w + {scale}, v->integer_work + {pivot}) == 0 ? result : CMB_RESULT_DISCARD;
+}}
+"""
+
+_DRIVER: Final = """static cmb_result jacobian(cmb_values *v, double *jacobian)
+{{
+  static const int seed[{n}] = {{
+    {seeds}}};
+  static const int rate[{n}] = {{
+    {rates}}};
+  double *const w = v->work;
+  int result = CMB_RESULT_OK;
+{probes}  for (int first = 0; first < {n}; first += CMB_LANES) {{
+    for (int j = 0; j < {n}; ++j) {{
+      LANES(w, seed[j]) = (cmb_lanes){{0}};
+      if (j < first || j >= first + CMB_LANES) continue;
+      w[seed[j] + j - first] = 1.0;
+      w[{step} + j - first] = {relative} * fmax(fabs(v->real[state[j]]), state_nominal[j]);
+    }}
+{calls}    for (int lane = 0; lane < CMB_LANES && first + lane < {n}; ++lane) {{
+      double *const column = jacobian + (size_t)(first + lane) * {n};
+      for (int i = 0; i < {n}; ++i) column[i] = rate[i] >= 0 ? w[rate[i] + lane] : 0.0;
+    }}
+  }}
+  return (cmb_result)result;
+}}
+
+"""
