@@ -18,11 +18,13 @@ from program import HAMMER, CaseCheck, Cmb
 
 
 @pytest.fixture(scope="session")
-def cmb() -> Cmb:
-    """Runs the program as a user does; the words after ``cmb`` in, status and output out."""
+def cmb(tmp_path_factory: pytest.TempPathFactory) -> Cmb:
+    """Runs the program as a user does, with a cache of its own; the words after ``cmb`` in, status and output out."""
+    cache = str(tmp_path_factory.mktemp("cache"))
 
     def call(*words: str | Path, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-        environment = {name: value for name, value in os.environ.items() if name != "MODELICAPATH"}
+        environment = {"XDG_CACHE_HOME": cache, **os.environ}
+        environment.pop("MODELICAPATH", None)
         return subprocess.run(
             [sys.executable, "-m", "cmb.main", *map(str, words)],
             cwd=cwd,

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from cmb_base.progress import Progress, silent
 
 from modelica2fmu.blocks import Block, LinearBlock, NonlinearBlock
+from modelica2fmu.fingerprint import fingerprint
+from modelica2fmu.fmu_cache import FmuCache
 from modelica2fmu.options import BuildOptions
 from modelica2fmu.packaging import package_fmu
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.report import BuildReport, SolvedBlock
 from modelica2fmu.scalar_model import derivative_name
-from modelica2fmu.standard_library import find_standard_library
-from modelica2fmu.translation import Translation, translate
+from modelica2fmu.standard_library import StandardLibrary, find_standard_library
+from modelica2fmu.translation import Translation, check_model_name, translate
 
 __all__ = ["BuildOptions", "BuildReport", "SolvedBlock", "Translation", "build_fmu", "translate"]
 
@@ -41,8 +44,29 @@ def build_fmu(
         BuildError: a tool is missing or fails.
     """
     options = options or BuildOptions()
-    clock = PhaseClock(progress)
     library = find_standard_library(options.msl)
+    if options.cache is None:
+        return _build(model, sources, output, library, options, progress)
+    check_model_name(model)
+    cache = FmuCache(options.cache)
+    key = fingerprint(model, sources, library, options)
+    report = cache.fetch(key, output)
+    if report is None:
+        report = _build(model, sources, output, library, options, progress)
+        cache.store(key, report)
+    # The same files may have been found in another place.
+    return replace(report, library=library)
+
+
+def _build(
+    model: str,
+    sources: Sequence[Path],
+    output: Path,
+    library: StandardLibrary,
+    options: BuildOptions,
+    progress: Progress,
+) -> BuildReport:
+    clock = PhaseClock(progress)
     translation = translate(model, sources, library, clock)
     package_fmu(
         translation.description,

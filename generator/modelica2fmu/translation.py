@@ -42,13 +42,18 @@ class Translation:
     description: ModelDescription
 
 
+def check_model_name(model: str) -> None:
+    """Raises InputError if a text is no name of a Modelica class."""
+    if not _MODEL_NAME.fullmatch(model):
+        raise InputError(f"{model!r} is no name of a Modelica class")
+
+
 def translate(
     model: str, sources: Sequence[Path], library: StandardLibrary, clock: PhaseClock | None = None
 ) -> Translation:
     """Everything up to the C; see :func:`modelica2fmu.build.build_fmu`."""
     clock = clock or PhaseClock()
-    if not _MODEL_NAME.fullmatch(model):
-        raise InputError(f"{model!r} is no name of a Modelica class")
+    check_model_name(model)
     clock.begin("load")
     file, roots = locate(model, sources)
     roots = [*roots, library.folder, *other_libraries()]

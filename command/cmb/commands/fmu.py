@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from modelica2fmu.build import BuildOptions, build_fmu
-from modelica2fmu.packaging import FmiVersion
+from cmb_base.errors import InputError
+from cmb_base.output import whole_file
+from cmb_base.progress import Progress
+from modelica2fmu.build import BuildReport, build_fmu
+from modelica2fmu.openmodelica import OpenModelicaReport, export_fmu
+from modelica2fmu.packaging import FmiVersion, SolverOptions
+from modelica2fmu.standard_library import find_standard_library
 
+from cmb.build_arguments import add_build_arguments, build_options
 from cmb.modelica_sources import find_sources
 from cmb.terminal import progress_bars
 
@@ -15,14 +22,18 @@ NAME = "fmu"
 SUMMARY = "build an FMU from a Modelica model, with the contact engine inside"
 DESCRIPTION = (
     "Translates a Modelica model into an FMU (FMI 2.0 or 3.0) for model exchange and co-simulation. No Modelica tool "
-    "is needed; the Modelica Standard Library is used where one is found (see `cmb msl`)."
+    "is needed, but OpenModelica can be asked for; the Modelica Standard Library is used where one is found (see "
+    "`cmb msl`). An FMU of the same files is taken from the user's cache."
 )
 EXAMPLES = """examples:
   cmb fmu ContactMultiBody.Examples.BallOnFloor --output ball.fmu
-  cmb fmu Robot.Mechatronics --source ./Robot --output robot.fmu
-  cmb fmu Robot.Mechatronics --source ./Robot --fmi 3 --output robot3.fmu
+  cmb fmu Robot.Mechatronics --source ./Robot --fmi 3 --output robot.fmu --log
+  cmb fmu Robot.Mechatronics --source ./Robot --tolerance 1e-5 --max-step 0.001 --log build.log
+  cmb fmu Robot.Mechatronics --source ./Robot --tool omc
   cmb fmu ReferenceModels.DoublePendulum --source ReferenceModels.mo --msl /opt/ModelicaStandardLibrary
 """
+
+_PRINT = Path("-")
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -35,22 +46,80 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--fmi", choices=("2", "3"), default="2", help="version of the FMI standard: 2.0 (if left out) or 3.0"
     )
-    parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
-    parser.add_argument("--log", action="store_true", help="print what was chosen: states, blocks, index reduction")
+    parser.add_argument(
+        "--tool",
+        choices=("builtin", "omc"),
+        default="builtin",
+        help="translate by the built-in translator or by OpenModelica, which must be installed",
+    )
+    parser.add_argument(
+        "--tolerance",
+        type=float,
+        metavar="TOL",
+        help="relative tolerance of co-simulation (the model's own)",
+    )
+    parser.add_argument(
+        "--max-step", type=float, metavar="S", help="longest step of co-simulation in s (the communication step)"
+    )
+    parser.add_argument(
+        "--max-steps", type=int, metavar="N", help="steps after which co-simulation gives up a communication step"
+    )
+    parser.add_argument(
+        "--log",
+        type=Path,
+        nargs="?",
+        const=_PRINT,
+        metavar="FILE",
+        help="print what was chosen (states, blocks, index reduction, times), or write it to a file",
+    )
+    add_build_arguments(parser)
 
 
 def run(arguments: Namespace) -> int:
     """Builds the FMU and says what was built."""
     output = arguments.output or Path(arguments.model.split(".")[-1] + ".fmu")
+    if output.is_dir():
+        raise InputError(f"{output} is a folder", remedy="name the FMU's file")
+    build = _by_openmodelica if arguments.tool == "omc" else _by_translator
     with progress_bars() as progress:
-        report = build_fmu(
-            arguments.model,
-            find_sources(arguments.model, arguments.source),
-            output,
-            BuildOptions(msl=arguments.msl, fmi=FmiVersion(f"{arguments.fmi}.0")),
-            progress,
-        )
-    print(f"{output}: {len(report.states)} states, {report.event_indicators} event indicators")
-    if arguments.log:
-        print(report.text())
+        report = build(arguments, output, progress)
+    print(_summary(report))
+    if arguments.log == _PRINT:
+        sys.stdout.write(report.text() + "\n")
+    elif arguments.log is not None:
+        with whole_file(arguments.log) as staging:
+            staging.write_text(report.text() + "\n", encoding="utf-8")
     return 0
+
+
+def _by_translator(arguments: Namespace, output: Path, progress: Progress) -> BuildReport:
+    given = {
+        "relative_tolerance": arguments.tolerance,
+        "maximum_step": arguments.max_step,
+        "maximum_steps": arguments.max_steps,
+    }
+    solver = SolverOptions(**{name: value for name, value in given.items() if value is not None})
+    options = build_options(arguments, FmiVersion(f"{arguments.fmi}.0"), solver)
+    return build_fmu(arguments.model, find_sources(arguments.model, arguments.source), output, options, progress)
+
+
+def _by_openmodelica(arguments: Namespace, output: Path, progress: Progress) -> OpenModelicaReport:
+    for option in ("tolerance", "max_step", "max_steps"):
+        if getattr(arguments, option) is not None:
+            name = option.replace("_", "-")
+            raise InputError(f"--{name} is for the built-in translator", remedy="leave it out, or --tool omc")
+    return export_fmu(
+        arguments.model,
+        find_sources(arguments.model, arguments.source),
+        output,
+        find_standard_library(arguments.msl),
+        FmiVersion(f"{arguments.fmi}.0"),
+        progress=progress,
+    )
+
+
+def _summary(report: BuildReport | OpenModelicaReport) -> str:
+    if isinstance(report, OpenModelicaReport):
+        return f"{report.fmu}: by {report.version}"
+    origin = " (from the cache)" if report.cached else ""
+    return f"{report.fmu}: {len(report.states)} states, {report.event_indicators} event indicators{origin}"

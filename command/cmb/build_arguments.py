@@ -1,0 +1,36 @@
+"""What every command that builds FMUs lets its user choose."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from cmb_base.cache import user_cache
+from modelica2fmu.build import BuildOptions
+from modelica2fmu.packaging import FmiVersion, SolverOptions
+
+
+def add_build_arguments(parser: ArgumentParser) -> None:
+    """Adds the Standard Library and the cache."""
+    parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
+    parser.add_argument(
+        "--no-cache", action="store_true", help="build afresh, and keep nothing for builds of the same files"
+    )
+
+
+def build_options(
+    arguments: Namespace, fmi: FmiVersion = FmiVersion.FMI2, solver: SolverOptions | None = None
+) -> BuildOptions:
+    """The options of a build; FMUs of unchanged files come from the user's cache.
+
+    Args:
+        arguments: of a parser that ``add_build_arguments`` saw.
+        fmi: version of the FMI standard.
+        solver: defaults of the co-simulation integrator.
+    """
+    return BuildOptions(
+        msl=arguments.msl,
+        fmi=fmi,
+        solver=solver or SolverOptions(),
+        cache=None if arguments.no_cache else user_cache("fmu"),
+    )
