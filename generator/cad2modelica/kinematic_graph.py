@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import networkx as nx
@@ -43,16 +44,17 @@ class KinematicTree:
     fixed: frozenset[str]
     rigid_groups: dict[str, str]
 
+    @cached_property
+    def _by_name(self) -> dict[str, Branch]:
+        return {branch.part.name: branch for branch in self.branches}
+
     def branch(self, name: str) -> Branch:
         """The branch of a part.
 
         Raises:
             KeyError: there is no such part.
         """
-        for branch in self.branches:
-            if branch.part.name == name:
-                return branch
-        raise KeyError(name)
+        return self._by_name[name]
 
 
 def kinematic_tree(assembly: Assembly) -> KinematicTree:

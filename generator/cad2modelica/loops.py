@@ -44,8 +44,8 @@ class LoopAnalysis:
 def joint_twists(joint: Joint) -> list[Array]:
     """Unit twists of a joint's coordinates: angular velocity, then velocity at the world's origin, shape (6,).
 
-    Order: revolute (angle), prismatic (distance), cylindrical (distance, angle), universal (first, second angle),
-    planar (first, second distance, angle), spherical (about x, y, z).
+    Order: revolute, screw (angle), prismatic (distance), cylindrical (distance, angle), universal (first, second
+    angle), planar (first, second distance, angle), spherical (about x, y, z).
     """
 
     def turn(axis: Array) -> Array:
@@ -63,6 +63,8 @@ def joint_twists(joint: Joint) -> list[Array]:
         return [turn(axis)]
     if joint.type is JointType.PRISMATIC:
         return [shift(axis)]
+    if joint.type is JointType.SCREW:
+        return [turn(axis) + shift(axis * joint.pitch / (2 * np.pi))]
     if joint.type is JointType.CYLINDRICAL:
         return [shift(axis), turn(axis)]
     if joint.type is JointType.UNIVERSAL and joint.second_axis is not None:
@@ -73,7 +75,7 @@ def joint_twists(joint: Joint) -> list[Array]:
 
 def start_rates(joint: Joint) -> tuple[float, ...]:
     """The rates a joint is given, in the order of ``joint_twists``."""
-    if joint.type in (JointType.REVOLUTE, JointType.PRISMATIC):
+    if joint.type.is_scalar:
         return (joint.speed,)
     rates = []
     for twist in joint_twists(joint):

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from cad2modelica.collision_shapes import CollisionGeometry
+from cad2modelica.joint_resistance import resistances
 from cad2modelica.kinematic_graph import KinematicTree
 from cad2modelica.loops import LoopAnalysis
 from cad2modelica.model import GROUND, Assembly, Joint, JointType, Part, Plane
@@ -26,6 +28,7 @@ class Component:
     Attributes:
         row: line of the diagram, counted downwards from 0.
         column: place in the line, counted from 0; the world stands at -1.
+        above: how far over its place it stands: 0 in the line, 1 and 2 beside each other over it.
     """
 
     class_name: str
@@ -34,6 +37,7 @@ class Component:
     description: str
     column: int
     row: int
+    above: int = 0
 
 
 @dataclass(frozen=True)
@@ -204,9 +208,9 @@ class _Builder:
         if joint.type is JointType.FIXED:
             return self._add_offset(connector, pose.inverse() @ child.pose, joint.name, column, joint)
         moved = side @ Pose(np.zeros(3), _start_rotation(joint, side))
-        if joint.type is JointType.PRISMATIC:
-            moved = Pose(moved.position, moved.rotation)
-            before = Pose(before.position - first.rotation.T @ (_axis(joint) * joint.position), before.rotation)
+        if joint.type in (JointType.PRISMATIC, JointType.SCREW):
+            way = joint.position * (joint.pitch / (2 * math.pi) if joint.type is JointType.SCREW else 1.0)
+            before = Pose(before.position - first.rotation.T @ (_axis(joint) * way), before.rotation)
         after = moved.inverse() @ second
         name = self._view.joint_names[joint.name]
         text = joint.name
@@ -232,7 +236,31 @@ class _Builder:
 
     def _connect_joint(self, joint: Joint, side: Pose, name: str, text: str, column: int) -> None:
         class_name, modifiers = _joint_declaration(joint, side, self._loops)
+        found = () if joint.name in self._loops.planar_constraints else resistances(joint, self._moved_by(joint))
+        if found:
+            modifiers = ("useAxisFlange=true", *modifiers)
         self._view.components.append(Component(class_name, name, modifiers, text, column, self._row))
+        for place, item in enumerate(found, start=1):
+            own = self._pool.instance(f"{name} {item.suffix}")
+            label = f"{joint.name}: {item.suffix}"
+            component = Component(item.class_name, own, item.modifiers, label, column, self._row, place)
+            self._view.components.append(component)
+            self._view.connections.append(Connection(f"{own}.flange", f"{name}.axis"))
+            self._view.connections.append(Connection(f"{own}.support", f"{name}.support"))
+
+    def _moved_by(self, joint: Joint) -> list[Part]:
+        """Parts behind a joint in the tree; the child alone where the joint closes a loop."""
+        branch = self._tree.branch(joint.child)
+        if branch.joint is not joint:
+            branch = self._tree.branch(joint.parent) if joint.parent != GROUND else branch
+        if branch.joint is not joint:
+            return [self._assembly.part(joint.child)]
+        found, queue = [], [branch]
+        while queue:
+            current = queue.pop()
+            found.append(current.part)
+            queue += [self._tree.branch(name) for name in current.children]
+        return found
 
     def _add_offset(
         self, connector: str, offset: Pose, label: str, column: int, joint: Joint | None = None
@@ -307,7 +335,7 @@ def _axis(joint: Joint) -> Array:
 
 
 def _start_rotation(joint: Joint, side: Pose) -> Array:
-    if joint.type is JointType.REVOLUTE:
+    if joint.type in (JointType.REVOLUTE, JointType.SCREW):
         return rotation_about(side.rotation.T @ _axis(joint), joint.position)
     return np.eye(3)
 
@@ -331,6 +359,7 @@ def _free_start(motion: tuple[Array, Array], pose: Pose) -> list[str]:
 _COORDINATES = {
     JointType.REVOLUTE: (("phi", "w"),),
     JointType.PRISMATIC: (("s", "v"),),
+    JointType.SCREW: (("phi", "w"),),
     JointType.CYLINDRICAL: (("s", "v"), ("phi", "w")),
     JointType.UNIVERSAL: (("phi_a", "w_a"), ("phi_b", "w_b")),
     JointType.PLANAR: (("s_x", "v_x"), ("s_y", "v_y"), ("phi", "w")),
@@ -339,7 +368,8 @@ _COORDINATES = {
 
 def _joint_declaration(joint: Joint, side: Pose, loops: LoopAnalysis) -> tuple[str, tuple[str, ...]]:
     """Class and modifiers of a joint whose parent side stands at ``side``."""
-    class_name = f"{MULTIBODY}.Joints.{joint.type.name.capitalize()}"
+    library = "ContactMultiBody" if joint.type is JointType.SCREW else MULTIBODY
+    class_name = f"{library}.Joints.{joint.type.name.capitalize()}"
     independent, rates = loops.independent[joint.name], loops.rates[joint.name]
     if joint.type is JointType.SPHERICAL:
         start = side.rotation.T @ np.array(rates)
@@ -371,4 +401,6 @@ def _axis_modifiers(joint: Joint, side: Pose) -> tuple[str, ...]:
     if joint.type is JointType.PLANAR:
         first = side.rotation.T @ perpendicular(_axis(joint))
         return f"n={vector(axis)}", f"n_x={vector(tidy_direction(first))}"
+    if joint.type is JointType.SCREW:
+        return f"n={vector(axis)}", f"pitch={number(joint.pitch)}"
     return (f"n={vector(axis)}",)

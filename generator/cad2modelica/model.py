@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import cached_property
 from pathlib import Path
 
 from cmb_base.errors import Place
@@ -31,6 +32,11 @@ class JointType(Enum):
     def freedoms(self) -> int:
         """Degrees of freedom."""
         return _FREEDOMS[self]
+
+    @property
+    def is_scalar(self) -> bool:
+        """Whether one coordinate with an axis to drive describes it; a screw's is its angle."""
+        return self in (JointType.REVOLUTE, JointType.PRISMATIC, JointType.SCREW)
 
     @property
     def needs_axis(self) -> bool:
@@ -137,6 +143,29 @@ class Part:
     decomposition: DecompositionLimits = NO_LIMITS
 
 
+@dataclass(frozen=True)
+class JointLimits:
+    """Ends of a joint's range (rad or m; None: no end), and the stops there; None: the generator chooses.
+
+    Attributes:
+        stiffness: N.m/rad or N/m.
+        damping: part of the elastic force that is added at unit speed inwards, s/rad or s/m.
+    """
+
+    lower: float | None
+    upper: float | None
+    stiffness: float | None = None
+    damping: float | None = None
+
+
+@dataclass(frozen=True)
+class JointFriction:
+    """Viscous (N.m.s/rad, N.s/m) and dry friction (N.m, N)."""
+
+    viscous: float
+    dry: float
+
+
 @dataclass(frozen=True, eq=False)
 class Joint:
     """A joint, in the world's coordinates at the start.
@@ -146,10 +175,12 @@ class Joint:
         origin: a point on the axis, shape (3,), m.
         axis: unit vector; None where the type has no axis.
         second_axis: unit vector fixed in the child, universal joints only.
-        position: value of the coordinate in the start configuration, rad or m (revolute, prismatic).
+        position: value of the coordinate in the start configuration, rad or m (revolute, screw, prismatic).
         speed: its rate, rad/s or m/s.
         velocity: of the child against the parent at the origin, world axes, m/s (other types).
         angular_velocity: of the child against the parent, world axes, rad/s (other types).
+        pitch: way along the axis in one turn, m, screw joints only.
+        limits, friction: None where nothing is said.
     """
 
     name: str
@@ -164,6 +195,9 @@ class Joint:
     velocity: Array
     angular_velocity: Array
     place: Place
+    pitch: float = 0.0
+    limits: JointLimits | None = None
+    friction: JointFriction | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,13 +255,14 @@ class Assembly:
     notes: tuple[str, ...] = ()
     length_unit: float = 1.0
 
+    @cached_property
+    def _by_name(self) -> dict[str, Part]:
+        return {part.name: part for part in self.parts}
+
     def part(self, name: str) -> Part:
         """The part of that name.
 
         Raises:
             KeyError: there is none.
         """
-        for part in self.parts:
-            if part.name == name:
-                return part
-        raise KeyError(name)
+        return self._by_name[name]

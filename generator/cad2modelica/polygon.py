@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import heapq
+import math
+
 import numpy as np
 
 from cad2modelica.spatial import Array
 
 Triangle = tuple[int, int, int]
+Point = tuple[float, float]
 
 
 def newell_normal(points: Array) -> Array:
     """Area-weighted normal of a closed polygon, planar or not: half its length is the projected area."""
-    following = np.roll(points, -1, axis=0)
-    return np.asarray(np.cross(points, following).sum(axis=0))
+    products = points.T @ np.concatenate([points[1:], points[:1]])
+    return np.array([products[1, 2] - products[2, 1], products[2, 0] - products[0, 2], products[0, 1] - products[1, 0]])
 
 
 def triangulate(points: Array) -> list[Triangle]:
@@ -33,68 +37,97 @@ def triangulate(points: Array) -> list[Triangle]:
     scale = float(np.abs(centred).max())
     if length <= 1e-14 * scale * scale or scale == 0.0:
         return []
-    count = len(points)
-    if count == 3:
+    if len(points) == 3:
         return [(0, 1, 2)]
-    flat = _project(centred, normal / length)
-    remaining = list(range(count))
-    triangles: list[Triangle] = []
-    while len(remaining) > 3:
-        position = _best_ear(flat, remaining, 1e-13 * scale * scale)
-        if position is None:
-            return triangles + _fan(remaining)
-        a, b, c = _around(remaining, position)
-        triangles.append((a, b, c))
-        del remaining[position]
-    triangles.append((remaining[0], remaining[1], remaining[2]))
-    return [triangle for triangle in triangles if _cross(flat, *triangle) != 0.0]
+    clipping = _EarClipping(_project(centred, normal / length), 1e-13 * scale * scale)
+    return clipping.triangles()
 
 
-def _project(points: Array, normal: Array) -> Array:
-    helper = np.zeros(3)
-    helper[int(np.argmin(np.abs(normal)))] = 1.0
-    first = np.cross(normal, helper)
-    first /= np.linalg.norm(first)
-    return np.column_stack([points @ first, points @ np.cross(normal, first)])
+def _project(points: Array, normal: Array) -> list[Point]:
+    """Coordinates in the plane; plain floats, since most polygons have too few corners for array arithmetic to pay."""
+    x, y, z = normal.tolist()
+    if abs(x) <= min(abs(y), abs(z)):
+        first = np.array([0.0, z, -y])
+    elif abs(y) <= abs(z):
+        first = np.array([-z, 0.0, x])
+    else:
+        first = np.array([y, -x, 0.0])
+    first /= math.sqrt(first @ first)
+    u, v, w = first.tolist()
+    second = np.array([y * w - z * v, z * u - x * w, x * v - y * u])
+    flat = np.column_stack([points @ first, points @ second])
+    return [(x, y) for x, y in flat.tolist()]
 
 
-def _around(remaining: list[int], position: int) -> Triangle:
-    return remaining[position - 1], remaining[position], remaining[(position + 1) % len(remaining)]
+class _EarClipping:
+    """Ears of a plane polygon, shortest new edge first.
+
+    A corner is looked at again only when a neighbour or the corner that kept it from being an ear is cut off.
+    """
+
+    def __init__(self, flat: list[Point], tolerance: float) -> None:
+        count = len(flat)
+        self._flat = flat
+        self._tolerance = tolerance
+        self._before = [(index - 1) % count for index in range(count)]
+        self._after = [(index + 1) % count for index in range(count)]
+        self._left = dict.fromkeys(range(count))
+        self._version = [0] * count
+        self._blocked: dict[int, list[int]] = {}
+        self._ears: list[tuple[float, int, int]] = []
+
+    def triangles(self) -> list[Triangle]:
+        for index in range(len(self._flat)):
+            self._look_at(index)
+        found: list[Triangle] = []
+        while len(self._left) > 3:
+            corner = self._next_ear()
+            if corner is None:
+                return found + _fan(list(self._left))
+            before, after = self._before[corner], self._after[corner]
+            found.append((before, corner, after))
+            del self._left[corner]
+            self._after[before], self._before[after] = after, before
+            for other in {before: None, after: None} | dict.fromkeys(self._blocked.pop(corner, ())):
+                if other in self._left:
+                    self._look_at(other)
+        a, b, c = self._left
+        found.append((a, b, c))
+        return [triangle for triangle in found if _cross(*(self._flat[corner] for corner in triangle)) != 0.0]
+
+    def _next_ear(self) -> int | None:
+        while self._ears:
+            _, corner, version = heapq.heappop(self._ears)
+            if corner in self._left and version == self._version[corner]:
+                return corner
+        return None
+
+    def _look_at(self, corner: int) -> None:
+        self._version[corner] += 1
+        before, after = self._before[corner], self._after[corner]
+        a, b, c = self._flat[before], self._flat[corner], self._flat[after]
+        area = _cross(a, b, c)
+        if area < -self._tolerance:
+            return
+        blocker = self._corner_inside(a, b, c) if area > self._tolerance else None
+        if blocker is None:
+            heapq.heappush(self._ears, (math.dist(a, c), corner, self._version[corner]))
+        else:
+            self._blocked.setdefault(blocker, []).append(corner)
+
+    def _corner_inside(self, a: Point, b: Point, c: Point) -> int | None:
+        lowest_x, highest_x = min(a[0], b[0], c[0]), max(a[0], b[0], c[0])
+        for index in self._left:
+            point = self._flat[index]
+            if not lowest_x <= point[0] <= highest_x or point in (a, b, c):
+                continue
+            if _cross(a, b, point) >= 0.0 and _cross(b, c, point) >= 0.0 and _cross(c, a, point) >= 0.0:
+                return index
+        return None
 
 
-def _cross(flat: Array, a: int, b: int, c: int) -> float:
-    ab, ac = flat[b] - flat[a], flat[c] - flat[a]
-    return float(ab[0] * ac[1] - ab[1] * ac[0])
-
-
-def _best_ear(flat: Array, remaining: list[int], tolerance: float) -> int | None:
-    best, best_length = None, np.inf
-    for position in range(len(remaining)):
-        a, b, c = _around(remaining, position)
-        area = _cross(flat, a, b, c)
-        if area < -tolerance:
-            continue
-        new_edge = float(np.hypot(*(flat[c] - flat[a])))
-        if new_edge < best_length and (area <= tolerance or not _holds_any(flat, remaining, (a, b, c))):
-            best, best_length = position, new_edge
-    return best
-
-
-def _holds_any(flat: Array, remaining: list[int], triangle: Triangle) -> bool:
-    a, b, c = triangle
-    corners = flat[[a, b, c]]
-    for index in remaining:
-        if index in triangle or (flat[index] == corners).all(axis=1).any():
-            continue
-        if _cross_point(corners, flat[index]):
-            return True
-    return False
-
-
-def _cross_point(corners: Array, point: Array) -> bool:
-    edges = np.roll(corners, -1, axis=0) - corners
-    offsets = point - corners
-    return bool((edges[:, 0] * offsets[:, 1] - edges[:, 1] * offsets[:, 0] >= 0.0).all())
+def _cross(a: Point, b: Point, c: Point) -> float:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
 def _fan(remaining: list[int]) -> list[Triangle]:

@@ -16,7 +16,11 @@ from cad2modelica.spatial import Array
 
 FORMAT = 1
 
-_COORDINATES = {JointType.REVOLUTE: ("phi", "w", "rad"), JointType.PRISMATIC: ("s", "v", "m")}
+_COORDINATES = {
+    JointType.REVOLUTE: ("phi", "w", "rad"),
+    JointType.SCREW: ("phi", "w", "rad"),
+    JointType.PRISMATIC: ("s", "v", "m"),
+}
 
 
 def scene_text(assembly: Assembly, tree: KinematicTree, loops: LoopAnalysis, view: MechanismView, name: str) -> str:

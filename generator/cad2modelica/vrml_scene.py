@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -28,6 +29,7 @@ NavigationInfo NormalInterpolator OrientationInterpolator PlaneSensor PointLight
 ProximitySensor ScalarInterpolator Script Sound SphereSensor SpotLight TimeSensor TouchSensor Viewpoint
 VisibilitySensor WorldInfo
 """
+_SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]+:")
 _WITHOUT_GEOMETRY = frozenset(_WITHOUT_GEOMETRY_TEXT.split())
 
 
@@ -106,6 +108,7 @@ def read_scene(file: Path, folder: Path) -> VrmlScene:
     document = read_vrml(file)
     walker.walk_document(document, (), (file.resolve(),))
     notes = [f"{file.name}: node type {name} is not known and was left out" for name in sorted(walker.unknown)]
+    notes += [f"{file.name}: {note}" for note in dict.fromkeys(walker.left_out)]
     if walker.curves:
         notes.append(f"{file.name}: {walker.curves} shapes without a surface (lines, points, text) were left out")
     return VrmlScene(file, tuple(walker.shapes), tuple(notes))
@@ -119,6 +122,7 @@ class _Walker:
         self.shapes: list[ShapeInstance] = []
         self.unknown: set[str] = set()
         self.curves = 0
+        self.left_out: list[str] = []
         self._triangles = 0
         self._visits = 0
         self._surfaces: dict[int, tuple[Node, Any]] = {}
@@ -140,6 +144,9 @@ class _Walker:
             self._walk_prototype(node, levels, document, files)
         elif node.type == "Transform":
             matrix = _transform(node, document.file)
+            if matrix is None:
+                self.left_out.append(f"Transform in line {node.line} has scale 0: what is below it was left out")
+                return
             self._walk_children(node, (*levels, Level(node.name, matrix)), document, files)
         elif node.type in _GROUPS:
             self._walk_children(node, (*levels, Level(node.name, None)), document, files)
@@ -188,7 +195,10 @@ class _Walker:
     ) -> None:
         prototype = document.prototypes[node.type]
         if isinstance(prototype, ExternalPrototype):
-            prototype, document = self._load_prototype(prototype, document)
+            loaded = self._load_prototype(prototype, document)
+            if loaded is None:
+                return
+            prototype, document = loaded
         if not prototype.body:
             return
         values = {**prototype.defaults, **node.fields}
@@ -197,9 +207,16 @@ class _Walker:
         instance.name = node.name or instance.name
         self._walk(instance, levels, VrmlDocument(document.file, [], others), files)
 
-    def _load_prototype(self, external: ExternalPrototype, document: VrmlDocument) -> tuple[Prototype, VrmlDocument]:
+    def _load_prototype(
+        self, external: ExternalPrototype, document: VrmlDocument
+    ) -> tuple[Prototype, VrmlDocument] | None:
+        """The prototype in the first file that is named; None where only other places than files are."""
         place = Place(file=document.file, line=external.line, component=f"EXTERNPROTO {external.name}")
-        reference, _, name = (external.urls[0] if external.urls else "").partition("#")
+        files = [url for url in external.urls if not _SCHEME.match(url)]
+        if external.urls and not files:
+            self.left_out.append(f"EXTERNPROTO {external.name} names no file: its nodes were left out")
+            return None
+        reference, _, name = (files[0] if files else "").partition("#")
         relative_folder = document.file.parent.relative_to(self._folder)
         target = resolve_inside(self._folder, (relative_folder / reference).as_posix() if reference else "", place)
         loaded = read_vrml(target)
@@ -237,16 +254,20 @@ class _Walker:
             self.shapes.append(ShapeInstance(levels, vertices, triangles, _color(node, document.file), node.line))
 
 
-def _transform(node: Node, file: Path) -> Array:
-    """T x C x R x SR x S x -SR x -C (ISO/IEC 14772-1, 6.52)."""
+def _transform(node: Node, file: Path) -> Array | None:
+    """T x C x R x SR x S x -SR x -C (ISO/IEC 14772-1, 6.52); None if it hides what is below it (scale 0 0 0)."""
     center = number_field(node, "center", (0.0, 0.0, 0.0), file)
     rotation = _rotation(number_field(node, "rotation", (0.0, 0.0, 1.0, 0.0), file))
     scale = number_field(node, "scale", (1.0, 1.0, 1.0), file)
     orientation = _rotation(number_field(node, "scaleOrientation", (0.0, 0.0, 1.0, 0.0), file))
     translation = number_field(node, "translation", (0.0, 0.0, 0.0), file)
+    if not scale.any():
+        return None
     if (scale == 0).any():
         raise InputError(
-            "Transform: scale is zero", place=Place(file=file, line=node.line), remedy="Correct the scale."
+            "Transform: scale is zero in one direction",
+            place=Place(file=file, line=node.line),
+            remedy="Correct the scale.",
         )
     linear = rotation if (scale == 1).all() else rotation @ orientation @ np.diag(scale) @ orientation.T
     matrix = np.eye(4)

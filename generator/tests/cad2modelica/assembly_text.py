@@ -40,12 +40,15 @@ def joint(
     axis: Sequence[float] | None = None,
     axis2: Sequence[float] | None = None,
     start: str = "",
+    extra: str = "",
+    pitch: float | None = None,
 ) -> str:
     axes = f"<axis>{numbers(axis)}</axis>" if axis is not None else ""
     axes += f"<axis2>{numbers(axis2)}</axis2>" if axis2 is not None else ""
     begin = f"<start {start}/>" if start else ""
-    return f"""<joint name="{name}" type="{kind}" parent="{parent}" child="{child}">
-      <origin>{numbers(origin)}</origin>{axes}{begin}</joint>"""
+    lead = f' pitch="{pitch!r}"' if pitch is not None else ""
+    return f"""<joint name="{name}" type="{kind}" parent="{parent}" child="{child}"{lead}>
+      <origin>{numbers(origin)}</origin>{axes}{begin}{extra}</joint>"""
 
 
 def write_assembly(
