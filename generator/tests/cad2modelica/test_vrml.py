@@ -14,6 +14,7 @@ from cad2modelica.vrml_scene import read_scene
 from cmb_base.errors import InputError
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from vtk_oracle import distance_of_sets, vtk_points
 
 HEADER = "#VRML V2.0 utf8\n"
 
@@ -75,49 +76,23 @@ DEF outer Transform {
 
 
 def test_world_positions_agree_with_vtk(tmp_path: Path) -> None:
-    vtk = pytest.importorskip("vtk", reason="VTK is the oracle for positions")
+    pytest.importorskip("vtk", reason="VTK is the oracle for positions")
     file = tmp_path / "scene.wrl"
     file.write_text(HEADER + FOR_VTK)
     ours = np.concatenate([shape.placed()[0] for shape in read_scene(file, tmp_path).shapes])
-    theirs = vtk_points(vtk, file)
+    theirs = vtk_points(file, tmp_path)
+    assert theirs is not None
     assert distance_of_sets(ours, theirs) < 1e-6  # VTK computes in single precision
 
 
-def test_sample_agrees_with_vtk(hammer: Path) -> None:
-    vtk = pytest.importorskip("vtk", reason="VTK is the oracle for positions")
+def test_sample_agrees_with_vtk(hammer: Path, tmp_path: Path) -> None:
+    pytest.importorskip("vtk", reason="VTK is the oracle for positions")
     file = hammer.parent / "hammer.wrl"
     shapes = read_scene(file, file.parent).shapes
     ours = np.concatenate([shape.placed()[0] for shape in shapes])
-    assert distance_of_sets(ours, vtk_points(vtk, file)) < 1e-3  # mm, single precision
-
-
-def vtk_points(vtk, file: Path) -> np.ndarray:
-    from vtk.util.numpy_support import vtk_to_numpy
-
-    importer = vtk.vtkVRMLImporter()
-    importer.SetFileName(str(file))
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    importer.SetRenderWindow(window)
-    importer.Update()
-    actors = importer.GetRenderer().GetActors()
-    actors.InitTraversal()
-    points = []
-    while (actor := actors.GetNextActor()) is not None:
-        actor.GetMapper().Update()
-        data = actor.GetMapper().GetInput()
-        matrix = np.array([[actor.GetMatrix().GetElement(i, j) for j in range(4)] for i in range(4)])
-        own = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
-        points.append(own @ matrix[:3, :3].T + matrix[:3, 3])
-    return np.concatenate(points)
-
-
-def distance_of_sets(first: np.ndarray, second: np.ndarray) -> float:
-    """Hausdorff distance."""
-    from scipy.spatial import cKDTree
-
-    there, back = cKDTree(second).query(first)[0].max(), cKDTree(first).query(second)[0].max()
-    return float(max(there, back))
+    theirs = vtk_points(file, tmp_path)
+    assert theirs is not None
+    assert distance_of_sets(ours, theirs) < 1e-3  # mm, single precision
 
 
 def test_transform_follows_the_standard(tmp_path: Path) -> None:
@@ -212,6 +187,21 @@ def test_star_shaped_polygons_keep_their_area(radii: list[float], turn: float, t
     assert signed.sum() == pytest.approx(np.linalg.norm(normal), rel=1e-9)
 
 
+def test_outline_of_a_gear_with_thousands_of_corners() -> None:
+    """Ears that are looked at anew only where something changed: without that, a minute and more."""
+    teeth = 700
+    angles = 2 * np.pi * np.arange(4 * teeth) / (4 * teeth)
+    radii = np.tile([1.0, 1.0, 1.1, 1.1], teeth)
+    points = np.column_stack([radii * np.cos(angles), radii * np.sin(angles), np.full(4 * teeth, 5.0)])
+    triangles = np.array(triangulate(points))
+    assert len(triangles) == 4 * teeth - 2
+    edges = points[triangles[:, 1:]] - points[triangles[:, :1]]
+    areas = np.linalg.det(edges[:, :, :2]) / 2
+    x, y = points[:, 0], points[:, 1]
+    assert areas.min() > 0
+    assert areas.sum() == pytest.approx((x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2, rel=1e-12)
+
+
 def test_use_shows_the_same_node_twice(tmp_path: Path) -> None:
     text = "DEF a Shape { geometry Sphere {} } Transform { translation 9 0 0 children USE a }"
     first, second = scene(tmp_path, text).shapes
@@ -255,6 +245,25 @@ def test_inline_and_external_prototype(tmp_path: Path) -> None:
     found = scene(tmp_path, text).shapes
     assert [shape.path for shape in found] == ["all/small", "all/big", "shape at line 2"]
     assert [np.ptp(shape.vertices) for shape in found] == [1, 2, 5]
+
+
+def test_external_prototype_that_names_no_file_is_reported(tmp_path: Path) -> None:
+    text = 'EXTERNPROTO N [ field SFVec3f s ] [ "urn:web3d:vrml97:node:N" ] N { } Shape { geometry Box { } }'
+    found = scene(tmp_path, text)
+    assert len(found.shapes) == 1
+    assert found.notes == ("scene.wrl: EXTERNPROTO N names no file: its nodes were left out",)
+
+
+def test_external_prototype_takes_the_first_file(tmp_path: Path) -> None:
+    (tmp_path / "proto.wrl").write_text(HEADER + "PROTO P [ ] { Shape { geometry Box { size 3 3 3 } } }")
+    found = scene(tmp_path, 'EXTERNPROTO P [ ] [ "urn:node:P" "http://place/P.wrl" "proto.wrl" ] P { }').shapes
+    assert [np.ptp(shape.vertices) for shape in found] == [3]
+
+
+def test_hidden_by_scale_zero_is_reported(tmp_path: Path) -> None:
+    found = scene(tmp_path, "Shape { geometry Box { } }\nTransform { scale 0 0 0 children Shape { geometry Box { } } }")
+    assert len(found.shapes) == 1
+    assert found.notes == ("scene.wrl: Transform in line 3 has scale 0: what is below it was left out",)
 
 
 def test_lexical_corners(tmp_path: Path) -> None:

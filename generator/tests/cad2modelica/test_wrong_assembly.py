@@ -230,7 +230,7 @@ WRONG_VRML = [
     ("use-before-def", "Shape { geometry", "no node of that name"),
     ("inline-outside", "Shape { geometry Box { size 200 40 20 } }", "leaves the assembly's folder"),
     ("inline-itself", "Shape { geometry Box { size 200 40 20 } }", "inlines itself"),
-    ("zero-scale", "translation 100 0 0", "scale is zero"),
+    ("zero-scale", "translation 100 0 0", "scale is zero in one direction"),
 ]
 REPLACEMENTS = {
     "vrml-1": "#VRML V1.0 ascii",
