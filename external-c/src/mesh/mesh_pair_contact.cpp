@@ -17,7 +17,7 @@ class HalfContact {
   HalfContact(const TriangleMesh &body, const Pose &body_in_mesh, const TriangleMesh &mesh, const Pose &pose,
               MeshContactScratch &scratch, ContactSet &result)
       : body_(body), place_(body_in_mesh), mesh_(mesh), polygon_(scratch.patch.polygon),
-        load_(mesh, pose, scratch.patch, result) {}
+        load_(mesh, pose, body_in_mesh(body.bound_center()), scratch.patch, result) {}
 
   // Returns whether anything is pushed.
   bool run() {
@@ -62,6 +62,7 @@ class HalfContact {
           if (height >= radius) return;
           const TriangleWedge wedge(mesh_, t, body_.bound_radius());
           if (!wedge.may_meet(center, radius)) return;
+          load_.open(wedge);
           for (std::uint32_t i = 0; i < node.count; ++i) {
             if (!(dot(normals[i], normal) < 0.0)) continue;
             if (!(wedge.depth(corners[i][0]) > 0.0 || wedge.depth(corners[i][1]) > 0.0 ||
@@ -69,8 +70,9 @@ class HalfContact {
               continue;
             }
             polygon_.assign(corners[i], corners[i] + 3);
-            load_.push(wedge, normals[i]);
+            load_.push(normals[i]);
           }
+          load_.close();
         });
   }
 

@@ -16,16 +16,21 @@ struct PatchScratch {
 };
 
 // Collects the patches of one contact. Each carries its depth below its triangle times its area as seen along the
-// triangle's normal, divided by the area of all patches. Borrows everything it is given. All in the mesh's frame, but
-// points go to the result in world axes.
+// triangle's normal, divided by the area of all patches. What one triangle pushes becomes up to four points, one for each
+// quadrant about the body's centre, that keep the sums of load, of load times place and of the energy at exponent 1.
+// Borrows everything it is given. All in the mesh's frame, but points go to the result in world axes.
 class PatchLoad {
  public:
-  PatchLoad(const TriangleMesh &mesh, const Pose &pose, PatchScratch &scratch, ContactSet &result)
-      : mesh_(mesh), pose_(pose), scratch_(scratch), result_(result), begin_(result.points.size()) {}
+  PatchLoad(const TriangleMesh &mesh, const Pose &pose, const Vec3 &center, PatchScratch &scratch, ContactSet &result)
+      : mesh_(mesh), pose_(pose), center_(center), scratch_(scratch), result_(result), begin_(result.points.size()) {}
 
-  // Adds what the wedge's triangle pushes of the plane convex polygon in scratch.polygon (overwritten), whose unit
+  // Before and after all that one triangle pushes.
+  void open(const TriangleWedge &wedge);
+  void close();
+
+  // Adds what the open wedge's triangle pushes of the plane convex polygon in scratch.polygon (overwritten), whose unit
   // outward normal is `normal`, its load multiplied by `factor`. Only surface that faces the triangle is pushed.
-  void push(const TriangleWedge &wedge, const Vec3 &normal, double factor = 1.0);
+  void push(const Vec3 &normal, double factor = 1.0);
 
   // Whether anything is pushed.
   bool touches() const { return deepest_ > 0.0 && result_.points.size() > begin_; }
@@ -35,27 +40,28 @@ class PatchLoad {
   void finish(double part = 1.0);
 
  private:
-  // A flat patch below a triangle, or a part of one.
+  // A flat patch below a triangle, or the sum of some.
   struct Patch {
-    double area = 0.0;    // m2, as seen along the triangle's normal
     double load = 0.0;    // m3, integral of the depth over it
     double energy = 0.0;  // m4, integral of the depth squared
     Vec3 moment;          // m4, integral of depth times place
   };
-  static Patch linear_patch(const Vec3 &p, const Vec3 &q, const Vec3 &r, double dp, double dq, double dr,
-                            double cosine);
-  void add(const Patch &patch, double carried, double factor, const Vec3 &normal);
-  double inside_share(const Vec3 &p, double depth, std::uint32_t triangle) const;
+  void add_part(const Vec3 &p, const Vec3 &q, const Vec3 &r, double dp, double dq, double dr, double cosine,
+                double carried, double factor);
+  double inside_share(const Vec3 &p, double depth) const;
   void thin();
 
   const TriangleMesh &mesh_;
   const Pose &pose_;
+  Vec3 center_;
   PatchScratch &scratch_;
   ContactSet &result_;
   std::size_t begin_;
   double area_ = 0.0, carrying_area_ = 0.0;
   double most_carried_ = 0.0;
-  std::size_t patches_ = 0;
+  const TriangleWedge *wedge_ = nullptr;
+  Vec3 axis_;  // in the open triangle's plane
+  Patch quadrants_[4];
   double deepest_ = 0.0;
   Vec3 deepest_place_, deepest_normal_;
 };

@@ -27,7 +27,7 @@ class PolytopeQuery {
   }
 
   void run() {
-    PatchLoad load(mesh_, pose_, scratch_.patch, result_);
+    PatchLoad load(mesh_, pose_, 0.5 * (box_.low + box_.high), scratch_.patch, result_);
     mesh_.hierarchy().visit_near(
         box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { triangle(t, load); });
     if (load.touches()) {
@@ -48,6 +48,7 @@ class PolytopeQuery {
     if (!(lowest < offset)) return;
     const TriangleWedge wedge(mesh_, t, size_);
     if (!wedge.may_meet(0.5 * (box_.low + box_.high), size_)) return;
+    load.open(wedge);
     for (std::size_t f = 0; f < scratch_.body_normals.size(); ++f) {
       if (!(dot(scratch_.body_normals[f], normal) < 0.0)) continue;
       const convex::Polytope::Face &face = body_.faces()[f];
@@ -57,8 +58,9 @@ class PolytopeQuery {
         polygon.push_back(
             scratch_.body_vertices[static_cast<std::size_t>(body_.face_vertices()[static_cast<std::size_t>(i)])]);
       }
-      load.push(wedge, scratch_.body_normals[f]);
+      load.push(scratch_.body_normals[f]);
     }
+    load.close();
   }
 
   void apart() {

@@ -32,7 +32,7 @@ class SmoothQuery {
     const Vec3 center = 0.5 * (box_.low + box_.high);
     // No place of the body is deeper than this; what pushes it lies within twice that.
     const double deepest = size_ - mesh_.nearest(center).distance;
-    PatchLoad load(mesh_, pose_, scratch_.patch, result_);
+    PatchLoad load(mesh_, pose_, center, scratch_.patch, result_);
     if (deepest > 0.0) {
       const double farthest = std::fmin(size_, 2.0 * deepest);
       mesh_.hierarchy().visit_near(
@@ -61,14 +61,16 @@ class SmoothQuery {
     const Vec3 local = transposed_times(place_.rotation, normal);
     Facets &facets = scratch_.facets;
     const double factor = facets_below(body_, local, wedge.depth(place_.translation), facets);
+    load.open(wedge);
     for (const Facets::Facet &facet : facets.facets) {
       if (!(dot(facet.normal, local) < 0.0)) continue;
       scratch_.patch.polygon.clear();
       for (std::size_t k = 0; k < facet.count; ++k) {
         scratch_.patch.polygon.push_back(place_(facets.corners[facet.first + k]));
       }
-      load.push(wedge, place_.rotation * facet.normal, factor);
+      load.push(place_.rotation * facet.normal, factor);
     }
+    load.close();
   }
 
   void apart() {

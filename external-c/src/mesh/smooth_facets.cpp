@@ -101,11 +101,11 @@ void round_solid(double lower_radius, double upper_radius, double half, const Ve
   std::vector<double> &angles = facets.angles;
   angles.clear();
   for (int k = 0; k <= fixed_angles; ++k) angles.push_back(pi * (2.0 * k / fixed_angles - 1.0));
-  // Where the plane cuts a rim, angles close in on the lowest line.
+  // From the lowest line of a rim to where the plane cuts it.
   const auto add_rim = [&](double radius, double z) {
     const double steep = radius * slope, gap = level - down.z * z;
-    if (!(steep > 0.0) || gap >= steep || gap <= -steep) return;
-    const double end = angle_of_sagitta(1.0 - gap / steep);
+    if (gap >= steep) return;
+    const double end = gap > -steep ? angle_of_sagitta(1.0 - gap / steep) : pi;
     for (int k = 1; k <= fine_angles; ++k) {
       angles.push_back(end * k / fine_angles);
       angles.push_back(-end * k / fine_angles);
