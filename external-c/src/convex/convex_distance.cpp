@@ -18,6 +18,7 @@ struct CoreDistance {
   Vec3 direction, a, b;
   DistanceMethod method;
   bool proven;
+  SurfaceMean surface = {};
 };
 
 CoreDistance from_gap(const Vec3 &a, const Vec3 &b, const Vec3 &if_zero, DistanceMethod method) {
@@ -112,7 +113,7 @@ CoreDistance revolved_and_point(const ConvexBody &body, const Vec3 &p) {
 
 CoreDistance exchanged(const CoreDistance &d, const Pose &pose) {
   // Computed in B's frame with the roles exchanged.
-  return {d.distance, -(pose.rotation * d.direction), pose(d.b), pose(d.a), d.method, d.proven};
+  return {d.distance, -(pose.rotation * d.direction), pose(d.b), pose(d.a), d.method, d.proven, {}};
 }
 
 bool has_point_formula(CoreShape core) {
@@ -162,8 +163,13 @@ double outside_box(const Vec3 &half, const Vec3 &p) {
   return std::max({std::fabs(p.x) - half.x, std::fabs(p.y) - half.y, std::fabs(p.z) - half.z});
 }
 
-CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const Pose &pose, const BoxAxes &axes) {
-  const CoreDistance result{axes.separation, axes.axis, axes.a, axes.b, DistanceMethod::separating_axes, true};
+CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const Pose &pose, const BoxAxes &axes,
+                               bool with_mean) {
+  CoreDistance result{axes.separation, axes.axis, axes.a, axes.b, DistanceMethod::separating_axes, true};
+  if (with_mean) {
+    result.surface =
+        nearby_surface_of_boxes(a.half, b.half, pose, std::max(0.0, -axes.separation), core_radius(a) + core_radius(b));
+  }
   const double scale = norm(a.half) + norm(b.half);
   const Vec3 b_local = transposed_times(pose.rotation, axes.b - pose.translation);
   const double outside = std::max(outside_box(a.half, axes.a), outside_box(b.half, b_local));
@@ -173,7 +179,7 @@ CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const P
 }
 
 CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, const Vec3 &first,
-                      DistanceScratch &scratch) {
+                      DistanceScratch &scratch, bool with_mean) {
   const MinkowskiDifference difference(body_a, body_b, pose);
   const bool polyhedral = is_polyhedral(body_a.core) && is_polyhedral(body_b.core);
   const double tolerance = (polyhedral ? 1e-14 : 1e-11) * difference.scale;
@@ -198,10 +204,11 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
   if (apart && !polyhedral) return refined(gjk_answer(), norm(gjk.closest));
   if (apart) return gjk.status == GjkResult::Status::apart ? gjk_answer() : enumerated(difference, scratch);
   const PenetrationResult inside =
-      polyhedral ? scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, tolerance, 1024)
+      polyhedral ? scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, tolerance, 1024,
+                                                  with_mean ? core_radius(body_a) + core_radius(body_b) : 0.0)
                  : scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, 1e-9 * difference.scale, 160);
   CoreDistance result{-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope,
-                      inside.proven};
+                      inside.proven, inside.surface};
   if (polyhedral) {
     // A negative depth says that the origin is outside after all.
     if (!inside.proven || inside.depth < -1e-12 * difference.scale) return enumerated(difference, scratch);
@@ -220,7 +227,8 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
   return best;
 }
 
-CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose &pose, DistanceScratch &scratch) {
+CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose &pose, DistanceScratch &scratch,
+                           bool with_mean) {
   if (lies_on_line(a.core) && lies_on_line(b.core)) return point_or_segment_pair(a, b, pose);
   if (b.core == CoreShape::point && has_point_formula(a.core)) return body_and_point(a, pose.translation);
   if (a.core == CoreShape::point && has_point_formula(b.core)) {
@@ -229,11 +237,11 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
   Vec3 first = core_center(a) - pose(core_center(b));
   if (a.core == CoreShape::box && b.core == CoreShape::box) {
     const BoxAxes axes = box_axes(a.half, b.half, pose);
-    if (axes.separation <= 0.0) return overlapping_boxes(a, b, pose, axes);
+    if (axes.separation <= 0.0) return overlapping_boxes(a, b, pose, axes, with_mean);
     first = -axes.axis;
   }
   if (norm2(first) == 0.0) first = {1, 0, 0};
-  return iterated(a, b, pose, first, scratch);
+  return iterated(a, b, pose, first, scratch, with_mean);
 }
 
 // Vertex, edge or face of the core that its supporting plane along m (unit, core's frame) touches.
@@ -270,7 +278,8 @@ Feature support_feature(const ConvexBody &body, const Vec3 &m) {
 
 }  // namespace
 
-SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, DistanceScratch &scratch) {
+SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, DistanceScratch &scratch,
+                               bool with_mean) {
   ++scratch.counters.queries;
   SignedDistance result;
   const Mat3 &r = b_in_a.rotation;
@@ -282,14 +291,16 @@ SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const P
   const double largest = std::max({std::fabs(t.x), std::fabs(t.y), std::fabs(t.z)});
   CoreDistance core;
   if (largest < 1e100) {
-    core = core_distance(a, b, b_in_a, scratch);
+    core = core_distance(a, b, b_in_a, scratch, with_mean);
   } else {
     // So far away that squares overflow: the bodies are points.
     const Vec3 shrunk = (1.0 / largest) * t;
-    core = {std::fmin(norm(shrunk) * largest, 1.7e308), normalized(shrunk), {}, t, DistanceMethod::closed_form, false};
+    core = {std::fmin(norm(shrunk) * largest, 1.7e308), normalized(shrunk), {}, t, DistanceMethod::closed_form, false, {}};
   }
   result.distance = core.distance - a.radius - b.radius;
   result.normal = -core.direction;
+  result.mean_normal = -normalized(core.surface.outward, core.direction);
+  if (core.surface.total > 0.0) result.mean_part_of_a = core.surface.of_a / core.surface.total;
   result.point_a = core.a + a.radius * core.direction;
   result.point_b = core.b - b.radius * core.direction;
   result.feature_a = support_feature(a, core.direction);

@@ -42,6 +42,10 @@ struct SignedDistance {
   Vec3 point_b;           // point_a - point_b = distance * normal
   Feature feature_a, feature_b;
   DistanceMethod method = DistanceMethod::closed_form;
+  // Where asked for: the mean normal of the difference's surface near the origin (nearby_surface.hpp), unit, from B to A;
+  // else the normal. And how far it moves with A (1) or B (0): with A where it is the normal of a face of A.
+  Vec3 mean_normal{0, 0, 1};
+  double mean_part_of_a = 0.5;
   bool proven = true;  // the answer lies between bounds that agree to the tolerance; else the best found
 };
 
@@ -56,7 +60,9 @@ struct DistanceScratch {
 };
 
 // The signed distance of A and B; `b_in_a` maps B's frame to A's, its rotation orthonormal to 1e-9.
-// A pose that is not finite gives distance 0, the normal {0, 0, 1} and proven = false.
-SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, DistanceScratch &scratch);
+// A pose that is not finite gives distance 0, the normal {0, 0, 1} and proven = false. The mean normal is found on
+// request (`with_mean`), for overlapping boxes and polytopes.
+SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, DistanceScratch &scratch,
+                               bool with_mean = false);
 
 }  // namespace cmb::convex

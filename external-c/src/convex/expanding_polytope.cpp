@@ -99,7 +99,7 @@ void ExpandingPolytope::witness(PenetrationResult &result) const {
 }
 
 PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference, const DifferencePoint *simplex,
-                                           int count, double tolerance, std::int32_t most_points) {
+                                           int count, double tolerance, std::int32_t most_points, double size) {
   PenetrationResult result;
   result.depth = INFINITY;
   result.direction = {0, 0, 1};
@@ -113,10 +113,15 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
   const double thickness = relative_thickness * difference.scale;
   const double visibility = 4e-16 * difference.scale;
   queue_.clear();
+  // Faces farther than this have nothing to tell.
+  const auto limit = [&] {
+    const double nearest = result.depth - tolerance;
+    return size > 0.0 && result.depth < INFINITY ? std::max(nearest, surface_reach(result.depth, size)) : nearest;
+  };
   const auto enqueue = [&](std::int32_t begin) {
     for (std::int32_t f = begin; f < hull_.face_count(); ++f) {
       const ExpandingHull::Face &face = hull_.face(f);
-      if (face.sliver || face.offset >= result.depth - tolerance) continue;  // cannot improve the answer
+      if (face.sliver || face.offset >= limit()) continue;
       queue_.emplace_back(face.offset, f);
       std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
     }
@@ -130,7 +135,8 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
     queue_.pop_back();
     const ExpandingHull::Face &face = hull_.face(f);
     if (!face.alive) continue;
-    if (face.offset >= result.depth - tolerance) break;
+    if (face.offset >= limit()) break;
+    const bool decides = face.offset < result.depth - tolerance;
     ++result.steps;
     const Vec3 direction = face.normal;
     const double offset = face.offset;
@@ -150,8 +156,10 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
                                                ? hull_.expand(f, p.w, visibility, thickness)
                                                : ExpandingHull::Outcome::full;
     if (outcome != ExpandingHull::Outcome::expanded) {
-      result.proven = false;
-      result.lower = std::min(result.lower, offset);
+      if (decides) {
+        result.proven = false;
+        result.lower = std::min(result.lower, offset);
+      }
       if (outcome == ExpandingHull::Outcome::full) break;
       continue;
     }
@@ -160,8 +168,27 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
   }
   result.lower = std::min(result.lower, result.depth - tolerance);
   witness(result);
+  if (size > 0.0) measure_surface(result, size);
   if (!result.proven) other_directions(result);
   return result;
+}
+
+void ExpandingPolytope::measure_surface(PenetrationResult &result, double size) const {
+  const double radius = surface_reach(std::max(result.depth, 0.0), size);
+  for (std::int32_t f = 0; f < hull_.face_count(); ++f) {
+    const ExpandingHull::Face &face = hull_.face(f);
+    if (!face.alive || face.sliver || face.offset >= radius) continue;
+    FacetIntegral integral(face.normal, std::max(face.offset, 0.0), radius);
+    if (integral.empty()) continue;
+    const DifferencePoint *corner[3];
+    for (int k = 0; k < 3; ++k) {
+      corner[k] = &points_[static_cast<std::size_t>(face.vertex[k])];
+    }
+    for (int k = 0; k < 3; ++k) integral.add_edge(corner[k]->w, corner[k == 2 ? 0 : k + 1]->w);
+    const bool one_of_a = corner[0]->vertex_a == corner[1]->vertex_a && corner[0]->vertex_a == corner[2]->vertex_a;
+    const bool one_of_b = corner[0]->vertex_b == corner[1]->vertex_b && corner[0]->vertex_b == corner[2]->vertex_b;
+    result.surface.add(face.normal, integral.value(), one_of_b ? 1.0 : one_of_a ? 0.0 : 0.5);
+  }
 }
 
 void ExpandingPolytope::other_directions(PenetrationResult &result) {

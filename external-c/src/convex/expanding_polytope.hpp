@@ -7,6 +7,7 @@
 
 #include "expanding_hull.hpp"
 #include "minkowski_difference.hpp"
+#include "nearby_surface.hpp"
 
 namespace cmb::convex {
 
@@ -21,6 +22,7 @@ struct PenetrationResult {
   static constexpr int most_others = 24;
   Vec3 other[most_others];
   int other_count = 0;
+  SurfaceMean surface;  // where asked for
 };
 
 // Works in storage allocated by the constructor alone. Not for sharing between threads.
@@ -31,15 +33,17 @@ class ExpandingPolytope {
   // Depth of the origin in the difference, to `tolerance` metres, in at most `most_points` points of the
   // difference. `simplex` (count 1 to 4) are points to start from. Not proven where rounding broke the
   // surface, where the points did not suffice, or where the difference is flat (depth and direction are
-  // then the best so far).
+  // then the best so far). Where the bodies' `size` is given (> 0), the surface is also made whole within
+  // surface_reach(depth, size), and `surface` filled.
   PenetrationResult depth(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count,
-                          double tolerance, std::int32_t most_points);
+                          double tolerance, std::int32_t most_points, double size = 0.0);
 
  private:
   bool start(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count);
   bool start_from(const DifferencePoint *tetrahedron, double thickness);
   void other_directions(PenetrationResult &result);
   void witness(PenetrationResult &result) const;
+  void measure_surface(PenetrationResult &result, double size) const;
 
   ExpandingHull hull_;
   std::vector<DifferencePoint> points_;

@@ -10,8 +10,8 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   if (!(answer.distance < 0.0)) return;
   const std::size_t begin = result.points.size();
   if (a.polytope && b.polytope) {
-    polytope_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.distance, answer.normal, result.witness,
-                     scratch.polytope, result.points);
+    polytope_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.mean_normal, result.witness, scratch.polytope,
+                     result.points);
   } else if (a.kind == ShapeKind::capsule || b.kind == ShapeKind::capsule) {
     axis_contact(a, pose_a, b, pose_b, answer, scratch.axis, result.points);
   }

@@ -5,7 +5,6 @@
 
 #include "geometry/pose_algebra.hpp"
 #include "geometry/solid_angle.hpp"
-#include "manifold/contact_normal.hpp"
 
 namespace cmb {
 
@@ -21,9 +20,7 @@ constexpr double wall_cosine = 1e-9;
 // Edges that cross at a smaller angle (its sine) count as parallel.
 constexpr double parallel_sine = 1e-9;
 // Vertices up to this many depths away from the contact plane have a say in the stiffness.
-constexpr double anchor_reach = 1.0 + normal_reach;
-// Contact normals nearer to the shortest way out than this (rad) are the same.
-constexpr double same_direction = 1e-13;
+constexpr double anchor_reach = 2.0;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -77,16 +74,18 @@ bool cut_arc(Vec3 &first, Vec3 &second) {
   return true;
 }
 
-void find_borders(const PolytopeSide &side, std::vector<Scratch::Border> &borders) {
+// Those that come deep enough to touch a body that reaches `other_reach` towards this one.
+void find_borders(const PolytopeSide &side, double other_reach, std::vector<Scratch::Border> &borders) {
   borders.clear();
   for (const PolytopeSide::Edge &edge : side.edges()) {
+    const PolytopeSide::Vertex &from = side.vertices()[index(edge.vertex[0])], &to = side.vertices()[index(edge.vertex[1])];
+    if (std::max(side.sense() * from.at.z, side.sense() * to.at.z) + other_reach <= 0.0) continue;
     Scratch::Border border;
     for (int k = 0; k < 2; ++k) {
       border.ray[k] = mirrored(side.faces()[index(edge.face[k])].normal, side.sense());
     }
     if (!(std::max(border.ray[0].z, border.ray[1].z) > wall_cosine)) continue;
     if (!cut_arc(border.ray[0], border.ray[1])) continue;
-    const PolytopeSide::Vertex &from = side.vertices()[index(edge.vertex[0])], &to = side.vertices()[index(edge.vertex[1])];
     border.from = mirrored(from.at, side.sense()), border.to = mirrored(to.at, side.sense());
     border.shaken_from = mirrored(from.shaken, side.sense()), border.shaken_to = mirrored(to.shaken, side.sense());
     border.low_x = std::min(border.shaken_from.x, border.shaken_to.x);
@@ -212,38 +211,22 @@ Pose contact_axes(const Vec3 &up, const Vec3 &origin) {
   return {transposed(convex::Mat3{{first, cross(up, first), up}}), origin};
 }
 
-// Gathers both sides of the contact plane, `depth` times anchor_reach deep from the bodies' farthest points.
-void gather(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
-            const Pose &axes, Scratch &scratch) {
-  const double size = a.geometry().radius() + b.geometry().radius();
-  const Pose a_in_axes = relative_pose(axes, pose_a), b_in_axes = relative_pose(axes, pose_b);
-  scratch.reach_a = PolytopeSide::reach(a, a_in_axes, -1.0);
-  scratch.reach_b = PolytopeSide::reach(b, b_in_axes, 1.0);
-  const double slab = anchor_reach * (scratch.reach_a + scratch.reach_b);
-  scratch.side_a.gather(a, a_in_axes, -1.0, scratch.reach_a - slab, {});
-  scratch.side_b.gather(b, b_in_axes, 1.0, scratch.reach_b - slab, shake_of(size));
-}
-
 }  // namespace
 
 void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
-                      double distance, const Vec3 &normal, const Vec3 &witness, Scratch &scratch,
-                      std::vector<ContactPoint> &points) {
+                      const Vec3 &normal, const Vec3 &witness, Scratch &scratch, std::vector<ContactPoint> &points) {
   const double size = a.geometry().radius() + b.geometry().radius();
-  Pose axes = contact_axes(normal, witness);
-  gather(a, pose_a, b, pose_b, axes, scratch);
-  const ContactNormal contact = mean_contact_normal(scratch.side_a, scratch.side_b, -distance);
-  if (norm2(contact.up - Vec3{0, 0, 1}) > same_direction * same_direction) {
-    axes = contact_axes(axes.rotation * contact.up, witness);
-    gather(a, pose_a, b, pose_b, axes, scratch);
-  }
-  const Vec3 up = axes.rotation.column(2);
-  const double reach_a = scratch.reach_a, reach_b = scratch.reach_b;
-  if (!(reach_a + reach_b > 0.0)) return;
+  const Pose axes = contact_axes(normal, witness);
+  const Pose a_in_axes = relative_pose(axes, pose_a), b_in_axes = relative_pose(axes, pose_b);
+  const double reach_a = PolytopeSide::reach(a, a_in_axes, -1.0), reach_b = PolytopeSide::reach(b, b_in_axes, 1.0);
+  const double overlap = reach_a + reach_b;
+  if (!(overlap > 0.0)) return;
+  scratch.side_a.gather(a, a_in_axes, -1.0, reach_a - anchor_reach * overlap, {});
+  scratch.side_b.gather(b, b_in_axes, 1.0, reach_b - anchor_reach * overlap, shake_of(size));
   find_patches(scratch.side_a, scratch.patches_a);
   find_patches(scratch.side_b, scratch.patches_b);
-  find_borders(scratch.side_a, scratch.borders_a);
-  find_borders(scratch.side_b, scratch.borders_b);
+  find_borders(scratch.side_a, reach_b, scratch.borders_a);
+  find_borders(scratch.side_b, reach_a, scratch.borders_b);
   scratch.corners.clear();
   add_vertices(scratch.side_a, reach_b, scratch.patches_b, scratch.corners);
   add_vertices(scratch.side_b, reach_a, scratch.patches_a, scratch.corners);
@@ -258,7 +241,7 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
   const std::size_t begin = points.size();
   for (const Scratch::Corner &corner : scratch.corners) {
     const double weight = corner.part * stiffness_at(corner.middle.x, corner.middle.y, scratch.anchors, size);
-    if (weight > 0.0) points.push_back({corner.depth, weight, up, axes(corner.middle)});
+    if (weight > 0.0) points.push_back({corner.depth, weight, normal, axes(corner.middle)});
   }
   limit_load(points, begin);
 }

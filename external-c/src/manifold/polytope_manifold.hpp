@@ -36,15 +36,14 @@ struct PolytopeManifoldScratch {
     Vec3 ray[2];  // its faces' directions within the hemisphere
   };
   PolytopeSide side_a, side_b;
-  double reach_a = 0.0, reach_b = 0.0;  // towards each other, along the contact normal
   std::vector<Patch> patches_a, patches_b;
   std::vector<Border> borders_a, borders_b;
   std::vector<Anchor> anchors;
   std::vector<Corner> corners;
 };
 
-// Appends the points at which polytopes A and B touch. `normal` is the direction, from B to A, of the shortest
-// translation that parts them, `distance` (< 0) minus its length; `witness` a point near the contact, in world axes.
+// Appends the points at which polytopes A and B touch. `normal` (unit, from B to A) is the contact normal, `witness` a
+// point near the contact, both in world axes.
 //
 // How far B's upper side lies above A's lower side, measured along the contact normal, is a concave function over the
 // contact plane; the points are the corners of its graph: vertices of one body over the other's faces, crossings of
@@ -53,7 +52,7 @@ struct PolytopeManifoldScratch {
 // measure of a convex body changes continuously with the body (Schneider, Convex Bodies, section 4.2), so corners may
 // appear, merge and vanish without a jump.
 void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
-                      double distance, const Vec3 &normal, const Vec3 &witness, PolytopeManifoldScratch &scratch,
+                      const Vec3 &normal, const Vec3 &witness, PolytopeManifoldScratch &scratch,
                       std::vector<ContactPoint> &points);
 
 }  // namespace cmb
