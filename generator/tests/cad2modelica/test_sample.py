@@ -1,4 +1,4 @@
-"""The CAD sample is what its script makes of it with the CAD kernel."""
+"""The CAD samples are what their scripts make of them with the CAD kernel."""
 
 from __future__ import annotations
 
@@ -12,13 +12,17 @@ import pytest
 from cad2modelica import read_assembly
 from cad2modelica.mesh import bodies, join, volume_integrals, weld
 
+SAMPLES = Path(__file__).resolve().parents[3] / "Resources" / "cad"
+
 
 @pytest.mark.skipif(importlib.util.find_spec("cadquery") is None, reason="CadQuery is not installed")
-def test_script_makes_the_committed_files(hammer: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("name", "written"), [("hammer", ("xml", "wrl", "step")), ("anton", ("xml", "wrl"))])
+def test_script_makes_the_committed_files(name: str, written: tuple[str, ...], tmp_path: Path) -> None:
     """Numbers agree to the kernel's accuracy; meshes enclose the same volumes, whatever their triangles."""
-    subprocess.run([sys.executable, str(hammer.parent / "make_hammer.py"), str(tmp_path)], check=True, timeout=120)
-    assert {file.name for file in tmp_path.iterdir()} == {"hammer.xml", "hammer.wrl", "hammer.step"}
-    committed, made = read_assembly(hammer), read_assembly(tmp_path / "hammer.xml")
+    folder = SAMPLES / name
+    subprocess.run([sys.executable, str(folder / f"make_{name}.py"), str(tmp_path)], check=True, timeout=120)
+    assert {file.name for file in tmp_path.iterdir()} == {f"{name}.{ending}" for ending in written}
+    committed, made = (read_assembly(place / f"{name}.xml") for place in (folder, tmp_path))
     assert [part.name for part in committed.parts] == [part.name for part in made.parts]
     for ours, theirs in zip(committed.parts, made.parts, strict=True):
         first, second = ours.mass_properties, theirs.mass_properties

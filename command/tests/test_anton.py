@@ -1,0 +1,215 @@
+"""The walking robot, from its CAD export to foot forces: statics, kinematics and Newton's law are the references."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cmb.project import ROOT
+from fmu_regression.fmu import read_description
+from fmu_regression.loads import mean_over_time, pair_loads
+from fmu_regression.motion import body_motions, center_of_mass
+from fmu_regression.result import FloatArray, SimulationResult
+from fmu_regression.scene import Scene, load_scene
+from fmu_regression.signals import signals_for
+from fmu_regression.simulate import simulate
+from program import Cmb
+
+ANTON = ROOT / "Resources" / "cad" / "anton"
+WEIGHT = 7.8 * 9.81
+STOP = 4.0
+FULL_SPEED = 1.6  # s; from here to the end the gait makes two cycles
+PERIOD, DUTY, STRIDE = 1.2, 0.55, 0.08
+COXA, FEMUR, TIBIA, REACH, HIP_HEIGHT, FOOT_RADIUS = 0.05, 0.09, 0.135, 0.155, 0.11, 0.012
+LEGS = {
+    "frontLeft": (60.0, 0),
+    "middleLeft": (90.0, 1),
+    "rearLeft": (120.0, 0),
+    "frontRight": (-60.0, 1),
+    "middleRight": (-90.0, 0),
+    "rearRight": (-120.0, 1),
+}  # direction in degrees, group
+
+
+@dataclass(frozen=True)
+class Road:
+    """What the whole road gave."""
+
+    folder: Path
+    scene: Scene
+    result: SimulationResult
+    output: str
+
+
+@pytest.fixture(scope="module")
+def road(cmb: Cmb, engine: None, tmp_path_factory: pytest.TempPathFactory) -> Road:  # noqa: ARG001
+    """A few steps of ``cmb run``, and the same FMU's references of the servos beside what the report needs."""
+    folder = tmp_path_factory.mktemp("walk") / "anton"
+    done = cmb("run", ANTON, "--output", folder, "--stop", "0.6")
+    assert done.returncode == 0, done.stderr
+    scene = load_scene(folder / "model" / "scene.json")
+    fmu = folder / "anton.fmu"
+    wanted = [f"{leg}.servo[{k}].{name}" for leg in LEGS for k in (1, 2, 3) for name in ("phi_ref", "w_ref")]
+    wanted += ["travel", "commandedTravel", "bodyHeight", "totalFootForce"]
+    signals = [*signals_for(scene, read_description(fmu)), *wanted]
+    result = simulate(fmu, signals=signals, stop=STOP, tolerance=1e-4, interval=0.005)
+    return Road(folder, scene, result, done.stdout)
+
+
+def window(result: SimulationResult, start: float, stop: float = STOP) -> FloatArray:
+    return (result.time >= start - 1e-9) & (result.time <= stop + 1e-9)
+
+
+def forces(result: SimulationResult) -> FloatArray:
+    """Normal forces of the feet in the order of LEGS, shape (6, n)."""
+    return np.array([result[f"contacts.normalForce[{k}]"] for k in range(1, 7)])
+
+
+def place_in_cycle(result: SimulationResult, group: int) -> FloatArray:
+    """Where a group of legs is in its cycle, from 0 when it is set down to 1; the formula of a smooth start."""
+    ramp = np.clip(result.time - 0.5, 0, 1)
+    cycle = (ramp**3 * (1 - ramp / 2) + np.maximum(0, result.time - 1.5)) / PERIOD
+    place: FloatArray = (cycle + (DUTY - 0.5) / 2 + group / 2) % 1
+    return place
+
+
+def test_the_pairs_are_the_feet_on_the_floor(road: Road) -> None:
+    assert [pair.bodies for pair in road.scene.pairs] == [(f"{leg}Foot", "floorPlane") for leg in LEGS]
+
+
+def test_mass_and_weight_in_front(road: Road) -> None:
+    moving = [motion for motion in body_motions(road.scene, road.result) if not motion.body.fixed]
+    assert sum(motion.body.mass for motion in moving) == pytest.approx(7.8, rel=1e-9)
+    center = sum(motion.body.mass * center_of_mass(motion)[0] for motion in moving) / 7.8
+    assert 0.015 < center[0] < 0.04
+    assert center[1] == pytest.approx(0, abs=2e-3)
+
+
+def test_it_stands_on_all_feet_until_the_command(road: Road) -> None:
+    before = window(road.result, 0.4, 0.5)
+    assert (forces(road.result)[:, before] > 3).all()
+    assert road.result["totalFootForce"][before] == pytest.approx(np.full(before.sum(), WEIGHT), rel=1e-4)
+
+
+def test_forces_of_whole_cycles_carry_the_weight(road: Road) -> None:
+    cycles = window(road.result, FULL_SPEED)
+    mean = mean_over_time(road.result.time[cycles], road.result["totalFootForce"][cycles])
+    assert mean == pytest.approx(WEIGHT, rel=5e-3)
+
+
+def test_front_and_middle_legs_carry_more_than_rear_legs(road: Road) -> None:
+    cycles = window(road.result, FULL_SPEED)
+    carried = forces(road.result)[:, cycles]
+    front, middle, rear = (
+        np.mean([values[values > 0].mean() for values in carried[[side, 3 + side]]]) for side in (0, 1, 2)
+    )
+    assert middle > front > rear
+    assert front > 1.2 * rear
+
+
+def test_swinging_feet_carry_nothing(road: Road) -> None:
+    for k, (_, group) in enumerate(LEGS.values(), start=1):
+        place = place_in_cycle(road.result, group)
+        swing = (place > DUTY + 0.2 * (1 - DUTY)) & (place < 1 - 0.2 * (1 - DUTY)) & window(road.result, FULL_SPEED)
+        assert swing.sum() > 50
+        assert (road.result[f"contacts.normalForce[{k}]"][swing] == 0).all()
+        assert road.result[f"contacts.distance[{k}]"][swing].max() == pytest.approx(0.035, abs=2e-3)
+
+
+def test_three_feet_share_the_weight_as_statics_says(road: Road) -> None:
+    """While one group swings, sum and moments about the floor's axes give its three normal forces.
+
+    What is left out, the inertia of torso and swinging legs, makes less than a fortieth of the weight.
+    """
+    result = road.result
+    moving = [motion for motion in body_motions(road.scene, result) if not motion.body.fixed]
+    center = sum(motion.body.mass * center_of_mass(motion) for motion in moving) / 7.8
+    for standing in (0, 1):
+        place = place_in_cycle(result, 1 - standing)
+        single = (place > DUTY + 0.3 * (1 - DUTY)) & (place < 1 - 0.3 * (1 - DUTY)) & window(result, FULL_SPEED)
+        assert single.sum() > 50
+        feet = [k for k, (_, group) in enumerate(LEGS.values(), start=1) if group == standing]
+        for row in np.flatnonzero(single)[::5]:
+            x, y = (np.array([result[f"contacts.point[{k},1,{axis}]"][row] for k in feet]) for axis in (1, 2))
+            expected = np.linalg.solve(np.array([np.ones(3), x, y]), WEIGHT * np.array([1, *center[row, :2]]))
+            found = [result[f"contacts.normalForce[{k}]"][row] for k in feet]
+            assert found == pytest.approx(expected, abs=0.025 * WEIGHT)
+
+
+def test_servos_are_told_a_straight_path(road: Road) -> None:
+    """Forward kinematics of the wanted angles: feet go straight back at constant height and speed while they stand."""
+    result = road.result
+    running = window(result, FULL_SPEED)
+    for leg, (direction, group) in LEGS.items():
+        hip, lift, knee = (result[f"{leg}.servo[{k}].phi_ref"] for k in (1, 2, 3))
+        radius = COXA + FEMUR * np.cos(lift) + TIBIA * np.cos(lift + knee)
+        up = FEMUR * np.sin(lift) + TIBIA * np.sin(lift + knee)
+        angle = hip + math.radians(direction)
+        forward, sideways = radius * np.cos(angle), radius * np.sin(angle)
+        place = place_in_cycle(result, group)
+        stands = place < DUTY
+        middle = REACH * math.cos(math.radians(direction))
+        np.testing.assert_allclose(sideways, REACH * math.sin(math.radians(direction)), atol=1e-9)
+        np.testing.assert_allclose(forward[stands], middle + STRIDE * (0.5 - place[stands] / DUTY), atol=1e-9)
+        assert np.ptp(up[stands]) < 1e-9
+        assert up[stands][0] == pytest.approx(FOOT_RADIUS - HIP_HEIGHT, abs=2e-4)
+        assert up.max() - up.min() == pytest.approx(0.035, abs=1e-4)
+        for k, angles in enumerate((hip, lift, knee), start=1):
+            rate = np.gradient(angles, result.time)
+            assert result[f"{leg}.servo[{k}].w_ref"][running] == pytest.approx(rate[running], abs=0.03)
+
+
+def test_joints_follow(road: Road) -> None:
+    for leg in LEGS:
+        for k, joint in enumerate(("Hip", "Lift", "Knee"), start=1):
+            error = road.result[f"{leg}{joint}.phi"] - road.result[f"{leg}.servo[{k}].phi_ref"]
+            assert np.abs(error).max() < math.radians(0.6)
+
+
+def test_it_walks_straight_ahead_as_commanded(road: Road) -> None:
+    result = road.result
+    cycles = window(result, FULL_SPEED)
+    way, commanded = (np.ptp(result[name][cycles]) for name in ("travel", "commandedTravel"))
+    assert commanded == pytest.approx(2 * STRIDE / DUTY, rel=1e-9)
+    # The balls roll under the tilting shanks, by up to 12 mm per radian; so the torso's way is not quite the commanded.
+    assert way == pytest.approx(commanded, rel=0.01)
+    assert abs(result["torso.frame_a.r_0[2]"]).max() < 2e-3
+    assert np.ptp(result["bodyHeight"]) < 1e-3
+    upright = result["torso.frame_a.R.T[3,3]"]
+    assert upright.min() > math.cos(math.radians(0.5))
+
+
+def test_feet_neither_sink_nor_slip(road: Road) -> None:
+    loads = pair_loads(road.scene, road.result)
+    assert len(loads) == 6
+    for load in loads:
+        assert load.largest_depth is not None
+        assert 0.5 * WEIGHT / 6 / 1e5 < load.largest_depth < 0.5e-3
+        assert load.slid is not None
+        # Three strides have begun: a foot slides less than a twentieth of each.
+        assert load.slid < 0.05 * 3 * STRIDE
+
+
+def test_no_events(road: Road) -> None:
+    assert road.result.counters is not None
+    assert road.result.counters.state_events == 0
+    assert road.result.counters.time_events == 0
+
+
+def test_co_simulation_walks_the_same_way(road: Road) -> None:
+    result = simulate(
+        road.folder / "anton.fmu", signals=["travel"], stop=STOP, tolerance=1e-4, interval=0.01, mode="cs"
+    )
+    assert result["travel"][-1] == pytest.approx(road.result["travel"][-1], rel=1e-3)
+
+
+def test_the_report_shows_the_feet(road: Road) -> None:
+    page = (road.folder / "report.html").read_text(encoding="utf-8")
+    assert "Foot forces, left side" not in page  # its window begins after the stop
+    assert "Sum of the foot forces" in page
+    assert "Forward travel" in page
+    assert "Slid, mm" in page
+    assert "Way commanded" in road.output
