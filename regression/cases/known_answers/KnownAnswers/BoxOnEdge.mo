@@ -4,6 +4,7 @@ model BoxOnEdge "A box is dropped on its edge and ends flat"
   final parameter Modelica.Units.SI.Length size[3]={0.3,0.2,0.1} "Size of the box";
   final parameter Modelica.Units.SI.Mass m=2 "Mass of the box";
   final parameter Modelica.Units.SI.TranslationalSpringConstant K=1e6 "Stiffness of the contact";
+  parameter Modelica.Units.SI.Angle angles[3]={0,0.5,0} "Rotation about x, then y, then z at the start";
   final parameter Real mu=0.4 "Coefficient of friction";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1}, enableAnimation=false);
   ContactMultiBody.Parts.Body box(
@@ -17,7 +18,7 @@ model BoxOnEdge "A box is dropped on its edge and ends flat"
     r_0(start={0,0,0.2}, each fixed=true),
     v_0(each fixed=true),
     angles_fixed=true,
-    angles_start={0,0.5,0},
+    angles_start=angles,
     w_0_fixed=true,
     animation=false);
   ContactMultiBody.Parts.Ground floor(material=ContactMultiBody.Materials.Material(restitution=0.3, muStatic=mu));

@@ -28,7 +28,9 @@ model RollingSphere "A sliding sphere starts to roll"
     pointCapacity=1,
     stiffnessChoice=ContactMultiBody.Types.StiffnessChoice.Given,
     stiffness={K});
+  Modelica.Units.SI.Velocity slip "Speed of the point of contact";
 equation
+  slip = sphere.v_0[1] - radius*sphere.w_a[2];
   connect(sphere.frame_a, contacts.frame[1]);
   connect(floor.frame_a, contacts.frame[2]);
   annotation (experiment(StopTime=1, Tolerance=1e-8, Interval=0.002), Documentation(info="<html>
