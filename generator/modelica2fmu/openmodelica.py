@@ -124,20 +124,11 @@ def export_fmu(
 
 def _packages(file: Path, sources: Sequence[Path], library: StandardLibrary) -> list[Path]:
     """The files to load: the Standard Library, then what the model uses, then the model's own."""
-    found = _standard_packages(library)
+    found = [path / "package.mo" if path.is_dir() else path for path in reversed(library.parts().values())]
     for source in sources:
         found.append(source / "package.mo" if (source / "package.mo").is_file() else source)
     loaded = [path.resolve() for path in found if path.is_file()]
     return [path for path in dict.fromkeys(loaded) if path != file] + [file]
-
-
-def _standard_packages(library: StandardLibrary) -> list[Path]:
-    """Modelica and the two packages beside it that it uses, as far as they are there."""
-    inside = (library.folder / "Modelica").is_dir()
-    base = library.folder if inside else library.folder.parent
-    version = "" if inside else library.folder.name.removeprefix("Modelica")
-    names = [f"{name}{version}" for name in ("ModelicaServices", "Complex", "Modelica")]
-    return [path for name in names for path in (base / name / "package.mo", base / f"{name}.mo")]
 
 
 def _text(value: str) -> str:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import re
+import tempfile
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -20,6 +22,8 @@ _OPENMODELICA: Final = (
     "/usr/local/lib/omlibrary",
 )
 _HEAD_BYTES: Final = 400_000
+_MAJOR_VERSION: Final = 4
+_PARTS: Final = ("Modelica", "ModelicaServices", "Complex")
 
 
 @dataclass(frozen=True)
@@ -27,7 +31,8 @@ class StandardLibrary:
     """A found library.
 
     Attributes:
-        folder: contains the package ``Modelica`` (in a folder of that name).
+        folder: contains the package ``Modelica`` in a folder of that name, or is that package's folder where its
+            name has a version, ``Modelica 4.1.0``.
         version: as its annotation says, empty if it does not.
         origin: where it was looked for: ``--msl``, ``MODELICAPATH``, ``OpenModelica``, ``cache`` or ``core subset``.
     """
@@ -35,6 +40,31 @@ class StandardLibrary:
     folder: Path
     version: str
     origin: str
+
+    def parts(self) -> dict[str, Path]:
+        """Folder or file of Modelica and of the two packages beside it that it uses, as far as they are there."""
+        inside = (self.folder / "Modelica").is_dir()
+        base = self.folder if inside else self.folder.parent
+        suffix = "" if inside else self.folder.name.removeprefix("Modelica")
+        found: dict[str, Path] = {}
+        for part in _PARTS:
+            names = dict.fromkeys([f"{part}{suffix}", part])
+            candidates = [path for name in names for path in (base / name, base / f"{name}.mo")]
+            path = next((path for path in candidates if path.is_file() or (path / "package.mo").is_file()), None)
+            if path is not None:
+                found[part] = path
+        return found
+
+    @contextmanager
+    def root(self) -> Iterator[Path]:
+        """Yields a folder in which the packages have no versions in their names, as front ends look for them."""
+        if (self.folder / "Modelica").is_dir():
+            yield self.folder
+            return
+        with tempfile.TemporaryDirectory(prefix="cmb-msl-") as name:
+            for part, path in self.parts().items():
+                (Path(name) / f"{part}{path.suffix if path.is_file() else ''}").symlink_to(path.resolve())
+            yield Path(name)
 
 
 def cache_folder(environment: Mapping[str, str] = os.environ) -> Path:
@@ -50,27 +80,38 @@ def core_subset() -> Path:
 def find_standard_library(explicit: Path | None = None, environment: Mapping[str, str] = os.environ) -> StandardLibrary:
     """The first library found: ``explicit``, MODELICAPATH, OpenModelica's folders, the cache, the core subset.
 
+    Folders may have the version in their names, ``Modelica 4.1.0`` (Modelica Language Specification 3.6, section
+    13.4). Of several versions in one place the latest is taken; versions before 4 are passed over.
+
     Args:
         explicit: folder that contains ``Modelica``, or that package's folder itself.
         environment: for MODELICAPATH, HOME and XDG_CACHE_HOME.
 
     Raises:
-        InputError: there is none, or none in ``explicit``.
+        InputError: there is none, or none in ``explicit``, or that is too old.
     """
     if explicit is not None:
-        for folder in (explicit, explicit.parent):
-            for package in _packages(folder):
-                if folder == explicit or package == explicit:
-                    return _library(package, "--msl")
+        named = [package for package in _packages(explicit.parent) if package == explicit]
+        for package in named or sorted(_packages(explicit), key=_rank, reverse=True):
+            if not _is_usable(package):
+                raise InputError(
+                    f"version {_version(package)} of the Modelica Standard Library is too old",
+                    place=Place(file=package),
+                    remedy="name version 4.0 or 4.1",
+                )
+            return _library(package, "--msl")
         raise InputError(
             "there is no Modelica Standard Library in this folder",
             place=Place(file=explicit),
             remedy="name the folder that contains Modelica/package.mo",
         )
     for origin, folders in _places(environment):
-        found = [package for folder in folders for package in _packages(folder)]
-        if found:
-            return _library(max(found, key=_rank) if origin != "MODELICAPATH" else found[0], origin)
+        found = [[package for package in _packages(folder) if _is_usable(package)] for folder in folders]
+        in_order = [packages for packages in found if packages]
+        if in_order:
+            # On a path the first folder counts; elsewhere the latest version.
+            candidates = in_order[0] if origin == "MODELICAPATH" else [each for some in in_order for each in some]
+            return _library(max(candidates, key=_rank), origin)
     raise InputError(
         "no Modelica Standard Library was found",
         remedy="name one with --msl, set MODELICAPATH, or run cmb msl install",
@@ -89,7 +130,8 @@ def _places(environment: Mapping[str, str]) -> Iterator[tuple[str, Sequence[Path
     home = environment.get("HOME", "")
     yield "OpenModelica", [Path(item.replace("~", home, 1)) for item in _OPENMODELICA if home or "~" not in item]
     cache = cache_folder(environment)
-    yield "cache", [cache, *(sorted(cache.iterdir()) if cache.is_dir() else [])]
+    kept = sorted(path for path in cache.iterdir() if not path.name.startswith(".")) if cache.is_dir() else []
+    yield "cache", [cache, *kept]
     yield "core subset", [core_subset()]
 
 
@@ -112,6 +154,12 @@ def _version(package: Path) -> str:
         text = file.read().decode("utf-8", errors="replace")
     versions = _VERSION.findall(text)
     return versions[-1] if versions else ""
+
+
+def _is_usable(package: Path) -> bool:
+    """False for versions that are known to be too old."""
+    rank = _rank(package)
+    return not rank or rank[0] >= _MAJOR_VERSION
 
 
 def _rank(package: Path) -> tuple[int, ...]:

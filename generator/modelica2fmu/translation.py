@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
@@ -14,7 +14,7 @@ from cmb_base.errors import InputError
 from modelica2fmu import expression as ex
 from modelica2fmu.alias import ReducedModel, eliminate_aliases
 from modelica2fmu.code_generation import GeneratedModel, generate
-from modelica2fmu.description import ModelDescription
+from modelica2fmu.description import ExternalCode, ModelDescription
 from modelica2fmu.experiment import read_experiment
 from modelica2fmu.external_code import find_external_code
 from modelica2fmu.front_end import load_flat_model
@@ -55,22 +55,23 @@ def translate(
     clock = clock or PhaseClock()
     check_model_name(model)
     clock.begin("load")
-    file, roots = locate(model, sources)
-    roots = [*roots, library.folder, *other_libraries()]
+    file, found = locate(model, sources)
     source_map = SourceMap([file, *sources, library.folder])
     limit = sys.getrecursionlimit()
     sys.setrecursionlimit(max(limit, _RECURSION_LIMIT))
     try:
-        ex.new_graph()
-        flat = load_flat_model(model, file, roots, source_map)
-        clock.begin("expand")
-        scalar = scalarize(flat, source_map)
+        with library.root() as library_root:
+            roots = [*found, library_root, *other_libraries()]
+            ex.new_graph()
+            flat = load_flat_model(model, file, roots, source_map)
+            clock.begin("expand")
+            scalar = scalarize(flat, source_map)
+            external = _with_real_paths(find_external_code(scalar.external_annotations, roots, model.split(".")[0]))
         clock.begin("reduce")
         reduced = eliminate_aliases(scalar, source_map)
         clock.begin("sort")
         systems = build_systems(reduced, source_map.place)
         clock.begin("generate")
-        external = find_external_code(scalar.external_annotations, roots, model.split(".")[0])
         generated = generate(reduced, systems, external.includes, source_map.place)
     finally:
         sys.setrecursionlimit(limit)
@@ -91,3 +92,12 @@ def translate(
         internal_parameters=internal_parameters(reduced, generated.slots),
     )
     return Translation(scalar, reduced, systems, generated, description)
+
+
+def _with_real_paths(external: ExternalCode) -> ExternalCode:
+    """The same folders without symbolic links, which may not last as long as the build."""
+    return replace(
+        external,
+        include_directories=tuple(path.resolve() for path in external.include_directories),
+        library_directories=tuple(path.resolve() for path in external.library_directories),
+    )

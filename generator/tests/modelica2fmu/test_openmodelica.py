@@ -95,8 +95,8 @@ def test_the_script_loads_everything_and_exports(
     assert loads == [
         f'loadFile("{path}", uses = false);'
         for path in (
-            msl / "ModelicaServices 4.1.0" / "package.mo",
             msl / "Complex 4.1.0.mo",
+            msl / "ModelicaServices 4.1.0" / "package.mo",
             msl / "Modelica 4.1.0" / "package.mo",
             base / "Used" / "package.mo",
             robot,
