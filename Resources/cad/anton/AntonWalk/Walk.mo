@@ -4,24 +4,24 @@ model Walk "Anton walks straight ahead"
   import Modelica.Constants.pi;
   extends Anton.Mechanics(
     contacts(pointCapacity=1, useRestitution=false, steadyRate=fill(20, 6), regularisationSpeed=2e-3),
-    frontLeftHip(useAxisFlange=true, phi(start=frontLeft.start[1])),
-    frontLeftLift(useAxisFlange=true, phi(start=frontLeft.start[2])),
-    frontLeftKnee(useAxisFlange=true, phi(start=frontLeft.start[3])),
-    middleLeftHip(useAxisFlange=true, phi(start=middleLeft.start[1])),
-    middleLeftLift(useAxisFlange=true, phi(start=middleLeft.start[2])),
-    middleLeftKnee(useAxisFlange=true, phi(start=middleLeft.start[3])),
-    rearLeftHip(useAxisFlange=true, phi(start=rearLeft.start[1])),
-    rearLeftLift(useAxisFlange=true, phi(start=rearLeft.start[2])),
-    rearLeftKnee(useAxisFlange=true, phi(start=rearLeft.start[3])),
-    frontRightHip(useAxisFlange=true, phi(start=frontRight.start[1])),
-    frontRightLift(useAxisFlange=true, phi(start=frontRight.start[2])),
-    frontRightKnee(useAxisFlange=true, phi(start=frontRight.start[3])),
-    middleRightHip(useAxisFlange=true, phi(start=middleRight.start[1])),
-    middleRightLift(useAxisFlange=true, phi(start=middleRight.start[2])),
-    middleRightKnee(useAxisFlange=true, phi(start=middleRight.start[3])),
-    rearRightHip(useAxisFlange=true, phi(start=rearRight.start[1])),
-    rearRightLift(useAxisFlange=true, phi(start=rearRight.start[2])),
-    rearRightKnee(useAxisFlange=true, phi(start=rearRight.start[3])));
+    frontLeftHip(useAxisFlange=true, phi(start=frontLeft.start[1], fixed=true)),
+    frontLeftLift(useAxisFlange=true, phi(start=frontLeft.start[2], fixed=true)),
+    frontLeftKnee(useAxisFlange=true, phi(start=frontLeft.start[3], fixed=true)),
+    middleLeftHip(useAxisFlange=true, phi(start=middleLeft.start[1], fixed=true)),
+    middleLeftLift(useAxisFlange=true, phi(start=middleLeft.start[2], fixed=true)),
+    middleLeftKnee(useAxisFlange=true, phi(start=middleLeft.start[3], fixed=true)),
+    rearLeftHip(useAxisFlange=true, phi(start=rearLeft.start[1], fixed=true)),
+    rearLeftLift(useAxisFlange=true, phi(start=rearLeft.start[2], fixed=true)),
+    rearLeftKnee(useAxisFlange=true, phi(start=rearLeft.start[3], fixed=true)),
+    frontRightHip(useAxisFlange=true, phi(start=frontRight.start[1], fixed=true)),
+    frontRightLift(useAxisFlange=true, phi(start=frontRight.start[2], fixed=true)),
+    frontRightKnee(useAxisFlange=true, phi(start=frontRight.start[3], fixed=true)),
+    middleRightHip(useAxisFlange=true, phi(start=middleRight.start[1], fixed=true)),
+    middleRightLift(useAxisFlange=true, phi(start=middleRight.start[2], fixed=true)),
+    middleRightKnee(useAxisFlange=true, phi(start=middleRight.start[3], fixed=true)),
+    rearRightHip(useAxisFlange=true, phi(start=rearRight.start[1], fixed=true)),
+    rearRightLift(useAxisFlange=true, phi(start=rearRight.start[2], fixed=true)),
+    rearRightKnee(useAxisFlange=true, phi(start=rearRight.start[3], fixed=true)));
   parameter Gait gait "Gait";
   final parameter Real first(unit="1")=(gait.dutyFactor - 0.5)/2 "Place in the cycle of the group that has just been set down";
   final parameter Real second(unit="1")=first + 0.5 "Place in the cycle of the group that is lifted first";
