@@ -19,9 +19,6 @@ constexpr double shake_size = 1e-11;
 constexpr double wall_cosine = 1e-9;
 // Edges that cross at a smaller angle (its sine) count as parallel.
 constexpr double parallel_sine = 1e-9;
-// Vertices up to this many depths away from the contact plane have a say in the stiffness.
-constexpr double anchor_reach = 2.0;
-
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 // Of no special direction.
@@ -74,12 +71,10 @@ bool cut_arc(Vec3 &first, Vec3 &second) {
   return true;
 }
 
-// Those that come deep enough to touch a body that reaches `other_reach` towards this one.
-void find_borders(const PolytopeSide &side, double other_reach, std::vector<Scratch::Border> &borders) {
+void find_borders(const PolytopeSide &side, std::vector<Scratch::Border> &borders) {
   borders.clear();
   for (const PolytopeSide::Edge &edge : side.edges()) {
     const PolytopeSide::Vertex &from = side.vertices()[index(edge.vertex[0])], &to = side.vertices()[index(edge.vertex[1])];
-    if (std::max(side.sense() * from.at.z, side.sense() * to.at.z) + other_reach <= 0.0) continue;
     Scratch::Border border;
     for (int k = 0; k < 2; ++k) {
       border.ray[k] = mirrored(side.faces()[index(edge.face[k])].normal, side.sense());
@@ -92,6 +87,7 @@ void find_borders(const PolytopeSide &side, double other_reach, std::vector<Scra
     border.high_x = std::max(border.shaken_from.x, border.shaken_to.x);
     border.low_y = std::min(border.shaken_from.y, border.shaken_to.y);
     border.high_y = std::max(border.shaken_from.y, border.shaken_to.y);
+    for (int k = 0; k < 2; ++k) border.vertex[k] = edge.vertex[k];
     borders.push_back(border);
   }
 }
@@ -100,43 +96,82 @@ void find_borders(const PolytopeSide &side, double other_reach, std::vector<Scra
 void visible_cone(const PolytopeSide &side, std::int32_t vertex, DirectionCone &cone) {
   cone.clear();
   const ContactPolytope &body = side.body();
-  const std::size_t count = body.faces_at(vertex), step = 1 + count / (DirectionCone::capacity - 8);
-  bool cut = false;
+  // An apex with very many faces is taken with every second, third, ... of them.
+  const std::size_t count = body.faces_at(vertex), step = 1 + count / (DirectionCone::capacity / 2);
+  const auto direction = [&](std::size_t i) {
+    return mirrored(side.to_contact().rotation * body.face_normal_at(vertex, i), side.sense());
+  };
+  const Vec3 first = direction(0);
+  Vec3 from = first;
   for (std::size_t i = 0; i < count; i += step) {
-    const Vec3 ray = mirrored(side.to_contact().rotation * body.face_normal_at(vertex, i), side.sense());
-    cut = cut || ray.z < 0.0;
-    cone.add(ray);
+    const Vec3 to = i + step < count ? direction(i + step) : first;
+    if (from.z >= 0.0) cone.add(from);
+    if ((from.z < 0.0) != (to.z < 0.0)) {
+      Vec3 border = std::fabs(to.z) * from + std::fabs(from.z) * to;
+      border.z = 0.0;
+      if (norm2(border) > 0.0) cone.add(border);
+    }
+    from = to;
   }
-  if (cut) cone.clip({0, 0, 1});
 }
 
-// What a vertex would carry if its normal cone filled the hemisphere; `visible` is the solid angle of its visible cone.
-double stiffness_of(const PolytopeSide &side, std::int32_t vertex, double visible) {
-  const Vec3 towards = side.sense() * side.to_contact().rotation.row[2];
-  return 2.0 * pi * side.body().share(vertex, towards) / std::fmax(visible, 0.25 * side.body().normal_cone(vertex));
-}
+// What the vertices of a side would carry if their normal cones filled the hemisphere.
+class Stiffness {
+ public:
+  // `cone` is room to work in.
+  Stiffness(const PolytopeSide &side, std::vector<double> &known, DirectionCone &cone)
+      : side_(side), towards_(side.sense() * side.to_contact().rotation.row[2]), known_(known), cone_(cone) {
+    known_.assign(side.vertices().size(), -1.0);
+  }
 
-// Vertices of one side over faces of the other. `sense` is that of `side`.
-void add_vertices(const PolytopeSide &side, double other_reach, const std::vector<Scratch::Patch> &others,
+  // Of the side's vertex k, whose visible cone has the solid angle `visible`.
+  double of(std::int32_t k, double visible) {
+    double &value = known_[index(k)];
+    if (value < 0.0) {
+      const std::int32_t v = side_.vertices()[index(k)].number;
+      value = 2.0 * pi * side_.body().share(v, towards_) / std::fmax(visible, 0.25 * side_.body().normal_cone(v));
+    }
+    return value;
+  }
+  double of(std::int32_t k) {
+    if (known_[index(k)] >= 0.0) return known_[index(k)];
+    visible_cone(side_, side_.vertices()[index(k)].number, cone_);
+    return of(k, cone_.solid_angle());
+  }
+
+ private:
+  const PolytopeSide &side_;
+  Vec3 towards_;
+  std::vector<double> &known_;
+  DirectionCone &cone_;
+};
+
+// Vertices of one side over faces of the other.
+void add_vertices(const PolytopeSide &side, Stiffness &stiffness,
+                  const std::vector<Scratch::Patch> &others, DirectionCone &cone, DirectionCone &sheared,
                   std::vector<Scratch::Corner> &corners) {
-  DirectionCone cone, sheared;
-  for (const PolytopeSide::Vertex &v : side.vertices()) {
+  for (std::size_t i = 0; i < side.vertices().size(); ++i) {
+    const PolytopeSide::Vertex &v = side.vertices()[i];
     const double own = side.sense() * v.at.z;
-    if (!v.inside || !(own + other_reach > 0.0)) continue;
+    if (!v.inside) continue;
     const Scratch::Patch *patch = patch_over(v.shaken.x, v.shaken.y, others);
     if (patch == nullptr) continue;
     const double other = patch->height - patch->slope_x * v.at.x - patch->slope_y * v.at.y;
     if (!(own + other > 0.0)) continue;
     visible_cone(side, v.number, cone);
     if (cone.empty()) continue;
-    sheared.clear();
-    for (std::size_t k = 0; k < cone.size(); ++k) {
-      const Vec3 &ray = cone[k];
-      sheared.add({ray.x + ray.z * patch->slope_x, ray.y + ray.z * patch->slope_y, ray.z});
+    const double visible = cone.solid_angle(), scale = stiffness.of(static_cast<std::int32_t>(i), visible);
+    double part = visible;
+    if (patch->slope_x != 0.0 || patch->slope_y != 0.0) {
+      sheared.clear();
+      for (std::size_t k = 0; k < cone.size(); ++k) {
+        const Vec3 &ray = cone[k];
+        sheared.add({ray.x + ray.z * patch->slope_x, ray.y + ray.z * patch->slope_y, ray.z});
+      }
+      part = sheared.solid_angle();
     }
-    const double part = sheared.solid_angle() / (2.0 * pi);
     // The surfaces are at z = sense * own and -sense * other.
-    corners.push_back({{v.at.x, v.at.y, 0.5 * side.sense() * (own - other)}, own + other, part});
+    corners.push_back({{v.at.x, v.at.y, 0.5 * side.sense() * (own - other)}, own + other, scale * part / (2.0 * pi)});
   }
 }
 
@@ -144,65 +179,69 @@ double area(const Vec3 &from, const Vec3 &to, const Vec3 &p) {
   return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
 }
 
-// Crossings of edges, seen along the contact normal.
-void add_crossings(const std::vector<Scratch::Border> &borders_a, const std::vector<Scratch::Border> &borders_b,
+// Interpolates (Shepard) between what belongs to the ends of two edges that cross, at the parts t and s of their ways.
+double between_ends(double t, double at_t0, double at_t1, double s, double at_s0, double at_s1) {
+  constexpr double smallest = 1e-28;
+  const double a = 1.0 / (t * t + smallest), b = 1.0 / ((1.0 - t) * (1.0 - t) + smallest);
+  const double c = 1.0 / (s * s + smallest), d = 1.0 / ((1.0 - s) * (1.0 - s) + smallest);
+  return (a * at_t0 + b * at_t1 + c * at_s0 + d * at_s1) / (a + b + c + d);
+}
+
+// The crossing of two edges, seen along the contact normal, if there is one.
+void add_crossing(const Scratch::Border &e, const Scratch::Border &f, Stiffness &stiffness_a, Stiffness &stiffness_b,
+                  DirectionCone &cone, std::vector<Scratch::Corner> &corners) {
+  if (f.low_x > e.high_x || f.high_x < e.low_x || f.low_y > e.high_y || f.high_y < e.low_y) return;
+  if ((area(f.shaken_from, f.shaken_to, e.shaken_from) > 0.0) ==
+      (area(f.shaken_from, f.shaken_to, e.shaken_to) > 0.0)) {
+    return;
+  }
+  if ((area(e.shaken_from, e.shaken_to, f.shaken_from) > 0.0) ==
+      (area(e.shaken_from, e.shaken_to, f.shaken_to) > 0.0)) {
+    return;
+  }
+  const Vec3 de = e.to - e.from, df = f.to - f.from, between = f.from - e.from;
+  const double product = de.x * df.y - de.y * df.x;
+  if (!(product * product > parallel_sine * parallel_sine * norm2(de) * norm2(df))) return;
+  const double t = std::clamp((between.x * df.y - between.y * df.x) / product, 0.0, 1.0);
+  const double s = std::clamp((between.x * de.y - between.y * de.x) / product, 0.0, 1.0);
+  const Vec3 on_e = e.from + t * de, on_f = f.from + s * df;
+  const double depth = on_e.z + on_f.z;
+  if (!(depth > 0.0)) return;
+  // Slopes add up: the cone's rays are the sums of both edges' directions, taken at the same z.
+  cone.clear();
+  for (const int corner : {0, 1, 3, 2}) {
+    const Vec3 &p = e.ray[corner & 1], &q = f.ray[corner >> 1];
+    const Vec3 ray{p.x * q.z + q.x * p.z, p.y * q.z + q.y * p.z, p.z * q.z};
+    if (norm2(ray) > 0.0) cone.add(ray);
+  }
+  const double part = cone.solid_angle() / (2.0 * pi);
+  const Vec3 middle{0.5 * (on_e.x + on_f.x), 0.5 * (on_e.y + on_f.y), 0.5 * (on_f.z - on_e.z)};
+  const double scale = between_ends(t, stiffness_a.of(e.vertex[0]), stiffness_a.of(e.vertex[1]), s,
+                                    stiffness_b.of(f.vertex[0]), stiffness_b.of(f.vertex[1]));
+  corners.push_back({middle, depth, scale * part});
+}
+
+// Edges whose extents along x overlap are found by a sweep.
+void add_crossings(std::vector<Scratch::Border> &borders_a, std::vector<Scratch::Border> &borders_b,
+                   Stiffness &stiffness_a, Stiffness &stiffness_b, DirectionCone &cone,
                    std::vector<Scratch::Corner> &corners) {
-  DirectionCone cone;
-  for (const Scratch::Border &e : borders_a) {
-    for (const Scratch::Border &f : borders_b) {
-      if (f.low_x > e.high_x || f.high_x < e.low_x || f.low_y > e.high_y || f.high_y < e.low_y) continue;
-      if ((area(f.shaken_from, f.shaken_to, e.shaken_from) > 0.0) ==
-          (area(f.shaken_from, f.shaken_to, e.shaken_to) > 0.0)) {
-        continue;
+  const auto from_the_left = [](const Scratch::Border &x, const Scratch::Border &y) { return x.low_x < y.low_x; };
+  std::sort(borders_a.begin(), borders_a.end(), from_the_left);
+  std::sort(borders_b.begin(), borders_b.end(), from_the_left);
+  std::size_t next_b = 0, next_a = 0;
+  while (next_a < borders_a.size() && next_b < borders_b.size()) {
+    if (borders_a[next_a].low_x <= borders_b[next_b].low_x) {
+      const Scratch::Border &e = borders_a[next_a++];
+      for (std::size_t k = next_b; k < borders_b.size() && borders_b[k].low_x <= e.high_x; ++k) {
+        add_crossing(e, borders_b[k], stiffness_a, stiffness_b, cone, corners);
       }
-      if ((area(e.shaken_from, e.shaken_to, f.shaken_from) > 0.0) ==
-          (area(e.shaken_from, e.shaken_to, f.shaken_to) > 0.0)) {
-        continue;
+    } else {
+      const Scratch::Border &f = borders_b[next_b++];
+      for (std::size_t k = next_a; k < borders_a.size() && borders_a[k].low_x <= f.high_x; ++k) {
+        add_crossing(borders_a[k], f, stiffness_a, stiffness_b, cone, corners);
       }
-      const Vec3 de = e.to - e.from, df = f.to - f.from, between = f.from - e.from;
-      const double product = de.x * df.y - de.y * df.x;
-      if (!(product * product > parallel_sine * parallel_sine * norm2(de) * norm2(df))) continue;
-      const double t = std::clamp((between.x * df.y - between.y * df.x) / product, 0.0, 1.0);
-      const double s = std::clamp((between.x * de.y - between.y * de.x) / product, 0.0, 1.0);
-      const Vec3 on_e = e.from + t * de, on_f = f.from + s * df;
-      const double depth = on_e.z + on_f.z;
-      if (!(depth > 0.0)) continue;
-      // Slopes add up: the cone's rays are the sums of both edges' directions, taken at the same z.
-      cone.clear();
-      for (const int corner : {0, 1, 3, 2}) {
-        const Vec3 &p = e.ray[corner & 1], &q = f.ray[corner >> 1];
-        const Vec3 ray{p.x * q.z + q.x * p.z, p.y * q.z + q.y * p.z, p.z * q.z};
-        if (norm2(ray) > 0.0) cone.add(ray);
-      }
-      const double part = cone.solid_angle() / (2.0 * pi);
-      const Vec3 middle{0.5 * (on_e.x + on_f.x), 0.5 * (on_e.y + on_f.y), 0.5 * (on_f.z - on_e.z)};
-      corners.push_back({middle, depth, part});
     }
   }
-}
-
-void add_anchors(const PolytopeSide &side, double reach, double depth, std::vector<Scratch::Anchor> &anchors) {
-  DirectionCone cone;
-  for (const PolytopeSide::Vertex &v : side.vertices()) {
-    const double nearness = 1.0 - (reach - side.sense() * v.at.z) / (anchor_reach * depth);
-    if (!(nearness > 0.0)) continue;
-    visible_cone(side, v.number, cone);
-    anchors.push_back({v.at.x, v.at.y, nearness * nearness, stiffness_of(side, v.number, cone.solid_angle())});
-  }
-}
-
-// What a corner at (x, y) would carry if its normal cone filled the hemisphere: that of a vertex at the vertex,
-// interpolated between them (Shepard).
-double stiffness_at(double x, double y, const std::vector<Scratch::Anchor> &anchors, double size) {
-  const double smallest = 1e-28 * size * size;
-  double sum = 0.0, weighted = 0.0;
-  for (const Scratch::Anchor &anchor : anchors) {
-    const double dx = x - anchor.x, dy = y - anchor.y;
-    const double influence = anchor.influence / (dx * dx + dy * dy + smallest);
-    sum += influence;
-    weighted += influence * anchor.stiffness;
-  }
-  return sum > 0.0 ? weighted / sum : 1.0;
 }
 
 // The contact's axes: z along `up` (unit, world axes), the origin near the contact.
@@ -219,29 +258,23 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
   const Pose axes = contact_axes(normal, witness);
   const Pose a_in_axes = relative_pose(axes, pose_a), b_in_axes = relative_pose(axes, pose_b);
   const double reach_a = PolytopeSide::reach(a, a_in_axes, -1.0), reach_b = PolytopeSide::reach(b, b_in_axes, 1.0);
-  const double overlap = reach_a + reach_b;
-  if (!(overlap > 0.0)) return;
-  scratch.side_a.gather(a, a_in_axes, -1.0, reach_a - anchor_reach * overlap, {});
-  scratch.side_b.gather(b, b_in_axes, 1.0, reach_b - anchor_reach * overlap, shake_of(size));
+  if (!(reach_a + reach_b > 0.0)) return;
+  scratch.side_a.gather(a, a_in_axes, -1.0, -reach_b, {});
+  scratch.side_b.gather(b, b_in_axes, 1.0, -reach_a, shake_of(size));
   find_patches(scratch.side_a, scratch.patches_a);
   find_patches(scratch.side_b, scratch.patches_b);
-  find_borders(scratch.side_a, reach_b, scratch.borders_a);
-  find_borders(scratch.side_b, reach_a, scratch.borders_b);
+  find_borders(scratch.side_a, scratch.borders_a);
+  find_borders(scratch.side_b, scratch.borders_b);
+  Stiffness stiffness_a(scratch.side_a, scratch.stiffness_a, scratch.cone),
+      stiffness_b(scratch.side_b, scratch.stiffness_b, scratch.cone);
   scratch.corners.clear();
-  add_vertices(scratch.side_a, reach_b, scratch.patches_b, scratch.corners);
-  add_vertices(scratch.side_b, reach_a, scratch.patches_a, scratch.corners);
-  add_crossings(scratch.borders_a, scratch.borders_b, scratch.corners);
-
-  double deepest = 0.0;
-  for (const Scratch::Corner &corner : scratch.corners) deepest = std::max(deepest, corner.depth);
-  scratch.anchors.clear();
-  add_anchors(scratch.side_a, reach_a, deepest, scratch.anchors);
-  add_anchors(scratch.side_b, reach_b, deepest, scratch.anchors);
+  add_vertices(scratch.side_a, stiffness_a, scratch.patches_b, scratch.cone, scratch.sheared_cone, scratch.corners);
+  add_vertices(scratch.side_b, stiffness_b, scratch.patches_a, scratch.cone, scratch.sheared_cone, scratch.corners);
+  add_crossings(scratch.borders_a, scratch.borders_b, stiffness_a, stiffness_b, scratch.cone, scratch.corners);
 
   const std::size_t begin = points.size();
   for (const Scratch::Corner &corner : scratch.corners) {
-    const double weight = corner.part * stiffness_at(corner.middle.x, corner.middle.y, scratch.anchors, size);
-    if (weight > 0.0) points.push_back({corner.depth, weight, normal, axes(corner.middle)});
+    if (corner.weight > 0.0) points.push_back({corner.depth, corner.weight, normal, axes(corner.middle)});
   }
   limit_load(points, begin);
 }

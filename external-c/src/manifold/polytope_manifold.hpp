@@ -1,8 +1,10 @@
 // Contact of two polytopes.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "geometry/solid_angle.hpp"
 #include "manifold/contact_set.hpp"
 #include "manifold/polytope_side.hpp"
 #include "scene/shape.hpp"
@@ -11,16 +13,10 @@ namespace cmb {
 
 // Room that polytope contacts are made in; one for each thread.
 struct PolytopeManifoldScratch {
-  // A vertex of either body near the contact, and what it would carry if its normal cone filled the hemisphere.
-  struct Anchor {
-    double x, y;  // in the contact plane's axes
-    double influence;
-    double stiffness;
-  };
   // A corner of the depth's graph over the contact plane.
   struct Corner {
     Vec3 middle;  // half way between the surfaces, in the contact's axes
-    double depth, part;  // of the hemisphere of directions
+    double depth, weight;
   };
   // A face's plane over the contact plane: z = height - slope_x x - slope_y y, the z axis pointing to the other body.
   struct Patch {
@@ -33,13 +29,15 @@ struct PolytopeManifoldScratch {
   struct Border {
     double low_x, high_x, low_y, high_y;
     Vec3 from, to, shaken_from, shaken_to;
+    std::int32_t vertex[2];  // into the side's
     Vec3 ray[2];  // its faces' directions within the hemisphere
   };
   PolytopeSide side_a, side_b;
   std::vector<Patch> patches_a, patches_b;
   std::vector<Border> borders_a, borders_b;
-  std::vector<Anchor> anchors;
+  std::vector<double> stiffness_a, stiffness_b;  // of the sides' vertices, negative where not yet known
   std::vector<Corner> corners;
+  DirectionCone cone, sheared_cone;
 };
 
 // Appends the points at which polytopes A and B touch. `normal` (unit, from B to A) is the contact normal, `witness` a
@@ -50,7 +48,7 @@ struct PolytopeManifoldScratch {
 // edges. A corner's weight is the part of the hemisphere of directions in which it is the graph's farthest point (its
 // normal cone), scaled so that a vertex of one body inside a face of the other carries its share in that face. This
 // measure of a convex body changes continuously with the body (Schneider, Convex Bodies, section 4.2), so corners may
-// appear, merge and vanish without a jump.
+// appear, merge and vanish without a jump. Where edges cross, the scale is interpolated between their four ends.
 void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
                       const Vec3 &normal, const Vec3 &witness, PolytopeManifoldScratch &scratch,
                       std::vector<ContactPoint> &points);
