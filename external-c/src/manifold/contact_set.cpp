@@ -21,7 +21,7 @@ void limit_load(std::vector<ContactPoint> &points, std::size_t begin) {
 namespace {
 
 // Up to this many points the best of all pairs is united.
-constexpr std::size_t points_for_all_pairs = 32;
+constexpr std::size_t points_for_all_pairs = 16;
 
 ContactPoint united(const ContactPoint &a, const ContactPoint &b) {
   const double load_a = a.weight * a.depth, load_b = b.weight * b.depth, load = load_a + load_b;
@@ -40,51 +40,44 @@ double union_cost(const ContactPoint &a, const ContactPoint &b) {
   return load_a * load_b / (load_a + load_b) * norm2(a.position - b.position);
 }
 
-// The point that is cheapest to unite with points[k], and the cost.
-std::size_t cheapest_partner(const std::vector<ContactPoint> &points, std::size_t k, std::size_t begin, double &cost) {
-  std::size_t partner = k;
-  for (std::size_t j = begin; j < points.size(); ++j) {
-    if (j == k) continue;
-    const double candidate = union_cost(points[k], points[j]);
-    if (partner == k || candidate < cost) {
-      cost = candidate;
-      partner = j;
+// Leaves the `capacity` points of greatest load; each of the others is united with the one that is cheapest.
+void keep_heaviest(std::vector<ContactPoint> &points, std::size_t capacity) {
+  std::sort(points.begin(), points.end(), [](const ContactPoint &x, const ContactPoint &y) {
+    return x.weight * x.depth > y.weight * y.depth;
+  });
+  for (std::size_t k = capacity; k < points.size(); ++k) {
+    std::size_t partner = 0;
+    double least = union_cost(points[k], points[0]);
+    for (std::size_t i = 1; i < capacity; ++i) {
+      const double cost = union_cost(points[k], points[i]);
+      if (cost < least) least = cost, partner = i;
     }
+    points[partner] = united(points[partner], points[k]);
   }
-  return partner;
-}
-
-void unite(std::vector<ContactPoint> &points, std::size_t first, std::size_t second) {
-  points[first] = united(points[first], points[second]);
-  points.erase(points.begin() + static_cast<std::ptrdiff_t>(second));
+  points.resize(capacity);
 }
 
 }  // namespace
 
 void merge_points(std::vector<ContactPoint> &points, std::size_t capacity) {
-  // Very many points: the least loaded one goes first, which takes one pass instead of one over all pairs.
-  while (points.size() > std::max(capacity, points_for_all_pairs)) {
-    const auto least = std::min_element(points.begin(), points.end(), [](const ContactPoint &x, const ContactPoint &y) {
-      return x.weight * x.depth < y.weight * y.depth;
-    });
-    const auto first = static_cast<std::size_t>(least - points.begin());
-    double cost = 0.0;
-    const std::size_t partner = cheapest_partner(points, first, 0, cost);
-    unite(points, std::min(first, partner), std::max(first, partner));
-  }
+  if (points.size() <= capacity) return;
+  const std::size_t few = std::max(capacity, points_for_all_pairs);
+  if (points.size() > few) keep_heaviest(points, few);
   while (points.size() > capacity) {
     std::size_t first = 0, second = 1;
     double least = -1.0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      double cost = 0.0;
-      const std::size_t partner = cheapest_partner(points, i, i + 1, cost);
-      if (least < 0.0 || cost < least) {
-        least = cost;
-        first = i;
-        second = partner;
+      for (std::size_t j = i + 1; j < points.size(); ++j) {
+        const double cost = union_cost(points[i], points[j]);
+        if (least < 0.0 || cost < least) {
+          least = cost;
+          first = i;
+          second = j;
+        }
       }
     }
-    unite(points, first, second);
+    points[first] = united(points[first], points[second]);
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(second));
   }
 }
 
