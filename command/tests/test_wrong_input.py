@@ -94,6 +94,11 @@ def test_model_the_builder_cannot_translate(cmb: Cmb, tmp_path: Path) -> None:
         (["simulate", "no.fmu", "--output", "a.csv"], "no.fmu"),
         (["report", "no.csv", "--output", "a.html"], "no.csv"),
         (["regress", "nocases"], "nocases"),
+        (["msl", "--msl", "nowhere"], "nowhere"),
+        (["msl", "install", "3.2.3"], "3.2.3"),
+        (["msl", "install", "--from", "gone.zip"], "gone.zip"),
+        (["msl", "install", "--msl", "."], "--msl"),
+        (["msl", "show", "4.1.0"], "cmb msl install"),
         (["frobnicate"], "frobnicate"),
     ],
 )

@@ -14,6 +14,9 @@ from typing import Final
 from cmb_base.cache import user_cache
 from cmb_base.errors import InputError, Place
 
+CORE_SUBSET: Final = "core subset"
+"""Origin of the project's own subset."""
+
 _VERSION: Final = re.compile(r'\bversion\s*=\s*"([^"]+)"')
 _OPENMODELICA: Final = (
     "~/.openmodelica/libraries",
@@ -132,7 +135,7 @@ def _places(environment: Mapping[str, str]) -> Iterator[tuple[str, Sequence[Path
     cache = cache_folder(environment)
     kept = sorted(path for path in cache.iterdir() if not path.name.startswith(".")) if cache.is_dir() else []
     yield "cache", [cache, *kept]
-    yield "core subset", [core_subset()]
+    yield CORE_SUBSET, [core_subset()]
 
 
 def _packages(folder: Path) -> list[Path]:
