@@ -50,6 +50,7 @@ _PROLOGUE: Final = (
 )
 _LINES_PER_FILE: Final = 5000
 _NEWTON_TOLERANCE: Final = 1e-12
+_STATES_WITHOUT_JACOBIAN: Final = 500  # KRYLOV_STATES of runtime/cmb_solver.c: the integrator needs none from there on
 _INDICATOR_TEXT: Final = 200
 _GUID_PLACE: Final = "@guid@"
 _ARRAYS: Final = {Store.REAL: "r", Store.INTEGER: "i", Store.BOOLEAN: "b"}
@@ -421,7 +422,7 @@ class _Generator:
         """Code of the Jacobian, where it pays."""
         states = self._systems.reduction.states
         rates = [derivative_name(name) for name in states]
-        if not states:
+        if not states or len(states) >= _STATES_WITHOUT_JACOBIAN:
             return
         steps = tangents(needed_blocks(simulation, rates), states, rates)
         places = JacobianPlaces(

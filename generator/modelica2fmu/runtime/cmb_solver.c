@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
 #include "cmb_call.h"
@@ -17,12 +18,17 @@
 
 enum { MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
 
+/* From so many states on, Newton's linear systems are solved by GMRES with products of Jacobian and vector, each of which
+ * costs one evaluation: a dense Jacobian costs as many as there are states, and its factors the cube of that. Scenes of
+ * many bodies are so large; each body feels a few others, and few iterations do. */
+enum { KRYLOV_STATES = 500 };
+
 struct cmb_solver {
   cmb_instance *instance;
   SUNContext context;
   void *memory;
   N_Vector state, tolerance;
-  SUNMatrix matrix;
+  SUNMatrix matrix; /* NULL with GMRES */
   SUNLinearSolver linear;
   double *entry; /* [state_count] states at the start of an advance */
   size_t state_count;
@@ -126,13 +132,15 @@ cmb_solver *cmb_solver_create(cmb_instance *instance) {
   solver->entry = calloc(vector_size(solver), sizeof(double));
   solver->state = N_VNew_Serial(size, solver->context);
   solver->tolerance = N_VNew_Serial(size, solver->context);
-  solver->matrix = SUNDenseMatrix(size, size, solver->context);
   solver->memory = CVodeCreate(CV_BDF, solver->context);
-  if (solver->state != NULL && solver->matrix != NULL) {
-    N_VConst(0.0, solver->state);
-    solver->linear = cmb_dense_create(size, solver->context);
+  if (solver->state != NULL) N_VConst(0.0, solver->state);
+  if (solver->state_count < KRYLOV_STATES) {
+    solver->matrix = SUNDenseMatrix(size, size, solver->context);
+    if (solver->matrix != NULL) solver->linear = cmb_dense_create(size, solver->context);
+  } else if (solver->state != NULL) {
+    solver->linear = SUNLinSol_SPGMR(solver->state, SUN_PREC_NONE, 0, solver->context);
   }
-  if (solver->entry == NULL || solver->tolerance == NULL || solver->memory == NULL || solver->linear == NULL ||
+  if (solver->entry == NULL || solver->state == NULL || solver->tolerance == NULL || solver->memory == NULL || solver->linear == NULL ||
       CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
     cmb_solver_destroy(solver);
     return NULL;
@@ -191,7 +199,7 @@ static int first_start(cmb_solver *solver) {
   if (flag == CV_SUCCESS) flag = set_tolerances(solver);
   if (flag == CV_SUCCESS) flag = CVodeSetUserData(solver->memory, solver);
   if (flag == CV_SUCCESS) flag = CVodeSetLinearSolver(solver->memory, solver->linear, solver->matrix);
-  if (flag == CV_SUCCESS && solver->state_count > 0) {
+  if (flag == CV_SUCCESS && solver->state_count > 0 && solver->matrix != NULL) {
     flag = CVodeSetJacFn(solver->memory, cmb_model.jacobian != NULL ? jacobian : difference_quotients);
   }
   if (flag == CV_SUCCESS) flag = CVodeSetMaxHnilWarns(solver->memory, -1);
@@ -225,6 +233,8 @@ static void count(cmb_solver *solver) {
   CVodeGetNumJacEvals(solver->memory, &now[CMB_SOLVER_JACOBIANS]);
   CVodeGetNumErrTestFails(solver->memory, &now[CMB_SOLVER_ERROR_TEST_FAILURES]);
   CVodeGetNumNonlinSolvConvFails(solver->memory, &now[CMB_SOLVER_CONVERGENCE_FAILURES]);
+  long products = 0; /* of Jacobian and vector, by GMRES */
+  if (CVodeGetNumLinRhsEvals(solver->memory, &products) == CV_SUCCESS) now[CMB_SOLVER_EVALUATIONS] += products;
   solver->steps_left -= now[CMB_SOLVER_STEPS] - solver->counted[CMB_SOLVER_STEPS];
   for (int i = 0; i < CMB_SOLVER_INTEGER_COUNT; ++i) {
     solver->instance->situation.solver_integer[i] += (int)(now[i] - solver->counted[i]);
