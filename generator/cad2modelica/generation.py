@@ -35,6 +35,7 @@ from cad2modelica.regeneration import (
     require_same_structure,
 )
 from cad2modelica.scene_file import scene_text
+from cad2modelica.spherical_axes import with_spherical_axes
 from cad2modelica.structure import structure_of
 
 GENERATED = ("package.mo", "Mechanics.mo", "Geometry.mo", RECORD)
@@ -107,7 +108,7 @@ def generate(
         InputError: the input is wrong, or what is there must not be replaced without consent; nothing is written then.
     """
     _check(options)
-    assembly = read_assembly(assembly_path, progress)
+    assembly = with_spherical_axes(read_assembly(assembly_path, progress))
     name = _package_name(assembly, options)
     progress("build model", 0.0, name)
     tree = kinematic_tree(assembly)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -9,6 +10,7 @@ from typing import Any
 import networkx as nx
 
 from cad2modelica.model import GROUND, Assembly, Joint, JointType, Part
+from cad2modelica.planar_loops import Loop, planar_loops
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,12 +37,14 @@ class KinematicTree:
     Attributes:
         branches: every part once, each after its predecessor.
         cut_joints: joints that are not in the forest: each closes a loop.
+        planar_loops: the planar ones of these loops.
         fixed: names of the parts that cannot move.
         rigid_groups: for every part, the name of the first part it is rigidly joined to; ``GROUND`` if it is fixed.
     """
 
     branches: tuple[Branch, ...]
     cut_joints: tuple[Joint, ...]
+    planar_loops: tuple[Loop, ...]
     fixed: frozenset[str]
     rigid_groups: dict[str, str]
 
@@ -60,21 +64,22 @@ class KinematicTree:
 def kinematic_tree(assembly: Assembly) -> KinematicTree:
     """Spans the mechanism from the ground.
 
-    Of the joints of a loop one is left out of the tree: a revolute joint if there is one, because planar loops need
-    that, and of those the one listed last, so that the order in the source decides. Grounded parts stand on the ground
-    without a joint. Parts no chain of joints connects to the ground form trees of their own; their roots are the
-    parts listed first.
+    Of the joints of a loop one is left out of the tree: in planar loops the revolute joint that closes them; in others
+    a spherical joint if there is one, else a revolute one, and of those the one listed last, so that the order in the
+    source decides. Grounded parts stand on the ground without a joint. Parts no chain of joints connects to the ground
+    form trees of their own; their roots are the parts listed first.
     """
-    cut = _cut_joints(assembly)
+    planar = planar_loops(assembly)
+    cut = _cut_joints(assembly, {loop.joint.name for loop in planar})
     graph = _graph(assembly, cut)
     parts = {part.name: part for part in assembly.parts}
     order: list[str] = []
     reached_by: dict[str, tuple[Joint | None, str | None]] = {}
 
     def span(start: list[str]) -> None:
-        queue = list(start)
+        queue = deque(start)
         while queue:
-            node = queue.pop(0)
+            node = queue.popleft()
             for joint in _joints_at(graph, node):
                 other = joint.child if joint.parent == node else joint.parent
                 if other == GROUND or other in reached_by:
@@ -103,33 +108,41 @@ def kinematic_tree(assembly: Assembly) -> KinematicTree:
     return KinematicTree(
         branches=tuple(Branch(parts[name], *reached_by[name], tuple(children[name])) for name in order),
         cut_joints=cut,
+        planar_loops=planar,
         fixed=frozenset(name for name, group in groups.items() if group == GROUND),
         rigid_groups=groups,
     )
 
 
-def _cut_joints(assembly: Assembly) -> tuple[Joint, ...]:
-    """Joints outside a spanning forest that takes joints in the order of the source, revolute ones last (Kruskal)."""
+def _cut_joints(assembly: Assembly, planar: set[str]) -> tuple[Joint, ...]:
+    """Joints outside a spanning forest that takes joints in the order of the source (Kruskal).
+
+    Fixed ones come first, then all others, revolute and at last spherical ones; those that close planar loops never.
+    """
     groups: nx.utils.UnionFind[str] = nx.utils.UnionFind([GROUND, *(part.name for part in assembly.parts)])
     for part in assembly.parts:
         if part.grounded:
             groups.union(GROUND, part.name)
     real = [joint for joint in assembly.joints if joint.type is not JointType.FREE]
-    cut = []
-    for joint in sorted(real, key=lambda joint: joint.type is JointType.REVOLUTE):
+    ranks = {JointType.FIXED: 0, JointType.REVOLUTE: 2, JointType.SPHERICAL: 3}
+    cut = set(planar)
+    for joint in sorted(real, key=lambda joint: ranks.get(joint.type, 1)):
+        if joint.name in planar:
+            continue
         if groups[joint.parent] == groups[joint.child]:
-            cut.append(joint)
+            cut.add(joint.name)
         else:
             groups.union(joint.parent, joint.child)
-    return tuple(joint for joint in real if joint in cut)
+    return tuple(joint for joint in real if joint.name in cut)
 
 
 def _graph(assembly: Assembly, cut: tuple[Joint, ...]) -> nx.MultiGraph[str]:
+    outside = {joint.name for joint in cut}
     graph: nx.MultiGraph[str] = nx.MultiGraph()
     graph.add_node(GROUND)
     graph.add_nodes_from(part.name for part in assembly.parts)
     for index, joint in enumerate(assembly.joints):
-        if joint.type is not JointType.FREE and joint not in cut:
+        if joint.type is not JointType.FREE and joint.name not in outside:
             graph.add_edge(joint.parent, joint.child, key=index, joint=joint)
     return graph
 

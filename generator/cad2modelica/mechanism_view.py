@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from cad2modelica.collision_shapes import CollisionGeometry
 from cad2modelica.joint_resistance import resistances
+from cad2modelica.joint_twists import spherical_axes
 from cad2modelica.kinematic_graph import KinematicTree
 from cad2modelica.loops import LoopAnalysis
 from cad2modelica.model import GROUND, Assembly, Joint, JointType, Part, Plane
@@ -147,27 +149,28 @@ class _Builder:
         """Adds a root part and all that hangs on it, depth first, so that chains stay in one row of the diagram."""
         branch = self._tree.branch(root)
         if branch.joint is None and branch.predecessor == GROUND:
-            column = self._add_offset("world.frame_b", branch.part.pose, branch.part.name, 0)
-            self._add_body(branch.part, column[1], column[0], grounded=True)
+            connector, column = self._add_offset("world.frame_b", branch.part.pose, branch.part.name, 0)
+            self._add_body(branch.part, column, connector, grounded=True)
         elif branch.joint is None:
-            self._add_body(branch.part, 1, None, grounded=False)
-            column = ("", 1)
+            column = 1
+            self._add_body(branch.part, column, None, grounded=False)
         else:
-            column = self._add_joint(branch.joint, branch.part, "world.frame_b", IDENTITY, 0)
-            self._add_body(branch.part, column[1], column[0], grounded=False)
-        self._add_children(root, column[1] + 1)
-
-    def _add_children(self, name: str, column: int) -> None:
-        branch = self._tree.branch(name)
-        own = f"{self._view.part_names[name]}.frame_a"
+            connector, column = self._add_joint(branch.joint, branch.part, "world.frame_b", IDENTITY, 0)
+            self._add_body(branch.part, column, connector, grounded=False)
         self._row += 1
-        for child in branch.children:
-            following = self._tree.branch(child)
-            if following.joint is None:
+        # A stack instead of recursion: chains may be longer than Python's recursion limit.
+        stack = [(child, column + 1) for child in reversed(branch.children)]
+        while stack:
+            name, column = stack.pop()
+            following = self._tree.branch(name)
+            if following.joint is None or following.predecessor is None:
                 raise AssertionError("a child in the tree is reached by a joint")
-            connector, next_column = self._add_joint(following.joint, following.part, own, branch.part.pose, column)
-            self._add_body(following.part, next_column, connector, grounded=False)
-            self._add_children(child, next_column + 1)
+            before = self._assembly.part(following.predecessor)
+            own = f"{self._view.part_names[before.name]}.frame_a"
+            connector, column = self._add_joint(following.joint, following.part, own, before.pose, column)
+            self._add_body(following.part, column, connector, grounded=False)
+            self._row += 1
+            stack += [(child, column + 1) for child in reversed(following.children)]
 
     def _add_body(self, part: Part, column: int, connector: str | None, *, grounded: bool) -> None:
         properties = part.mass_properties
@@ -214,15 +217,17 @@ class _Builder:
         after = moved.inverse() @ second
         name = self._view.joint_names[joint.name]
         text = joint.name
-        if forward:
-            connector, column = self._add_offset(connector, before, f"{name} base", column)
+        offset, label = (before, f"{name} base") if forward else (after.inverse(), f"{name} end")
+        connector, column = self._add_offset(connector, offset, label, column)
+        if joint.type is JointType.SPHERICAL and joint.axis is not None:
+            start, end, column = self._add_spherical_chain(joint, side, column)
+        else:
             self._connect_joint(joint, side, name, text, column)
-            self._view.connections.append(Connection(connector, f"{name}.frame_a"))
-            return self._add_offset(f"{name}.frame_b", after, f"{name} end", column + 1)
-        connector, column = self._add_offset(connector, after.inverse(), f"{name} end", column)
-        self._connect_joint(joint, side, name, text, column)
-        self._view.connections.append(Connection(connector, f"{name}.frame_b"))
-        return self._add_offset(f"{name}.frame_a", before.inverse(), f"{name} base", column + 1)
+            start, end, column = name, name, column + 1
+        near, far = (f"{start}.frame_a", f"{end}.frame_b") if forward else (f"{end}.frame_b", f"{start}.frame_a")
+        self._view.connections.append(Connection(connector, near))
+        offset, label = (after, f"{name} end") if forward else (before.inverse(), f"{name} base")
+        return self._add_offset(far, offset, label, column)
 
     def _add_cut_joint(self, joint: Joint) -> None:
         """Closes a loop: a joint between two bodies that stand already."""
@@ -233,6 +238,28 @@ class _Builder:
         end, _ = self._add_joint(joint, child, connector, pose, 1)
         self._view.connections.append(Connection(end, f"{self._view.part_names[child.name]}.frame_a"))
         self._row += 1
+
+    def _add_spherical_chain(self, joint: Joint, side: Pose, column: int) -> tuple[str, str, int]:
+        """A spherical joint in a loop, as universal joint and a third axis; the ends in its direction, next column."""
+        first, second, third = (
+            tidy_direction(side.rotation.T @ axis) for axis in spherical_axes(joint.axis, joint.second_axis)
+        )
+        flags, rates = self._loops.independent[joint.name], self._loops.rates[joint.name]
+        name = self._view.joint_names[joint.name]
+        spin = self._pool.instance(f"{name} spin")
+        both = _coordinates(_COORDINATES[JointType.UNIVERSAL], flags[:2], rates[:2])
+        universal = (f"n_a={vector(first)}", f"n_b={vector(second)}", *both)
+        revolute = (f"n={vector(third)}", *_coordinates(_COORDINATES[JointType.REVOLUTE], flags[2:], rates[2:]))
+        for class_name, own, modifiers, place in (
+            ("Universal", name, universal, column),
+            ("Revolute", spin, revolute, column + 1),
+        ):
+            label = joint.name if own == name else f"{joint.name}: third axis"
+            self._view.components.append(
+                Component(f"{MULTIBODY}.Joints.{class_name}", own, modifiers, label, place, self._row)
+            )
+        self._view.connections.append(Connection(f"{name}.frame_b", f"{spin}.frame_a"))
+        return name, spin, column + 2
 
     def _connect_joint(self, joint: Joint, side: Pose, name: str, text: str, column: int) -> None:
         class_name, modifiers = _joint_declaration(joint, side, self._loops)
@@ -382,16 +409,23 @@ def _joint_declaration(joint: Joint, side: Pose, loops: LoopAnalysis) -> tuple[s
     axes = _axis_modifiers(joint, side)
     if joint.name in loops.planar_constraints:
         return f"{MULTIBODY}.Joints.RevolutePlanarLoopConstraint", axes
-    modifiers = list(axes)
-    for (coordinate, rate), fixed_start, value in zip(_COORDINATES[joint.type], independent, rates, strict=True):
+    return class_name, (*axes, *_coordinates(_COORDINATES[joint.type], independent, rates, joint.position))
+
+
+def _coordinates(
+    names: Sequence[tuple[str, str]], independent: Sequence[bool], rates: Sequence[float], position: float = 0.0
+) -> list[str]:
+    """Start values of a joint's coordinates and rates, and whether they are states."""
+    modifiers = []
+    for (coordinate, rate), fixed_start, value in zip(names, independent, rates, strict=True):
         suffix = ",fixed=true" if fixed_start else ""
-        modifiers.append(f"{coordinate}(start={number(joint.position)}{suffix})")
+        modifiers.append(f"{coordinate}(start={number(position)}{suffix})")
         modifiers.append(f"{rate}(start={number(round(value, SIGNIFICANT_LENGTH))}{suffix})")
     if all(independent):
         modifiers.append("stateSelect=StateSelect.always")
     elif not any(independent):
         modifiers.append("stateSelect=StateSelect.avoid")
-    return class_name, tuple(modifiers)
+    return modifiers
 
 
 def _axis_modifiers(joint: Joint, side: Pose) -> tuple[str, ...]:

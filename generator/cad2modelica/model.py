@@ -173,8 +173,8 @@ class Joint:
     Attributes:
         parent: a part's name, or ``GROUND``.
         origin: a point on the axis, shape (3,), m.
-        axis: unit vector; None where the type has no axis.
-        second_axis: unit vector fixed in the child, universal joints only.
+        axis: unit vector; None where the type has no axis. A spherical joint in a loop has one, see ``spherical_axes``.
+        second_axis: unit vector fixed in the child, universal joints, and spherical ones in loops.
         position: value of the coordinate in the start configuration, rad or m (revolute, screw, prismatic).
         speed: its rate, rad/s or m/s.
         velocity: of the child against the parent at the origin, world axes, m/s (other types).
