@@ -28,6 +28,7 @@ class Impact:
         peak_time: when, s.
         impulse: integral of the normal force, N s, or None.
         located: whether start and end are event rows; if not, they are interpolated between samples.
+        rests: whether the bodies hardly move along the normal, below 1 mm/s, in more than half of the contact.
     """
 
     pair: ContactPair
@@ -39,6 +40,7 @@ class Impact:
     peak_time: float | None
     impulse: float | None
     located: bool
+    rests: bool = False
 
     @property
     def meets(self) -> bool:
@@ -47,8 +49,11 @@ class Impact:
 
     @property
     def restitution(self) -> float | None:
-        """Coefficient of restitution delivered: speed after by speed before; None where there was no impact."""
-        if self.speed_before is None or self.speed_after is None or not self.meets:
+        """Coefficient of restitution delivered: speed after by speed before; None where there was no impact.
+
+        Bodies that came to rest on each other, as feet do, are parted by something else than the impact.
+        """
+        if self.speed_before is None or self.speed_after is None or not self.meets or self.rests:
             return None
         return self.speed_after / self.speed_before
 
@@ -119,7 +124,15 @@ class _PairReader:
             peak_time=peak_time,
             impulse=impulse,
             located=start_located and end_located,
+            rests=self._rests(slice(start, end + 1)),
         )
+
+    def _rests(self, rows: slice) -> bool:
+        time = self.time[rows]
+        if self.speed is None or time[-1] <= time[0]:
+            return False
+        slow = (np.abs(self.speed[rows]) < _REST_SPEED).astype(float)
+        return float(np.trapezoid(slow, time)) > (time[-1] - time[0]) / 2
 
     def _edge(self, left: int, right: int) -> tuple[float, bool]:
         """When contact changed between two neighbouring rows, and whether an event row says so exactly."""

@@ -94,3 +94,23 @@ def test_summary_tells_impacts_and_energy(tmp_path: Path) -> None:
     assert "restitution 0.700 (asked for 0.7)" in text
     assert "energy 10.791 J at the start" in text
     assert "no contact" in summarise(SimulationResult(time=result.time, signals={}), scene)
+
+
+def test_feet_that_stood_deliver_no_restitution(tmp_path: Path) -> None:
+    """Set down at 0.1 m/s, at rest for most of a second, lifted at 0.05 m/s: the lifting is no rebound."""
+    content, _, _ = bouncing_ball(0.5)
+    time = np.linspace(0, 1, 1001)
+    speed = np.select([time < 0.12, time < 0.88], [np.minimum(0.1, 5 * (0.12 - time)), 0.0], -0.05)
+    touching = (time >= 0.1) & (time < 0.9)
+    signals = {
+        "contacts.distance[1]": np.where(touching, -1e-4, 1e-3),
+        "contacts.normalForce[1]": np.where(touching, 10.0, 0.0),
+        "contacts.approachSpeed[1]": speed,
+    }
+    scene = load_scene(write_scene(content, tmp_path / "scene.json"))
+    (stance,) = find_impacts(scene, SimulationResult(time=time, signals=signals))
+    assert stance.meets
+    assert stance.speed_before == pytest.approx(0.1)
+    assert stance.speed_after == pytest.approx(0.05)
+    assert stance.rests
+    assert stance.restitution is None
