@@ -25,6 +25,12 @@ struct ContactSet {
   std::vector<ContactPoint> points;
 };
 
+// Turns the contact of (B, A) into that of (A, B).
+inline void reverse(ContactSet &contact) {
+  contact.normal = -contact.normal;
+  for (ContactPoint &point : contact.points) point.normal = -point.normal;
+}
+
 // The sum of weight * depth.
 double total_load(const std::vector<ContactPoint> &points, std::size_t begin = 0);
 

@@ -20,7 +20,6 @@ struct MeshContactScratch {
   std::vector<Vec3> body_vertices, body_normals;  // in the mesh's frame
   PatchScratch patch;
   Facets facets;
-  ContactSet half_contact;
 };
 
 // A ball. `center` in world axes. Apart, distance is that of the nearest place. Touching, there is a point for each
@@ -49,8 +48,9 @@ void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const
 void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                     MeshContactScratch &scratch, ContactSet &result);
 
-// Two meshes, A and B; normals point out of B. Each one's triangles push the other's surface as they push a polytope's,
-// and each gives half of the load. Exchanging the meshes gives the same points with normals reversed.
+// Two meshes, A and B; normals point out of B. One mesh's triangles push the other's surface as they push a polytope's:
+// a sheet's those of a closed mesh, else the larger mesh's those of the smaller one. Exchanging meshes of different size
+// gives the same points with normals reversed.
 void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
                        MeshContactScratch &scratch, ContactSet &result);
 

@@ -3,6 +3,7 @@
 #include "geometry/pose_algebra.hpp"
 #include "mesh/mesh_contact.hpp"
 #include "mesh/mesh_pair_distance.hpp"
+#include "mesh/pair_walk.hpp"
 #include "mesh/patch_load.hpp"
 #include "mesh/swallowed.hpp"
 #include "mesh/triangle_wedge.hpp"
@@ -11,108 +12,122 @@ namespace cmb::mesh {
 
 namespace {
 
-// What the triangles of one mesh push of another's surface. Everything in the pushing mesh's frame but the result.
-class HalfContact {
- public:
-  HalfContact(const TriangleMesh &body, const Pose &body_in_mesh, const TriangleMesh &mesh, const Pose &pose,
-              MeshContactScratch &scratch, ContactSet &result)
-      : body_(body), place_(body_in_mesh), mesh_(mesh), polygon_(scratch.patch.polygon),
-        load_(mesh, pose, body_in_mesh(body.bound_center()), scratch.patch, result) {}
+constexpr std::uint32_t most_in_leaf = TriangleHierarchy::leaf_size;
+// A place that a triangle pushes, so deep below it, lies within this many times the depth of it (beside the edges of
+// grooves more than once).
+constexpr double reach_factor = 1.5;
 
-  // Returns whether anything is pushed.
-  bool run() {
-    walk(0, 0);
-    if (!load_.touches()) return false;
-    load_.finish(0.5);
-    return true;
+// The middle of what the meshes' boxes have in common; moves steadily. In the first mesh's frame.
+Vec3 common_center(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place) {
+  const Bounds &one = mesh.hierarchy().bounds(), other = moved(body.hierarchy().bounds(), place);
+  Vec3 center;
+  for (int k = 0; k < 3; ++k) {
+    center.set(k, 0.5 * (std::fmax(one.low[k], other.low[k]) + std::fmin(one.high[k], other.high[k])));
+  }
+  return center;
+}
+
+// What the triangles of `mesh` push of the surface of `body`, down to a depth. All in the frame of `mesh`.
+class PairPatches {
+ public:
+  PairPatches(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, double deepest,
+              std::vector<Vec3> &polygon, PatchLoad &load)
+      : mesh_(mesh), body_(body), place_(place), deepest_(deepest), polygon_(polygon), load_(load) {}
+
+  void run() {
+    const double reach = reach_factor * deepest_;
+    walk_pairs(mesh_.hierarchy(), body_.hierarchy(), place_, [&] { return reach * reach; },
+               [&](const TriangleHierarchy::Node &leaf, const TriangleHierarchy::Node &body_leaf) {
+                 leaves(leaf, body_leaf);
+               });
   }
 
  private:
-  // `first`: a triangle of the mesh near the node.
-  void walk(std::uint32_t index, std::uint32_t first) {
-    const TriangleHierarchy::Node &node = body_.hierarchy().nodes()[index];
-    const Vec3 center = place_(0.5 * (node.bounds.low + node.bounds.high));
-    const double radius = 0.5 * norm(node.bounds.high - node.bounds.low);
-    // Closed meshes hold nothing outside of their box, sheets may push what is below it.
-    if (mesh_.closed() && distance2(mesh_.hierarchy().bounds(), {center, center}) > radius * radius) return;
-    const NearestPoint nearest = mesh_.nearest(center, first);
-    if (nearest.distance > radius) return;
-    if (node.count == 0) {
-      walk(node.first, nearest.triangle);
-      walk(node.first + 1, nearest.triangle);
-      return;
+  // The corners of a leaf's triangles.
+  struct LeafTriangles {
+    Vec3 corner[most_in_leaf][3], normal[most_in_leaf];
+  };
+
+  void leaves(const TriangleHierarchy::Node &leaf, const TriangleHierarchy::Node &body_leaf) {
+    const Vec3 center = place_(0.5 * (body_leaf.bounds.low + body_leaf.bounds.high));
+    const double radius = 0.5 * norm(body_leaf.bounds.high - body_leaf.bounds.low);
+    bool ready = false;
+    LeafTriangles of_body;
+    TriangleWedge wedge;
+    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+      if (!wedge.build_if_it_meets(mesh_, mesh_.hierarchy().order()[i], deepest_, center, radius)) continue;
+      if (!ready) transform(body_leaf, of_body);
+      ready = true;
+      for (std::uint32_t j = 0; j < body_leaf.count; ++j) {
+        if (!(dot(wedge.normal(), of_body.normal[j]) < 0.0) || !wedge.may_meet(of_body.corner[j])) continue;
+        polygon_.assign(of_body.corner[j], of_body.corner[j] + 3);
+        load_.push(wedge, of_body.normal[j]);
+      }
     }
-    leaf(node, center, radius, nearest);
   }
 
-  void leaf(const TriangleHierarchy::Node &node, const Vec3 &center, double radius, const NearestPoint &nearest) {
-    Vec3 corners[most_in_leaf][3], normals[most_in_leaf];
-    for (std::uint32_t i = 0; i < node.count; ++i) {
-      const std::uint32_t t = body_.hierarchy().order()[node.first + i];
-      for (std::size_t k = 0; k < 3; ++k) corners[i][k] = place_(body_.corner(t, k));
-      normals[i] = place_.rotation * body_.face_normal(t);
+  void transform(const TriangleHierarchy::Node &leaf, LeafTriangles &triangles) const {
+    for (std::uint32_t j = 0; j < leaf.count; ++j) {
+      const std::uint32_t t = body_.hierarchy().order()[leaf.first + j];
+      for (std::size_t k = 0; k < 3; ++k) triangles.corner[j][k] = place_(body_.corner(t, k));
+      triangles.normal[j] = place_.rotation * body_.face_normal(t);
     }
-    // No place of the leaf is deeper than this; what pushes it lies within three times that.
-    const double deepest = radius - nearest.distance, farthest = radius + 3.0 * deepest;
-    mesh_.hierarchy().visit_near(
-        {center, center}, [&] { return farthest * farthest; },
-        [&](std::uint32_t t) {
-          const Vec3 &normal = mesh_.face_normal(t);
-          const double height = dot(normal, center - mesh_.corner(t, 0));
-          if (height >= radius) return;
-          const TriangleWedge wedge(mesh_, t, body_.bound_radius());
-          if (!wedge.may_meet(center, radius)) return;
-          load_.open(wedge);
-          for (std::uint32_t i = 0; i < node.count; ++i) {
-            if (!(dot(normals[i], normal) < 0.0)) continue;
-            if (!(wedge.depth(corners[i][0]) > 0.0 || wedge.depth(corners[i][1]) > 0.0 ||
-                  wedge.depth(corners[i][2]) > 0.0)) {
-              continue;
-            }
-            polygon_.assign(corners[i], corners[i] + 3);
-            load_.push(normals[i]);
-          }
-          load_.close();
-        });
   }
 
-  static constexpr std::size_t most_in_leaf = TriangleHierarchy::leaf_size;
-  const TriangleMesh &body_;
+  const TriangleMesh &mesh_, &body_;
   const Pose &place_;
-  const TriangleMesh &mesh_;
+  double deepest_;
   std::vector<Vec3> &polygon_;
-  PatchLoad load_;
+  PatchLoad &load_;
 };
+
+// Normals of the contact point out of `mesh`. Returns whether the meshes touch.
+bool push(const TriangleMesh &mesh, const Pose &pose, const TriangleMesh &body, const Pose &place,
+          MeshContactScratch &scratch, ContactSet &result) {
+  // Shallow contacts need little of the meshes. Surface that is deeper shows by what the wedges cut off.
+  const double most = body.bound_radius();
+  double deepest = std::fmin(most, 0.5 * std::fmin(mesh.triangle_size(), body.triangle_size()));
+  for (;;) {
+    PatchLoad load(mesh, pose, common_center(mesh, body, place), scratch.patch);
+    PairPatches(mesh, body, place, deepest, scratch.patch.polygon, load).run();
+    if (load.cut_off() > 0.0 && deepest < most) {
+      deepest = std::fmin(most, std::fmax(2.0 * deepest, 1.1 * load.cut_off()));
+      continue;
+    }
+    if (!load.touches()) return false;
+    load.finish(result);
+    return true;
+  }
+}
+
+// Whether the first mesh pushes the second one's surface rather than the other way round: sheets do, which have no
+// inside, and the larger body, whose surface is likely to be the flatter one.
+bool pushes(const TriangleMesh &one, const TriangleMesh &other) {
+  if (one.closed() != other.closed()) return !one.closed();
+  return one.bound_radius() > other.bound_radius();
+}
 
 }  // namespace
 
 void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
                        MeshContactScratch &scratch, ContactSet &result) {
   const Pose a_in_b = relative_pose(pose_b, pose_a), b_in_a = relative_pose(pose_a, pose_b);
-  ContactSet &other = scratch.half_contact;
-  other.points.clear();
-  const bool b_pushes = HalfContact(a, a_in_b, b, pose_b, scratch, result).run();
-  const bool a_pushes = HalfContact(b, b_in_a, a, pose_a, scratch, other).run();
-  for (ContactPoint &point : other.points) {
-    point.normal = -point.normal;
-    result.points.push_back(point);
+  if (pushes(a, b)) {
+    if (push(a, pose_a, b, b_in_a, scratch, result)) {
+      reverse(result);
+      return;
+    }
+  } else if (push(b, pose_b, a, a_in_b, scratch, result)) {
+    return;
   }
-  if (a_pushes && (!b_pushes || other.distance < result.distance)) {
-    result.distance = other.distance;
-    result.normal = -other.normal;
-    result.witness = other.witness;
-  }
-  if (a_pushes || b_pushes) return;
   const TrianglePair nearest = mesh_pair_distance(a, b, b_in_a);
   result.distance = nearest.distance;
-  result.normal = normalized(pose_a.rotation * (nearest.on_a - nearest.on_b), pose_b.rotation * b.face_normal(nearest.b));
+  result.normal =
+      normalized(pose_a.rotation * (nearest.on_a - nearest.on_b), pose_b.rotation * b.face_normal(nearest.b));
   result.witness = pose_a(0.5 * (nearest.on_a + nearest.on_b));
   // One may have swallowed the other.
   if (swallowed_contact(a_in_b(a.vertices()[0]), b, pose_b, result)) return;
-  if (swallowed_contact(b_in_a(b.vertices()[0]), a, pose_a, result)) {
-    result.normal = -result.normal;
-    result.points.back().normal = result.normal;
-  }
+  if (swallowed_contact(b_in_a(b.vertices()[0]), a, pose_a, result)) reverse(result);
 }
 
 }  // namespace cmb::mesh

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/pair_walk.hpp"
 #include "mesh/segment_distance.hpp"
 
 namespace cmb::mesh {
@@ -59,22 +60,17 @@ TrianglePair triangle_distance(const Vec3 (&a)[3], const Vec3 (&b)[3]) {
 }
 
 TrianglePair mesh_pair_distance(const TriangleMesh &a, const TriangleMesh &b, const Pose &b_in_a) {
-  const auto &nodes_a = a.hierarchy().nodes(), &nodes_b = b.hierarchy().nodes();
   TrianglePair best;
   best.distance = std::numeric_limits<double>::infinity();
-  const auto leaves = [&](const TriangleHierarchy::Node &leaf_a, const TriangleHierarchy::Node &leaf_b) {
+  const auto visit = [&](const TriangleHierarchy::Node &leaf_a, const TriangleHierarchy::Node &leaf_b) {
     for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
       const std::uint32_t tb = b.hierarchy().order()[j];
       const Vec3 corners_b[3] = {b_in_a(b.corner(tb, 0)), b_in_a(b.corner(tb, 1)), b_in_a(b.corner(tb, 2))};
+      const Bounds box_b = bounds_of(corners_b);
       for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
         const std::uint32_t ta = a.hierarchy().order()[i];
         const Vec3 corners_a[3] = {a.corner(ta, 0), a.corner(ta, 1), a.corner(ta, 2)};
-        Bounds box_a{corners_a[0], corners_a[0]}, box_b{corners_b[0], corners_b[0]};
-        for (int k = 1; k < 3; ++k) {
-          include(box_a, corners_a[k]);
-          include(box_b, corners_b[k]);
-        }
-        if (distance2(box_a, box_b) > best.distance * best.distance) continue;
+        if (distance2(bounds_of(corners_a), box_b) > best.distance * best.distance) continue;
         TrianglePair pair = triangle_distance(corners_a, corners_b);
         pair.a = ta;
         pair.b = tb;
@@ -86,40 +82,7 @@ TrianglePair mesh_pair_distance(const TriangleMesh &a, const TriangleMesh &b, co
       }
     }
   };
-  struct Entry {
-    std::uint32_t a, b;
-    double apart2;
-  };
-  Entry stack[128];  // each step replaces one pair by two, one of them a level deeper; trees are less than 32 deep
-  int size = 0;
-  stack[size++] = {0, 0, 0.0};
-  while (size > 0) {
-    const Entry entry = stack[--size];
-    if (entry.apart2 > best.distance * best.distance) continue;
-    const auto &node_a = nodes_a[entry.a], &node_b = nodes_b[entry.b];
-    if (node_a.count > 0 && node_b.count > 0) {
-      leaves(node_a, node_b);
-      continue;
-    }
-    // The larger box is opened.
-    const bool open_a =
-        node_b.count > 0 || (node_a.count == 0 && norm2(node_a.bounds.high - node_a.bounds.low) >=
-                                                      norm2(node_b.bounds.high - node_b.bounds.low));
-    Entry first = entry, second = entry;
-    if (open_a) {
-      first.a = node_a.first;
-      second.a = node_a.first + 1;
-    } else {
-      first.b = node_b.first;
-      second.b = node_b.first + 1;
-    }
-    for (Entry *child : {&first, &second}) {
-      child->apart2 = distance2(nodes_a[child->a].bounds, moved(nodes_b[child->b].bounds, b_in_a));
-    }
-    const bool first_nearer = first.apart2 <= second.apart2;
-    stack[size++] = first_nearer ? second : first;
-    stack[size++] = first_nearer ? first : second;
-  }
+  walk_pairs(a.hierarchy(), b.hierarchy(), b_in_a, [&] { return best.distance * best.distance; }, visit);
   return best;
 }
 

@@ -4,109 +4,133 @@
 
 namespace cmb::mesh {
 
-namespace {
-
-constexpr std::size_t most_points = 64;  // merging takes the square of their number
-
-}  // namespace
-
-void PatchLoad::open(const TriangleWedge &wedge) {
-  wedge_ = &wedge;
-  axis_ = mesh_.corner(wedge.triangle(), 1) - mesh_.corner(wedge.triangle(), 0);
-  for (Patch &patch : quadrants_) patch = {};
+// The depth over the polygon, whose plane meets the triangle's under an angle of the given cosine.
+PatchLoad::Integral PatchLoad::integrate(const std::vector<Vec3> &polygon, const TriangleWedge &wedge, double cosine) {
+  Integral sum;
+  const Vec3 &p = polygon[0];
+  const double dp = std::fmax(0.0, wedge.depth(p));
+  double dq = std::fmax(0.0, wedge.depth(polygon[1]));
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vec3 &q = polygon[i], &r = polygon[i + 1];
+    const double dr = std::fmax(0.0, wedge.depth(r));
+    const double area = 0.5 * norm(cross(q - p, r - p)) * cosine, depths = dp + dq + dr;
+    sum.area += area;
+    sum.load += area * depths / 3.0;
+    sum.energy += area * (depths * depths + dp * dp + dq * dq + dr * dr) / 12.0;
+    sum.moment = sum.moment + (area / 12.0) * ((dp + depths) * p + (dq + depths) * q + (dr + depths) * r);
+    dq = dr;
+  }
+  return sum;
 }
 
-void PatchLoad::push(const Vec3 &normal, double factor) {
-  const double cosine = -dot(normal, wedge_->normal());
+void PatchLoad::push(const TriangleWedge &wedge, const Vec3 &normal, double factor) {
+  const double cosine = -dot(normal, wedge.normal());
   if (!(cosine > 0.0)) return;
   std::vector<Vec3> &polygon = scratch_.polygon;
-  wedge_->clip(polygon, scratch_.clipped);
+  cut_off_ = std::fmax(cut_off_, wedge.clip(polygon, scratch_.clipped));
   if (polygon.size() < 3) return;
-  const auto depth = [&](const Vec3 &p) { return std::fmax(0.0, wedge_->depth(p)); };
   Vec3 middle;
   for (const Vec3 &p : polygon) middle = middle + p;
   middle = (1.0 / static_cast<double>(polygon.size())) * middle;
-  const double middle_depth = depth(middle);
-  const double carried = inside_share(middle, middle_depth);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 &p = polygon[i], &q = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    const double dp = depth(p);
-    add_part(middle, p, q, middle_depth, dp, depth(q), cosine, carried, factor);
-    if (carried > 0.0 && dp > deepest_) {
-      deepest_ = dp;
+  const double carried = inside_share(middle, wedge.depth(middle), wedge.triangle());
+  if (carried > 0.0) {
+    for (const Vec3 &p : polygon) {
+      const double depth = wedge.depth(p);
+      if (!(depth > deepest_)) continue;
+      deepest_ = depth;
       deepest_place_ = p;
-      deepest_normal_ = wedge_->normal();
+      deepest_normal_ = wedge.normal();
     }
   }
+  // Two planes through the centre, along the two axes that the normal is farthest from, part the quadrants.
+  const Vec3 &n = wedge.normal();
+  const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
+  const int across = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  const int first = (across + 1) % 3, second = (across + 2) % 3;
+  const auto side_of = [&](const std::vector<Vec3> &points, int axis) {  // -1, 1, or 0 where the plane cuts
+    bool below = false, above = false;
+    for (const Vec3 &p : points) (p[axis] < center_[axis] ? below : above) = true;
+    return below && above ? 0 : below ? -1 : 1;
+  };
+  const auto take = [&](std::size_t quadrant) {
+    const Integral integral = integrate(polygon, wedge, cosine);
+    area_ += integral.area;
+    carrying_area_ += carried * integral.area;
+    if (!(integral.load > 0.0)) return;
+    most_carried_ = std::fmax(most_carried_, carried);
+    add(integral, quadrant, n, factor * carried);
+  };
+  const auto split_second = [&](std::size_t quadrant) {
+    const int side = side_of(polygon, second);
+    if (side != 0) {
+      take(quadrant + (side > 0 ? 2 : 0));
+      return;
+    }
+    Vec3 axis;
+    axis.set(second, 1.0);
+    scratch_.quarter = polygon;
+    clip_polygon(polygon, axis, center_[second], scratch_.clipped);
+    if (polygon.size() >= 3) take(quadrant + 2);
+    polygon = scratch_.quarter;
+    clip_polygon(polygon, -axis, -center_[second], scratch_.clipped);
+    if (polygon.size() >= 3) take(quadrant);
+  };
+  const int side = side_of(polygon, first);
+  if (side != 0) {
+    split_second(side > 0 ? 1 : 0);
+    return;
+  }
+  Vec3 axis;
+  axis.set(first, 1.0);
+  scratch_.half = polygon;
+  clip_polygon(polygon, axis, center_[first], scratch_.clipped);
+  if (polygon.size() >= 3) split_second(1);
+  polygon = scratch_.half;
+  clip_polygon(polygon, -axis, -center_[first], scratch_.clipped);
+  if (polygon.size() >= 3) split_second(0);
 }
 
-// Triangle pqr with depths at its corners; `cosine` is that between its plane and the contact plane.
-void PatchLoad::add_part(const Vec3 &p, const Vec3 &q, const Vec3 &r, double dp, double dq, double dr, double cosine,
-                         double carried, double factor) {
-  const double area = 0.5 * norm(cross(q - p, r - p)) * cosine, sum = dp + dq + dr;
-  area_ += area;
-  carrying_area_ += carried * area;
-  if (!(area * sum > 0.0)) return;
-  most_carried_ = std::fmax(most_carried_, carried);
-  const double share = factor * carried * area;
-  const Vec3 off = p + q + r - 3.0 * center_;
-  const bool right = dot(axis_, off) >= 0.0, ahead = dot(cross(wedge_->normal(), axis_), off) >= 0.0;
-  Patch &patch = quadrants_[(right ? 1 : 0) + (ahead ? 2 : 0)];
-  patch.load += share * sum / 3.0;
-  patch.energy += share * (sum * sum + dp * dp + dq * dq + dr * dr) / 12.0;
-  patch.moment = patch.moment + (share / 12.0) * ((dp + sum) * p + (dq + sum) * q + (dr + sum) * r);
-}
-
-void PatchLoad::close() {
-  for (const Patch &patch : quadrants_) {
-    if (!(patch.load > 0.0)) continue;
-    const double depth = patch.energy / patch.load;
-    if (!(depth > 0.0)) continue;
-    const Vec3 place = (1.0 / patch.load) * patch.moment + (0.5 * depth) * wedge_->normal();
-    result_.points.push_back({depth, patch.load / depth, pose_.rotation * wedge_->normal(), pose_(place)});
+void PatchLoad::add(const Integral &integral, std::size_t quadrant, const Vec3 &normal, double share) {
+  if (!(share > 0.0)) return;
+  const Vec3 moment = integral.moment - integral.load * center_;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double component = normal[axis], part = share * component * component;
+    if (!(part > 0.0)) continue;
+    Sum &sum = sums_[2 * axis + (component > 0.0 ? 1 : 0)][quadrant];
+    sum.load += part * integral.load;
+    sum.energy += part * integral.energy;
+    sum.moment = sum.moment + part * moment;
+    sum.force = sum.force + (part * integral.load) * normal;
+    sum.torque = sum.torque + part * cross(moment, normal);
   }
 }
 
 // 1 where the triangle's plane is what is nearest to a point behind it; falls to 0 where another part of the surface
 // is nearer by half, as on the far side of a thin wall.
-double PatchLoad::inside_share(const Vec3 &p, double depth) const {
+double PatchLoad::inside_share(const Vec3 &p, double depth, std::uint32_t triangle) const {
   if (!mesh_.closed() || !(depth > 0.0)) return 1.0;
-  return std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, wedge_->triangle()).distance / depth - 1.0 + 1e-9));
+  return std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, triangle).distance / depth - 1.0 + 1e-9));
 }
 
-void PatchLoad::finish(double part) {
+void PatchLoad::finish(ContactSet &result, double part) const {
   // Patches that belong to another side do not count, unless there are no others.
   const double area = carrying_area_ + (1.0 - most_carried_) * area_;
-  for (std::size_t i = begin_; i < result_.points.size(); ++i) result_.points[i].weight *= part / area;
-  thin();
-  result_.distance = -deepest_;
-  result_.normal = pose_.rotation * deepest_normal_;
-  result_.witness = pose_(deepest_place_ + (0.5 * deepest_) * deepest_normal_);
-}
-
-// Merges neighbours until there are few; keeps the sums of forces and, but for what turns about the force, of moments.
-void PatchLoad::thin() {
-  std::vector<ContactPoint> &points = result_.points;
-  while (points.size() - begin_ > most_points) {
-    std::size_t kept = begin_;
-    for (std::size_t i = begin_; i < points.size(); i += 2, ++kept) {
-      points[kept] = points[i];
-      if (i + 1 == points.size()) continue;
-      const ContactPoint &a = points[i], &b = points[i + 1];
-      const double load_a = a.weight * a.depth, load_b = b.weight * b.depth, load = load_a + load_b;
-      const Vec3 force = load_a * a.normal + load_b * b.normal;
-      const Vec3 middle = (1.0 / load) * (load_a * a.position + load_b * b.position);
-      const Vec3 moment = cross(a.position - middle, load_a * a.normal) + cross(b.position - middle, load_b * b.normal);
-      ContactPoint merged;
-      merged.depth = (load_a * a.depth + load_b * b.depth) / load;
-      merged.weight = norm(force) / merged.depth;
-      merged.normal = normalized(force, a.normal);
-      merged.position = middle;
-      if (norm2(force) > 1e-6 * load * load) merged.position = middle + (1.0 / norm2(force)) * cross(force, moment);
-      points[kept] = merged;
+  for (const auto &direction : sums_) {
+    for (const Sum &sum : direction) {
+      const double force = norm(sum.force);
+      if (!(sum.load > 0.0) || !(force > 0.0)) continue;
+      const double depth = sum.energy / sum.load;
+      if (!(depth > 0.0)) continue;
+      const Vec3 normal{sum.force.x / force, sum.force.y / force, sum.force.z / force};
+      const Vec3 middle = (1.0 / sum.load) * sum.moment;
+      const Vec3 rest = sum.torque - cross(middle, sum.force);
+      const Vec3 place = center_ + middle + (1.0 / (force * force)) * cross(sum.force, rest) + (0.5 * depth) * normal;
+      result.points.push_back({depth, part * force / (depth * area), pose_.rotation * normal, pose_(place)});
     }
-    points.resize(kept);
   }
+  result.distance = -deepest_;
+  result.normal = pose_.rotation * deepest_normal_;
+  result.witness = pose_(deepest_place_ + (0.5 * deepest_) * deepest_normal_);
 }
 
 }  // namespace cmb::mesh

@@ -27,11 +27,11 @@ class PolytopeQuery {
   }
 
   void run() {
-    PatchLoad load(mesh_, pose_, 0.5 * (box_.low + box_.high), scratch_.patch, result_);
+    PatchLoad load(mesh_, pose_, 0.5 * (box_.low + box_.high), scratch_.patch);
     mesh_.hierarchy().visit_near(
         box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { triangle(t, load); });
     if (load.touches()) {
-      load.finish();
+      load.finish(result_);
     } else {
       apart();
       swallowed_contact(0.5 * (box_.low + box_.high), mesh_, pose_, result_);
@@ -46,9 +46,8 @@ class PolytopeQuery {
     double lowest = std::numeric_limits<double>::infinity();
     for (const Vec3 &v : scratch_.body_vertices) lowest = std::fmin(lowest, dot(normal, v));
     if (!(lowest < offset)) return;
-    const TriangleWedge wedge(mesh_, t, size_);
-    if (!wedge.may_meet(0.5 * (box_.low + box_.high), size_)) return;
-    load.open(wedge);
+    TriangleWedge wedge;
+    if (!wedge.build_if_it_meets(mesh_, t, size_, 0.5 * (box_.low + box_.high), size_)) return;
     for (std::size_t f = 0; f < scratch_.body_normals.size(); ++f) {
       if (!(dot(scratch_.body_normals[f], normal) < 0.0)) continue;
       const convex::Polytope::Face &face = body_.faces()[f];
@@ -58,9 +57,8 @@ class PolytopeQuery {
         polygon.push_back(
             scratch_.body_vertices[static_cast<std::size_t>(body_.face_vertices()[static_cast<std::size_t>(i)])]);
       }
-      load.push(scratch_.body_normals[f]);
+      load.push(wedge, scratch_.body_normals[f]);
     }
-    load.close();
   }
 
   void apart() {

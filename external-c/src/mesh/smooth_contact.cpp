@@ -32,14 +32,14 @@ class SmoothQuery {
     const Vec3 center = 0.5 * (box_.low + box_.high);
     // No place of the body is deeper than this; what pushes it lies within twice that.
     const double deepest = size_ - mesh_.nearest(center).distance;
-    PatchLoad load(mesh_, pose_, center, scratch_.patch, result_);
+    PatchLoad load(mesh_, pose_, center, scratch_.patch);
     if (deepest > 0.0) {
       const double farthest = std::fmin(size_, 2.0 * deepest);
       mesh_.hierarchy().visit_near(
           box_, [&] { return farthest * farthest; }, [&](std::uint32_t t) { triangle(t, load); });
     }
     if (load.touches()) {
-      load.finish();
+      load.finish(result_);
     } else {
       apart();
       swallowed_contact(center, mesh_, pose_, result_);
@@ -54,23 +54,21 @@ class SmoothQuery {
   }
 
   void triangle(std::uint32_t t, PatchLoad &load) {
-    const TriangleWedge wedge(mesh_, t, size_);
-    const Vec3 &normal = wedge.normal();
-    const double depth = reach(-normal) + dot(normal, mesh_.corner(t, 0));
-    if (!(depth > 0.0) || !wedge.may_meet(0.5 * (box_.low + box_.high), size_)) return;
+    const Vec3 &normal = mesh_.face_normal(t);
+    if (!(reach(-normal) + dot(normal, mesh_.corner(t, 0)) > 0.0)) return;
+    TriangleWedge wedge;
+    if (!wedge.build_if_it_meets(mesh_, t, size_, 0.5 * (box_.low + box_.high), size_)) return;
     const Vec3 local = transposed_times(place_.rotation, normal);
     Facets &facets = scratch_.facets;
     const double factor = facets_below(body_, local, wedge.depth(place_.translation), facets);
-    load.open(wedge);
     for (const Facets::Facet &facet : facets.facets) {
       if (!(dot(facet.normal, local) < 0.0)) continue;
       scratch_.patch.polygon.clear();
       for (std::size_t k = 0; k < facet.count; ++k) {
         scratch_.patch.polygon.push_back(place_(facets.corners[facet.first + k]));
       }
-      load.push(place_.rotation * facet.normal, factor);
+      load.push(wedge, place_.rotation * facet.normal, factor);
     }
-    load.close();
   }
 
   void apart() {

@@ -35,6 +35,13 @@ inline void include(Bounds &box, const Vec3 &p) {
   }
 }
 
+inline Bounds bounds_of(const Vec3 (&corners)[3]) {
+  Bounds box{corners[0], corners[0]};
+  include(box, corners[1]);
+  include(box, corners[2]);
+  return box;
+}
+
 // Distance of two boxes, squared; 0 where they meet.
 inline double distance2(const Bounds &a, const Bounds &b) {
   double sum = 0.0;

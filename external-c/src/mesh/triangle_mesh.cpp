@@ -68,6 +68,10 @@ TriangleMesh::TriangleMesh(MeshData data, MeshUse use, const std::string &source
   build_depth_limits();
 }
 
+double TriangleMesh::triangle_size() const {
+  return std::sqrt(2.0 * area_ / static_cast<double>(triangles().size()));
+}
+
 void TriangleMesh::build_vertex_triangles() {
   vertex_begin_.assign(vertices().size() + 1, 0);
   for (const Triangle &corners : triangles()) {

@@ -65,6 +65,8 @@ class TriangleMesh {
   bool closed() const { return closed_; }
   const MassProperties &mass_properties() const { return mass_properties_; }  // all zero for open meshes
   double area() const { return area_; }
+  // About the length of the triangles' sides, as a mean.
+  double triangle_size() const;
   const TriangleHierarchy &hierarchy() const { return hierarchy_; }
   // Bounding sphere.
   const Vec3 &bound_center() const { return bound_center_; }

@@ -18,11 +18,14 @@ void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset,
   polygon.swap(room);
 }
 
-TriangleWedge::TriangleWedge(const TriangleMesh &mesh, std::uint32_t t, double deepest)
-    : triangle_(t),
-      normal_(mesh.face_normal(t)),
-      offset_(dot(normal_, mesh.corner(t, 0))),
-      limit_(std::fmin(mesh.depth_limit(t), deepest)) {
+bool TriangleWedge::build(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 *center,
+                          double radius) {
+  triangle_ = t;
+  normal_ = mesh.face_normal(t);
+  offset_ = dot(normal_, mesh.corner(t, 0));
+  limit_ = std::fmin(mesh.depth_limit(t), deepest);
+  limited_ = deepest < mesh.depth_limit(t);
+  if (center != nullptr && depth(*center) <= -radius) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 along = mesh.corner(t, k + 1) - mesh.corner(t, k);
     const std::int32_t other = mesh.neighbour(t, k);
@@ -31,23 +34,32 @@ TriangleWedge::TriangleWedge(const TriangleMesh &mesh, std::uint32_t t, double d
     // Folded back onto itself: no plane halves the angle, the triangle's own border does as well.
     if (!(norm2(side_[k]) > 1e-24 * norm2(along))) side_[k] = cross(normal_, along);
     side_offset_[k] = dot(side_[k], mesh.corner(t, k));
-  }
-}
-
-bool TriangleWedge::may_meet(const Vec3 &center, double radius) const {
-  const double middle = depth(center);
-  if (middle <= -radius || middle - radius >= limit_) return false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double inside = dot(side_[k], center) - side_offset_[k];
+    if (center == nullptr) continue;
+    const double inside = dot(side_[k], *center) - side_offset_[k];
     if (inside < 0.0 && inside * inside > radius * radius * norm2(side_[k])) return false;
   }
   return true;
 }
 
-void TriangleWedge::clip(std::vector<Vec3> &polygon, std::vector<Vec3> &room) const {
-  clip_polygon(polygon, -normal_, -offset_, room);
-  if (!polygon.empty()) clip_polygon(polygon, normal_, offset_ - limit_, room);
+bool TriangleWedge::may_meet(const Vec3 (&corner)[3]) const {
+  if (depth(corner[0]) <= 0.0 && depth(corner[1]) <= 0.0 && depth(corner[2]) <= 0.0) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (dot(side_[k], corner[0]) < side_offset_[k] && dot(side_[k], corner[1]) < side_offset_[k] &&
+        dot(side_[k], corner[2]) < side_offset_[k]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+double TriangleWedge::clip(std::vector<Vec3> &polygon, std::vector<Vec3> &room) const {
   for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) clip_polygon(polygon, side_[k], side_offset_[k], room);
+  if (!polygon.empty()) clip_polygon(polygon, -normal_, -offset_, room);
+  double deepest = 0.0;
+  for (const Vec3 &p : polygon) deepest = std::fmax(deepest, depth(p));
+  if (!(deepest > limit_)) return 0.0;
+  clip_polygon(polygon, normal_, offset_ - limit_, room);
+  return limited_ ? deepest : 0.0;
 }
 
 }  // namespace cmb::mesh

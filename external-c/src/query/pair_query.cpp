@@ -17,12 +17,6 @@ Plane world_plane(const Pose &pose) {
   return {normal, dot(normal, pose.translation)};
 }
 
-// Turns the contact of (B, A) into that of (A, B).
-void reverse(ContactSet &contact) {
-  contact.normal = -contact.normal;
-  for (ContactPoint &point : contact.points) point.normal = -point.normal;
-}
-
 // Relative agreement asked of a library with the exact path.
 constexpr double library_tolerance = 1e-4;
 
