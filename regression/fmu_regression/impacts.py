@@ -132,7 +132,7 @@ class _PairReader:
         if self.speed is None or time[-1] <= time[0]:
             return False
         slow = (np.abs(self.speed[rows]) < _REST_SPEED).astype(float)
-        return float(np.trapezoid(slow, time)) > (time[-1] - time[0]) / 2
+        return float(np.trapezoid(slow, time)) > float(time[-1] - time[0]) / 2
 
     def _edge(self, left: int, right: int) -> tuple[float, bool]:
         """When contact changed between two neighbouring rows, and whether an event row says so exactly."""
