@@ -1,0 +1,66 @@
+within ContactMultiBody;
+model CompiledContactManager "Lets many bodies collide; the engine finds the contacts and computes their forces"
+  extends Internal.PartialCompiledContacts;
+  import Modelica.Mechanics.MultiBody.Frames;
+
+  Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame[n] "Frames of the bodies"
+    annotation (Placement(transformation(extent={{-116,-80},{-84,80}})));
+
+  Modelica.Units.SI.Force force[n, 3]=bodyForce "Contact force on each body, in world axes";
+equation
+  for i in 1:n loop
+    r_0[i, :] = frame[i].r_0;
+    T[i, :, :] = frame[i].R.T;
+    w_0[i, :] = Frames.resolve1(frame[i].R, frame[i].R.w);
+  end for;
+  v_0 = der(r_0);
+  for i in 1:n loop
+    frame[i].f = -Frames.resolve2(frame[i].R, bodyForce[i, :]);
+    frame[i].t = -Frames.resolve2(frame[i].R, bodyTorque[i, :]);
+  end for;
+  annotation (
+    defaultComponentName="contacts",
+    Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
+        Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
+        Ellipse(extent={{-70,70},{-10,10}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.Sphere),
+        Ellipse(extent={{10,70},{70,10}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.Sphere),
+        Ellipse(extent={{-30,96},{30,36}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.Sphere),
+        Rectangle(extent={{-80,10},{80,-34}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.HorizontalCylinder),
+        Text(extent={{-150,150},{150,110}}, textString="%name", textColor={0,0,255}),
+        Text(extent={{-100,-60},{100,-90}}, textString="n=%n")}),
+    Documentation(info="<html>
+<p>
+Used like the <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a>, for scenes of many bodies. Instead of a list of
+pairs it takes what can never touch; each time, the engine finds the pairs that do touch in nearly linear time, and
+computes their forces itself. The model gets the wrench on each body and nothing else, so that the number of its equations
+grows with the number of bodies, not of pairs.
+</p>
+<blockquote><pre>
+ContactMultiBody.CompiledContactManager contacts(
+  n=3,
+  geometry={ball[1].geometry, ball[2].geometry, floor.geometry},
+  material={ball[1].material, ball[2].material, floor.material},
+  massProperties={
+    ContactMultiBody.Parts.MassProperties(m=ball[1].m, I=ball[1].I),
+    ContactMultiBody.Parts.MassProperties(m=ball[2].m, I=ball[2].I),
+    ContactMultiBody.Parts.MassProperties(immovable=true)});
+</pre></blockquote>
+<p>
+The laws are those of the ContactManager: all normal laws, with the speed of impact recovered from depth and speed
+(<code>RestitutionMethod.Memoryless</code>) or with constant damping; regularised friction, also with Stribeck's curve; spin and
+rolling friction. There are no events and no states. The effective mass of a pair is computed from masses, inertia
+tensors, the place of the contact and its normal; of a contact with several points it is that at the centre of their load. What needs memory, anchored friction and caught impact
+speeds, is the ContactManager's.
+</p>
+<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
+<tr><th>never touch</th><th>parameter</th></tr>
+<tr><td>two fixed bodies</td><td><code>massProperties[i].immovable</code></td></tr>
+<tr><td>bodies of which one is in no group that the other collides with</td><td><code>group</code>, <code>collidesWith</code>: bits</td></tr>
+<tr><td>single pairs, as neighbours in a joint</td><td><code>excluded</code></td></tr>
+</table>
+<p>
+Parameters belong to bodies here, not to pairs: two bodies' stiffnesses act in series, their curvatures add up, and restitution and friction combine by the rules. For
+thousands of free bodies see <a href=\"modelica://ContactMultiBody.Parts.FreeBodies\">Parts.FreeBodies</a>.
+</p>
+</html>"));
+end CompiledContactManager;

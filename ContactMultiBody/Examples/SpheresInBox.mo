@@ -1,0 +1,32 @@
+within ContactMultiBody.Examples;
+model SpheresInBox "Spheres fall into an open box and fill it"
+  extends Modelica.Icons.Example;
+  parameter Integer edge=3 "Spheres along each edge of the lattice they start in" annotation (Evaluate=true);
+  final parameter Integer n=edge*edge*edge "Number of spheres";
+  final parameter Modelica.Units.SI.Length a=0.12*edge "Width of the box";
+  Parts.FreeBodies spheres(
+    bodyCount=n,
+    bodyGeometry=Shapes.sphere(0.05),
+    m=0.5,
+    J=fill(0.4*0.5*0.05^2, 3),
+    surroundings=Shapes.compound({Shapes.halfSpace(),Shapes.halfSpace(normal={1,0,0}, position={0,0,0}),
+      Shapes.halfSpace(normal={-1,0,0}, position={a,0,0}),Shapes.halfSpace(normal={0,1,0}, position={0,0,0}),
+      Shapes.halfSpace(normal={0,-1,0}, position={0,a,0})}),
+    material(each restitution=0.3, each muStatic=0.5),
+    stiffnessChoice=Types.StiffnessChoice.Given,
+    bodyStiffness=2e4,
+    regularisationSpeed=0.05,
+    rollingLever=0.01,
+    turningRegularisationSpeed=0.2,
+    r_start={{0.12*mod(i - 1, edge) + 0.056 + 0.002*mod(7*i, 5),0.12*mod(div(i - 1, edge), edge) + 0.056 + 0.002*mod(3*i, 5),
+      0.08 + 0.12*div(i - 1, edge*edge)} for i in 1:n}) annotation (Placement(transformation(extent={{-20,-20},{20,20}})));
+  annotation (
+    experiment(StopTime=3, Tolerance=1e-6, Interval=0.01),
+    Documentation(info="<html>
+<p>
+<code>edge</code><sup>3</sup> spheres of 0.5 kg and 0.1 m diameter start on a lattice, shaken a little, in a box without a lid. They fall, come to rest on each other and lean on
+the walls. The energy never rises, none escapes, and the floor and friction at the walls together carry the weight of all:
+<code>spheres.surroundingsForce[3]</code> = -n m g. What is left of the kinetic energy is the creeping of regularised friction.
+</p>
+</html>"));
+end SpheresInBox;
