@@ -351,6 +351,11 @@ def select(condition: float | Node, a: float | Node, b: float | Node) -> float |
         return a
     if condition.op == "not":
         return select(condition.args[0], b, a)
+    # What the outer condition has decided: if c then (if c then x else y) else z.
+    if isinstance(a, Node) and a.op == "select" and a.args[0] is condition:
+        return select(condition, value_of(a.args[1]), b)
+    if isinstance(b, Node) and b.op == "select" and b.args[0] is condition:
+        return select(condition, a, value_of(b.args[2]))
     return _make("select", condition, a, b)
 
 

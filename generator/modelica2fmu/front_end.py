@@ -55,7 +55,10 @@ def load_flat_model(model: str, file: Path, roots: Sequence[Path], source_map: S
             flat: dict[str, Any] = compiled.to_dict("flat")
     except rumoca.RumocaError as error:
         raise _input_error(rumoca, str(error), model, file) from error
-    except (OSError, RuntimeError, ValueError) as error:
+    except BaseException as error:
+        # A panic of rumoca derives from BaseException alone.
+        if not isinstance(error, OSError | RuntimeError | ValueError) and type(error).__name__ != "PanicException":
+            raise
         raise InputError(f"{model} cannot be compiled: {error}", place=Place(file=file)) from error
     return read_flat_model(flat, model, source_map)
 
@@ -380,7 +383,7 @@ class _Reader:
             if output in (None, "Empty") or (isinstance(output, dict) and "Empty" in output):
                 targets.append(None)
                 continue
-            target = self.expression(output)
+            target = self._component(output) if "parts" in output else self.expression(output)
             if not isinstance(target, ir.Reference):
                 raise self.unsupported("this target of an assignment", span)
             targets.append(target)

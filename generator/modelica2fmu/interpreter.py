@@ -9,7 +9,6 @@ and what they assign is merged).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from functools import partial
 from typing import Any, Final, Protocol
 
@@ -21,9 +20,11 @@ from modelica2fmu import expression as ex
 from modelica2fmu.arrays import Record, Scalar, ShapeError, Text, Value
 from modelica2fmu.expression import Node
 from modelica2fmu.source_map import SourceMap
+from modelica2fmu.string_functions import STRING_FUNCTIONS
 
 _CALL_DEPTH_LIMIT: Final = 100
 _ITERATION_LIMIT: Final = 1_000_000
+_UNROLLING_LIMIT: Final = 200  # of while-loops that variables end
 
 
 class Host(Protocol):
@@ -49,6 +50,10 @@ class Host(Protocol):
         """A relation that may generate events."""
         ...
 
+    def step(self, op: str, value: float | Node) -> float | Node:
+        """``floor`` of a value or, for ``quotient``, the value rounded towards zero, with events where it changes."""
+        ...
+
     def sample(self, start: float | Node, interval: float | Node, span: ir.Span | None) -> bool | Node:
         """``sample(start, interval)``."""
         ...
@@ -66,20 +71,27 @@ class Host(Protocol):
         ...
 
 
-class _Returned(Exception):
-    """A return-statement was executed."""
-
-
-class _Broken(Exception):
-    """A break-statement was executed."""
-
-
 class _Scope:
     """Local variables of a function call or of loops; looks outwards to the model if it is not a function."""
 
     def __init__(self, parent: _Scope | None = None) -> None:
         self.values: dict[str, Value | None] = {}
         self.parent = parent
+        # A return- or break-statement was executed, or, if a node, may have been: then assignments keep old values.
+        self.returned: bool | Node = False
+        self.broken: bool | Node = False
+
+    def branch(self) -> _Scope:
+        """A copy for one branch of an if-statement."""
+        result = _Scope(self.parent)
+        result.values = dict(self.values)
+        result.returned, result.broken = self.returned, self.broken
+        return result
+
+    @property
+    def left(self) -> bool | Node:
+        """What follows is not executed."""
+        return ex.logical_or(self.returned, self.broken)
 
     def find(self, name: str) -> Value | None:
         scope: _Scope | None = self
@@ -358,10 +370,21 @@ class Interpreter:
             if isinstance(chosen, Node):
                 rest = expression.branches[position + 1 :]
                 otherwise = ir.If(rest, expression.otherwise, expression.span) if rest else expression.otherwise
-                return self._merged(chosen, self._value(value, scope), self._value(otherwise, scope))
+                try:
+                    return self._merged(chosen, self._value(value, scope), self._value(otherwise, scope))
+                except (UnsupportedModelError, ShapeError) as error:
+                    # A branch cannot be translated; it need not be if parameters alone decide.
+                    return self._value(value if self._decided(chosen, error) else otherwise, scope)
             if chosen:
                 return self._value(value, scope)
         return self._value(expression.otherwise, scope)
+
+    def _decided(self, condition: Node, error: Exception) -> bool:
+        """A condition that parameters decide, which can no longer be changed; raises ``error`` for others."""
+        try:
+            return bool(self._host.constant(condition, None, "a condition"))
+        except UnsupportedModelError:
+            raise error from None
 
     def _merged(self, condition: Node, first: Value, second: Value) -> Value:
         if isinstance(first, Record) and isinstance(second, Record):
@@ -531,7 +554,7 @@ class Interpreter:
                 result = ex.binary(name, result, _number(item))
             return result
         if name in _STEPPING and self._events and any(isinstance(arg, Node) for arg in args):
-            self._require_discrete(name, args, span)
+            return arrays.elementwise(partial(self._stepping, name), *args)
         if name == "integer":
             return arrays.elementwise(lambda item: _whole(ex.unary("floor", item)), args[0])
         if name in ex.UNARY:
@@ -563,18 +586,15 @@ class Interpreter:
             return arrays.from_function((count,), lambda i: ex.add(first, ex.multiply(i, step)))
         raise self.unsupported(f"{name}()", span)
 
-    def _require_discrete(self, name: str, args: list[Value], span: ir.Span | None) -> None:
-        for arg in args:
-            if isinstance(arg, Node) and not self._host_is_discrete(arg):
-                raise UnsupportedModelError(
-                    f"{name}() of a continuous expression, which generates events, is not translated",
-                    place=self._source_map.place(span),
-                    remedy=f"write noEvent({name}(...)), or use relations and when-equations",
-                )
-
-    def _host_is_discrete(self, value: Node) -> bool:
-        # A relation of something discrete comes back as it is; one of something continuous becomes a symbol.
-        return relation("lt", value, 0) is self._host.relation("lt", value, 0)
+    def _stepping(self, name: str, x: Scalar, y: Scalar = 1) -> Scalar:
+        """A function that jumps, with events."""
+        a, b = _number(x), _number(y)
+        if name == "ceil":
+            return ex.negate(self._host.step("floor", ex.negate(a)))
+        if name in ("floor", "integer"):
+            return self._host.step("floor", a)
+        quotient = self._host.step("floor" if name == "mod" else "quotient", ex.divide(a, b))
+        return quotient if name == "div" else ex.subtract(a, ex.multiply(quotient, b))
 
     def _size(self, expression: ir.Builtin, scope: _Scope) -> Value:
         value = self._value(expression.args[0], scope)
@@ -618,8 +638,7 @@ class Interpreter:
                 local.values[variable.name] = self._initial_value(variable, local)
             if function.external is not None:
                 return self._external(function, local, span)
-            with suppress(_Returned):
-                self._execute(function.body, local)
+            self._execute(function.body, local)
         finally:
             self._call_depth -= 1
             self._events = before
@@ -636,6 +655,11 @@ class Interpreter:
         if function.external.language not in ("C", "builtin"):
             raise self.unsupported(f"an external function in {function.external.language}", function.span)
         values = {name: value for name, value in local.values.items() if value is not None}
+        known = STRING_FUNCTIONS.get(function.external.name)
+        if known is not None:
+            args = [self.evaluate_in_function(arg, values) for arg in function.external.args]
+            if all(isinstance(arg, str | int | float) for arg in args):
+                return (known(*args),)
         return self._host.external(function, values, span)
 
     def _initial_value(self, variable: ir.FunctionVariable, local: _Scope) -> Value | None:
@@ -683,6 +707,8 @@ class Interpreter:
 
     def _execute(self, statements: tuple[ir.Statement, ...], scope: _Scope) -> None:
         for statement in statements:
+            if scope.left is True:
+                return
             self._statement(statement, scope)
 
     def _statement(self, statement: ir.Statement, scope: _Scope) -> None:
@@ -705,11 +731,12 @@ class Interpreter:
                 assert isinstance(text, str | Text)
                 checked = self._value(condition, scope)
                 assert isinstance(checked, bool | int | float | Node)
-                self._host.function_assert(checked, text, is_warning)
+                if scope.left is False:
+                    self._host.function_assert(checked, text, is_warning)
             case ir.Return():
-                raise _Returned
+                scope.returned = True
             case ir.Break():
-                raise _Broken
+                scope.broken = True
             case _:
                 raise self.unsupported(f"{type(statement).__name__} here", statement.span)
 
@@ -728,10 +755,16 @@ class Interpreter:
             record = scope.values[name]
             record = Record(dict(record.fields)) if isinstance(record, Record) else Record({})
             old = record.fields.get(fields[0])
-            record.fields[fields[0]] = self._with_element(old, target, value, scope)
+            record.fields[fields[0]] = self._unless_left(scope, old, self._with_element(old, target, value, scope))
             scope.values[name] = record
             return
-        scope.values[name] = self._with_element(scope.values[name], target, value, scope)
+        old = scope.values[name]
+        scope.values[name] = self._unless_left(scope, old, self._with_element(old, target, value, scope))
+
+    def _unless_left(self, scope: _Scope, old: Value | None, new: Value) -> Value | None:
+        """The new value, or the old one where a return or break was executed before."""
+        left = scope.left
+        return self._merged_local(left, old, new) if isinstance(left, Node) else new
 
     def _with_element(self, old: Value | None, target: ir.Reference, value: Value, scope: _Scope) -> Value:
         if not target.subscripts:
@@ -769,15 +802,13 @@ class Interpreter:
                     self._execute(body, scope)
                     return
                 continue
-            first, second = _Scope(scope.parent), _Scope(scope.parent)
-            first.values, second.values = dict(scope.values), dict(scope.values)
-            try:
-                self._execute(body, first)
-                self._if_statement(branches[position + 1 :], otherwise, second)
-            except (_Returned, _Broken) as error:
-                raise self.unsupported("return or break under a condition of variables", condition.span) from error
+            first, second = scope.branch(), scope.branch()
+            self._execute(body, first)
+            self._if_statement(branches[position + 1 :], otherwise, second)
             for name in scope.values:
                 scope.values[name] = self._merged_local(chosen, first.values[name], second.values[name])
+            scope.returned = _either(chosen, first.returned, second.returned)
+            scope.broken = _either(chosen, first.broken, second.broken)
             return
         self._execute(otherwise, scope)
 
@@ -802,33 +833,64 @@ class Interpreter:
         name, domain = indices[0]
         hidden = scope.values.get(name)
         was_there = name in scope.values
+        outer, scope.broken = scope.broken, False
         try:
             for item in self._iterated(domain, scope):
+                if scope.left is True:
+                    break
                 scope.values[name] = item
                 if len(indices) > 1:
                     self._for(indices[1:], body, scope)
                 else:
                     self._execute(body, scope)
-        except _Broken:
-            pass
         finally:
+            scope.broken = outer
             if was_there:
                 scope.values[name] = hidden
             else:
                 scope.values.pop(name, None)
 
     def _while(self, statement: ir.While, scope: _Scope) -> None:
+        outer, scope.broken = scope.broken, False
+        self._iterate(statement, scope, 0)
+        scope.broken = outer
+
+    def _iterate(self, statement: ir.While, scope: _Scope, unrolled: int) -> None:
+        """Runs a while-loop from here on.
+
+        If its condition is a node, both ways are followed: the loop ends where, on the way on which it always went on,
+        the condition becomes a constant (a counter passes its limit).
+        """
         for _ in range(_ITERATION_LIMIT):
+            if scope.left is True:
+                return
             condition = self._value(statement.condition, scope)
             if isinstance(condition, Node):
-                raise self.unsupported("a while-loop whose condition depends on variables", statement.span)
+                if unrolled >= _UNROLLING_LIMIT:
+                    raise self.unsupported(
+                        f"a while-loop that variables end and that may run more than {_UNROLLING_LIMIT} times",
+                        statement.span,
+                    )
+                on = scope.branch()
+                self._execute(statement.body, on)
+                self._iterate(statement, on, unrolled + 1)
+                for name in scope.values:
+                    scope.values[name] = self._merged_local(condition, on.values[name], scope.values[name])
+                scope.returned = _either(condition, on.returned, scope.returned)
+                return
             if not condition:
                 return
-            try:
-                self._execute(statement.body, scope)
-            except _Broken:
-                return
+            self._execute(statement.body, scope)
         raise self.wrong(f"a while-loop runs more than {_ITERATION_LIMIT} times", statement.span)
+
+
+def _either(condition: Node, first: bool | Node, second: bool | Node) -> bool | Node:
+    """``first`` where the condition holds, else ``second``."""
+    return (
+        ex.logical_or(ex.logical_and(condition, first), ex.logical_and(ex.logical_not(condition), second))
+        if first is not second
+        else first
+    )
 
 
 def relation(op: str, a: float | Node, b: float | Node) -> bool | Node:

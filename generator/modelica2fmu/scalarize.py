@@ -71,6 +71,7 @@ class _Scalarizer:
         self._call_outputs: dict[str, ExternalCall] = {}
         self._samples: dict[tuple[Any, Any], str] = {}
         self._time_relations: dict[Node, str] = {}
+        self._steps: dict[tuple[str, Node], str] = {}
         self._assigned_in_when = self._targets_of_whens()
         self._enumeration_names = {literal.rsplit(".", 1)[0] for literal in model.enumeration_literals}
         self._structural: set[str] = set()
@@ -364,13 +365,18 @@ class _Scalarizer:
         threshold = self._time_threshold(indicator)
         if threshold is not None:
             return self._time_relation(plain, indicator, threshold)
-        held = self._relations.get(indicator)
-        if held is None:
-            held = Relation(len(self._result.relations) + 1, indicator)
-            self._relations[indicator] = held
-            self._result.relations.append(held)
-        node = ex.symbol(held.name)
+        node = self._held(indicator)
         return ex.logical_not(node) if op in ("le", "ge") else node
+
+    def _held(self, indicator: float | Node) -> Node:
+        """The relation ``indicator > 0``, held between events."""
+        key = ex.node_of(indicator)
+        held = self._relations.get(key)
+        if held is None:
+            held = Relation(len(self._result.relations) + 1, key)
+            self._relations[key] = held
+            self._result.relations.append(held)
+        return ex.symbol(held.name)
 
     def _time_relation(self, plain: Node, indicator: Node, threshold: float | Node) -> bool | Node:
         """A relation between the time and something discrete: a Boolean that changes at a known time.
@@ -414,10 +420,32 @@ class _Scalarizer:
                 return False
         return True
 
+    def step(self, op: str, value: float | Node) -> float | Node:
+        """See :class:`interpreter.Host`; a discrete variable with an event where it has to change."""
+        if not isinstance(value, Node) or self._is_discrete(value):
+            return ex.unary("floor", value) if op == "floor" else ex.binary("quotient", value, 1)
+        name = self._steps.get((op, value))
+        if name is None:
+            name = f"$step[{len(self._steps) + 1}]"
+            self._steps[op, value] = name
+            self._result.variables[name] = ScalarVariable(name, "Real", Kind.DISCRETE, start=0)
+            rounded = ex.unary("floor", value) if op == "floor" else ex.binary("quotient", value, 1)
+            self._result.equations.append(ScalarEquation(ex.symbol(name), rounded, target=name))
+            before: float | Node = ex.symbol(previous_name(name))
+            below, above = before, ex.add(before, 1)
+            if op == "quotient":  # towards zero: 0 belongs to the values between -1 and 1
+                below = ex.select(ex.less_equal(before, 0), ex.subtract(before, 1), before)
+                above = ex.select(ex.less_equal(0, before), above, before)
+            # Events by these indicators, also where time alone makes the value grow: an event at a time computed
+            # in advance may come a rounding too early for the new value.
+            self._held(ex.subtract(value, above))
+            self._held(ex.subtract(below, value))
+        return ex.symbol(name)
+
     def sample(self, start: float | Node, interval: float | Node, span: ir.Span | None) -> bool | Node:
         """See :class:`interpreter.Host`; true in the event iteration in which the count of samples rises."""
         for value in (start, interval):
-            if isinstance(value, Node) and not self._only_parameters(value):
+            if isinstance(value, Node) and not self._is_fixed_while_simulating(value):
                 raise UnsupportedModelError(
                     "sample() with a start or interval that changes is not translated",
                     place=self._source_map.place(span),
@@ -438,6 +466,14 @@ class _Scalarizer:
         node = ex.symbol(name)
         changed = ex.not_equal(node, ex.symbol(previous_name(name)))
         return ex.logical_and(ex.logical_not(ex.symbol(INITIAL)), changed)
+
+    def _is_fixed_while_simulating(self, node: Node) -> bool:
+        """Parameters, also those that the initialization finds."""
+        return all(
+            (variable := self._result.variables.get(name)) is not None
+            and variable.kind in (*_KNOWN_KINDS, Kind.FREE_PARAMETER)
+            for name in ex.symbols(node)
+        )
 
     def _only_parameters(self, node: Node) -> bool:
         return all(
@@ -625,7 +661,9 @@ class _Scalarizer:
 
     def _equation(self, equation: ir.Equation, events: bool = True) -> list[ScalarEquation]:
         residual = equation.residual
-        if isinstance(residual, ir.Binary) and residual.op in ("Sub", "SubElem"):
+        if isinstance(residual, ir.Binary) and isinstance(residual.left, ir.TupleExpression):
+            left, right = self._outputs(residual.left, residual.right, events, equation.span)
+        elif isinstance(residual, ir.Binary) and residual.op in ("Sub", "SubElem"):
             left = self._sides(residual.left, events)
             right = self._sides(residual.right, events)
             if len(left) == 1 and len(right) > 1 and isinstance(residual.left, ir.Literal):
@@ -642,8 +680,6 @@ class _Scalarizer:
             )
         result = []
         for a, b in zip(left, right, strict=True):
-            if a is None:
-                continue
             if isinstance(a, str | Text) or isinstance(b, str | Text):
                 if a == b:
                     continue
@@ -653,21 +689,28 @@ class _Scalarizer:
             result.append(ScalarEquation(_as_number(a), _as_number(b), equation.span))
         return result
 
+    def _outputs(
+        self, targets: ir.TupleExpression, call: ir.Expression, events: bool, span: ir.Span | None
+    ) -> tuple[list[Any], list[Any]]:
+        """Scalars of the outputs of a call and of what they are equal to; outputs may be left out."""
+        outputs = self._interpreter.evaluate(call, events=events)
+        values = outputs if isinstance(outputs, tuple) else (outputs,)
+        if len(targets.elements) > len(values):
+            raise InputError(
+                f"a call with {len(values)} outputs is given {len(targets.elements)} targets",
+                place=self._source_map.place(span),
+            )
+        left: list[Any] = []
+        right: list[Any] = []
+        for target, value in zip(targets.elements, values, strict=False):
+            if target is not None:
+                left.extend(arrays.scalars(self._interpreter.evaluate(target, events=events)))
+                right.extend(arrays.scalars(value))
+        return left, right
+
     def _sides(self, expression: ir.Expression, events: bool) -> list[Any]:
-        """Scalars of one side of an equation; ``None`` for outputs that are left out (only their number is known)."""
-        if isinstance(expression, ir.TupleExpression):
-            sides: list[Any] = []
-            for element in expression.elements:
-                if element is None:
-                    raise UnsupportedModelError(
-                        "an equation with outputs left out is not translated",
-                        place=self._source_map.place(expression.span),
-                        remedy="give each output of the function a variable",
-                    )
-                sides.extend(arrays.scalars(self._interpreter.evaluate(element, events=events)))
-            return sides
-        value = self._interpreter.evaluate(expression, events=events)
-        return list(arrays.scalars(value))
+        """Scalars of one side of an equation."""
+        return list(arrays.scalars(self._interpreter.evaluate(expression, events=events)))
 
     # --- when, algorithms ---
 

@@ -39,12 +39,16 @@ def test_unknown_variable_has_file_and_line(tmp_path):
     assert error.place.line == 4
 
 
-def test_function_with_events_is_named_with_its_line(tmp_path):
-    text = "model Steps\n  Real x(start = 0, fixed = true);\nequation\n  der(x) = 1 + floor(x);\nend Steps;\n"
+def test_function_that_is_not_translated_is_named_with_its_line(tmp_path):
+    text = "model Late\n  Real x(start = 0, fixed = true);\nequation\n  der(x) = 1 - delay(x, 0.5);\nend Late;\n"
     error = refused(text, tmp_path, UnsupportedModelError)
-    assert "floor()" in error.message
+    assert "delay()" in error.message
     assert error.place is not None
-    assert (error.place.file.name if error.place.file else "", error.place.line) == ("Steps.mo", 4)
+    assert (error.place.file.name if error.place.file else "", error.place.line) == ("Late.mo", 4)
+
+
+def test_panic_of_the_front_end_is_an_error_of_the_model(tmp_path):
+    refused("model Rate\n  input Real u;\n  Real y = der(u);\nend Rate;\n", tmp_path, InputError)
 
 
 def test_derivative_of_external_output_is_refused(tmp_path):
