@@ -100,6 +100,7 @@ typedef struct cmb_overlap {
   double centroid[3];       /* m, world axes */
   double patch_area;        /* m2, of the overlap seen along the contact normal */
   double patch_centroid[3]; /* m, world axes; along the normal half way between the overlap's two sides */
+  double patch_moment[9];   /* m4, row-major: integral of r r^T over that patch, r in its plane from patch_centroid */
 } cmb_overlap;
 
 /* The overlap of one pair (0-based index). overlap is unchanged on error. Not NULL. Slower than a contact query, and

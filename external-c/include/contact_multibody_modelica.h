@@ -20,10 +20,11 @@ void cmb_modelica_query(int scene, const double *position, size_t body_count, co
                         size_t pair_count, size_t point_capacity, double *distance, double *depth,
                         double *weight, double *normal, double *point);
 
-/* Evaluates the overlap of all pairs as one point each, for forces proportional to the volume: weight (m2) times depth
- * (m) is the volume, the point its centroid, and weight times half the squared depth (m4) the integral of half the squared
- * depth over the area, exactly so where one side of the overlap is flat. All arrays have one slot a pair. Pairs whose
- * overlap the engine does not know (see cmb_overlap) are an error. */
+/* Evaluates the overlap of all pairs as four points each, for forces proportional to the volume: the points of a pair have
+ * one depth (m); their weights (m2) times the depth sum to the volume, and times half the squared depth to the integral
+ * of half the squared depth over the area, exactly so where one side of the overlap is flat. Their mean is the volume's
+ * centroid; they lie as far from it as the patch's second moment says. All arrays have four slots a pair; distance has
+ * one. Pairs whose overlap the engine does not know (see cmb_overlap) are an error. */
 void cmb_modelica_query_volume(int scene, const double *position, size_t body_count, const double *rotation,
                                size_t pair_count, double *distance, double *depth, double *weight, double *normal,
                                double *point);

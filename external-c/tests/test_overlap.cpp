@@ -78,4 +78,25 @@ TEST(Overlap, CompoundsAddUpAndOthersAreNotKnown) {
   EXPECT_EQ(overlap_of(PairScene("cmb/1 halfspace", "cmb/1 halfspace"), {}).known, 1);
 }
 
+TEST(Overlap, PatchHasItsSecondMoment) {
+  const cmb_overlap face = overlap_of(PairScene("cmb/1 box size=1,2,3", "cmb/1 halfspace"), {5, 6, 1.4});
+  const double of_face[] = {2.0 / 12.0, 0, 0, 0, 8.0 / 12.0, 0, 0, 0, 0};
+  const Mat3 quarter{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}};
+  const cmb_overlap turned = overlap_of(PairScene("cmb/1 box size=1,2,3", "cmb/1 halfspace"), {5, 6, 1.4}, quarter);
+  const double of_turned[] = {8.0 / 12.0, 0, 0, 0, 2.0 / 12.0, 0, 0, 0, 0};
+  const cmb_overlap cap = overlap_of(PairScene("cmb/1 sphere radius=0.5", "cmb/1 halfspace"), {0, 0, 0.3});
+  const double disc = cap.patch_area * cap.patch_area / (4.0 * pi);
+  const double of_cap[] = {disc, 0, 0, 0, disc, 0, 0, 0, 0};
+  // Two unit squares whose middles are 4 apart: 2 (1/12) and 2 (1/12 + 4).
+  const PairScene legs("cmb/1 box size=1,1,1 position=2,0,0;cmb/1 box size=1,1,1 position=-2,0,0", "cmb/1 halfspace");
+  const cmb_overlap both = overlap_of(legs, {0, 0, 0.4});
+  const double of_both[] = {2.0 / 12.0 + 8.0, 0, 0, 0, 2.0 / 12.0, 0, 0, 0, 0};
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_NEAR(face.patch_moment[i], of_face[i], 1e-11) << i;
+    EXPECT_NEAR(turned.patch_moment[i], of_turned[i], 1e-11) << i;
+    EXPECT_NEAR(cap.patch_moment[i], of_cap[i], 1e-14) << i;
+    EXPECT_NEAR(both.patch_moment[i], of_both[i], 1e-11) << i;
+  }
+}
+
 }  // namespace

@@ -17,14 +17,29 @@ constexpr double pi = 3.14159265358979323846;
 struct ShapeOverlap {
   double volume = 0.0, patch_area = 0.0;
   Vec3 centroid, patch_centroid;
+  Mat3 patch_moment = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
 };
+
+Mat3 outer_product(double factor, const Vec3 &v) {
+  return {{(factor * v.x) * v, (factor * v.y) * v, (factor * v.z) * v}};
+}
+
+Mat3 sum(const Mat3 &a, const Mat3 &b) { return {{a.row[0] + b.row[0], a.row[1] + b.row[1], a.row[2] + b.row[2]}}; }
+
+// A symmetric tensor in the axes of a body, in world axes.
+Mat3 turned(const Mat3 &axes, const Mat3 &tensor) {
+  const Mat3 half{{axes * tensor.row[0], axes * tensor.row[1], axes * tensor.row[2]}};
+  const Mat3 columns = transposed(half);
+  return {{axes * columns.row[0], axes * columns.row[1], axes * columns.row[2]}};
+}
 
 ShapeOverlap polytopes(const convex::Polytope &a, const Pose &pose_a, const convex::Polytope &b, const Pose &pose_b,
                        const Vec3 &normal) {
   convex::OverlapScratch scratch;
   const convex::Overlap overlap = convex::convex_overlap(
       a, b, relative_pose(pose_a, pose_b), transposed_times(pose_a.rotation, normal), scratch);
-  return {overlap.volume, overlap.patch_area, pose_a(overlap.centroid), pose_a(overlap.patch_centroid)};
+  return {overlap.volume, overlap.patch_area, pose_a(overlap.centroid), pose_a(overlap.patch_centroid),
+          turned(pose_a.rotation, overlap.patch_moment)};
 }
 
 // A half-space, cut down to a box that holds all of the other shape below the plane.
@@ -53,6 +68,8 @@ ShapeOverlap sphere_and_halfspace(double radius, const Vec3 &center, const Pose 
   cap.centroid = center - (0.75 * off * off / (3.0 * radius - depth)) * normal;
   // Half way between the plane and the mean of the sphere's surface below it.
   cap.patch_centroid = center - (height + 0.5 * cap.volume / cap.patch_area) * normal;
+  const double moment = cap.patch_area * cap.patch_area / (4.0 * pi);  // of a disc about a diameter
+  cap.patch_moment = sum({{{moment, 0, 0}, {0, moment, 0}, {0, 0, moment}}}, outer_product(-moment, normal));
   return cap;
 }
 
@@ -86,6 +103,7 @@ void write(const Vec3 &v, double *target) {
 cmb_overlap query_overlap(const BodyShapes &a, const Pose &pose_a, const BodyShapes &b, const Pose &pose_b) {
   cmb_overlap result = {};
   Vec3 centroid, patch_centroid;
+  Mat3 moment = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
   for (const Shape &shape_a : a) {
     for (const Shape &shape_b : b) {
       const auto part = shapes(shape_a, compose(pose_a, shape_a.in_body), shape_b, compose(pose_b, shape_b.in_body));
@@ -93,12 +111,19 @@ cmb_overlap query_overlap(const BodyShapes &a, const Pose &pose_a, const BodySha
       result.volume += part->volume;
       result.patch_area += part->patch_area;
       centroid = centroid + part->volume * part->centroid;
+      const Vec3 so_far = result.patch_area > part->patch_area
+                              ? (1.0 / (result.patch_area - part->patch_area)) * patch_centroid
+                              : part->patch_centroid;
+      const double both = (result.patch_area - part->patch_area) * part->patch_area;
+      if (both > 0.0) moment = sum(moment, outer_product(both / result.patch_area, part->patch_centroid - so_far));
+      moment = sum(moment, part->patch_moment);
       patch_centroid = patch_centroid + part->patch_area * part->patch_centroid;
     }
   }
   result.known = 1;
   if (result.volume > 0.0) write((1.0 / result.volume) * centroid, result.centroid);
   if (result.patch_area > 0.0) write((1.0 / result.patch_area) * patch_centroid, result.patch_centroid);
+  for (int i = 0; i < 3; ++i) write(moment.row[i], result.patch_moment + 3 * i);
   return result;
 }
 

@@ -1,0 +1,51 @@
+within ContactMultiBody;
+model VolumeContactManager "Lets bodies collide that touch with faces, by forces proportional to the volume of their overlap"
+  extends Internal.PartialContacts(
+    final pointCapacity=4,
+    final stiffnessChoice=Types.StiffnessChoice.Given,
+    final exponent=1,
+    stiffness=foundationModulus);
+
+  parameter String geometry[n] "Descriptor of each body's geometry, usually {body1.geometry, ...}";
+  parameter Real foundationModulus[m](each unit="N/m3")=fill(1e8, m) "Pressure by depth of each pair, E/h of a layer of thickness h"
+    annotation (Dialog(group="Normal force"));
+  final parameter Integer scene=Internal.intern(geometry, pair, 0) "Handle of the scene in the engine";
+equation
+  (distance,depth,weight,normal,point) = Internal.queryVolume(scene, r_0, {frame[i].R.T for i in 1:n}, m);
+  annotation (
+    defaultComponentName="contacts",
+    Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
+        Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
+        Rectangle(extent={{-46,70},{46,-8}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.HorizontalCylinder),
+        Rectangle(extent={{-80,4},{80,-40}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.HorizontalCylinder),
+        Rectangle(extent={{-46,4},{46,-8}}, lineColor={255,0,0}, fillColor={255,128,128}, fillPattern=FillPattern.Solid),
+        Text(extent={{-150,150},{150,110}}, textString="%name", textColor={0,0,255}),
+        Text(extent={{-100,-60},{100,-90}}, textString="n=%n")}),
+    Documentation(info="<html>
+<p>
+Connected like the <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a>, with the same effects, parameters and variables, but another law: bodies rest on an
+elastic foundation of modulus k (pressure by depth, N/m<sup>3</sup>), whose pressures add up to
+</p>
+<blockquote><pre>
+F = k V (1 + d/v0 dx/dt)
+</pre></blockquote>
+<p>
+with the volume V of the overlap, acting at its centroid along the normal. Its energy is the integral of k/2 times the squared depth. A layer of thickness h and modulus E on a rigid base has k = E/h if it can spread sideways, and
+E (1 - &nu;)/((1 + &nu;)(1 - 2&nu;))/h if it cannot (K. L. Johnson, Contact Mechanics, section 4.3).
+</p>
+<h4>What it is good for</h4>
+<ul>
+<li>Faces that carry unevenly: pressure grows linearly over a tilted face, as on rubber or a mat, which four points cannot show. The moment that straightens a tilted block is that of its whole face.</li>
+<li>Contact areas that change: the force is proportional to the area of the face, whatever its shape; no stiffness has to be found for each.</li>
+<li>On half-spaces the elastic force is exactly conservative.</li>
+</ul>
+<h4>Limits</h4>
+<ul>
+<li>Known are boxes and hulls with each other and with half-spaces, compounds of them, and spheres on half-spaces up to their middle. Other shapes end the simulation with an error that says so.</li>
+<li>A corner pushes with the third power of its depth: dropped on a corner a body goes deep before the floor stops it. Choose k so that this depth stays below the size of the bodies, or use the ContactManager.</li>
+<li>Damping and friction act at four points about the centroid that have the second moment of the area: as those of the face as a whole where all of it moves alike, else nearly so.</li>
+<li>Between polytopes the normal is that of the shortest way out, and the energy is exact where one side of the overlap is flat.</li>
+<li>An overlap costs some ten times as much as contact points.</li>
+</ul>
+</html>"));
+end VolumeContactManager;
