@@ -24,6 +24,7 @@ STOP = 4.0
 FULL_SPEED = 1.6  # s; from here to the end the gait makes two cycles
 PERIOD, DUTY, STRIDE = 1.2, 0.55, 0.08
 COXA, FEMUR, TIBIA, REACH, HIP_HEIGHT, FOOT_RADIUS = 0.05, 0.09, 0.135, 0.155, 0.11, 0.012
+SHANK_IN_MIDDLE = math.radians(-80.575)  # inclination of the CAD model's shanks
 LEGS = {
     "frontLeft": (60.0, 0),
     "middleLeft": (90.0, 1),
@@ -140,7 +141,11 @@ def test_three_feet_share_the_weight_as_statics_says(road: Road) -> None:
 
 
 def test_servos_are_told_a_straight_path(road: Road) -> None:
-    """Forward kinematics of the wanted angles: feet go straight back at constant height and speed while they stand."""
+    """Forward kinematics of the wanted angles: where a standing ball touches goes straight back at constant speed.
+
+    The ball rolls with the shank, by its radius times the angle. The gait takes that angle from a foot that does not
+    roll, so the share radius/tibia of the rolling way, at most 0.2 mm, is left.
+    """
     result = road.result
     running = window(result, FULL_SPEED)
     for leg, (direction, group) in LEGS.items():
@@ -148,12 +153,14 @@ def test_servos_are_told_a_straight_path(road: Road) -> None:
         radius = COXA + FEMUR * np.cos(lift) + TIBIA * np.cos(lift + knee)
         up = FEMUR * np.sin(lift) + TIBIA * np.sin(lift + knee)
         angle = hip + math.radians(direction)
-        forward, sideways = radius * np.cos(angle), radius * np.sin(angle)
+        touching = radius + FOOT_RADIUS * (lift + knee - SHANK_IN_MIDDLE)
+        forward, sideways = touching * np.cos(angle), touching * np.sin(angle)
         place = place_in_cycle(result, group)
         stands = place < DUTY
         middle = REACH * math.cos(math.radians(direction))
-        np.testing.assert_allclose(sideways, REACH * math.sin(math.radians(direction)), atol=1e-9)
-        np.testing.assert_allclose(forward[stands], middle + STRIDE * (0.5 - place[stands] / DUTY), atol=1e-9)
+        aside = REACH * math.sin(math.radians(direction))
+        np.testing.assert_allclose(sideways[stands], aside, atol=2e-4)
+        np.testing.assert_allclose(forward[stands], middle + STRIDE * (0.5 - place[stands] / DUTY), atol=2e-4)
         assert np.ptp(up[stands]) < 1e-9
         assert up[stands][0] == pytest.approx(FOOT_RADIUS - HIP_HEIGHT, abs=2e-4)
         assert up.max() - up.min() == pytest.approx(0.035, abs=1e-4)
@@ -174,8 +181,7 @@ def test_it_walks_straight_ahead_as_commanded(road: Road) -> None:
     cycles = window(result, FULL_SPEED)
     way, commanded = (np.ptp(result[name][cycles]) for name in ("travel", "commandedTravel"))
     assert commanded == pytest.approx(2 * STRIDE / DUTY, rel=1e-9)
-    # The balls roll under the tilting shanks, by up to 12 mm per radian; so the torso's way is not quite the commanded.
-    assert way == pytest.approx(commanded, rel=0.01)
+    assert way == pytest.approx(commanded, rel=0.006)
     assert abs(result["torso.frame_a.r_0[2]"]).max() < 2e-3
     assert np.ptp(result["bodyHeight"]) < 1e-3
     upright = result["torso.frame_a.R.T[3,3]"]
@@ -189,8 +195,8 @@ def test_feet_neither_sink_nor_slip(road: Road) -> None:
         assert load.largest_depth is not None
         assert 0.5 * WEIGHT / 6 / 1e5 < load.largest_depth < 0.5e-3
         assert load.slid is not None
-        # Three strides have begun: a foot slides less than a twentieth of each.
-        assert load.slid < 0.05 * 3 * STRIDE
+        # Three strides have begun: a foot slides less than a fiftieth of each.
+        assert load.slid < 0.02 * 3 * STRIDE
 
 
 def test_no_events(road: Road) -> None:

@@ -9,12 +9,16 @@ model LegDrive "Three servos that move a leg as the gait wants"
   parameter SI.Length tibia=0.135 "Length from the knee to the foot's centre" annotation (Dialog(group="Geometry"));
   parameter SI.Length reach=0.155 "Distance of the foot's middle position from the hip's axis" annotation (Dialog(group="Geometry"));
   parameter SI.Height height=0.09812 "Height of the hip above the centre of a standing foot" annotation (Dialog(group="Geometry"));
+  parameter SI.Radius footRadius=0.012 "Radius of the foot's ball, which rolls as the shank tilts" annotation (Dialog(group="Geometry"));
   parameter SI.RotationalSpringConstant c[3]={600,900,300} "Gains of the angles of hip, lift and knee" annotation (Dialog(group="Servos"));
   parameter SI.RotationalDampingConstant d[3]={8,10,5} "Gains of the speeds" annotation (Dialog(group="Servos"));
-  final parameter SI.Position startPath[2]=footPosition(offset, gait.dutyFactor, gait.stride, gait.lift) "Foot at the start";
+  final parameter SI.Angle middle[3]=jointAngles({reach,0,-height}, coxa, femur, tibia) "Angles of the joints in the middle position";
+  final parameter SI.Position startPath[2]=footPosition(offset, gait.dutyFactor, gait.stride, gait.lift) "Path at the start";
+  final parameter SI.Position startFoot[3]={reach + startPath[1]*cos(direction),-startPath[1]*sin(direction),startPath[2] - height}
+    "Foot at the start";
   final parameter SI.Angle start[3]=jointAngles(
-      {reach + startPath[1]*cos(direction),-startPath[1]*sin(direction),startPath[2] - height},
-      coxa, femur, tibia) "Angles of the joints at the start";
+      rolledFoot(startFoot, jointAngles(startFoot, coxa, femur, tibia), middle, footRadius), coxa, femur, tibia)
+    "Angles of the joints at the start";
   Modelica.Blocks.Interfaces.RealInput cycle "Cycles since the start" annotation (Placement(transformation(extent={{-140,20},{-100,60}})));
   Modelica.Blocks.Interfaces.RealInput rate(unit="1/s") "Derivative of cycle" annotation (Placement(transformation(extent={{-140,-60},{-100,-20}})));
   Modelica.Mechanics.Rotational.Interfaces.Flange_b hip "To the hip's axis" annotation (Placement(transformation(extent={{90,50},{110,70}})));
@@ -27,6 +31,10 @@ protected
   SI.Length slope[2] "Derivative of the path by the cycle";
   SI.Position foot[3] "Foot against the hip, outward, sideways, up";
   SI.Velocity velocity[3] "Derivative of foot";
+  SI.Angle straight[3] "Angles for a foot that does not roll";
+  SI.AngularVelocity straightSpeed[3] "Derivatives of straight";
+  SI.Position rolled[3] "Foot with its way of rolling";
+  SI.Velocity rolledVelocity[3] "Derivative of rolled";
   SI.Angle phi[3] "Wanted angles";
   SI.AngularVelocity w[3] "Wanted speeds";
 equation
@@ -34,8 +42,12 @@ equation
   slope = footSlope(cycle + offset, gait.dutyFactor, gait.stride, gait.lift);
   foot = {reach + path[1]*cos(direction),-path[1]*sin(direction),path[2] - height};
   velocity = rate*{slope[1]*cos(direction),-slope[1]*sin(direction),slope[2]};
-  phi = jointAngles(foot, coxa, femur, tibia);
-  w = jointSpeeds(foot, velocity, phi, femur, tibia);
+  straight = jointAngles(foot, coxa, femur, tibia);
+  straightSpeed = jointSpeeds(foot, velocity, straight, femur, tibia);
+  rolled = rolledFoot(foot, straight, middle, footRadius);
+  rolledVelocity = velocity + rollingVelocity(straight, straightSpeed, middle, footRadius);
+  phi = jointAngles(rolled, coxa, femur, tibia);
+  w = jointSpeeds(rolled, rolledVelocity, phi, femur, tibia);
   servo.phi_ref = phi;
   servo.w_ref = w;
   connect(servo[1].flange, hip) annotation (Line(points={{40,0},{70,0},{70,60},{100,60}}));
@@ -49,8 +61,11 @@ equation
         Text(extent={{-150,150},{150,110}}, textColor={0,0,255}, textString="%name")}),
     Documentation(info="<html>
 <p>
-The path of the foot by <a href=\"modelica://AntonWalk.footPosition\">footPosition</a>, the joints' angles for it by
-<a href=\"modelica://AntonWalk.jointAngles\">jointAngles</a>, the derivatives of both, and a servo for each joint that follows both.
+The path of the foot by <a href=\"modelica://AntonWalk.footPosition\">footPosition</a>, corrected by
+<a href=\"modelica://AntonWalk.rolledFoot\">rolledFoot</a> for the ball that rolls under the shank; the joints' angles for it by
+<a href=\"modelica://AntonWalk.jointAngles\">jointAngles</a>; the derivatives of all these; and a servo for each joint that follows angle
+and speed. The lift carries the weight, so its servo is the stiffest; a softer knee lets the loaded leg give way sideways instead of
+pushing against the friction of the foot.
 </p>
 </html>"));
 end LegDrive;
