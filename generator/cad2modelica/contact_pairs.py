@@ -64,8 +64,12 @@ def within_reach(
     """
     reach = Reach(assembly.parts, assembly.planes, tree)
     included = {frozenset(pair) for pair in assembly.contacts.included}
-    left = [pair for pair in pairs if frozenset(pair) in included or not reach.never_meet(*pair, balls)]
-    dropped = [pair for pair in pairs if pair not in left]
+    apart = reach.apart(balls)
+    left: list[tuple[str, str]] = []
+    dropped: list[tuple[str, str]] = []
+    for pair in pairs:
+        kept = not apart(*pair) or frozenset(pair) in included
+        (left if kept else dropped).append(pair)
     if not dropped:
         return left, ()
     listed = ", ".join(f"{first!r} and {second!r}" for first, second in dropped[:LISTED])
