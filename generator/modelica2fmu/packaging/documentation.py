@@ -58,6 +58,7 @@ def documentation_page(description: ModelDescription) -> str:
         + _table("Parameters", chosen(Causality.PARAMETER))
         + _table("Integrator of co-simulation", [v for v in description.variables if v.name.startswith(PREFIX)])
         + "<h2>Sources</h2>\n<p>The folder <code>sources</code> holds all C of the FMU. It was compiled with gcc "
-        f"<code>{escape(' '.join(COMPILE_OPTIONS))}</code>, the FMI headers and CVODE of SUNDIALS 6.</p>\n"
+        f"<code>{escape(' '.join(COMPILE_OPTIONS))}</code>; <code>sources/CMakeLists.txt</code> does it again where "
+        "CVODE of SUNDIALS 6 and the model's external libraries are installed.</p>\n"
         "</body></html>\n"
     )

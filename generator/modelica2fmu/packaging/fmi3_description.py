@@ -36,6 +36,7 @@ from modelica2fmu.packaging.description_xml import (
     xml_bytes,
 )
 from modelica2fmu.packaging.solver_variables import FIRST_REFERENCE
+from modelica2fmu.packaging.source_folder import EXTERNAL_HEADERS
 
 FMI_VERSION = "3.0"
 
@@ -320,6 +321,8 @@ def build_description(description: ModelDescription, sources: Iterable[str], opt
     )
     for source in sources:
         etree.SubElement(files, "SourceFile", name=source)
+    etree.SubElement(files, "IncludeDirectory", name=".")
+    etree.SubElement(files, "IncludeDirectory", name=EXTERNAL_HEADERS)
     for library in ("sundials_cvode", *description.external.libraries):
         etree.SubElement(configuration, "Library", name=library, external="true")
     return xml_bytes(root)

@@ -21,7 +21,8 @@ from modelica2fmu.packaging.interface_tables import interface_source
 from modelica2fmu.packaging.layout import LAYOUTS, FmiVersion, Layout
 from modelica2fmu.packaging.shared_libraries import bundle_libraries, licence_of
 from modelica2fmu.packaging.solver_variables import SolverOptions, with_solver_variables
-from modelica2fmu.packaging.toolchain import Compilation, Libraries, compile_objects, link_shared
+from modelica2fmu.packaging.source_folder import EXTERNAL_HEADERS, cmake_project, copy_headers
+from modelica2fmu.packaging.toolchain import DEPENDENCIES, Compilation, Libraries, compile_objects, link_shared
 
 RUNTIME = Path(__file__).resolve().parents[1] / "runtime"
 INTERFACE_FILE = "cmb_interface.c"
@@ -79,6 +80,7 @@ def _write_sources(
     (folder / INTERFACE_FILE).write_text(interface_source(description, options), encoding="utf-8")
     for source in sources:
         (folder / source.name).write_text(source.text, encoding="utf-8")
+    (folder / "CMakeLists.txt").write_text(cmake_project(description), encoding="utf-8")
 
 
 def _compilations(
@@ -159,6 +161,12 @@ def package_fmu(
         objects = scratch / "objects"
         objects.mkdir()
         compiled = compile_objects(_compilations(root / "sources", description, sources, sundials), objects)
+        copy_headers(
+            (path.with_suffix(DEPENDENCIES) for path in compiled),
+            (find_fmi_headers(), *description.external.include_directories),
+            sundials.include,
+            root / "sources" / EXTERNAL_HEADERS,
+        )
 
         progress("link", 0.8)
         binaries = root / "binaries" / layout.platform

@@ -38,6 +38,7 @@ _LINK = (
 _VERSION_SCRIPT = "{ global: fmi2*; fmi3*; local: *; };\n"
 _ERROR = re.compile(r"\b(fatal error|error|undefined reference|cannot find)\b")
 _ERROR_LINES = 5
+DEPENDENCIES = ".d"
 _TIMEOUT = 1800.0
 
 
@@ -108,6 +109,8 @@ def run_tool(command: Sequence[str], purpose: str, *, environment: dict[str, str
 def compile_objects(compilations: Sequence[Compilation], folder: Path) -> list[Path]:
     """Compiles C files into ``folder``, several at a time; the objects come in the order of the sources.
 
+    Beside each object lies a file with the suffix ``DEPENDENCIES`` that names what its source includes.
+
     Raises:
         BuildError: with the first error lines.
     """
@@ -122,6 +125,9 @@ def compile_objects(compilations: Sequence[Compilation], folder: Path) -> list[P
             *COMPILE_OPTIONS,
             *compilation.flags,
             *includes,
+            "-MD",
+            "-MF",
+            str(target.with_suffix(DEPENDENCIES)),
             "-c",
             str(compilation.source),
             "-o",

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import re
+import shutil
 import subprocess
 import sys
 import threading
@@ -23,10 +25,18 @@ from fmpy.validation import validate_fmu
 from lxml import etree
 from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.packaging import FmiVersion
+from modelica2fmu.packaging.dependencies import find_sundials
 
 LIBRARY = Path(__file__).resolve().parents[3] / "ContactMultiBody"
 MODEL = "ContactMultiBody.Examples.BallOnFloor"
 KINDS = ("ModelExchange", "CoSimulation")
+STANDARD_HEADERS = {
+    f"{name}.h"
+    for name in (
+        "errno", "float", "limits", "math", "pthread", "setjmp", "stdarg", "stdbool", "stddef", "stdint", "stdio",
+        "stdlib", "string",
+    )
+}  # fmt: skip
 GRAVITY, MASS, RADIUS, STIFFNESS = 9.81, 1.0, 0.1, 1e6
 
 
@@ -238,3 +248,40 @@ def test_it_runs_from_any_folder(ball_on_floor: Path, tmp_path: Path) -> None:
             [sys.executable, "-c", script, str(folder), kind], capture_output=True, text=True, cwd="/", check=True
         )
         assert 0.09 < float(done.stdout.split()[-1]) < RADIUS
+
+
+def test_the_sources_build_the_same_binary_again(ball_on_floor: Path, unpacked: Unpacked, tmp_path: Path) -> None:
+    """With nothing but the folder, a compiler, CVODE and the contact engine's library."""
+    if shutil.which("cmake") is None:
+        pytest.skip("CMake is not installed")
+    folder = tmp_path / "fmu"
+    shutil.copytree(unpacked.folder, folder)
+    identifier = unpacked.description.coSimulation.modelIdentifier
+    (binary,) = folder.glob(f"binaries/*/{identifier}.so")
+    binary.unlink()
+    libraries = [find_sundials().archive.parent, *(LIBRARY / "Resources" / "Library").iterdir()]
+    environment = {name: value for name, value in os.environ.items() if name not in ("CPATH", "C_INCLUDE_PATH")}
+    for command in (
+        ["cmake", "-S", folder / "sources", "-B", tmp_path / "build",
+         f"-DCMAKE_LIBRARY_PATH={';'.join(map(str, libraries))}"],
+        ["cmake", "--build", tmp_path / "build", "-j2"],
+    ):  # fmt: skip
+        done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment, timeout=120)
+        assert done.returncode == 0, done.stdout + done.stderr
+    shutil.copyfile(tmp_path / "build" / f"{identifier}.so", binary)
+
+    def heights(fmu: Path) -> Any:
+        result = simulate_fmu(str(fmu), fmi_type="CoSimulation", stop_time=1.0, output=["ball.r_0[3]"])
+        return result["ball.r_0[3]"]
+
+    assert np.allclose(heights(folder), heights(ball_on_floor), rtol=0.0, atol=1e-9)
+
+
+def test_headers_of_the_sources_are_all_there(unpacked: Unpacked) -> None:
+    """No source includes a file that lies neither in the folder nor in the system."""
+    sources = unpacked.folder / "sources"
+    for source in sources.glob("*.c"):
+        command = ["gcc", "-std=c11", "-nostdinc", "-M", "-MG", "-I", sources, "-I", sources / "external", source]
+        listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+        missing = {name for name in listed.replace("\\\n", " ").split()[1:] if not Path(name).is_file()}
+        assert missing <= STANDARD_HEADERS, source.name
