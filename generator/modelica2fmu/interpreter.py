@@ -371,7 +371,9 @@ class Interpreter:
                 rest = expression.branches[position + 1 :]
                 otherwise = ir.If(rest, expression.otherwise, expression.span) if rest else expression.otherwise
                 try:
-                    return self._merged(chosen, self._value(value, scope), self._value(otherwise, scope))
+                    return self._merged(
+                        chosen, self._value(value, scope), self._value(otherwise, scope), expression.span
+                    )
                 except (UnsupportedModelError, ShapeError) as error:
                     # A branch cannot be translated; it need not be if parameters alone decide.
                     return self._value(value if self._decided(chosen, error) else otherwise, scope)
@@ -386,7 +388,7 @@ class Interpreter:
         except UnsupportedModelError:
             raise error from None
 
-    def _merged(self, condition: Node, first: Value, second: Value) -> Value:
+    def _merged(self, condition: Node, first: Value, second: Value, span: ir.Span | None = None) -> Value:
         if isinstance(first, Record) and isinstance(second, Record):
             return Record(
                 {name: self._merged(condition, item, second.fields[name]) for name, item in first.fields.items()}
@@ -396,7 +398,7 @@ class Interpreter:
         if isinstance(first, str | Text) or isinstance(second, str | Text):
             if first == second:
                 return first
-            chosen = self._host.constant(condition, None, "the choice of a String")
+            chosen = self._host.constant(condition, span, "the choice of a String")
             return first if chosen else second
         return arrays.elementwise(lambda a, b: ex.select(condition, a, b), first, second)
 
