@@ -106,7 +106,7 @@ typedef struct cmb_body_properties {
   /* For the effective mass of a pair; may be NULL where restitution is not used. Those of fixed bodies are not read. */
   const double *mass;            /* [body_count] kg, > 0 */
   const double *center_of_mass;  /* [body_count][3] m, in the body's frame */
-  const double *inertia;         /* [body_count][3][3] kg.m2, positive definite, about it, in the body's axes */
+  const double *inertia;         /* [body_count][3][3] kg.m2, about it, in the body's axes; 0: does not turn */
   /* Stiffness: either stiffness is given, or (with stiffness NULL) modulus and curvature by Hertz. */
   const double *stiffness;  /* [body_count] N/m^exponent, > 0, against a rigid body; two bodies act in series */
   const double *modulus;    /* [body_count] Pa, > 0, E/(1 - nu^2) */

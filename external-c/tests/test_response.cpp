@@ -5,8 +5,8 @@
 #include <random>
 #include <thread>
 
-#include "response/effective_mass.hpp"
 #include "response/point_forces.hpp"
+#include "response/spring_deceleration.hpp"
 #include "rigid_bodies.hpp"
 
 namespace {
@@ -264,8 +264,11 @@ TEST(MemorylessLaw, SolvesItsEquation) {
       for (int k = 1; k < 40; ++k) {
         const double r = -e + (1 + e) * k / 40, v0 = 3.0, K = 1e6, m = 0.7;
         const double s = v0 * v0 * ((1 - r) / d - std::log((1 + d) / (1 + d * r)) / (d * d));
+        EXPECT_NEAR(cmb::memoryless_speed_ratio(r * v0, s, damping), r, 1e-8 * (1 + 1 / d));
         const double depth = std::pow(s * m * (exponent + 1) / K, 1 / (exponent + 1));
-        EXPECT_NEAR(cmb::memoryless_speed_ratio(r * v0, depth, K, exponent, m, damping), r, 1e-8 * (1 + 1 / d));
+        const double spring = K * std::pow(depth, exponent);
+        EXPECT_NEAR(cmb::memoryless_force(depth, r * v0, K, exponent, spring / m, damping), spring * (1 + d * r),
+                    1e-8 * spring * (1 + d));
       }
     }
   }
@@ -335,8 +338,8 @@ TEST(Restitution, IsDeliveredBetweenBallsOfAnyMasses) {
   }
 }
 
-// A cube lands on its face, an edge and a corner, with the centre of mass above the contact: the effective mass is
-// the mass there, whatever the weights of the points.
+// A cube lands on its face, an edge and a corner, with the centre of mass above the contact: the mass that counts is
+// that of the cube, whatever the weights of the points.
 TEST(Restitution, IsDeliveredByFacesEdgesAndCorners) {
   const Mat3 on_edge = rotation_about({1, 0, 0}, pi / 4);
   const Mat3 on_corner = product(rotation_about({0, 1, 0}, -std::atan(std::sqrt(0.5))), on_edge);
@@ -363,7 +366,8 @@ TEST(Restitution, IsDeliveredWhereBodiesTurn) {
   }
 }
 
-TEST(EffectiveMass, IsThatOfTheClosedForm) {
+// One point: K x^n by the effective mass.
+TEST(SpringDeceleration, IsThatOfTheClosedForm) {
   std::mt19937 random(7);
   for (int repetition = 0; repetition < 100; ++repetition) {
     const Mat3 axes[2] = {random_rotation(random), random_rotation(random)};
@@ -387,23 +391,40 @@ TEST(EffectiveMass, IsThatOfTheClosedForm) {
       inverse += 1 / inertia[body].mass + turning.x * turning.x / moments.x + turning.y * turning.y / moments.y +
                  turning.z * turning.z / moments.z;
     }
-    EXPECT_NEAR(cmb::effective_mass({point, normal, 1.0}, inertia[0], inertia[1]) * inverse, 1.0, 1e-10);
-    EXPECT_NEAR(cmb::effective_mass({point, normal, 0.25}, inertia[0], inertia[1]) * inverse, 4.0, 1e-10);
+    std::vector<double> deceleration;
+    cmb::spring_decelerations({{1e-3, 0.25, normal, point}}, 1e6, 1.5, inertia[0], inertia[1], deceleration);
+    EXPECT_NEAR(deceleration[0] / (0.25 * 1e6 * std::pow(1e-3, 1.5) * inverse), 1.0, 1e-10);
+    // A fixed body takes no part; one without tensor does not turn.
+    cmb::spring_decelerations({{1e-3, 1.0, normal, point}}, 1e6, 1.0, inertia[0], {}, deceleration);
+    EXPECT_LT(deceleration[0], 1e3 * inverse);
+    const double none[9] = {};
+    inertia[0].tensor = none;
+    cmb::spring_decelerations({{1e-3, 1.0, normal, point}}, 1e6, 1.0, inertia[0], {}, deceleration);
+    EXPECT_NEAR(deceleration[0], 1e3 / inertia[0].mass, 1e-9 * deceleration[0]);
   }
 }
 
-TEST(EffectiveMass, SeesTheContactAsAWhole) {
+TEST(SpringDeceleration, SeesTheContactAsAWhole) {
   const Vec3 up{0, 0, 1};
-  // Equal depths: the mean point, the sum of weights.
-  const cmb::ContactCenter face = cmb::contact_center(
-      {{1e-3, 0.25, up, {1, 1, 0}}, {1e-3, 0.25, up, {-1, 1, 0}}, {1e-3, 0.25, up, {-1, -1, 0}}, {1e-3, 0.25, up, {1, -1, 0}}});
-  EXPECT_NEAR(norm(face.point), 0, 1e-15);
-  EXPECT_NEAR(face.weight, 1, 1e-15);
+  const double tensor[9] = {2, 0, 0, 0, 2, 0, 0, 0, 2};
+  const Mat3 axes;
+  const cmb::Inertia body{false, 4.0, {0, 0, 1}, tensor, &axes};
+  std::vector<double> deceleration;
+  // A face: all of its points are slowed down as the body is.
+  cmb::spring_decelerations({{1e-3, 0.25, up, {1, 1, 0}}, {1e-3, 0.25, up, {-1, 1, 0}}, {1e-3, 0.25, up, {-1, -1, 0}},
+                             {1e-3, 0.25, up, {1, -1, 0}}},
+                            1e6, 1.0, body, {}, deceleration);
+  for (const double value : deceleration) EXPECT_NEAR(value, 1e3 / 4.0, 1e-9);
   // A point that only begins to carry changes nothing.
-  const cmb::ContactCenter edge = cmb::contact_center({{1e-3, 0.25, up, {1, 0, 0}}, {1e-200, 0.25, up, {9, 0, 0}}});
-  EXPECT_NEAR(edge.point.x, 1, 1e-15);
-  EXPECT_NEAR(edge.weight, 0.25, 1e-15);
-  EXPECT_NEAR(cmb::contact_center({{1e-200, 0.5, up, {1, 0, 0}}}).weight, 0.5, 1e-15);
+  cmb::spring_decelerations({{1e-3, 0.25, up, {1, 0, 0}}}, 1e6, 1.0, body, {}, deceleration);
+  const double alone = deceleration[0];
+  cmb::spring_decelerations({{1e-3, 0.25, up, {1, 0, 0}}, {1e-200, 0.25, up, {9, 0, 0}}}, 1e6, 1.0, body, {},
+                            deceleration);
+  EXPECT_NEAR(deceleration[0], alone, 1e-12 * alone);
+  // A point that the springs drive deeper is not slowed down.
+  cmb::spring_decelerations({{1e-3, 1.0, up, {5, 0, 0}}, {1e-9, 1.0, up, {-5, 0, 0}}}, 1e6, 1.0, body, {},
+                            deceleration);
+  EXPECT_EQ(deceleration[1], 0.0);
 }
 
 // Balls between a floor and four walls.
@@ -497,7 +518,7 @@ TEST(Response, SaysWhatIsWrong) {
   refused("body 1: the mass");
   ball.bodies.mass[0] = HUGE_VAL;
   refused("body 1: the mass");
-  ball.bodies.inertia[4] = 0.0;
+  ball.bodies.inertia[4] = -1.0;
   refused("body 1: the inertia");
   ball.bodies.stiffness[1] = -1.0;
   refused("body 2: the stiffness");

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "response/effective_mass.hpp"
 #include "response/pair_law.hpp"
 #include "response/point_forces.hpp"
+#include "response/spring_deceleration.hpp"
 
 namespace cmb {
 
@@ -23,15 +23,18 @@ class Evaluation {
 
   void add(std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
     const PairLaw pair = pair_law(law_, properties_, a, b, scratch_.damping);
-    const double mass = needs_masses(law_) ? pair_mass(a, b, points) : 0.0;
+    if (needs_masses(law_)) {
+      spring_decelerations(points, pair.stiffness, law_.exponent, inertia_of(a), inertia_of(b), scratch_.deceleration);
+    }
     const Vec3 origin_a = row_of(motion_.position, a), origin_b = row_of(motion_.position, b);
     const Vec3 v_a = row_of(motion_.velocity, a), v_b = row_of(motion_.velocity, b);
     const Vec3 w_a = row_of(motion_.angular_velocity, a), w_b = row_of(motion_.angular_velocity, b);
-    for (const ContactPoint &point : points) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const ContactPoint &point = points[k];
       const Vec3 arm_a = point.position - origin_a, arm_b = point.position - origin_b;
       const Vec3 velocity = v_a + cross(w_a, arm_a) - v_b - cross(w_b, arm_b);
       const double approach_speed = -dot(velocity, point.normal);
-      const double normal_force = point.weight * unit_force(point.depth, approach_speed, pair, mass);
+      const double normal_force = point.weight * unit_force(k, point.depth, approach_speed, pair);
 
       Vec3 force = normal_force * point.normal;
       Vec3 turning;
@@ -63,14 +66,15 @@ class Evaluation {
   const cmb_response_sums &sums() const { return sums_; }
 
  private:
-  // Normal force of a point of weight 1.
-  double unit_force(double depth, double approach_speed, const PairLaw &pair, double mass) const {
+  // Normal force of point k of the pair, were its weight 1.
+  double unit_force(std::size_t k, double depth, double approach_speed, const PairLaw &pair) const {
     if (law_.normal_law == CMB_LAW_SPRING_DAMPER) {
       return spring_damper_force(depth, approach_speed, pair.stiffness, law_.exponent, law_.damping,
                                  law_.damping_depth);
     }
     if (law_.use_restitution != 0) {
-      return memoryless_force(depth, approach_speed, pair.stiffness, law_.exponent, mass, pair.damping);
+      return memoryless_force(depth, approach_speed, pair.stiffness, law_.exponent, scratch_.deceleration[k],
+                              pair.damping);
     }
     return damped_force(depth, approach_speed, pair.stiffness, law_.exponent, law_.steady_rate);
   }
@@ -80,10 +84,6 @@ class Evaluation {
     const Pose &pose = scratch_.broad_phase.body_poses[body];
     return {false, properties_.mass[body], pose(row_of(properties_.center_of_mass, body)),
             properties_.inertia + 9 * body, &pose.rotation};
-  }
-
-  double pair_mass(std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) const {
-    return effective_mass(contact_center(points), inertia_of(a), inertia_of(b));
   }
 
   const BroadPhase &broad_phase_;

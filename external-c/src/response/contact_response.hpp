@@ -15,6 +15,7 @@ namespace cmb {
 struct ResponseScratch {
   BroadPhaseScratch broad_phase;
   DampingMemory damping;
+  std::vector<double> deceleration;
   std::vector<Vec3> force, torque;
 };
 

@@ -1,5 +1,6 @@
 #include "response/pair_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -119,8 +120,10 @@ void check_body(const cmb_contact_law &law, const cmb_body_properties &propertie
     if (!fixed) {
       require_of_body(properties.mass[body] > 0.0 && std::isfinite(properties.mass[body]), body,
                       "the mass is not greater than 0 and finite; say that the body is fixed if it never moves");
-      require_of_body(positive_definite(properties.inertia + 9 * body), body,
-                      "the inertia is not positive definite; give all three moments of inertia");
+      const double *inertia = properties.inertia + 9 * body;
+      require_of_body(std::all_of(inertia, inertia + 9, [](double value) { return value == 0.0; }) ||
+                          positive_definite(inertia),
+                      body, "the inertia is neither 0 nor positive definite; give all three moments of inertia");
     }
   }
   if (law.use_friction != 0) {

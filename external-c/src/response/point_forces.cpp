@@ -24,16 +24,15 @@ double spring_damper_force(double depth, double approach_speed, double stiffness
   return std::fmax(0.0, stiffness * depth_power(depth, exponent) + s * s * (3.0 - 2.0 * s) * damping * approach_speed);
 }
 
-double memoryless_speed_ratio(double approach_speed, double depth, double stiffness, double exponent,
-                              double effective_mass, const Damping &damping) {
+double memoryless_speed_ratio(double approach_speed, double specific_energy, const Damping &damping) {
   constexpr double smallest_damping = 1e-3;
   constexpr double largest_q = 1e4;  // beyond, the ratio is that at the start or the end of the contact
   const double d = std::fmax(damping.factor, smallest_damping);
   const double start = std::log(1.0 + d);
   const double c = 1.0 + d - start;
   const double end = damping.logarithm_at_separation;
-  const double s = stiffness * depth_power(depth, exponent) * depth / (effective_mass * (exponent + 1.0));
-  const double q = std::clamp(approach_speed / std::sqrt(s + std::numeric_limits<double>::min()), -largest_q, largest_q);
+  const double q = std::clamp(approach_speed / std::sqrt(specific_energy + std::numeric_limits<double>::min()),
+                              -largest_q, largest_q);
 
   // Bisection for l = ln sigma, then Newton's method for sigma with t = (start sigma^2 + end)/(1 + sigma^2).
   const auto t_of = [&](double p) { return (start * p + end) / (1.0 + p); };
@@ -57,11 +56,10 @@ double memoryless_speed_ratio(double approach_speed, double depth, double stiffn
   return (std::exp(t_of(sigma * sigma)) - 1.0) / d;
 }
 
-double memoryless_force(double depth, double approach_speed, double stiffness, double exponent, double effective_mass,
-                        const Damping &damping) {
+double memoryless_force(double depth, double approach_speed, double stiffness, double exponent,
+                        double spring_deceleration, const Damping &damping) {
   if (!(depth > 0.0)) return 0.0;
-  const double ratio =
-      memoryless_speed_ratio(approach_speed, depth, stiffness, exponent, effective_mass, damping);
+  const double ratio = memoryless_speed_ratio(approach_speed, depth * spring_deceleration / (exponent + 1.0), damping);
   return stiffness * depth_power(depth, exponent) * std::fmax(0.0, 1.0 + damping.factor * ratio);
 }
 
