@@ -55,6 +55,24 @@ BodyPose tumbling(double s, const Vec3 &axis, double x, double y, bool of_wedge)
 
 const Mat3 yaw_small = rotation_about({0, 0, 1}, 0.3);
 
+const char *const cylinder = "cmb/1 cylinder radius=0.3 length=0.5";
+const char *const drum = "cmb/1 cylinder radius=1 length=1";
+const char *const cone = "cmb/1 cone radius=0.3 length=0.5";
+
+// The same for the cylinder and the cone.
+BodyPose tumbling_cylinder(double s, double x, double y) {
+  const Mat3 rotation = rotation_about(normalized(Vec3{1, 0.3, 0.0}), 2 * pi * s);
+  const Vec3 axis = rotation.column(2);
+  return {{x, y, 0.5 + 0.25 * std::fabs(axis.z) + 0.3 * std::hypot(axis.x, axis.y) - depth}, rotation};
+}
+
+BodyPose tumbling_cone(double s) {
+  const Mat3 rotation = rotation_about(normalized(Vec3{1, 0.3, 0.0}), 2 * pi * s);
+  const Vec3 axis = rotation.column(2);
+  const double apex = -0.25 * axis.z, base = 0.25 * axis.z + 0.3 * std::hypot(axis.x, axis.y);
+  return {{0.1, 0.2, 0.5 + std::fmax(apex, base) - depth}, rotation};
+}
+
 const Path paths[] = {
     {"box slides over the border of a table", cube, table,
      [](double s) { return BodyPose{{1.0 + 2.0 * s, 0.1, 1.0 - depth}, {}}; }, {}},
@@ -108,21 +126,9 @@ const Path paths[] = {
        return BodyPose{{0, 0, 0.6 + std::fabs((rotation * Vec3{0, 0, 0.4}).z) - depth}, rotation};
      },
      {}},
-    {"cylinder tumbles on a half-space", "cmb/1 cylinder radius=0.3 length=0.5", floor_halfspace,
-     [](double s) {
-       const Mat3 rotation = rotation_about(normalized(Vec3{1, 0.3, 0.0}), 2 * pi * s);
-       const Vec3 axis = rotation.column(2);
-       return BodyPose{{0, 0, 0.5 + 0.25 * std::fabs(axis.z) + 0.3 * std::hypot(axis.x, axis.y) - depth}, rotation};
-     },
-     {}},
-    {"cone tumbles on a half-space", "cmb/1 cone radius=0.3 length=0.5", floor_halfspace,
-     [](double s) {
-       const Mat3 rotation = rotation_about(normalized(Vec3{1, 0.3, 0.0}), 2 * pi * s);
-       const Vec3 axis = rotation.column(2);
-       const double apex = -0.25 * axis.z, base = 0.25 * axis.z + 0.3 * std::hypot(axis.x, axis.y);
-       return BodyPose{{0, 0, 0.5 + std::fmax(apex, base) - depth}, rotation};
-     },
-     {}},
+    {"cylinder tumbles on a half-space", cylinder, floor_halfspace,
+     [](double s) { return tumbling_cylinder(s, 0, 0); }, {}},
+    {"cone tumbles on a half-space", cone, floor_halfspace, [](double s) { return tumbling_cone(s); }, {}},
     {"capsule slides over the border of a table", capsule, table,
      [](double s) {
        return BodyPose{{1.2 + 1.5 * s, 0.1, 0.6 - depth},
@@ -143,6 +149,37 @@ const Path paths[] = {
                        product(rotation_about({0, 0, 1}, -1.0 + 2.0 * s), rotation_about({0, 1, 0}, pi / 2))};
      },
      {{}, rotation_about({0, 1, 0}, pi / 2)}},
+    {"cylinder tumbles on a table", cylinder, table,
+     [](double s) { return tumbling_cylinder(s, 0.1, 0.2); }, {}},
+    {"cylinder tumbles on a cylinder", cylinder, drum,
+     [](double s) { return tumbling_cylinder(s, 0.1, 0.2); }, {}},
+    {"cylinder tumbles over the border of a table", cylinder, table,
+     [](double s) { return tumbling_cylinder(s, 1.9, 0.2); }, {}},
+    {"cone tumbles on a table", cone, table, [](double s) { return tumbling_cone(s); }, {}},
+    {"cone tumbles on a cylinder", cone, drum, [](double s) { return tumbling_cone(s); }, {}},
+    {"standing cylinder slides over the border of a table", cylinder, table,
+     [](double s) { return BodyPose{{1.2 + 0.9 * s, 0.1 * s, 0.75 - depth}, {}}; }, {}},
+    {"cylinder rocks over the border of a table", cylinder, table,
+     [](double s) { return BodyPose{{1.9, 0.1, 0.75 - depth}, rotation_about({0.6, 0.8, 0}, -0.1 + 0.2 * s)}; }, {}},
+    {"lying cylinder slides over the border of a table", cylinder, table,
+     [](double s) {
+       return BodyPose{{1.2 + 0.9 * s, 0.1, 0.8 - depth},
+                       product(rotation_about({0, 0, 1}, 0.3), rotation_about({0, 1, 0}, pi / 2))};
+     },
+     {}},
+    {"cylinder slides over the border of a cylinder", cylinder, drum,
+     [](double s) { return BodyPose{{0.2 + 1.0 * s, 0.1, 0.75 - depth}, yaw_small}; }, {}},
+    {"box rocks on a cylinder", pedestal, drum,
+     [](double s) { return BodyPose{{0.8, 0, 1.0 - depth}, rotation_about({0.6, 0.8, 0}, -0.1 + 0.2 * s)}; }, {}},
+    {"cylinders lie side by side, through parallel", cylinder, cylinder,
+     [](double s) { return BodyPose{{0.1, 0.05, 0.6 - depth}, rotation_about({0, 1, 0.001}, pi / 2 - 0.3 + 0.6 * s)}; },
+     {{}, rotation_about({0, 1, 0}, pi / 2)}},
+    {"capsule tumbles on a cylinder", capsule, drum,
+     [](double s) {
+       const Mat3 rotation = rotation_about(normalized(Vec3{1, 0.3, 0.2}), 2 * pi * s);
+       return BodyPose{{0, 0, 0.6 + std::fabs((rotation * Vec3{0, 0, 0.4}).z) - depth}, rotation};
+     },
+     {}},
     {"sphere rolls over the border of a table", "cmb/1 sphere radius=0.3", table,
      [](double s) { return BodyPose{{1.5 + s, 0.1, 0.8 - depth}, {}}; }, {}},
 };

@@ -21,14 +21,30 @@ constexpr double passed_part = 0.01;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// The axis in world axes.
+// Sine of the inclination at which a cylinder or cone no longer lies on its side.
+constexpr double lying_sine = 0.25;
+
+// The axis in world axes, and the radii of spheres about its ends that reach as far along the contact normal as the body.
 struct Axis {
   Vec3 middle, direction;
   double half = 0.0;
+  double lower_radius, upper_radius;
 
-  Axis(const Shape &capsule, const Pose &pose)
-      : middle(pose.translation), direction(pose.rotation.column(2)), half(capsule.body.half.z) {}
+  Axis(const Shape &shape, const Pose &pose, const Vec3 &normal)
+      : middle(pose.translation), direction(pose.rotation.column(2)), half(shape.body.half.z) {
+    const double across = norm(normal - dot(normal, direction) * direction);
+    lower_radius = shape.kind == ShapeKind::capsule ? shape.body.radius : shape.body.half.x * across;
+    upper_radius = shape.kind == ShapeKind::cone ? 0.0 : lower_radius;
+  }
+  double radius(double along) const {
+    return lower_radius + (0.5 + 0.5 * along / half) * (upper_radius - lower_radius);
+  }
   double place(const Vec3 &p) const { return std::clamp(dot(p - middle, direction), -half, half); }
+  // The place beside p along the contact normal.
+  double place_beside(const Vec3 &p, const Vec3 &normal) const {
+    const Vec3 level = direction - dot(direction, normal) * normal;
+    return std::clamp(dot(p - middle, level) / norm2(level), -half, half);
+  }
   Vec3 operator()(double along) const { return middle + along * direction; }
 };
 
@@ -84,23 +100,36 @@ void add_vertices(const Axis &axis, double radius, const ContactPolytope &body, 
   }
 }
 
-// Appends what the stations of one capsule's axis carry. `towards` is +1 where the capsule is the first body.
-void add_axis(const Shape &capsule, const Pose &pose, const Shape &other, const Pose &other_pose,
-              const Vec3 &deepest, const Vec3 &normal, double towards, double part, AxisManifoldScratch &scratch,
-              std::vector<ContactPoint> &points) {
-  const Axis axis(capsule, pose);
+}  // namespace
+
+double line_part(const Shape &shape, const Vec3 &towards) {
+  if (shape.kind == ShapeKind::capsule) return 1.0;
+  double sine = towards.z;  // of the side's inclination
+  if (shape.kind == ShapeKind::cone) {
+    const double height = 2.0 * shape.body.half.z, radius = shape.body.half.x;
+    sine = (height * towards.z - radius * std::hypot(towards.x, towards.y)) / std::hypot(height, radius);
+  } else if (shape.kind != ShapeKind::cylinder) {
+    return 0.0;
+  }
+  return faded(std::fabs(sine) / lying_sine);
+}
+
+void line_contact(const Shape &shape, const Pose &pose, const Shape &other, const Pose &other_pose, const Vec3 &deepest,
+                  const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+  const Axis axis(shape, pose, normal);
   std::vector<Station> &stations = scratch.stations;
   stations.clear();
   add_station(-axis.half, stations);
   add_station(axis.half, stations);
-  add_station(axis.place(deepest), stations);
+  add_station(shape.kind == ShapeKind::capsule ? axis.place(deepest) : axis.place_beside(deepest, normal), stations);
+  const ContactPolytope *bounded = other.polytope ? other.polytope.get() : other.rim.get();
   if (other.kind == ShapeKind::capsule) {
-    const Axis other_axis(other, other_pose);
+    const Axis other_axis(other, other_pose, normal);
     add_station(axis.place(other_axis(-other_axis.half)), stations);
     add_station(axis.place(other_axis(other_axis.half)), stations);
-  } else if (other.polytope) {
-    add_face_borders(axis, *other.polytope, other_pose, normal, stations);
-    add_vertices(axis, capsule.body.radius, *other.polytope, other_pose, normal, stations);
+  } else if (bounded != nullptr) {
+    add_face_borders(axis, *bounded, other_pose, normal, stations);
+    add_vertices(axis, std::max(axis.lower_radius, axis.upper_radius), *bounded, other_pose, normal, stations);
   }
   std::sort(stations.begin(), stations.end(), [](const Station &x, const Station &y) { return x.along < y.along; });
   const double spacing = station_spacing * axis.half;
@@ -110,13 +139,13 @@ void add_axis(const Shape &capsule, const Pose &pose, const Shape &other, const 
 
   Shape sphere;
   sphere.kind = ShapeKind::sphere;
-  sphere.body = convex::make_sphere(capsule.body.radius);
-  sphere.bound_radius = capsule.body.radius;
   for (Station &station : stations) {
+    sphere.body = convex::make_sphere(axis.radius(station.along));
+    sphere.bound_radius = sphere.body.radius;
     const ConvexAnswer answer =
         *exact_distance(sphere, {{}, axis(station.along)}, other, other_pose, scratch.backend);
     station.depth = -answer.distance;
-    station.normal = towards * answer.normal;
+    station.normal = sense * answer.normal;
     station.position = 0.5 * (answer.point_a + answer.point_b);
   }
   // Between two stations the depth rises with the sine of the inclination at which both would be equally deep.
@@ -131,9 +160,9 @@ void add_axis(const Shape &capsule, const Pose &pose, const Shape &other, const 
                                      -1.0, 1.0);
       further = std::min(shallower, 0.5 * (1.0 + end_share_difference(sine)));
       const double here = std::fmax(stations[i].depth, 0.0), next = std::fmax(stations[i + 1].depth, 0.0);
-      missing += 0.25 * part * end_share_slope(sine) * (next * next - here * here);
+      missing += 0.25 * end_share_slope(sine) * (next * next - here * here);
     }
-    const double weight = part * (shallower - further);
+    const double weight = shallower - further;
     shallower = further;
     if (stations[i].depth > 0.0 && weight > 0.0) {
       points.push_back({stations[i].depth, weight, stations[i].normal, stations[i].position});
@@ -145,19 +174,6 @@ void add_axis(const Shape &capsule, const Pose &pose, const Shape &other, const 
   for (std::size_t i = first_point; i < points.size(); ++i) {
     const Vec3 tangential = axis.direction - dot(axis.direction, points[i].normal) * points[i].normal;
     points[i].position = points[i].position + (missing / load) * tangential;
-  }
-}
-
-}  // namespace
-
-void axis_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
-                  AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
-  const double part = a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule ? 0.5 : 1.0;
-  if (a.kind == ShapeKind::capsule) {
-    add_axis(a, pose_a, b, pose_b, answer.point_a, answer.normal, 1.0, part, scratch, points);
-  }
-  if (b.kind == ShapeKind::capsule) {
-    add_axis(b, pose_b, a, pose_a, answer.point_b, -answer.normal, -1.0, part, scratch, points);
   }
 }
 

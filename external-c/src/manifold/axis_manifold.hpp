@@ -1,4 +1,4 @@
-// Contact of capsules with bounded convex shapes.
+// Contact along a line: of capsules, and of cylinders and cones that lie on their side, with bounded convex shapes.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace cmb {
 
 // Room that capsule contacts are made in; one for each thread.
 struct AxisManifoldScratch {
-  // A place on the capsule's axis and the contact of a sphere there.
+  // A place on the axis and the contact of a sphere there.
   struct Station {
     double along = 0.0;  // m, from the axis' middle
     double depth = 0.0;  // may be negative
@@ -20,12 +20,17 @@ struct AxisManifoldScratch {
   BackendScratch backend;
 };
 
-// Appends the contact of A and B, at least one of which is a capsule, whose signed distance is `answer` (< 0).
+// How far a shape lies along a line on an obstacle in the direction `towards` (unit, in the shape's frame): 1 for a
+// capsule, always; for a cylinder or cone 1 with its side flat, fading to 0 where that is inclined by more than a
+// sixth of a right angle; 0 for all others.
+double line_part(const Shape &shape, const Vec3 &towards);
+
+// Appends what `shape`, of some line part, carries in a contact with `other` on a line: `deepest` is a point of the
+// deepest place, `normal` the contact normal from `other` to `shape`; the points' normals are those times `sense`.
 //
 // Spheres at stations along the axis penetrate by depths that form a concave function of the place. A station's
-// weight is the part of all inclinations under which it would be the deepest; the weights sum to 1. Of two capsules
-// each axis gives half.
-void axis_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
-                  AxisManifoldScratch &scratch, std::vector<ContactPoint> &points);
+// weight is the part of all inclinations under which it would be the deepest; the weights sum to 1.
+void line_contact(const Shape &shape, const Pose &pose, const Shape &other, const Pose &other_pose, const Vec3 &deepest,
+                  const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points);
 
 }  // namespace cmb

@@ -1,3 +1,4 @@
+#include "geometry/rim_polytope.hpp"
 #include "scene/descriptor.hpp"
 
 #include <algorithm>
@@ -87,9 +88,11 @@ Shape parse_shape(const Token &part, GeometryFiles &files) {
   } else if (kind.text == "cylinder") {
     shape.kind = ShapeKind::cylinder;
     shape.body = convex::make_cylinder(keys.require_lengths("radius", 1)[0], keys.require_lengths("length", 1)[0]);
+    shape.rim = make_rim_polytope(shape.body);
   } else if (kind.text == "cone") {
     shape.kind = ShapeKind::cone;
     shape.body = convex::make_cone(keys.require_lengths("radius", 1)[0], keys.require_lengths("length", 1)[0]);
+    shape.rim = make_rim_polytope(shape.body);
   } else {
     throw DescriptorError(kind.column, "the kind of shape " + quoted(kind.text) +
                                            " is unknown; use halfspace, sphere, box, capsule, hull, ellipsoid, "

@@ -25,6 +25,7 @@ struct Shape {
   ShapeKind kind = ShapeKind::halfspace;
   convex::ConvexBody body;                           // of every kind but halfspace and mesh
   std::shared_ptr<const ContactPolytope> polytope;   // of box and hull
+  std::shared_ptr<const ContactPolytope> rim;        // of cylinder and cone: stands for their flat ends
   std::shared_ptr<const mesh::TriangleMesh> mesh;    // of mesh, which height fields are too
   std::shared_ptr<const ContactPolytope> mesh_hull;  // of a mesh that a half-space may touch, if it is no plane
   Pose in_body;                                      // point_in_body = in_body(point_in_shape)

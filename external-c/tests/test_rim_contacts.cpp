@@ -1,0 +1,76 @@
+// Cylinders and cones that stand or lie on bounded shapes carry as on a half-space.
+#include "scene_query.hpp"
+
+namespace {
+
+using namespace cmb::test;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double depth = 1e-3;
+const char *const cylinder = "cmb/1 cylinder radius=0.3 length=0.5";
+const char *const cone = "cmb/1 cone radius=0.3 length=0.5";
+const char *const ground = "cmb/1 halfspace position=0,0,0.5";
+
+struct Case {
+  const char *name, *body, *support;
+  BodyPose pose;
+};
+
+void PrintTo(const Case &c, std::ostream *stream) { *stream << c.name; }
+
+const Mat3 lying = rotation_about({0, 1, 0}, pi / 2), yaw = rotation_about({0, 0, 1}, 0.7);
+
+
+const Case cases[] = {
+    {"cylinder on a box", cylinder, "cmb/1 box size=4,4,1", {{0.2, 0.1, 0.75 - depth}, yaw}},
+    {"cylinder on a cylinder", cylinder, "cmb/1 cylinder radius=1 length=1", {{0.2, 0.1, 0.75 - depth}, yaw}},
+    {"cylinder on a cone's base", cylinder, "cmb/1 cone radius=1 length=1 rotation=1,0,0,0,-1,0,0,0,-1",
+     {{0.2, 0.1, 0.75 - depth}, yaw}},
+    {"cone on a box", cone, "cmb/1 box size=4,4,1", {{0.2, 0.1, 0.75 - depth}, yaw}},
+    {"lying cylinder on a box", cylinder, "cmb/1 box size=4,4,1", {{0.2, 0.1, 0.8 - depth}, product(yaw, lying)}},
+    {"lying cylinder on a cylinder", cylinder, "cmb/1 cylinder radius=1 length=1",
+     {{0.2, 0.1, 0.8 - depth}, product(yaw, lying)}},
+    {"capsule on a cylinder", "cmb/1 capsule radius=0.3 length=0.5", "cmb/1 cylinder radius=1 length=1",
+     {{0.2, 0.1, 0.8 - depth}, product(yaw, lying)}},
+};
+
+class RimContacts : public testing::TestWithParam<Case> {};
+
+// Level, every load and moment is that on the half-space, and so is how the moment answers a small tilt.
+TEST_P(RimContacts, EqualThoseOnAHalfspace) {
+  const Case &c = GetParam();
+  const PairScene bounded(c.body, c.support), half(c.body, ground);
+  for (const double tilt : {0.0, 2e-4}) {
+    BodyPose pose = c.pose;
+    pose.rotation = product(rotation_about({0.6, 0.8, 0}, tilt), pose.rotation);
+    const Contact on_bounded = bounded.query(pose, {}, 64), on_half = half.query(pose, {}, 64);
+    EXPECT_NEAR(on_bounded.distance, on_half.distance, 1e-12);
+    // To first order in the tilt.
+    const double slack = tilt == 0.0 ? 1e-9 : 0.01 * tilt / depth;
+    EXPECT_LT(norm(on_bounded.load() - on_half.load()), slack * depth) << tilt;
+    EXPECT_LT(norm(on_bounded.moment(pose.position) - on_half.moment(pose.position)), slack * depth * 0.3) << tilt;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RimContacts, testing::ValuesIn(cases));
+
+// What rests wholly carries wholly: the moment of a tilt is that of a rim, half of radius^2 times tilt.
+TEST(RimContacts, TiltedDiscIsRightedByTheRimsSecondMoment) {
+  const PairScene scene(cylinder, "cmb/1 box size=4,4,1");
+  const double tilt = 1e-6;
+  const BodyPose pose{{0, 0, 0.75 - depth}, rotation_about({0, 1, 0}, tilt)};
+  const Contact contact = scene.query(pose, {}, 64);
+  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-5);
+  // About the disc's middle; the disc leans by tilt, the load comes from its centre.
+  const Vec3 middle = pose.position + 0.25 * (pose.rotation * Vec3{0, 0, -1});
+  EXPECT_NEAR(contact.moment(middle).y / (-0.5 * 0.09 * tilt), 1.0, 0.02);
+}
+
+TEST(RimContacts, BoxStandsOnACylinder) {
+  const PairScene scene("cmb/1 box size=0.5,0.4,0.3", "cmb/1 cylinder radius=1 length=1");
+  const Contact contact = scene.query({{0.1, 0.2, 0.65 - depth}, yaw}, {}, 64);
+  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-9);
+  EXPECT_EQ(contact.points.size(), 4u);
+}
+
+}  // namespace
