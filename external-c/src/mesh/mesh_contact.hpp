@@ -7,6 +7,7 @@
 #include "convex/convex_distance.hpp"
 #include "convex/polytope.hpp"
 #include "manifold/contact_set.hpp"
+#include "mesh/pair_patches.hpp"
 #include "mesh/patch_load.hpp"
 #include "mesh/shared_load.hpp"
 #include "mesh/smooth_facets.hpp"
@@ -19,6 +20,7 @@ struct MeshContactScratch {
   SharedLoad shared;
   std::vector<Vec3> body_vertices, body_normals;  // in the mesh's frame
   PatchScratch patch;
+  PairScratch pair;
   Facets facets;
 };
 

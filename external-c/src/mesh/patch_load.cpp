@@ -23,12 +23,18 @@ PatchLoad::Integral PatchLoad::integrate(const std::vector<Vec3> &polygon, const
   return sum;
 }
 
-void PatchLoad::push(const TriangleWedge &wedge, const Vec3 &normal, double factor) {
-  const double cosine = -dot(normal, wedge.normal());
-  if (!(cosine > 0.0)) return;
+bool PatchLoad::push(const TriangleWedge &wedge, const Vec3 &normal, double factor) {
   std::vector<Vec3> &polygon = scratch_.polygon;
-  cut_off_ = std::fmax(cut_off_, wedge.clip(polygon, scratch_.clipped));
-  if (polygon.size() < 3) return;
+  wedge.clip(polygon, scratch_.clipped);
+  if (polygon.size() < 3) return false;
+  const double cosine = -dot(normal, wedge.normal());
+  if (cosine > 0.0) add_patch(wedge, cosine, factor);
+  return true;
+}
+
+// The patch is scratch_.polygon.
+void PatchLoad::add_patch(const TriangleWedge &wedge, double cosine, double factor) {
+  std::vector<Vec3> &polygon = scratch_.polygon;
   Vec3 middle;
   for (const Vec3 &p : polygon) middle = middle + p;
   middle = (1.0 / static_cast<double>(polygon.size())) * middle;
@@ -106,10 +112,13 @@ void PatchLoad::add(const Integral &integral, std::size_t quadrant, const Vec3 &
 }
 
 // 1 where the triangle's plane is what is nearest to a point behind it; falls to 0 where another part of the surface
-// is nearer by half, as on the far side of a thin wall.
+// is nearer by half, as on the far side of a thin wall. Down to the clear depth nothing is, which need not be looked up.
 double PatchLoad::inside_share(const Vec3 &p, double depth, std::uint32_t triangle) const {
-  if (!mesh_.closed() || !(depth > 0.0)) return 1.0;
-  return std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, triangle).distance / depth - 1.0 + 1e-9));
+  const double clear = mesh_.clear_depth(triangle);
+  if (!mesh_.closed() || depth <= clear) return 1.0;
+  const double share =
+      std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, triangle).distance / depth - 1.0 + 1e-9));
+  return depth >= 2.0 * clear ? share : 1.0 - (depth / clear - 1.0) * (1.0 - share);
 }
 
 void PatchLoad::finish(ContactSet &result, double part) const {

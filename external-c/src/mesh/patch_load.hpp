@@ -29,13 +29,12 @@ class PatchLoad {
       : mesh_(mesh), pose_(pose), center_(center), scratch_(scratch) {}
 
   // Adds what the wedge's triangle pushes of the plane convex polygon in scratch.polygon (overwritten), whose unit
-  // outward normal is `normal`, its load multiplied by `factor`. Only surface that faces the triangle is pushed.
-  void push(const TriangleWedge &wedge, const Vec3 &normal, double factor = 1.0);
+  // outward normal is `normal`, its load multiplied by `factor`. Only surface that faces the triangle is pushed. Returns
+  // whether some of the polygon lies in the wedge.
+  bool push(const TriangleWedge &wedge, const Vec3 &normal, double factor = 1.0);
 
   // Whether anything is pushed.
   bool touches() const { return deepest_ > 0.0 && carrying_area_ > 0.0; }
-  // How deep surface lay that the wedges cut off (TriangleWedge::clip); 0 where none did.
-  double cut_off() const { return cut_off_; }
 
   // Where it touches: appends the points, their weights multiplied by `part`, and sets distance, normal and witness.
   void finish(ContactSet &result, double part = 1.0) const;
@@ -53,6 +52,7 @@ class PatchLoad {
     Vec3 moment;
   };
   static Integral integrate(const std::vector<Vec3> &polygon, const TriangleWedge &wedge, double cosine);
+  void add_patch(const TriangleWedge &wedge, double cosine, double factor);
   void add(const Integral &integral, std::size_t quadrant, const Vec3 &normal, double share);
   double inside_share(const Vec3 &p, double depth, std::uint32_t triangle) const;
 
@@ -64,7 +64,6 @@ class PatchLoad {
   double most_carried_ = 0.0;
   double deepest_ = 0.0;
   Vec3 deepest_place_, deepest_normal_;
-  double cut_off_ = 0.0;
   Sum sums_[6][4];  // by direction (axis, sense) and quadrant
 };
 

@@ -1,6 +1,7 @@
 // A hierarchy of axis-aligned boxes over triangles.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -30,8 +31,8 @@ Bounds bounds_of(const std::vector<Vec3> &points);
 // Makes the box hold p.
 inline void include(Bounds &box, const Vec3 &p) {
   for (int k = 0; k < 3; ++k) {
-    box.low.set(k, std::fmin(box.low[k], p[k]));
-    box.high.set(k, std::fmax(box.high[k], p[k]));
+    box.low.set(k, std::min(box.low[k], p[k]));
+    box.high.set(k, std::max(box.high[k], p[k]));
   }
 }
 
@@ -46,7 +47,7 @@ inline Bounds bounds_of(const Vec3 (&corners)[3]) {
 inline double distance2(const Bounds &a, const Bounds &b) {
   double sum = 0.0;
   for (int k = 0; k < 3; ++k) {
-    const double gap = std::fmax(0.0, std::fmax(a.low[k] - b.high[k], b.low[k] - a.high[k]));
+    const double gap = std::max(0.0, std::max(a.low[k] - b.high[k], b.low[k] - a.high[k]));
     sum += gap * gap;
   }
   return sum;

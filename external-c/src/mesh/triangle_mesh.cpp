@@ -66,6 +66,7 @@ TriangleMesh::TriangleMesh(MeshData data, MeshUse use, const std::string &source
   build_normals();
   measure();
   build_depth_limits();
+  build_clear_depths();
 }
 
 double TriangleMesh::triangle_size() const {
@@ -165,6 +166,35 @@ void TriangleMesh::build_depth_limits() {
           hit = std::fmin(hit, ray_hit(middle, inward, corner(other, 0), corner(other, 1), corner(other, 2)));
         });
     depth_limits_[t] = 0.5 * hit;
+  }
+}
+
+bool TriangleMesh::is_other_side(std::uint32_t t, std::uint32_t other) const {
+  if (!(dot(face_normal(t), face_normal(other)) < 0.5)) return false;
+  for (const std::uint32_t v : triangles()[t]) {
+    for (const std::uint32_t w : triangles()[other]) {
+      if (v == w) return false;
+    }
+  }
+  return true;
+}
+
+void TriangleMesh::build_clear_depths() {
+  // A place in a triangle's wedge (TriangleWedge) lies within 1.5 depths of the triangle.
+  constexpr double wedge_reach = 1.5;
+  const double farthest = 3.0 * (1.0 + wedge_reach) * triangle_size();
+  const auto count = static_cast<std::uint32_t>(triangles().size());
+  clear_depths_.resize(count);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const Vec3 corners[3] = {corner(t, 0), corner(t, 1), corner(t, 2)};
+    double nearest2 = farthest * farthest;
+    hierarchy_.visit_near(bounds_of(corners), [&] { return nearest2; }, [&](std::uint32_t other) {
+      if (!is_other_side(t, other)) return;
+      // The distance of boxes is enough: a depth too small only costs time.
+      const Vec3 others[3] = {corner(other, 0), corner(other, 1), corner(other, 2)};
+      nearest2 = std::min(nearest2, distance2(bounds_of(corners), bounds_of(others)));
+    });
+    clear_depths_[t] = std::sqrt(nearest2) / (1.0 + wedge_reach);
   }
 }
 

@@ -62,6 +62,10 @@ class TriangleMesh {
   // line into the body from the triangle's middle meets nothing.
   double depth_limit(std::uint32_t t) const { return depth_limits_[t]; }
 
+  // Down to this depth behind the triangle no other side of the mesh is as near as the triangle is: no triangle whose
+  // normal is more than 60 degrees off, but for those that share a corner with it. At most three lengths of a side.
+  double clear_depth(std::uint32_t t) const { return clear_depths_[t]; }
+
   bool closed() const { return closed_; }
   const MassProperties &mass_properties() const { return mass_properties_; }  // all zero for open meshes
   double area() const { return area_; }
@@ -80,6 +84,8 @@ class TriangleMesh {
   void build_normals();
   void build_vertex_triangles();
   void build_depth_limits();
+  void build_clear_depths();
+  bool is_other_side(std::uint32_t t, std::uint32_t other) const;
   void measure();
 
   MeshData data_;
@@ -87,7 +93,7 @@ class TriangleMesh {
   TriangleHierarchy hierarchy_;
   std::vector<std::uint32_t> vertex_triangles_, vertex_begin_;
   std::vector<Vec3> face_normals_, vertex_normals_;
-  std::vector<double> depth_limits_;
+  std::vector<double> depth_limits_, clear_depths_;
   MassProperties mass_properties_;
   double area_ = 0.0;
   bool closed_ = true;

@@ -1,6 +1,6 @@
 #include "mesh/triangle_wedge.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace cmb::mesh {
 
@@ -18,48 +18,58 @@ void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset,
   polygon.swap(room);
 }
 
-bool TriangleWedge::build(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 *center,
-                          double radius) {
+void TriangleWedge::build_front(const TriangleMesh &mesh, std::uint32_t t, double deepest) {
   triangle_ = t;
   normal_ = mesh.face_normal(t);
   offset_ = dot(normal_, mesh.corner(t, 0));
-  limit_ = std::fmin(mesh.depth_limit(t), deepest);
-  limited_ = deepest < mesh.depth_limit(t);
-  if (center != nullptr && depth(*center) <= -radius) return false;
+  limit_ = std::min(mesh.depth_limit(t), deepest);
+}
+
+void TriangleWedge::build_side(const TriangleMesh &mesh, std::size_t k) {
+  const Vec3 along = mesh.corner(triangle_, k + 1) - mesh.corner(triangle_, k);
+  const std::int32_t other = mesh.neighbour(triangle_, k);
+  const Vec3 sum = other < 0 ? normal_ : normal_ + mesh.face_normal(static_cast<std::uint32_t>(other));
+  side_[k] = cross(sum, along);
+  // Folded back onto itself: no plane halves the angle, the triangle's own border does as well.
+  if (!(norm2(side_[k]) > 1e-24 * norm2(along))) side_[k] = cross(normal_, along);
+  side_offset_[k] = dot(side_[k], mesh.corner(triangle_, k));
+}
+
+TriangleWedge::TriangleWedge(const TriangleMesh &mesh, std::uint32_t t, double deepest) {
+  build_front(mesh, t, deepest);
+  for (std::size_t k = 0; k < 3; ++k) build_side(mesh, k);
+}
+
+bool TriangleWedge::build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 &center,
+                                      double radius) {
+  build_front(mesh, t, deepest);
+  if (depth(center) <= -radius) return false;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 along = mesh.corner(t, k + 1) - mesh.corner(t, k);
-    const std::int32_t other = mesh.neighbour(t, k);
-    const Vec3 sum = other < 0 ? normal_ : normal_ + mesh.face_normal(static_cast<std::uint32_t>(other));
-    side_[k] = cross(sum, along);
-    // Folded back onto itself: no plane halves the angle, the triangle's own border does as well.
-    if (!(norm2(side_[k]) > 1e-24 * norm2(along))) side_[k] = cross(normal_, along);
-    side_offset_[k] = dot(side_[k], mesh.corner(t, k));
-    if (center == nullptr) continue;
-    const double inside = dot(side_[k], *center) - side_offset_[k];
+    build_side(mesh, k);
+    const double inside = dot(side_[k], center) - side_offset_[k];
     if (inside < 0.0 && inside * inside > radius * radius * norm2(side_[k])) return false;
   }
   return true;
 }
 
-bool TriangleWedge::may_meet(const Vec3 (&corner)[3]) const {
+bool TriangleWedge::build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest,
+                                      const Vec3 (&corner)[3]) {
+  build_front(mesh, t, deepest);
   if (depth(corner[0]) <= 0.0 && depth(corner[1]) <= 0.0 && depth(corner[2]) <= 0.0) return false;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (dot(side_[k], corner[0]) < side_offset_[k] && dot(side_[k], corner[1]) < side_offset_[k] &&
-        dot(side_[k], corner[2]) < side_offset_[k]) {
+    build_side(mesh, k);
+    const double offset = side_offset_[k];
+    if (dot(side_[k], corner[0]) < offset && dot(side_[k], corner[1]) < offset && dot(side_[k], corner[2]) < offset) {
       return false;
     }
   }
   return true;
 }
 
-double TriangleWedge::clip(std::vector<Vec3> &polygon, std::vector<Vec3> &room) const {
+void TriangleWedge::clip(std::vector<Vec3> &polygon, std::vector<Vec3> &room) const {
   for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) clip_polygon(polygon, side_[k], side_offset_[k], room);
   if (!polygon.empty()) clip_polygon(polygon, -normal_, -offset_, room);
-  double deepest = 0.0;
-  for (const Vec3 &p : polygon) deepest = std::fmax(deepest, depth(p));
-  if (!(deepest > limit_)) return 0.0;
-  clip_polygon(polygon, normal_, offset_ - limit_, room);
-  return limited_ ? deepest : 0.0;
+  if (!polygon.empty()) clip_polygon(polygon, normal_, offset_ - limit_, room);
 }
 
 }  // namespace cmb::mesh

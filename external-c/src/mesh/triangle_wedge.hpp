@@ -13,33 +13,29 @@ namespace cmb::mesh {
 class TriangleWedge {
  public:
   // `deepest`: no depth counts beyond it, nor beyond the mesh's depth limit for the triangle.
-  TriangleWedge(const TriangleMesh &mesh, std::uint32_t t, double deepest) { build(mesh, t, deepest, nullptr, 0.0); }
+  TriangleWedge(const TriangleMesh &mesh, std::uint32_t t, double deepest);
 
   // A wedge to be built later.
   TriangleWedge() = default;
-  // The same, but gives up and returns false as soon as it shows that no point of the ball lies in the wedge.
-  bool build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 &center, double radius) {
-    return build(mesh, t, deepest, &center, radius);
-  }
+  // The same, but gives up and returns false as soon as it shows that no point of the ball, or of the triangle with these
+  // corners, lies in the wedge.
+  bool build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 &center, double radius);
+  bool build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 (&corner)[3]);
 
   std::uint32_t triangle() const { return triangle_; }
   const Vec3 &normal() const { return normal_; }
   double depth(const Vec3 &p) const { return offset_ - dot(normal_, p); }
 
-  // False where no point of the triangle lies between the wedge's sides and behind its triangle; true where one may.
-  bool may_meet(const Vec3 (&corner)[3]) const;
-
-  // Keeps the part of the polygon in the wedge; `room` is overwritten. Returns the depth of what lies deeper than
-  // `deepest`, but not than the mesh's own limit; 0 where nothing does.
-  double clip(std::vector<Vec3> &polygon, std::vector<Vec3> &room) const;
+  // Keeps the part of the polygon in the wedge; `room` is overwritten.
+  void clip(std::vector<Vec3> &polygon, std::vector<Vec3> &room) const;
 
  private:
-  bool build(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 *center, double radius);
+  void build_front(const TriangleMesh &mesh, std::uint32_t t, double deepest);
+  void build_side(const TriangleMesh &mesh, std::size_t k);
 
   std::uint32_t triangle_ = 0;
   Vec3 normal_;
   double offset_ = 0.0, limit_ = 0.0;
-  bool limited_ = false;  // by `deepest`
   Vec3 side_[3];          // inward, not unit
   double side_offset_[3] = {};
 };
