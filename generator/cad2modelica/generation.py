@@ -13,13 +13,14 @@ from cad2modelica.actuator_file import FILE_NAME, Assignment, named_joints, read
 from cad2modelica.actuators import place_actuators
 from cad2modelica.collision_shapes import MAXIMUM_PIECES, collision_geometry
 from cad2modelica.contact_pairs import contact_pairs, within_reach
+from cad2modelica.generation_report import ReportInput, report_html
 from cad2modelica.graph_drawing import graph_svg
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import analyse_loops
 from cad2modelica.mechanism_view import RESERVED, mechanism_view
 from cad2modelica.model import Assembly, DecompositionLimits
 from cad2modelica.modelica_names import NamePool
-from cad2modelica.own_files import GRAPH, ORDER, SCENE, find_own_files
+from cad2modelica.own_files import GRAPH, ORDER, REPORT, SCENE, find_own_files
 from cad2modelica.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
 from cad2modelica.reading import read_assembly
 from cad2modelica.regeneration import (
@@ -36,8 +37,10 @@ from cad2modelica.regeneration import (
 )
 from cad2modelica.scene_file import scene_text
 from cad2modelica.spherical_axes import with_spherical_axes
+from cad2modelica.start_overlaps import StartCheck, start_overlaps
 from cad2modelica.structure import structure_of
 
+NOTED_OVERLAPS = 10
 GENERATED = ("package.mo", "Mechanics.mo", "Geometry.mo", RECORD)
 
 
@@ -74,6 +77,7 @@ class GeneratedPackage:
         mechanics: qualified name of the mechanical model.
         mechatronics: qualified name of the mechatronic model.
         scene: the scene file.
+        report: the HTML page on what was found and decided.
         notes: what the user should know, one line each.
     """
 
@@ -82,6 +86,7 @@ class GeneratedPackage:
     mechanics: str
     mechatronics: str
     scene: Path
+    report: Path
     notes: tuple[str, ...]
 
 
@@ -95,9 +100,9 @@ def generate(
 
     Args:
         assembly_path: the assembly's XML file.
-        output: folder that will hold the package's folder, ``scene.json`` and ``graph.svg``. All files of the
-            modeller's own that are there from an earlier generation are kept byte for byte, and the mechatronic model
-            unless the assignment of actuators has changed.
+        output: folder that will hold the package's folder, ``scene.json``, ``graph.svg`` and ``generation.html``.
+            All files of the modeller's own that are there from an earlier generation are kept byte for byte, and the
+            mechatronic model unless the assignment of actuators has changed.
         options: choices.
         progress: is told what is being done.
 
@@ -143,7 +148,25 @@ def generate(
         written = checksum(texts.mechatronics.encode())
     else:
         written = earlier.mechatronics
-    notes += (*changes, *plan.notes)
+    progress("start configuration", 0.0, name)
+    start = start_overlaps(assembly, geometries, pairs)
+    notes += (*changes, *plan.notes, *_overlap_notes(start))
+    drawing = graph_svg(assembly, tree, loops.loops)
+    report = report_html(
+        ReportInput(
+            name,
+            assembly,
+            tree,
+            loops,
+            geometries,
+            view,
+            actuators,
+            start,
+            notes,
+            drawing,
+            structure.signature,
+        )
+    )
     progress("write package", 0.5, name)
     with whole_folder(output) as staging:
         root = staging / name
@@ -160,7 +183,8 @@ def generate(
         (root / RECORD).write_text(record_text(record), encoding="utf-8")
         (root / ORDER).write_text("".join(f"{item}\n" for item in own.package_order(CLASSES)), encoding="utf-8")
         (staging / SCENE).write_text(scene_text(assembly, tree, loops, view, name), encoding="utf-8")
-        (staging / GRAPH).write_text(graph_svg(assembly, tree), encoding="utf-8")
+        (staging / GRAPH).write_text(drawing, encoding="utf-8")
+        (staging / REPORT).write_text(report, encoding="utf-8")
     progress("write package", 1.0, name)
     return GeneratedPackage(
         root=output / name,
@@ -168,7 +192,17 @@ def generate(
         mechanics=f"{name}.{MECHANICS}",
         mechatronics=f"{name}.{MECHATRONICS}",
         scene=output / SCENE,
+        report=output / REPORT,
         notes=notes,
+    )
+
+
+def _overlap_notes(start: StartCheck) -> tuple[str, ...]:
+    if start.reason is not None:
+        return (f"overlaps at the start were not checked: {start.reason}",)
+    return tuple(
+        f"{item.first!r} and {item.second!r} overlap at the start by {1000 * item.depth:.4g} mm"
+        for item in start.overlaps[:NOTED_OVERLAPS]
     )
 
 

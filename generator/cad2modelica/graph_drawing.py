@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from xml.sax.saxutils import escape
 
 from cad2modelica.kinematic_graph import KinematicTree
 from cad2modelica.model import GROUND, Assembly, Joint
+from cad2modelica.planar_loops import Loop
 
 COLUMN = 270
 ROW = 56
@@ -19,6 +21,7 @@ LONGEST_LABEL = 22
 _STYLE = (
     "text{font:12px sans-serif;fill:#222}"
     ".joint{fill:#555;font-size:11px}"
+    ".closing{fill:#b03a2e}"
     ".body{fill:#eef3f8;stroke:#4a6785}"
     ".fixed{fill:#ddd;stroke:#666}"
     ".tree{stroke:#4a6785;stroke-width:1.5;fill:none}"
@@ -42,18 +45,23 @@ class _Spot:
         return MARGIN + ROW * self.row + HEIGHT // 2
 
 
-def graph_svg(assembly: Assembly, tree: KinematicTree) -> str:
+def graph_svg(assembly: Assembly, tree: KinematicTree, loops: Sequence[Loop]) -> str:
     """Draws the graph; the same mechanism gives the same text.
 
-    Roots stand on the left, every part one column to the right of its predecessor; cut joints are dashed.
+    Roots stand on the left, every part one column to the right of its predecessor; cut joints are dashed, and joints
+    in loops bear the loops' numbers, counted from 1.
     """
     spots = _spots(tree)
+    numbers: dict[str, list[int]] = {}
+    for number, loop in enumerate(loops, start=1):
+        for joint, _ in loop.steps:
+            numbers.setdefault(joint.name, []).append(number)
     lines: list[str] = []
     for branch in tree.branches:
         if branch.predecessor is not None:
-            lines += _edge(spots[branch.predecessor], spots[branch.part.name], branch.joint, "tree")
+            lines += _edge(spots[branch.predecessor], spots[branch.part.name], branch.joint, "tree", numbers)
     for joint in tree.cut_joints:
-        lines += _edge(spots[joint.parent], spots[joint.child], joint, "cut")
+        lines += _edge(spots[joint.parent], spots[joint.child], joint, "cut", numbers)
     if GROUND in spots:
         lines += _node(spots[GROUND], GROUND, "fixed")
     for part in assembly.parts:
@@ -88,7 +96,9 @@ def _spots(tree: KinematicTree) -> dict[str, _Spot]:
     return spots
 
 
-def _edge(first: _Spot, second: _Spot, joint: Joint | None, style: str) -> list[str]:
+def _edge(
+    first: _Spot, second: _Spot, joint: Joint | None, style: str, numbers: Mapping[str, Sequence[int]]
+) -> list[str]:
     if style == "tree":
         x1, x2 = first.left + WIDTH, second.left
         bend = x1 + (COLUMN - WIDTH) // 8
@@ -103,8 +113,10 @@ def _edge(first: _Spot, second: _Spot, joint: Joint | None, style: str) -> list[
     lines = [f'<path class="{style}" d="{path}"/>']
     if joint is not None:
         x, y, anchor = label
-        text = escape(_short(f"{joint.name} ({joint.type.value})", LONGEST_LABEL))
-        lines.append(f'<text class="joint" x="{x}" y="{y}" text-anchor="{anchor}">{text}</text>')
+        loops = f" [{','.join(map(str, numbers[joint.name]))}]" if joint.name in numbers else ""
+        text = escape(_short(f"{joint.name} ({joint.type.value})", LONGEST_LABEL - len(loops)) + loops)
+        kind = "joint closing" if style == "cut" else "joint"
+        lines.append(f'<text class="{kind}" x="{x}" y="{y}" text-anchor="{anchor}">{text}</text>')
     return lines
 
 

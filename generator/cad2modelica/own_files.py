@@ -13,6 +13,7 @@ from cmb_base.output import MARKER
 
 SCENE = "scene.json"
 GRAPH = "graph.svg"
+REPORT = "generation.html"
 ORDER = "package.order"
 
 
@@ -71,7 +72,7 @@ def find_own_files(output: Path, package: str, generated: Collection[str]) -> Ow
         InputError: the folder holds a package of another name or other files, which would be lost.
     """
     root = output / package
-    others = sorted(path.name for path in output.glob("*") if path.name not in {package, SCENE, GRAPH, MARKER})
+    others = sorted(path.name for path in output.glob("*") if path.name not in {package, SCENE, GRAPH, REPORT, MARKER})
     if others and (output / others[0] / "package.mo").is_file():
         raise InputError(
             f"holds the package {others[0]!r}, but the assembly now gives {package!r}",

@@ -6,6 +6,7 @@ python synthetic_assembly.py 2000 10     2000 parts in chains of 10
 from __future__ import annotations
 
 import argparse
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -58,7 +59,8 @@ def main() -> None:
         wall, cpu = time.perf_counter(), time.process_time()
         generate(file, Path(name) / "out")
         wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
-        print(f"{given.count} parts in chains of {given.length}: {wall:.1f} s ({cpu:.1f} s of the processor)")
+        times = f"{wall:.1f} s ({cpu:.1f} s of the processor)"
+        sys.stdout.write(f"{given.count} parts in chains of {given.length}: {times}\n")
 
 
 if __name__ == "__main__":
