@@ -74,6 +74,7 @@ def _build(
         output,
         version=options.fmi,
         options=options.solver,
+        objects_folder=options.cache / "objects" if options.cache is not None else None,
         progress=clock,
     )
     clock.end()

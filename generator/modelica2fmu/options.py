@@ -16,7 +16,8 @@ class BuildOptions:
         msl: folder of the Modelica Standard Library; ``None`` to look for it.
         fmi: version of the FMI standard.
         solver: defaults of the co-simulation integrator.
-        cache: folder where FMUs are kept by what they are made from; ``None`` to build afresh.
+        cache: folder where FMUs, and the objects that all of them have, are kept by what they are made from; ``None``
+            to build afresh.
     """
 
     msl: Path | None = None

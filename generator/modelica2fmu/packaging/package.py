@@ -19,6 +19,7 @@ from modelica2fmu.packaging.dependencies import Sundials, find_fmi_headers, find
 from modelica2fmu.packaging.documentation import documentation_page
 from modelica2fmu.packaging.interface_tables import interface_source
 from modelica2fmu.packaging.layout import LAYOUTS, FmiVersion, Layout
+from modelica2fmu.packaging.object_store import ObjectStore
 from modelica2fmu.packaging.shared_libraries import bundle_libraries, licence_of
 from modelica2fmu.packaging.solver_variables import SolverOptions, with_solver_variables
 from modelica2fmu.packaging.source_folder import EXTERNAL_HEADERS, cmake_project, copy_headers
@@ -92,9 +93,15 @@ def _compilations(
     return [
         Compilation(path, (folder, *external), _GENERATED_FLAGS)
         if path.name in generated
-        else Compilation(path, (*headers, sundials.include), _RUNTIME_FLAGS)
+        else Compilation(path, (*headers, sundials.include), _RUNTIME_FLAGS, common=path.name != INTERFACE_FILE)
         for path in sorted(folder.glob("*.c"))
     ]
+
+
+def _kept_objects(folder: Path | None, sundials: Sundials) -> ObjectStore | None:
+    if folder is None:
+        return None
+    return ObjectStore(folder, (RUNTIME, find_fmi_headers(), sundials.include / "sundials" / "sundials_config.h"))
 
 
 def _copy_licences(folder: Path, sundials: Sundials, bundled: dict[str, Path]) -> None:
@@ -120,6 +127,7 @@ def package_fmu(
     *,
     version: FmiVersion = FmiVersion.FMI2,
     options: SolverOptions | None = None,
+    objects_folder: Path | None = None,
     progress: Progress = silent,
 ) -> Path:
     """Compiles a generated model with the runtime and packs an FMU (model exchange and co-simulation).
@@ -130,6 +138,7 @@ def package_fmu(
         output: the FMU file to write, replaced if it exists; on errors it stays as it is.
         version: of the FMI standard.
         options: defaults of the co-simulation integrator.
+        objects_folder: where objects of the runtime are kept between builds; None to compile them.
         progress: told about the phases.
 
     Returns:
@@ -160,7 +169,8 @@ def package_fmu(
         progress("compile", 0.1)
         objects = scratch / "objects"
         objects.mkdir()
-        compiled = compile_objects(_compilations(root / "sources", description, sources, sundials), objects)
+        kept = _kept_objects(objects_folder, sundials)
+        compiled = compile_objects(_compilations(root / "sources", description, sources, sundials), objects, kept)
         copy_headers(
             (path.with_suffix(DEPENDENCIES) for path in compiled),
             (find_fmi_headers(), *description.external.include_directories),

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Protocol
 
 from cmb_base.errors import BuildError
 
@@ -59,11 +60,29 @@ class Libraries:
 
 @dataclass(frozen=True)
 class Compilation:
-    """One C file and the folders it includes from."""
+    """One C file and the folders it includes from.
+
+    Attributes:
+        source: the file.
+        include: folders for ``#include``.
+        flags: beside ``COMPILE_OPTIONS``.
+        common: = true, if other FMUs have the same file.
+    """
 
     source: Path
     include: tuple[Path, ...] = ()
     flags: tuple[str, ...] = field(default=())
+    common: bool = False
+
+
+class KeptObjects(Protocol):
+    """Objects of common sources from earlier builds."""
+
+    def fetch(self, compilation: Compilation, target: Path) -> bool:
+        """Copies the object of a source to ``target``, and its dependencies beside it; whether it was there."""
+
+    def keep(self, compilation: Compilation, target: Path) -> None:
+        """Keeps an object that was compiled."""
 
 
 def compiler() -> str:
@@ -106,19 +125,24 @@ def run_tool(command: Sequence[str], purpose: str, *, environment: dict[str, str
     return done.stdout
 
 
-def compile_objects(compilations: Sequence[Compilation], folder: Path) -> list[Path]:
+def compile_objects(compilations: Sequence[Compilation], folder: Path, kept: KeptObjects | None = None) -> list[Path]:
     """Compiles C files into ``folder``, several at a time; the objects come in the order of the sources.
 
     Beside each object lies a file with the suffix ``DEPENDENCIES`` that names what its source includes.
+
+    Args:
+        compilations: what to compile.
+        folder: to write to.
+        kept: objects of common sources from earlier builds.
 
     Raises:
         BuildError: with the first error lines.
     """
     program = compiler()
 
-    def compile_one(numbered: tuple[int, Compilation]) -> Path:
-        number, compilation = numbered
-        target = folder / f"{number:03d}-{compilation.source.stem}.o"
+    def compile_one(compilation: Compilation, target: Path) -> None:
+        if compilation.common and kept is not None and kept.fetch(compilation, target):
+            return
         includes = [f"-I{path}" for path in compilation.include]
         command = [
             program,
@@ -134,10 +158,17 @@ def compile_objects(compilations: Sequence[Compilation], folder: Path) -> list[P
             str(target),
         ]
         run_tool(command, f"compiling {compilation.source.name}")
-        return target
+        if compilation.common and kept is not None:
+            kept.keep(compilation, target)
 
+    targets = [folder / f"{number:03d}-{each.source.stem}.o" for number, each in enumerate(compilations)]
+    # The longest first, so that none is left over at the end.
+    order = sorted(zip(compilations, targets, strict=True), key=lambda pair: -pair[0].source.stat().st_size)
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
-        return list(pool.map(compile_one, enumerate(compilations)))
+        running = [pool.submit(compile_one, compilation, target) for compilation, target in order]
+        for each in running:
+            each.result()
+    return targets
 
 
 def link_shared(objects: Sequence[Path], libraries: Libraries, target: Path, scratch: Path) -> None:

@@ -78,6 +78,27 @@ def test_the_same_model_gives_the_same_bytes(oscillator: Path, tmp_path: Path) -
     assert again.read_bytes() == oscillator.read_bytes()
 
 
+def test_kept_objects_change_nothing(oscillator: Path, ball: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "objects"
+    for _ in range(2):
+        fmu = package_fmu(models.OSCILLATOR, models.source("oscillator"), tmp_path / "o.fmu", objects_folder=folder)
+        assert fmu.read_bytes() == oscillator.read_bytes()
+    kept = {path.name: path.stat().st_mtime_ns for path in folder.iterdir()}
+    assert kept
+    other = package_fmu(models.BALL, models.source("ball"), tmp_path / "b.fmu", objects_folder=folder)
+    assert other.read_bytes() == ball.read_bytes()
+    assert {path.name: path.stat().st_mtime_ns for path in folder.iterdir()} == kept  # used, not made again
+    for path in folder.iterdir():
+        path.unlink()
+        path.mkdir()  # can be neither read nor replaced
+    assert (
+        package_fmu(
+            models.OSCILLATOR, models.source("oscillator"), tmp_path / "o.fmu", objects_folder=folder
+        ).read_bytes()
+        == oscillator.read_bytes()
+    )
+
+
 def test_the_archive_is_tidy(guarded: Path) -> None:
     with zipfile.ZipFile(guarded) as archive:
         names = archive.namelist()
