@@ -1,7 +1,10 @@
 # make demo   sets up and runs the main job on Resources/cad/hammer
 # make test   sets up and passes the tests
 # make bench  times the engine beside libccd, FCL and coal
-.PHONY: demo test setup setup-test lint bench clean
+# make release   packs the Modelica library: out/ContactMultiBody-<version>.zip
+# make promises  measures what the library promises into docs/promises.md
+# make test-omc  runs the examples through OpenModelica where it is installed
+.PHONY: demo test setup setup-test lint bench clean release promises test-omc
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -14,6 +17,15 @@ setup:
 
 setup-test:
 	scripts/setup test
+
+release: setup
+	.venv/bin/python scripts/release
+
+promises: setup
+	.venv/bin/python scripts/promises
+
+test-omc: setup
+	scripts/test-omc
 
 lint: setup-test
 	.venv/bin/ruff check .
