@@ -13,7 +13,8 @@ Extent = tuple[Point, Point]
 
 HALF = 10  # half the size of a component
 COLUMN = 40
-ROW = 60
+ROW = 80
+UNDER = 26  # of a body under its line
 SMALL = 8  # half of a component that stands over a joint
 LEFT = -160  # centre of the world's column
 TOP = 80
@@ -35,26 +36,28 @@ class Diagram:
 
 
 def draw(view: MechanismView) -> Diagram:
-    """Lays the diagram out: the world on the left, one row for each chain, the contact manager on the right.
+    """Lays the diagram out: the world on the left, chains as lines with their bodies below, contacts on the right.
 
-    Lines that go back to the left run between the rows; those to the contact manager through a lane over each row.
+    A chain's first branch goes on in its line, others begin lines of their own. Stops and friction stand over their
+    joints; lines to the contact manager run below the bodies.
     """
+    components = {component.name: component for component in view.components}
     centers: dict[str, Point] = {"world": (LEFT, TOP)}
     for component in view.components:
         x, y = LEFT + COLUMN * (component.column + 1), TOP - ROW * component.row
-        shift = (0, 0) if component.above == 0 else (2 * SMALL * (component.above - 1) - SMALL, 2 * HALF + SMALL)
-        centers[component.name] = (x + shift[0], y + shift[1])
-    small = {component.name for component in view.components if component.above}
+        if component.level > 0:
+            x, y = x + 2 * SMALL * (component.level - 1) - SMALL, y + 2 * HALF + SMALL
+        centers[component.name] = (x, y - UNDER if component.level < 0 else y)
     right = max(x for x, _ in centers.values()) + 2 * COLUMN
     bottom = min(y for _, y in centers.values())
+    small = {component.name for component in view.components if component.level > 0}
     extents = {name: _square(center, SMALL if name in small else HALF) for name, center in centers.items()}
     if view.contacts is not None:
         middle = (TOP + bottom) // 2
         extents["contacts"] = _square((right, middle), 2 * HALF)
         centers["contacts"] = (right, middle)
-    components = {component.name: component for component in view.components}
     lines = tuple(_line(connection, components, centers) for connection in view.connections)
-    size = ((LEFT - 20, bottom - 40), (right + 40, TOP + 40))
+    size = ((LEFT - 20, bottom - 40), (right + 40, TOP + 50))
     return Diagram(size, extents, lines)
 
 
@@ -67,18 +70,27 @@ def _line(
     connection: Connection, components: Mapping[str, Component], centers: Mapping[str, Point]
 ) -> tuple[Point, ...]:
     first, second = _anchor(connection.first, components, centers), _anchor(connection.second, components, centers)
+    under = [_hangs(name, components) for name in (connection.first, connection.second)]
     if connection.second.startswith("contacts."):
-        lane = centers[connection.first.split(".")[0]][1] + 16
+        side = first[0] - 4
+        lane = first[1] - HALF - 5 if under[0] else first[1] + 6
         gutter = second[0] - 14
-        return _without_repeats(
-            (first, (first[0] - 4, first[1]), (first[0] - 4, lane), (gutter, lane), (gutter, second[1]), second)
-        )
+        return _without_repeats((first, (side, first[1]), (side, lane), (gutter, lane), (gutter, second[1]), second))
     if connection.second.endswith((".axis", ".support")):
         return _without_repeats((first, (first[0], second[1] + 4), (second[0], second[1] + 4), second))
+    if under[0] or under[1]:
+        turn = (first if under[0] else second)[0] - 4
+        return _without_repeats((first, (turn, first[1]), (turn, second[1]), second))
     if first[1] == second[1]:
         return first, second
-    turn = min(first[0], second[0]) - 6 if second[0] < first[0] else second[0] - 6
+    turn = second[0] - 6
     return _without_repeats((first, (turn, first[1]), (turn, second[1]), second))
+
+
+def _hangs(connector: str, components: Mapping[str, Component]) -> bool:
+    """Whether the connector is that of a body under its line."""
+    component = components.get(connector.split(".")[0])
+    return component is not None and component.level < 0
 
 
 def _anchor(connector: str, components: Mapping[str, Component], centers: Mapping[str, Point]) -> Point:
@@ -89,7 +101,7 @@ def _anchor(connector: str, components: Mapping[str, Component], centers: Mappin
         return x - 2 * HALF, y
     if port == "flange":
         return x + SMALL, y
-    if component is not None and component.above:
+    if component is not None and component.level > 0:
         return x, y - SMALL
     if port in ("axis", "support"):
         return x if port == "axis" else x - 6, y + HALF

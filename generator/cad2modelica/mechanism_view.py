@@ -30,7 +30,7 @@ class Component:
     Attributes:
         row: line of the diagram, counted downwards from 0.
         column: place in the line, counted from 0; the world stands at -1.
-        above: how far over its place it stands: 0 in the line, 1 and 2 beside each other over it.
+        level: 0 in the line, 1 and 2 beside each other over it, -1 under it.
     """
 
     class_name: str
@@ -39,7 +39,7 @@ class Component:
     description: str
     column: int
     row: int
-    above: int = 0
+    level: int = 0
 
 
 @dataclass(frozen=True)
@@ -146,31 +146,33 @@ class _Builder:
     # ----- bodies and joints -----
 
     def _add_tree(self, root: str) -> None:
-        """Adds a root part and all that hangs on it, depth first, so that chains stay in one row of the diagram."""
+        """Adds a root part and all that hangs on it, depth first.
+
+        Bodies hang under their chain; the first child of a part continues its line, each other one begins a new line.
+        """
         branch = self._tree.branch(root)
-        if branch.joint is None and branch.predecessor == GROUND:
-            connector, column = self._add_offset("world.frame_b", branch.part.pose, branch.part.name, 0)
-            self._add_body(branch.part, column, connector, grounded=True)
-        elif branch.joint is None:
-            column = 1
-            self._add_body(branch.part, column, None, grounded=False)
-        else:
+        connector: str | None = None
+        column = 1
+        if branch.joint is not None:
             connector, column = self._add_joint(branch.joint, branch.part, "world.frame_b", IDENTITY, 0)
-            self._add_body(branch.part, column, connector, grounded=False)
-        self._row += 1
+        elif branch.predecessor == GROUND:
+            connector, column = self._add_offset("world.frame_b", branch.part.pose, branch.part.name, 0)
+        grounded = branch.joint is None and branch.predecessor == GROUND
+        self._add_body(branch.part, column, connector, grounded=grounded)
         # A stack instead of recursion: chains may be longer than Python's recursion limit.
-        stack = [(child, column + 1) for child in reversed(branch.children)]
+        stack = [(child, column, number) for number, child in reversed(list(enumerate(branch.children)))]
         while stack:
-            name, column = stack.pop()
+            name, column, number = stack.pop()
             following = self._tree.branch(name)
             if following.joint is None or following.predecessor is None:
                 raise AssertionError("a child in the tree is reached by a joint")
+            self._row += 1 if number > 0 else 0
             before = self._assembly.part(following.predecessor)
             own = f"{self._view.part_names[before.name]}.frame_a"
             connector, column = self._add_joint(following.joint, following.part, own, before.pose, column)
             self._add_body(following.part, column, connector, grounded=False)
-            self._row += 1
-            stack += [(child, column + 1) for child in reversed(following.children)]
+            stack += [(child, column, k) for k, child in reversed(list(enumerate(following.children)))]
+        self._row += 1
 
     def _add_body(self, part: Part, column: int, connector: str | None, *, grounded: bool) -> None:
         properties = part.mass_properties
@@ -188,7 +190,7 @@ class _Builder:
         if connector is None and not grounded:
             modifiers += _free_start(self._free_motion(part), part.pose)
         self._view.components.append(
-            Component("ContactMultiBody.Parts.Body", name, tuple(modifiers), part.name, column, self._row)
+            Component("ContactMultiBody.Parts.Body", name, tuple(modifiers), part.name, column, self._row, -1)
         )
         if connector is not None:
             self._view.connections.append(Connection(connector, f"{name}.frame_a"))
