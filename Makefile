@@ -4,7 +4,8 @@
 # make release   packs the Modelica library: out/ContactMultiBody-<version>.zip
 # make promises  measures what the library promises into docs/promises.md
 # make test-omc  runs the examples through OpenModelica where it is installed
-.PHONY: demo test setup setup-test lint bench clean release promises test-omc
+# make icons     draws the icons and diagrams of the library into docs/images
+.PHONY: demo test setup setup-test lint bench clean release promises test-omc icons
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -26,6 +27,9 @@ promises: setup
 
 test-omc: setup
 	scripts/test-omc
+
+icons: setup
+	.venv/bin/python scripts/render-icons
 
 lint: setup-test
 	.venv/bin/ruff check .

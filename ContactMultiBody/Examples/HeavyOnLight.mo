@@ -18,7 +18,7 @@ model HeavyOnLight "A body a thousand times heavier rests on a light one"
     v_0(each fixed=true),
     angles_fixed=true,
     w_0_fixed=true,
-    sphereDiameter=0.1) annotation (Placement(transformation(extent={{-40,-20},{-20,0}})));
+    sphereDiameter=0.1) annotation (Placement(transformation(extent={{-40,10},{-20,30}})));
   Parts.Body heavy(
     m=m[2],
     r_CM={0,0,0},
@@ -43,7 +43,7 @@ model HeavyOnLight "A body a thousand times heavier rests on a light one"
     stiffness={K,K},
     friction=Types.Friction.Anchored) annotation (Placement(transformation(extent={{20,-20},{60,20}})));
 equation
-  connect(light.frame_a, contacts.frame[1]) annotation (Line(points={{-40,-10},{-60,-10},{-60,0},{20,0}}, color={95,95,95}));
+  connect(light.frame_a, contacts.frame[1]) annotation (Line(points={{-40,20},{-60,20},{-60,0},{20,0}}, color={95,95,95}));
   connect(heavy.frame_a, contacts.frame[2]) annotation (Line(points={{-40,50},{-60,50},{-60,0},{20,0}}, color={95,95,95}));
   connect(floor.frame_a, contacts.frame[3]) annotation (Line(points={{-30,-40},{-30,0},{20,0}}, color={95,95,95}));
   annotation (
