@@ -38,17 +38,20 @@ class PairSearch {
   }
 
  private:
-  // Every pair of triangles whose boxes meet, and what hangs together with it.
+  // Every pair of triangles that cross, and what hangs together with it.
   void leaves(const TriangleHierarchy::Node &leaf, const TriangleHierarchy::Node &body_leaf) {
+    Bounds boxes[TriangleHierarchy::leaf_size];
+    bool measured = false;
     for (std::uint32_t j = body_leaf.first; j < body_leaf.first + body_leaf.count; ++j) {
       const std::uint32_t facet = body_.hierarchy().order()[j];
       const Vec3 corners[3] = {placed(facet, 0), placed(facet, 1), placed(facet, 2)};
       const Bounds box = bounds_of(corners);
       if (distance2(box, leaf.bounds) > 0.0) continue;
-      for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-        const std::uint32_t t = mesh_.hierarchy().order()[i];
-        const Vec3 own[3] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
-        if (distance2(bounds_of(own), box) > 0.0) continue;
+      if (!measured) measure(leaf, boxes);
+      measured = true;
+      for (std::uint32_t i = 0; i < leaf.count; ++i) {
+        const std::uint32_t t = mesh_.hierarchy().order()[leaf.first + i];
+        if (distance2(boxes[i], box) > 0.0 || !cuts(t, corners)) continue;
         offer({t, facet});
         while (!scratch_.open.empty()) {
           const Pair pair = scratch_.open.back();
@@ -57,6 +60,23 @@ class PairSearch {
         }
       }
     }
+  }
+
+  void measure(const TriangleHierarchy::Node &leaf, Bounds *boxes) const {
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+      const std::uint32_t t = mesh_.hierarchy().order()[leaf.first + i];
+      const Vec3 corners[3] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
+      boxes[i] = bounds_of(corners);
+    }
+  }
+
+  // Whether the plane of triangle t has corners on both sides, or on it.
+  bool cuts(std::uint32_t t, const Vec3 (&corners)[3]) const {
+    const Vec3 &normal = mesh_.face_normal(t);
+    const double offset = dot(normal, mesh_.corner(t, 0));
+    const double first = dot(normal, corners[0]) - offset, second = dot(normal, corners[1]) - offset,
+                 third = dot(normal, corners[2]) - offset;
+    return std::min({first, second, third}) <= 0.0 && std::max({first, second, third}) >= 0.0;
   }
 
   void look_at(const Pair &pair) {

@@ -1,6 +1,7 @@
 // Walks over two hierarchies at once.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "mesh/triangle_hierarchy.hpp"
@@ -17,9 +18,17 @@ void walk_pairs(const TriangleHierarchy &a, const TriangleHierarchy &b, const Po
     std::uint32_t a, b;
     double distance2;
   };
+  const Pose a_in_b = b_in_a.inverse();
+  // Boxes seen from both frames: the larger distance is the truer one.
+  const auto entry_of = [&](std::uint32_t node_a, std::uint32_t node_b) {
+    const Bounds &box_a = a.nodes()[node_a].bounds, &box_b = b.nodes()[node_b].bounds;
+    const double in_a = distance2(box_a, moved(box_b, b_in_a));
+    if (in_a > reach()) return Entry{node_a, node_b, in_a};
+    return Entry{node_a, node_b, std::max(in_a, distance2(moved(box_a, a_in_b), box_b))};
+  };
   Entry stack[128];  // each step replaces one pair by two, one of them a level deeper; trees are less than 32 deep
   int size = 0;
-  stack[size++] = {0, 0, distance2(a.bounds(), moved(b.bounds(), b_in_a))};
+  stack[size++] = entry_of(0, 0);
   while (size > 0) {
     const Entry entry = stack[--size];
     if (entry.distance2 > reach()) continue;
@@ -32,24 +41,12 @@ void walk_pairs(const TriangleHierarchy &a, const TriangleHierarchy &b, const Po
     const bool open_a =
         node_b.count > 0 || (node_a.count == 0 && norm2(node_a.bounds.high - node_a.bounds.low) >=
                                                       norm2(node_b.bounds.high - node_b.bounds.low));
-    Entry first = entry, second = entry;
-    if (open_a) {
-      first.a = node_a.first;
-      second.a = node_a.first + 1;
-      const Bounds box_b = moved(node_b.bounds, b_in_a);
-      first.distance2 = distance2(a.nodes()[first.a].bounds, box_b);
-      second.distance2 = distance2(a.nodes()[second.a].bounds, box_b);
-    } else {
-      first.b = node_b.first;
-      second.b = node_b.first + 1;
-      first.distance2 = distance2(node_a.bounds, moved(b.nodes()[first.b].bounds, b_in_a));
-      second.distance2 = distance2(node_a.bounds, moved(b.nodes()[second.b].bounds, b_in_a));
-    }
+    const Entry first = open_a ? entry_of(node_a.first, entry.b) : entry_of(entry.a, node_b.first);
+    const Entry second = open_a ? entry_of(node_a.first + 1, entry.b) : entry_of(entry.a, node_b.first + 1);
     const bool first_nearer = first.distance2 <= second.distance2;
-    const double farthest2 = reach();
     const Entry &nearer = first_nearer ? first : second, &farther = first_nearer ? second : first;
-    if (farther.distance2 <= farthest2) stack[size++] = farther;
-    if (nearer.distance2 <= farthest2) stack[size++] = nearer;
+    if (farther.distance2 <= reach()) stack[size++] = farther;
+    if (nearer.distance2 <= reach()) stack[size++] = nearer;
   }
 }
 

@@ -57,7 +57,7 @@ inline double distance2(const Bounds &a, const Bounds &b) {
 // and the same for the same input.
 class TriangleHierarchy {
  public:
-  static constexpr std::uint32_t leaf_size = 4;  // triangles in a leaf, at most
+  static constexpr std::uint32_t leaf_size = 8;  // triangles in a leaf, at most
 
   TriangleHierarchy(const std::vector<Vec3> &vertices, const std::vector<Triangle> &triangles);
 
