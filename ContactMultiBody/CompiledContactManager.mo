@@ -40,21 +40,18 @@ ContactMultiBody.CompiledContactManager contacts(
   n=3,
   geometry={ball[1].geometry, ball[2].geometry, floor.geometry},
   material={ball[1].material, ball[2].material, floor.material},
-  massProperties={
-    ContactMultiBody.Parts.MassProperties(m=ball[1].m, I=ball[1].I),
-    ContactMultiBody.Parts.MassProperties(m=ball[2].m, I=ball[2].I),
-    ContactMultiBody.Parts.MassProperties(immovable=true)});
+  inertia={ball[1].inertia, ball[2].inertia, floor.inertia});
 </pre></blockquote>
 <p>
 The laws are those of the ContactManager: all normal laws, with the speed of impact recovered from depth and speed
 (<code>RestitutionMethod.Memoryless</code>) or with constant damping; regularised friction, also with Stribeck's curve; spin and
 rolling friction. There are no events and no states. The effective mass of a pair is computed from masses, inertia
-tensors, the place of the contact and its normal; of a contact with several points it is that at the centre of their load. What needs memory, anchored friction and caught impact
+tensors, the place of the contact and its normal, as the ContactManager does it. What needs memory, anchored friction and caught impact
 speeds, is the ContactManager's.
 </p>
 <table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
 <tr><th>never touch</th><th>parameter</th></tr>
-<tr><td>two fixed bodies</td><td><code>massProperties[i].immovable</code></td></tr>
+<tr><td>two immovable bodies</td><td><code>inertia[i].m</code> = 0, as the ground has it</td></tr>
 <tr><td>bodies of which one is in no group that the other collides with</td><td><code>group</code>, <code>collidesWith</code>: bits</td></tr>
 <tr><td>single pairs, as neighbours in a joint</td><td><code>excluded</code></td></tr>
 </table>

@@ -5,7 +5,7 @@ partial model PartialCompiledContacts "Parameters of contacts that the engine co
   parameter Integer n(min=2)=2 "Number of bodies" annotation (Evaluate=true);
   parameter String geometry[n] "Descriptor of each body's geometry, usually {body1.geometry, ...}";
   parameter Materials.Material material[n] "Material of each body, usually {body1.material, ...}";
-  parameter Parts.MassProperties massProperties[n] "Mass properties of each body, for restitution and to tell what is fixed";
+  parameter Parts.Inertia inertia[n] "Inertia of each body, usually {body1.inertia, ...}; bodies of mass 0 are immovable";
 
   parameter Integer group[n]=fill(1, n) "Groups each body belongs to, one bit each"
     annotation (Evaluate=true, Dialog(group="Pairs that never touch"));
@@ -65,10 +65,10 @@ protected
        then 1 else 0,Integer(restitutionRule),if useFriction then 1 else 0,Integer(frictionRule)} "Choices for the engine";
   parameter Real number[9]={exponent,steadyRate,damping,dampingDepth,regularisationSpeed,stribeckSpeed,spinRadius,
       rollingLever,turningRegularisationSpeed} "Numbers of the laws for the engine";
-  final parameter Boolean immovable[n]=massProperties.immovable "= true, if the body never moves";
+  final parameter SI.Mass mass[n]=inertia.m "Mass of each body; 0: immovable";
   final parameter Integer broadphase=internBroadphase(
       intern(geometry, fill(0, 0, 2), 0),
-      {if immovable[i] then 1 else 0 for i in 1:n},
+      {if mass[i] > 0 then 0 else 1 for i in 1:n},
       group,
       collidesWith,
       excluded) "Handle of the scene and its filter in the engine";
@@ -85,9 +85,9 @@ equation
     T,
     v_0,
     w_0,
-    massProperties.m,
-    massProperties.r_CM,
-    massProperties.I,
+    mass,
+    inertia.r_CM,
+    inertia.I,
     stiffness,
     material.E ./ (ones(n) - material.nu .^ 2),
     ones(n) ./ contactRadius,

@@ -3,10 +3,9 @@ model FreeBodies "Many equal free rigid bodies that collide with each other and 
   extends Internal.PartialCompiledContacts(
     final n=bodyCount + 1,
     final geometry={if i <= bodyCount then bodyGeometry else surroundings for i in 1:bodyCount + 1},
-    final massProperties(
-      each m=m,
-      each I=diagonal(J),
-      immovable={i > bodyCount for i in 1:bodyCount + 1}),
+    final inertia(
+      m={if i <= bodyCount then m else 0 for i in 1:bodyCount + 1},
+      each I=diagonal(J)),
     final contactRadius={if i <= bodyCount then bodyRadius else Modelica.Constants.inf for i in 1:bodyCount + 1},
     final stiffness={if i <= bodyCount then bodyStiffness else Modelica.Constants.inf for i in 1:bodyCount + 1},
     final group=fill(1, bodyCount + 1),
