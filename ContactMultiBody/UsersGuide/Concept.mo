@@ -23,6 +23,10 @@ The engine answers as a function of the poses alone. It keeps no state between c
 instances at once. The scene is made once, when parameters are computed, and known by an Integer handle.
 </p>
 <p>
+<strong>Penetration</strong> is the compliance of the real bodies, lumped into the contact: bodies stay rigid, and overlap by the depth at which their surfaces would give way. The force is a function of this depth and its rate, zero where the contact
+begins and never negative. <strong>Restitution</strong> is delivered by a damping factor that is solved from the equation of the impact, <strong>friction</strong> by a spring whose anchor is dragged along when it slips, or by a smooth function of the sliding speed.
+</p>
+<p>
 All choices are <strong>structural</strong>: what a scene does not ask for leaves no equation, no state and no event behind.
 </p>
 </html>"));

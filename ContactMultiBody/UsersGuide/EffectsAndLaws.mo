@@ -14,6 +14,18 @@ class EffectsAndLaws "Which effects and laws to choose"
 <tr><td>Do balls spin or roll to rest?</td><td><code>useTurningFriction=true</code> with <code>spinRadius</code>, <code>rollingLever</code></td><td>a torque a point</td></tr>
 </table>
 <p>
+<strong>Laws of the normal force</strong>: <code>Exact</code> delivers the restitution that is asked for; the published laws are there to reproduce results that were made with them, and
+deliver what the table in <a href=\"modelica://ContactMultiBody.NormalForce\">NormalForce</a> says. <code>SpringDamper</code> is for elements whose constants were measured. All of them take any exponent from 1 on: 1 for
+flat faces and where nothing is known, 3/2 for round bodies (Hertz).
+</p>
+<p>
+<strong>Points or volumes</strong>: the <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a> knows all shapes and gives a face four or more points. Where the distribution of pressure over a
+face matters, as on rubber, mats and pads, the <a href=\"modelica://ContactMultiBody.VolumeContactManager\">VolumeContactManager</a> takes forces from the volume of the overlap, for boxes, hulls and half-spaces.
+</p>
+<p>
+<strong>Many bodies</strong>: the <a href=\"modelica://ContactMultiBody.CompiledContactManager\">CompiledContactManager</a> computes forces in the engine, for scenes of tens or hundreds of bodies.
+</p>
+<p>
 <strong>Stiffness</strong>: with <code>stiffnessChoice=Hertz</code> it follows from the materials and <code>contactRadius</code>, the radius of curvature of the contact (the radius of a sphere on a plane), with exponent
 3/2. Real metals are so stiff that impacts last tens of microseconds; where only the motion between contacts matters, choose a <code>stiffness</code> that lets bodies
 penetrate by a depth you can accept: K = m v<sup>2</sup>/x<sup>2</sup> for an impact, K = m g/x at rest (exponent 1). The restitution delivered does not depend on it.

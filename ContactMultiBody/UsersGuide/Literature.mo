@@ -13,6 +13,9 @@ class Literature "References"
 <li>S. Hu, X. Guo: A dissipative contact force model for impact analysis in multibody dynamics. Multibody System Dynamics 35 (2015).</li>
 <li>P. Dupont, V. Hayward, B. Armstrong, F. Altpeter: Single state elastoplastic friction models. IEEE Transactions on Automatic Control 47 (2002).</li>
 <li>K. L. Johnson: Contact Mechanics. Cambridge University Press, 1985.</li>
+<li>E. A. Avallone, T. Baumeister, A. M. Sadegh (editors): Marks' Standard Handbook for Mechanical Engineers. McGraw-Hill, 2007.</li>
+<li>J. M. Gere, B. J. Goodno: Mechanics of Materials. Cengage, 2009.</li>
+<li>R. Schneider: Convex Bodies: The Brunn-Minkowski Theory. Cambridge University Press, 2014.</li>
 <li>C. Ericson: Real-Time Collision Detection. Morgan Kaufmann, 2005.</li>
 </ul>
 </html>"));

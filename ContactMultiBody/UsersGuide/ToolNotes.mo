@@ -5,11 +5,12 @@ class ToolNotes "Notes on Modelica tools"
 <h4>All tools</h4>
 <p>
 The ContactManager calls the contact engine by <code>external \"C\"</code>. Header and library have to lie in the package's folders Resources/Include and
-Resources/Library/&lt;platform&gt;, where the build of the project installs them. Models of
+Resources/Library/&lt;platform&gt;, where the build of the project installs them; a release brings them along for linux64, and the engine's sources with a note how to build them in Resources/Source. Models of
 <a href=\"modelica://ContactMultiBody.PureModelica\">PureModelica</a> need neither.
 </p>
 <h4>OpenModelica</h4>
 <ul>
+<li><code>make test-omc</code> checks and simulates all examples with <code>omc</code>, where it is installed.</li>
 <li>Its FMUs for co-simulation integrate by explicit Euler at the communication step unless told otherwise, which diverges on stiff contact: export with
 <code>--fmiFlags=s:cvode</code>.</li>
 <li>Up to and including version 1.27, FMUs of free bodies with quaternions as states can fail in initialization, as the homotopy solver keeps a stale start point. Use a later version, or

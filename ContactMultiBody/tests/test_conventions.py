@@ -25,6 +25,13 @@ def test_an_independent_parser_accepts_every_file() -> None:
         pymoca.parser.parse(file.text)
 
 
+def test_the_independent_parser_accepts_the_models_of_the_cases() -> None:
+    models = sorted((REPOSITORY / "regression" / "cases").rglob("*.mo"))
+    assert models
+    for path in models:
+        pymoca.parser.parse(path.read_text("utf-8"))
+
+
 def test_the_independent_parser_rejects_what_is_wrong() -> None:
     with pytest.raises(pymoca.parser.ModelicaSyntaxError):
         pymoca.parser.parse("model A Real x; equation x = ; end A;")
@@ -80,6 +87,29 @@ def test_declarations_are_described(file: ClassFile) -> None:
     )
     for declaration in declarations:
         assert '"' in declaration, f"{file.full_name}: {declaration}"
+
+
+CONDITIONAL = re.compile(
+    r"^  (?!annotation)[\w.]+ (\w+)(?:\[[^\]]*\])?(?:\((?:[^()]|\([^()]*\))*\))? if [^;]*;", re.MULTILINE
+)
+
+
+def reads_conditional_components(text: str) -> set[str]:
+    """Conditional components that are used outside a connect; Modelica 3.6, section 4.4.5, forbids it."""
+    outside = re.sub(r"connect\([^;]*;", "", re.sub(r'"(?:[^"\\]|\\.)*"', '""', text))
+    return {name for name in CONDITIONAL.findall(text) if re.search(rf"\b{name}\.\w", outside)}
+
+
+@by_name
+def test_conditional_components_are_connected_only(file: ClassFile) -> None:
+    assert reads_conditional_components(file.text) == set()
+
+
+def test_the_rule_of_conditional_components_finds_what_breaks_it() -> None:
+    wrong = "model A\n  B b(m=f(1)) if c;\nequation\n  x = b.y;\nend A;\n"
+    right = "model A\n  B b if c;\nequation\n  connect(b.y, x);\nend A;\n"
+    assert reads_conditional_components(wrong) == {"b"}
+    assert reads_conditional_components(right) == set()
 
 
 def test_examples_have_one_experiment() -> None:
