@@ -20,6 +20,9 @@ def add_generation_arguments(parser: ArgumentParser) -> None:
         help="which actuators drive which joints (actuators.toml beside the assembly if left out)",
     )
     parser.add_argument(
+        "--assemble", action="store_true", help="move parts so that joints close which the exported poses leave open"
+    )
+    parser.add_argument(
         "--accept-structure",
         action="store_true",
         help="replace a package whose parts or joints are others than those of the assembly now",
@@ -44,4 +47,5 @@ def generation_options(arguments: Namespace) -> GenerateOptions:
         max_pieces=arguments.max_pieces,
         accept_structure=arguments.accept_structure,
         edited=arguments.mechatronics,
+        assemble=arguments.assemble,
     )

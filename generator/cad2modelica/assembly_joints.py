@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from cmb_base.errors import Place
+from lxml import etree
 
 from cad2modelica.assembly_elements import NAMESPACE, ElementReader, numbers, optional
 from cad2modelica.assembly_unfolding import JointDescription, PartDescription
@@ -39,11 +40,12 @@ class _JointReader:
         origin = self._parts[child].pose.position
         origin_element = element.find(f"{{{NAMESPACE}}}origin")
         if origin_element is not None:
-            given = to_si(numbers(origin_element.text), self._read.units.length)
-            origin = frames[origin_element.get("frame", "assembly")].point(given)
+            origin = self._point(origin_element, frames)
         elif kind not in (JointType.FIXED, JointType.FREE):
             self._problem(f"a {kind.value} joint needs an origin", "Add the element origin.")
         axis = self._axis("axis", frames, kind.needs_axis)
+        child_origin = self._element.find(f"{{{NAMESPACE}}}childOrigin")
+        child_axis = self._element.find(f"{{{NAMESPACE}}}childAxis")
         second = self._axis("axis2", frames, kind is JointType.UNIVERSAL)
         if axis is not None and second is not None and abs(float(axis @ second)) > RIGHT_ANGLE_TOLERANCE:
             self._problem("axis and axis2 are not at a right angle", "Correct the axes.")
@@ -68,6 +70,8 @@ class _JointReader:
             pitch=self._pitch(),
             limits=self._limits(),
             friction=self._friction(),
+            child_origin=self._point(child_origin, frames) if child_origin is not None else None,
+            child_axis=self._axis("childAxis", frames, kind.needs_axis) if child_axis is not None else None,
         )
         self._check_start(joint)
         return joint
@@ -103,6 +107,10 @@ class _JointReader:
             "parent": IDENTITY if parent == GROUND else self._parts[parent].pose,
             "child": self._parts[child].pose,
         }
+
+    def _point(self, element: etree._Element, frames: dict[str, Pose]) -> Array:
+        given = to_si(numbers(element.text), self._read.units.length)
+        return frames[element.get("frame", "assembly")].point(given)
 
     def _axis(self, tag: str, frames: dict[str, Pose], needed: bool) -> Array | None:
         child = self._element.find(f"{{{NAMESPACE}}}{tag}")

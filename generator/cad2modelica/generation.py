@@ -11,6 +11,7 @@ from cmb_base.progress import Progress, silent
 
 from cad2modelica.actuator_file import FILE_NAME, Assignment, named_joints, read_assignments
 from cad2modelica.actuators import place_actuators
+from cad2modelica.assembling import assembled, require_closed
 from cad2modelica.collision_shapes import MAXIMUM_PIECES, collision_geometry
 from cad2modelica.contact_pairs import contact_pairs, within_reach
 from cad2modelica.generation_report import ReportInput, report_html
@@ -53,6 +54,7 @@ class GenerateOptions:
         actuators: TOML file that assigns actuators to joints; ``actuators.toml`` beside the assembly, if there is
             one, if None.
         accept_structure: whether a package of another structure may be replaced.
+        assemble: whether parts are moved so that all joints close at the start.
         edited: what happens to an edited mechatronic model when the assignment of actuators has changed.
         collision_error: concavity that a piece of a concave body may keep, in the assembly's unit of length (m for
             URDF); counts before the assembly's own ``collisionError``, but not before a part's.
@@ -65,6 +67,7 @@ class GenerateOptions:
     max_pieces: int | None = None
     accept_structure: bool = False
     edited: Edited = Edited.ASK
+    assemble: bool = False
 
 
 @dataclass(frozen=True)
@@ -113,7 +116,11 @@ def generate(
         InputError: the input is wrong, or what is there must not be replaced without consent; nothing is written then.
     """
     _check(options)
-    assembly = with_spherical_axes(read_assembly(assembly_path, progress))
+    assembly = read_assembly(assembly_path, progress)
+    if options.assemble:
+        assembly = assembled(assembly, kinematic_tree(assembly))
+    require_closed(assembly)
+    assembly = with_spherical_axes(assembly)
     name = _package_name(assembly, options)
     progress("build model", 0.0, name)
     tree = kinematic_tree(assembly)

@@ -181,6 +181,8 @@ class Joint:
         angular_velocity: of the child against the parent, world axes, rad/s (other types).
         pitch: way along the axis in one turn, m, screw joints only.
         limits, friction: None where nothing is said.
+        child_origin, child_axis: point and axis as the child has them, in the world's coordinates; None where the child
+            says nothing.
     """
 
     name: str
@@ -198,6 +200,13 @@ class Joint:
     pitch: float = 0.0
     limits: JointLimits | None = None
     friction: JointFriction | None = None
+    child_origin: Array | None = None
+    child_axis: Array | None = None
+
+    @property
+    def is_turning(self) -> bool:
+        """Whether the joint's coordinate is an angle."""
+        return self.type in (JointType.REVOLUTE, JointType.SCREW)
 
 
 @dataclass(frozen=True, eq=False)
