@@ -15,9 +15,8 @@ struct ConvexAnswer {
   Vec3 point_a, point_b;  // witness points; point_a - point_b = distance * normal
   bool proven = true;     // the answer lies between bounds that agree
   // Of boxes and hulls that overlap, from the exact path: the mean normal of the difference's surface, which does not
-  // jump (convex/nearby_surface.hpp), and how far it moves with A (1) or B (0). Else the normal.
+  // jump (convex/nearby_surface.hpp). Else the normal.
   Vec3 mean_normal;
-  double mean_part_of_a = 0.5;
 };
 
 // Room that back ends work in; one for each thread.

@@ -15,7 +15,6 @@ std::optional<ConvexAnswer> exact_distance(const Shape &a, const Pose &pose_a, c
   answer.point_b = pose_a(found.point_b);
   answer.proven = found.proven;
   answer.mean_normal = polytopes ? pose_a.rotation * found.mean_normal : answer.normal;
-  answer.mean_part_of_a = found.mean_part_of_a;
   return answer;
 }
 

@@ -18,7 +18,7 @@ struct CoreDistance {
   Vec3 direction, a, b;
   DistanceMethod method;
   bool proven;
-  SurfaceMean surface = {};
+  Vec3 mean_outward = {};
 };
 
 CoreDistance from_gap(const Vec3 &a, const Vec3 &b, const Vec3 &if_zero, DistanceMethod method) {
@@ -167,7 +167,7 @@ CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const P
                                bool with_mean) {
   CoreDistance result{axes.separation, axes.axis, axes.a, axes.b, DistanceMethod::separating_axes, true};
   if (with_mean) {
-    result.surface =
+    result.mean_outward =
         nearby_surface_of_boxes(a.half, b.half, pose, std::max(0.0, -axes.separation), core_radius(a) + core_radius(b));
   }
   const double scale = norm(a.half) + norm(b.half);
@@ -208,7 +208,7 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
                                                   with_mean ? core_radius(body_a) + core_radius(body_b) : 0.0)
                  : scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, 1e-9 * difference.scale, 160);
   CoreDistance result{-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope,
-                      inside.proven, inside.surface};
+                      inside.proven, inside.mean_outward};
   if (polyhedral) {
     // A negative depth says that the origin is outside after all.
     if (!inside.proven || inside.depth < -1e-12 * difference.scale) return enumerated(difference, scratch);
@@ -299,8 +299,7 @@ SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const P
   }
   result.distance = core.distance - a.radius - b.radius;
   result.normal = -core.direction;
-  result.mean_normal = -normalized(core.surface.outward, core.direction);
-  if (core.surface.total > 0.0) result.mean_part_of_a = core.surface.of_a / core.surface.total;
+  result.mean_normal = -normalized(core.mean_outward, core.direction);
   result.point_a = core.a + a.radius * core.direction;
   result.point_b = core.b - b.radius * core.direction;
   result.feature_a = support_feature(a, core.direction);

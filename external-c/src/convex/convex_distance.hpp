@@ -43,9 +43,8 @@ struct SignedDistance {
   Feature feature_a, feature_b;
   DistanceMethod method = DistanceMethod::closed_form;
   // Where asked for: the mean normal of the difference's surface near the origin (nearby_surface.hpp), unit, from B to A;
-  // else the normal. And how far it moves with A (1) or B (0): with A where it is the normal of a face of A.
+  // else the normal.
   Vec3 mean_normal{0, 0, 1};
-  double mean_part_of_a = 0.5;
   bool proven = true;  // the answer lies between bounds that agree to the tolerance; else the best found
 };
 

@@ -180,14 +180,10 @@ void ExpandingPolytope::measure_surface(PenetrationResult &result, double size) 
     if (!face.alive || face.sliver || face.offset >= radius) continue;
     FacetIntegral integral(face.normal, std::max(face.offset, 0.0), radius);
     if (integral.empty()) continue;
-    const DifferencePoint *corner[3];
     for (int k = 0; k < 3; ++k) {
-      corner[k] = &points_[static_cast<std::size_t>(face.vertex[k])];
+      integral.add_edge(hull_.point(face.vertex[k]), hull_.point(face.vertex[k == 2 ? 0 : k + 1]));
     }
-    for (int k = 0; k < 3; ++k) integral.add_edge(corner[k]->w, corner[k == 2 ? 0 : k + 1]->w);
-    const bool one_of_a = corner[0]->vertex_a == corner[1]->vertex_a && corner[0]->vertex_a == corner[2]->vertex_a;
-    const bool one_of_b = corner[0]->vertex_b == corner[1]->vertex_b && corner[0]->vertex_b == corner[2]->vertex_b;
-    result.surface.add(face.normal, integral.value(), one_of_b ? 1.0 : one_of_a ? 0.0 : 0.5);
+    result.mean_outward = result.mean_outward + integral.value() * face.normal;
   }
 }
 

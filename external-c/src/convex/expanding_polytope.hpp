@@ -22,7 +22,7 @@ struct PenetrationResult {
   static constexpr int most_others = 24;
   Vec3 other[most_others];
   int other_count = 0;
-  SurfaceMean surface;  // where asked for
+  Vec3 mean_outward;  // where asked for: of the surface nearby (nearby_surface.hpp), not unit
 };
 
 // Works in storage allocated by the constructor alone. Not for sharing between threads.
@@ -34,7 +34,7 @@ class ExpandingPolytope {
   // difference. `simplex` (count 1 to 4) are points to start from. Not proven where rounding broke the
   // surface, where the points did not suffice, or where the difference is flat (depth and direction are
   // then the best so far). Where the bodies' `size` is given (> 0), the surface is also made whole within
-  // surface_reach(depth, size), and `surface` filled.
+  // surface_reach(depth, size), and `mean_outward` found.
   PenetrationResult depth(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count,
                           double tolerance, std::int32_t most_points, double size = 0.0);
 

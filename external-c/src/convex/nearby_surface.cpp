@@ -46,8 +46,7 @@ double FacetIntegral::value() const {
 }
 
 // The difference of two boxes is a zonotope: each pair of their six axes spans two of its facets, parallelograms.
-SurfaceMean nearby_surface_of_boxes(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a, double depth,
-                                    double size) {
+Vec3 nearby_surface_of_boxes(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a, double depth, double size) {
   // Boxes with parallel axes have facets in one plane; which of them lies where is decided as if B were turned by a
   // tiny angle about an axis of no special direction.
   constexpr double tiny = 1e-11;
@@ -60,7 +59,7 @@ SurfaceMean nearby_surface_of_boxes(const Vec3 &half_a, const Vec3 &half_b, cons
     shaken[3 + k] = axis[3 + k] + cross(turn, axis[3 + k]);
   }
   const double radius = surface_reach(depth, size);
-  SurfaceMean mean;
+  Vec3 sum;
   for (int p = 0; p < 6; ++p) {
     for (int q = p + 1; q < 6; ++q) {
       const Vec3 across = cross(axis[p], axis[q]);
@@ -85,11 +84,11 @@ SurfaceMean nearby_surface_of_boxes(const Vec3 &half_a, const Vec3 &half_b, cons
         const Vec3 &u = axis[p], v = side * axis[q];
         const Vec3 corner[4] = {middle - u - v, middle + u - v, middle + u + v, middle - u + v};
         for (int k = 0; k < 4; ++k) integral.add_edge(corner[k], corner[(k + 1) % 4]);
-        mean.add(normal, integral.value(), q < 3 ? 1.0 : p < 3 ? 0.5 : 0.0);
+        sum = sum + integral.value() * normal;
       }
     }
   }
-  return mean;
+  return sum;
 }
 
 }  // namespace cmb::convex

@@ -23,18 +23,6 @@ inline double surface_reach(double depth, double size) {
   return depth * std::sqrt(1.0 + sideways / (1.0 + part * part));
 }
 
-struct SurfaceMean {
-  Vec3 outward;            // sum of the facets' normals by weight; not unit
-  double total = 0.0;      // of the weights
-  double of_a = 0.0;       // the part of it that lies on facets that a face of A makes; half of what two edges make
-
-  void add(const Vec3 &normal, double weight, double part_of_a) {
-    outward = outward + weight * normal;
-    total += weight;
-    of_a += weight * part_of_a;
-  }
-};
-
 // The integral of the weight (radius^2 - distance^2)^2 over a facet's part in the ball, given edge by edge.
 class FacetIntegral {
  public:
@@ -58,8 +46,8 @@ class FacetIntegral {
   bool all_beyond_ = true, outside_ = false;
 };
 
-// The mean for two boxes of the given half lengths that overlap `depth` (> 0) deep.
-SurfaceMean nearby_surface_of_boxes(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a, double depth,
-                                    double size);
+// The sum of the facets' normals times their weights, for two boxes of the given half lengths that overlap `depth` (> 0)
+// deep.
+Vec3 nearby_surface_of_boxes(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a, double depth, double size);
 
 }  // namespace cmb::convex

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 // Keeps the blend finite where the load comes exactly along a face's normal.
-constexpr double smallest_angle_term = 1e-30;
+constexpr double smallest_angle_term = 1e-14;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 

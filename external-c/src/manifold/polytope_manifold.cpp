@@ -47,6 +47,13 @@ void find_patches(const PolytopeSide &side, std::vector<Scratch::Patch> &patches
   }
 }
 
+// Half the square of the angle between the contact plane and the face that is most level.
+double lean(const PolytopeSide &side) {
+  double highest = 0.0;
+  for (const PolytopeSide::Face &face : side.faces()) highest = std::max(highest, side.sense() * face.normal.z);
+  return std::max(0.0, 1.0 - highest);
+}
+
 // The patch above (x, y); null where the line through it misses the body, or meets it beyond the gathered part.
 const Scratch::Patch *patch_over(double x, double y, const std::vector<Scratch::Patch> &patches) {
   const Scratch::Patch *best = nullptr;
@@ -115,26 +122,33 @@ void visible_cone(const PolytopeSide &side, std::int32_t vertex, DirectionCone &
   }
 }
 
-// What the vertices of a side would carry if their normal cones filled the hemisphere.
-class Stiffness {
+// The stiffness of a side's vertices, found where it is asked for.
+class VertexStiffness {
  public:
-  // `cone` is room to work in.
-  Stiffness(const PolytopeSide &side, std::vector<double> &known, DirectionCone &cone)
-      : side_(side), towards_(side.sense() * side.to_contact().rotation.row[2]), known_(known), cone_(cone) {
-    known_.assign(side.vertices().size(), -1.0);
+  // The direction towards the other body turns with that one as far as `turning`. `cone` is room to work in.
+  VertexStiffness(const PolytopeSide &side, double turning, std::vector<Scratch::Stiffness> &known, DirectionCone &cone)
+      : side_(side),
+        towards_(side.sense() * side.to_contact().rotation.row[2]),
+        turning_(turning),
+        known_(known),
+        cone_(cone) {
+    known_.assign(side.vertices().size(), {});
   }
 
   // Of the side's vertex k, whose visible cone has the solid angle `visible`.
-  double of(std::int32_t k, double visible) {
-    double &value = known_[index(k)];
-    if (value < 0.0) {
-      const std::int32_t v = side_.vertices()[index(k)].number;
-      value = 2.0 * pi * side_.body().share(v, towards_) / std::fmax(visible, 0.25 * side_.body().normal_cone(v));
-    }
-    return value;
+  const Scratch::Stiffness &of(std::int32_t k, double visible) {
+    Scratch::Stiffness &stiffness = known_[index(k)];
+    if (stiffness.value >= 0.0) return stiffness;
+    const ContactPolytope &body = side_.body();
+    const std::int32_t v = side_.vertices()[index(k)].number;
+    const double scale = 2.0 * pi / std::fmax(visible, 0.25 * body.normal_cone(v));
+    Vec3 gradient;
+    stiffness.value = scale * body.share(v, towards_, &gradient);
+    if (!body.share_is_constant(v)) stiffness.slope = (scale * turning_) * (side_.to_contact().rotation * gradient);
+    return stiffness;
   }
-  double of(std::int32_t k) {
-    if (known_[index(k)] >= 0.0) return known_[index(k)];
+  const Scratch::Stiffness &of(std::int32_t k) {
+    if (known_[index(k)].value >= 0.0) return known_[index(k)];
     visible_cone(side_, side_.vertices()[index(k)].number, cone_);
     return of(k, cone_.solid_angle());
   }
@@ -142,12 +156,13 @@ class Stiffness {
  private:
   const PolytopeSide &side_;
   Vec3 towards_;
-  std::vector<double> &known_;
+  double turning_;
+  std::vector<Scratch::Stiffness> &known_;
   DirectionCone &cone_;
 };
 
 // Vertices of one side over faces of the other.
-void add_vertices(const PolytopeSide &side, Stiffness &stiffness,
+void add_vertices(const PolytopeSide &side, VertexStiffness &stiffness,
                   const std::vector<Scratch::Patch> &others, DirectionCone &cone, DirectionCone &sheared,
                   std::vector<Scratch::Corner> &corners) {
   for (std::size_t i = 0; i < side.vertices().size(); ++i) {
@@ -160,7 +175,8 @@ void add_vertices(const PolytopeSide &side, Stiffness &stiffness,
     if (!(own + other > 0.0)) continue;
     visible_cone(side, v.number, cone);
     if (cone.empty()) continue;
-    const double visible = cone.solid_angle(), scale = stiffness.of(static_cast<std::int32_t>(i), visible);
+    const double visible = cone.solid_angle();
+    const Scratch::Stiffness &scale = stiffness.of(static_cast<std::int32_t>(i), visible);
     double part = visible;
     if (patch->slope_x != 0.0 || patch->slope_y != 0.0) {
       sheared.clear();
@@ -171,7 +187,9 @@ void add_vertices(const PolytopeSide &side, Stiffness &stiffness,
       part = sheared.solid_angle();
     }
     // The surfaces are at z = sense * own and -sense * other.
-    corners.push_back({{v.at.x, v.at.y, 0.5 * side.sense() * (own - other)}, own + other, scale * part / (2.0 * pi)});
+    part /= 2.0 * pi;
+    corners.push_back({{v.at.x, v.at.y, 0.5 * side.sense() * (own - other)}, own + other, part * scale.value,
+                       part * scale.slope});
   }
 }
 
@@ -179,16 +197,18 @@ double area(const Vec3 &from, const Vec3 &to, const Vec3 &p) {
   return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
 }
 
-// Interpolates (Shepard) between what belongs to the ends of two edges that cross, at the parts t and s of their ways.
-double between_ends(double t, double at_t0, double at_t1, double s, double at_s0, double at_s1) {
+// Interpolates (Shepard) between the ends of two edges that cross, at the parts t and s of their ways.
+Scratch::Stiffness between_ends(double t, const Scratch::Stiffness &at_t0, const Scratch::Stiffness &at_t1, double s,
+                                const Scratch::Stiffness &at_s0, const Scratch::Stiffness &at_s1) {
   constexpr double smallest = 1e-28;
   const double a = 1.0 / (t * t + smallest), b = 1.0 / ((1.0 - t) * (1.0 - t) + smallest);
-  const double c = 1.0 / (s * s + smallest), d = 1.0 / ((1.0 - s) * (1.0 - s) + smallest);
-  return (a * at_t0 + b * at_t1 + c * at_s0 + d * at_s1) / (a + b + c + d);
+  const double c = 1.0 / (s * s + smallest), d = 1.0 / ((1.0 - s) * (1.0 - s) + smallest), sum = a + b + c + d;
+  return {(a * at_t0.value + b * at_t1.value + c * at_s0.value + d * at_s1.value) / sum,
+          (1.0 / sum) * (a * at_t0.slope + b * at_t1.slope + c * at_s0.slope + d * at_s1.slope)};
 }
 
 // The crossing of two edges, seen along the contact normal, if there is one.
-void add_crossing(const Scratch::Border &e, const Scratch::Border &f, Stiffness &stiffness_a, Stiffness &stiffness_b,
+void add_crossing(const Scratch::Border &e, const Scratch::Border &f, VertexStiffness &stiffness_a, VertexStiffness &stiffness_b,
                   DirectionCone &cone, std::vector<Scratch::Corner> &corners) {
   if (f.low_x > e.high_x || f.high_x < e.low_x || f.low_y > e.high_y || f.high_y < e.low_y) return;
   if ((area(f.shaken_from, f.shaken_to, e.shaken_from) > 0.0) ==
@@ -216,14 +236,14 @@ void add_crossing(const Scratch::Border &e, const Scratch::Border &f, Stiffness 
   }
   const double part = cone.solid_angle() / (2.0 * pi);
   const Vec3 middle{0.5 * (on_e.x + on_f.x), 0.5 * (on_e.y + on_f.y), 0.5 * (on_f.z - on_e.z)};
-  const double scale = between_ends(t, stiffness_a.of(e.vertex[0]), stiffness_a.of(e.vertex[1]), s,
-                                    stiffness_b.of(f.vertex[0]), stiffness_b.of(f.vertex[1]));
-  corners.push_back({middle, depth, scale * part});
+  const Scratch::Stiffness scale = between_ends(t, stiffness_a.of(e.vertex[0]), stiffness_a.of(e.vertex[1]), s,
+                                                stiffness_b.of(f.vertex[0]), stiffness_b.of(f.vertex[1]));
+  corners.push_back({middle, depth, part * scale.value, part * scale.slope});
 }
 
 // Edges whose extents along x overlap are found by a sweep.
 void add_crossings(std::vector<Scratch::Border> &borders_a, std::vector<Scratch::Border> &borders_b,
-                   Stiffness &stiffness_a, Stiffness &stiffness_b, DirectionCone &cone,
+                   VertexStiffness &stiffness_a, VertexStiffness &stiffness_b, DirectionCone &cone,
                    std::vector<Scratch::Corner> &corners) {
   const auto from_the_left = [](const Scratch::Border &x, const Scratch::Border &y) { return x.low_x < y.low_x; };
   std::sort(borders_a.begin(), borders_a.end(), from_the_left);
@@ -265,16 +285,27 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
   find_patches(scratch.side_b, scratch.patches_b);
   find_borders(scratch.side_a, scratch.borders_a);
   find_borders(scratch.side_b, scratch.borders_b);
-  Stiffness stiffness_a(scratch.side_a, scratch.stiffness_a, scratch.cone),
-      stiffness_b(scratch.side_b, scratch.stiffness_b, scratch.cone);
+  // The contact normal turns with the body that has a face in it.
+  const double lean_a = lean(scratch.side_a), lean_b = lean(scratch.side_b);
+  const double part_of_a = lean_a + lean_b > 0.0 ? lean_b / (lean_a + lean_b) : 0.5;
+  VertexStiffness stiffness_a(scratch.side_a, 1.0 - part_of_a, scratch.stiffness_a, scratch.cone),
+      stiffness_b(scratch.side_b, part_of_a, scratch.stiffness_b, scratch.cone);
   scratch.corners.clear();
   add_vertices(scratch.side_a, stiffness_a, scratch.patches_b, scratch.cone, scratch.sheared_cone, scratch.corners);
   add_vertices(scratch.side_b, stiffness_b, scratch.patches_a, scratch.cone, scratch.sheared_cone, scratch.corners);
   add_crossings(scratch.borders_a, scratch.borders_b, stiffness_a, stiffness_b, scratch.cone, scratch.corners);
 
+  double load = 0.0;
+  Vec3 missing;
+  for (const Scratch::Corner &corner : scratch.corners) {
+    load += corner.weight * corner.depth;
+    missing = missing + (0.5 * corner.depth * corner.depth) * corner.slope;
+  }
+  if (!(load > 0.0)) return;
+  const Vec3 shift{missing.x / load, missing.y / load, 0.0};
   const std::size_t begin = points.size();
   for (const Scratch::Corner &corner : scratch.corners) {
-    if (corner.weight > 0.0) points.push_back({corner.depth, corner.weight, normal, axes(corner.middle)});
+    if (corner.weight > 0.0) points.push_back({corner.depth, corner.weight, normal, axes(corner.middle + shift)});
   }
   limit_load(points, begin);
 }

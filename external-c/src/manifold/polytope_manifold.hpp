@@ -17,6 +17,7 @@ struct PolytopeManifoldScratch {
   struct Corner {
     Vec3 middle;  // half way between the surfaces, in the contact's axes
     double depth, weight;
+    Vec3 slope;  // of the weight by the direction towards the other body, in the contact's axes
   };
   // A face's plane over the contact plane: z = height - slope_x x - slope_y y, the z axis pointing to the other body.
   struct Patch {
@@ -35,7 +36,13 @@ struct PolytopeManifoldScratch {
   PolytopeSide side_a, side_b;
   std::vector<Patch> patches_a, patches_b;
   std::vector<Border> borders_a, borders_b;
-  std::vector<double> stiffness_a, stiffness_b;  // of the sides' vertices, negative where not yet known
+  // What a vertex would carry if its normal cone filled the hemisphere, and how that changes with the direction towards
+  // the other body as far as that turns with the other body.
+  struct Stiffness {
+    double value = -1.0;  // negative where not yet known
+    Vec3 slope;
+  };
+  std::vector<Stiffness> stiffness_a, stiffness_b;  // of the sides' vertices
   std::vector<Corner> corners;
   DirectionCone cone, sheared_cone;
 };
@@ -49,6 +56,9 @@ struct PolytopeManifoldScratch {
 // normal cone), scaled so that a vertex of one body inside a face of the other carries its share in that face. This
 // measure of a convex body changes continuously with the body (Schneider, Convex Bodies, section 4.2), so corners may
 // appear, merge and vanish without a jump. Where edges cross, the scale is interpolated between their four ends.
+//
+// Shares that change with the direction ask for a torque, as on a half-space: all points are shifted along the contact
+// plane to supply it.
 void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
                       const Vec3 &normal, const Vec3 &witness, PolytopeManifoldScratch &scratch,
                       std::vector<ContactPoint> &points);

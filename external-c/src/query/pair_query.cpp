@@ -35,7 +35,6 @@ ConvexAnswer convex_answer(const Scene &scene, const Shape &a, const Pose &pose_
       who = scene.backend;
       // The mean of the ways out hardly depends on who found the shortest one.
       answer->mean_normal = exact.mean_normal;
-      answer->mean_part_of_a = exact.mean_part_of_a;
       return *answer;
     }
   }
