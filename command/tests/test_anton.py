@@ -212,6 +212,17 @@ def test_co_simulation_walks_the_same_way(road: Road) -> None:
     assert result["travel"][-1] == pytest.approx(road.result["travel"][-1], rel=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("parameter", "value"), [("gait.stride", -0.06), ("gait.dutyFactor", 0.7), ("gait.period", 2.0)]
+)
+def test_other_gaits_walk_too(road: Road, parameter: str, value: float) -> None:
+    signals = ["travel", "commandedTravel"]
+    fmu = road.folder / "anton.fmu"
+    result = simulate(fmu, signals=signals, stop=3, interval=0.01, mode="cs", parameters={parameter: value})
+    assert abs(result["commandedTravel"][-1]) > 0.07
+    assert result["travel"][-1] == pytest.approx(result["commandedTravel"][-1], rel=0.01)
+
+
 def test_the_report_shows_the_feet(road: Road) -> None:
     page = (road.folder / "report.html").read_text(encoding="utf-8")
     assert "Foot forces, left side" not in page  # its window begins after the stop

@@ -3,7 +3,7 @@ model Walk "Anton walks straight ahead"
   import SI = Modelica.Units.SI;
   import Modelica.Constants.pi;
   extends Anton.Mechanics(
-    contacts(pointCapacity=1, useRestitution=false, steadyRate=fill(20, 6), regularisationSpeed=2e-3),
+    contacts(pointCapacity=1, useRestitution=false, steadyRate=fill(20, 6)),
     frontLeftHip(useAxisFlange=true, phi(start=frontLeft.start[1], fixed=true)),
     frontLeftLift(useAxisFlange=true, phi(start=frontLeft.start[2], fixed=true)),
     frontLeftKnee(useAxisFlange=true, phi(start=frontLeft.start[3], fixed=true)),
