@@ -4,6 +4,7 @@
 #include <new>
 
 #include "rigid_bodies.hpp"
+#include "mesh/mesh_text.hpp"
 #include "scene_query.hpp"
 
 namespace {
@@ -33,13 +34,17 @@ TEST(Allocations, StopOnceTheScratchHasGrown) {
       "cmb/1 hull vertices=0.4,0.1,0.1,-0.3,0.4,0.2,0,-0.5,0.1,0.1,0.2,0.6,-0.2,-0.1,-0.6,0.35,-0.3,-0.2",
       "cmb/1 capsule radius=0.3 length=0.5",
       "cmb/1 halfspace",
-      "cmb/1 sphere radius=0.4;cmb/1 cylinder radius=0.2 length=1"};
+      "cmb/1 sphere radius=0.4;cmb/1 cylinder radius=0.2 length=1",
+      "cmb/1 mesh vertices=-0.4,-0.4,-0.4,0.5,-0.4,-0.4,0,0.6,-0.4,0,0,0.7 triangles=1,3,2,1,2,4,2,3,4,3,1,4",
+      mesh_samples::mesh_text(mesh_samples::sphere_mesh(0.5, 2)),
+      mesh_samples::height_field_text(3.0, 9, [](double x, double y) { return 0.2 * std::sin(3 * x) * std::cos(2 * y); }),
+      "cmb/1 ellipsoid size=0.6,0.7,0.8;cmb/1 cone radius=0.3 length=0.9"};
   std::vector<int> pairs;
-  for (int a = 1; a <= 6; ++a) {
-    for (int b = a + 1; b <= 6; ++b) pairs.insert(pairs.end(), {a, b});
+  for (int a = 1; a <= 10; ++a) {
+    for (int b = a + 1; b <= 10; ++b) pairs.insert(pairs.end(), {a, b});
   }
   const cmb_scene scene = intern(geometry, pairs);
-  constexpr std::size_t bodies = 6, count = 15, capacity = 4;
+  constexpr std::size_t bodies = 10, count = 45, capacity = 4;
   double position[3 * bodies], rotation[9 * bodies];
   double distance[count], depth[count * capacity], weight[count * capacity], normal[3 * count * capacity],
       point[3 * count * capacity];
