@@ -58,7 +58,7 @@ def make_animation(scene: Scene, result: SimulationResult) -> Animation | None:
     }
     return Animation(
         data=data,
-        key=tuple(_key(body) for body in scene.bodies if body.meshes),
+        key=_color_key([body for body in scene.bodies if body.meshes]),
         has_forces=bool(forces),
         duration=float(result.time[-1] - result.time[0]),
     )
@@ -135,9 +135,17 @@ def _body(motion: BodyMotion, rows: IntArray) -> dict[str, Any]:
     }
 
 
-def _key(body: SceneBody) -> ColorKey:
-    red, green, blue = (round(255 * value) for value in body.meshes[0].color)
-    return ColorKey(body.label, f"rgb({red},{green},{blue})")
+def _color_key(bodies: Sequence[SceneBody]) -> tuple[ColorKey, ...]:
+    """An entry for each body; parts of one name and colour in several instances ("left/foot") share theirs."""
+    alike: dict[tuple[str, str], list[str]] = {}
+    for body in bodies:
+        red, green, blue = (round(255 * value) for value in body.meshes[0].color)
+        name = body.label.rpartition("/")[2]
+        alike.setdefault((name, f"rgb({red},{green},{blue})"), []).append(body.label)
+    return tuple(
+        ColorKey(labels[0] if len(labels) == 1 else f"{name} ({len(labels)})", color)
+        for (name, color), labels in alike.items()
+    )
 
 
 def _up(scene: Scene) -> FloatArray:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from fmu_regression.animation import frame_rows, quaternions
+from fmu_regression.animation import frame_rows, make_animation, quaternions
 from fmu_regression.picture import find_browser, save_pictures
 from fmu_regression.report import write_report
 from fmu_regression.result import SimulationResult, read_csv, write_csv
@@ -21,7 +21,7 @@ from fmu_regression.scene import load_scene
 from fmu_regression.thinning import display_rows
 from lxml import html
 from scipy.spatial.transform import Rotation
-from synthetic import body, bouncing_ball, box_mesh, hammer, pose_signals, scene, write_scene
+from synthetic import body, bouncing_ball, box_mesh, hammer, pose_signals, scene, sphere_mesh, write_scene
 
 ASSETS = Path(__file__).parents[1] / "fmu_regression" / "assets"
 NODE = shutil.which("node")
@@ -305,3 +305,14 @@ def test_pictures_show_the_scene(folder: Path, tmp_path: Path) -> None:
     assert int.from_bytes(first[20:24], "big") == 200
     assert len(first) > 8000  # an empty stage compresses to less
     assert first != second
+
+
+def test_equal_parts_share_an_entry_of_the_key(tmp_path: Path) -> None:
+    ball = sphere_mesh("b", 0.1, [0.1, 0.1, 0.1])
+    labels = ("left/foot", "right/foot", "left/shank", "torso")
+    bodies = [body(f"b{k}", label=label, fixed=True, meshes=[ball]) for k, label in enumerate(labels)]
+    bodies.append(body("b9", label="odd/foot", fixed=True, meshes=[sphere_mesh("b", 0.1, [0.9, 0.1, 0.1])]))
+    made = load_scene(write_scene(scene("Parts", bodies), tmp_path / "scene.json"))
+    animation = make_animation(made, SimulationResult(time=np.array([0.0, 1.0]), signals={}))
+    assert animation is not None
+    assert [entry.label for entry in animation.key] == ["foot (2)", "left/shank", "torso", "odd/foot"]
