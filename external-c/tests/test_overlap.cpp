@@ -62,8 +62,74 @@ TEST(Overlap, SphereAndHalfspaceIsACap) {
   EXPECT_NEAR(half.volume, pi / 12.0, 1e-14);
   EXPECT_NEAR(half.patch_area, pi / 4.0, 1e-14);
   EXPECT_NEAR(half.centroid[2], 0.5 - 3.0 / 16.0, 1e-14);
-  EXPECT_EQ(overlap_of(scene, {0, 0, 0.6}).known, 0);  // beyond the middle
   EXPECT_EQ(overlap_of(scene, {0, 0, -0.1}).volume, 0.0);
+}
+
+// A body of revolution about z, by shells of its shadow: up(r) and low(r) bound it, `reach` is the shadow's radius.
+struct Shells {
+  double volume = 0.0, height = 0.0, shadow = 0.0, middle = 0.0;  // of the centroid; half way between the sides' means
+  template <typename Upper, typename Lower>
+  Shells(double reach, Upper up, Lower low) {
+    constexpr int count = 20000;
+    double upper = 0.0, lower = 0.0, moment = 0.0;
+    for (int k = 0; k < count; ++k) {
+      // r = reach sin(angle): smooth where the sides meet upright.
+      const double angle = pi / 2.0 * (k + 0.5) / count, r = reach * std::sin(angle);
+      const double ring = 2.0 * pi * r * reach * std::cos(angle) * pi / 2.0 / count, u = up(r), l = low(r);
+      shadow += ring;
+      upper += ring * u;
+      lower += ring * l;
+      moment += 0.5 * ring * (u * u - l * l);
+    }
+    volume = upper - lower;
+    height = moment / volume;
+    middle = 0.5 * (upper + lower) / shadow;
+  }
+};
+
+void expect_shells(const cmb_overlap &overlap, const Shells &shells, const char *what, double number) {
+  EXPECT_EQ(overlap.known, 1) << what << number;
+  EXPECT_NEAR(overlap.volume, shells.volume, 1e-8) << what << number;
+  EXPECT_NEAR(overlap.centroid[2], shells.height, 1e-7) << what << number;
+  EXPECT_NEAR(overlap.patch_area, shells.shadow, 1e-8) << what << number;
+  EXPECT_NEAR(overlap.patch_centroid[2], shells.middle, 1e-7) << what << number;
+}
+
+TEST(Overlap, SphereAndHalfspaceAtAnyDepth) {
+  const double r = 0.5;
+  const PairScene scene("cmb/1 sphere radius=0.5", "cmb/1 halfspace");
+  for (const double height : {0.45, 0.2, 0.0, -0.1, -0.4, -0.5, -3.0}) {
+    const double reach = height > 0.0 ? std::sqrt(r * r - height * height) : r;
+    const auto rise = [&](double x) { return std::sqrt(std::fmax(0.0, r * r - x * x)); };
+    expect_shells(overlap_of(scene, {0, 0, height}),
+                  Shells(reach, [&](double x) { return std::fmin(0.0, height + rise(x)); },
+                         [&](double x) { return height - rise(x); }),
+                  "height ", height);
+  }
+}
+
+TEST(Overlap, SpheresAtAnyDepth) {
+  for (const double b : {0.5, 0.3, 0.8}) {
+    const double a = 0.5;
+    const PairScene scene("cmb/1 sphere radius=0.5", "cmb/1 sphere radius=" + digits(b));
+    for (const double part : {0.02, 0.3, 0.6, 0.9, 0.99}) {
+      // A above B, at distances from touching to where the smaller is just inside.
+      const double distance = (a + b) + part * (std::fabs(a - b) - (a + b));
+      const double plane = distance > 0.0 ? 0.5 * (distance + (b * b - a * a) / distance) : 0.0;  // from B's centre
+      double reach = std::sqrt(std::fmax(0.0, b * b - plane * plane));
+      if (plane < 0.0) reach = b;
+      if (plane > distance) reach = a;
+      const auto rise = [](double radius, double x) { return std::sqrt(std::fmax(0.0, radius * radius - x * x)); };
+      expect_shells(overlap_of(scene, {0, 0, distance}),
+                    Shells(reach,
+                           [&](double x) { return std::fmin(rise(b, x), distance + rise(a, x)); },
+                           [&](double x) { return std::fmax(-rise(b, x), distance - rise(a, x)); }),
+                    "distance ", distance);
+    }
+  }
+  const cmb_overlap inside = overlap_of(PairScene("cmb/1 sphere radius=0.2", "cmb/1 sphere radius=1"), {0.1, 0, 0});
+  EXPECT_NEAR(inside.volume, 4.0 / 3.0 * pi * 0.008, 1e-15);
+  EXPECT_NEAR(inside.centroid[0], 0.1, 1e-15);
 }
 
 TEST(Overlap, CompoundsAddUpAndOthersAreNotKnown) {

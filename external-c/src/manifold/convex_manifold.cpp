@@ -21,6 +21,10 @@ double flat_part(const Shape &shape, const Vec3 &towards) {
   return faded(std::hypot(towards.x, towards.y) / flat_sine);
 }
 
+bool touches_at_a_point(const Shape &shape) {
+  return shape.kind == ShapeKind::sphere || shape.kind == ShapeKind::ellipsoid;
+}
+
 const ContactPolytope &corners_of(const Shape &shape) { return shape.polytope ? *shape.polytope : *shape.rim; }
 
 // The part of points[begin..] that counts, where the shapes are `depth` deep in each other: what is inscribed in them,
@@ -47,10 +51,14 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   if (!(answer.distance < 0.0)) return;
   std::vector<ContactPoint> &points = result.points;
   const std::size_t begin = points.size();
+  const double depth = -answer.distance;
+  if (touches_at_a_point(a) && touches_at_a_point(b)) {
+    points.push_back({depth, 1.0, answer.normal, result.witness});
+    return;
+  }
   const Vec3 towards_b = -transposed_times(pose_a.rotation, answer.normal);
   const Vec3 towards_a = transposed_times(pose_b.rotation, answer.normal);
   // The parts that the contact has as one of faces, as one along a line of A or of B, and at a point.
-  const double depth = -answer.distance;
   double flat = flat_part(a, towards_b) * flat_part(b, towards_a);
   if (flat > 0.0) {
     polytope_contact(corners_of(a), pose_a, corners_of(b), pose_b, answer.mean_normal, result.witness, scratch.polytope,

@@ -56,21 +56,76 @@ ShapeOverlap polytope_and_halfspace(const Shape &shape, const Pose &pose, const 
   return polytopes(shape.polytope->geometry(), pose, box, box_pose, normal);
 }
 
-// The cap of a sphere whose centre lies on or above the plane.
+// The part of a sphere within `depth` of a plane that cuts it, depth being measured from the sphere's farthest point.
+struct Cap {
+  double volume = 0.0, from_center = 0.0;  // of its centroid, towards the farthest point
+  Cap(double radius, double depth) {
+    volume = pi * depth * depth * (3.0 * radius - depth) / 3.0;
+    const double off = 2.0 * radius - depth;
+    from_center = 0.75 * off * off / (3.0 * radius - depth);
+  }
+};
+
+// The second moments of a disc of the given area about its middle.
+Mat3 disc_moment(double area, const Vec3 &normal) {
+  const double moment = area * area / (4.0 * pi);  // about a diameter
+  return sum({{{moment, 0, 0}, {0, moment, 0}, {0, 0, moment}}}, outer_product(-moment, normal));
+}
+
+ShapeOverlap whole_sphere(double radius, const Vec3 &center, const Vec3 &normal) {
+  const double shadow = pi * radius * radius;
+  return {4.0 / 3.0 * radius * shadow, shadow, center, center, disc_moment(shadow, normal)};
+}
+
 ShapeOverlap sphere_and_halfspace(double radius, const Vec3 &center, const Pose &plane) {
   const Vec3 normal = plane.rotation.column(2);
   const double height = dot(normal, center - plane.translation), depth = radius - height;
   if (depth <= 0.0) return {};
-  ShapeOverlap cap;
-  cap.volume = pi * depth * depth * (3.0 * radius - depth) / 3.0;
-  cap.patch_area = pi * depth * (2.0 * radius - depth);
-  const double off = 2.0 * radius - depth;
-  cap.centroid = center - (0.75 * off * off / (3.0 * radius - depth)) * normal;
-  // Half way between the plane and the mean of the sphere's surface below it.
-  cap.patch_centroid = center - (height + 0.5 * cap.volume / cap.patch_area) * normal;
-  const double moment = cap.patch_area * cap.patch_area / (4.0 * pi);  // of a disc about a diameter
-  cap.patch_moment = sum({{{moment, 0, 0}, {0, moment, 0}, {0, 0, moment}}}, outer_product(-moment, normal));
-  return cap;
+  if (depth >= 2.0 * radius) return whole_sphere(radius, center, normal);
+  const Cap cap(radius, depth);
+  ShapeOverlap overlap;
+  overlap.volume = cap.volume;
+  overlap.centroid = center - cap.from_center * normal;
+  // Its shadow along the normal: the plane's circle, or the sphere's own beyond the middle. The lower side's mean
+  // height is known, and the volume is the shadow times the height between both sides' means.
+  const bool past_middle = depth > radius;
+  overlap.patch_area = past_middle ? pi * radius * radius : pi * depth * (2.0 * radius - depth);
+  const double between = cap.volume / overlap.patch_area;
+  const double lower = past_middle ? -2.0 / 3.0 * radius : -height - between;  // from the centre
+  overlap.patch_centroid = center + (lower + 0.5 * between) * normal;
+  overlap.patch_moment = disc_moment(overlap.patch_area, normal);
+  return overlap;
+}
+
+ShapeOverlap spheres(double radius_a, const Vec3 &center_a, double radius_b, const Vec3 &center_b) {
+  const Vec3 apart = center_b - center_a;
+  const double distance = norm(apart);
+  if (distance >= radius_a + radius_b) return {};
+  const Vec3 along = normalized(apart);
+  if (distance <= radius_b - radius_a) return whole_sphere(radius_a, center_a, along);
+  if (distance <= radius_a - radius_b) return whole_sphere(radius_b, center_b, along);
+  // The spheres' circle lies in a plane `middle` from A's centre; each gives the cap beyond it.
+  const double middle = 0.5 * (distance + (radius_a - radius_b) * (radius_a + radius_b) / distance);
+  const Cap cap_a(radius_a, radius_a - middle), cap_b(radius_b, radius_b - (distance - middle));
+  ShapeOverlap overlap;
+  overlap.volume = cap_a.volume + cap_b.volume;
+  overlap.centroid = center_a + ((cap_a.volume * cap_a.from_center + cap_b.volume * (distance - cap_b.from_center)) /
+                                 overlap.volume) * along;
+  // The shadow along the line of centres, and where on it half way between both sides' means is, from A's centre.
+  double place;
+  if (middle < 0.0) {
+    overlap.patch_area = pi * radius_a * radius_a;
+    place = 2.0 / 3.0 * radius_a - 0.5 * overlap.volume / overlap.patch_area;
+  } else if (middle > distance) {
+    overlap.patch_area = pi * radius_b * radius_b;
+    place = distance - 2.0 / 3.0 * radius_b + 0.5 * overlap.volume / overlap.patch_area;
+  } else {
+    overlap.patch_area = pi * (radius_a - middle) * (radius_a + middle);
+    place = middle + 0.5 * (cap_a.volume - cap_b.volume) / overlap.patch_area;
+  }
+  overlap.patch_centroid = center_a + place * along;
+  overlap.patch_moment = disc_moment(overlap.patch_area, along);
+  return overlap;
 }
 
 // Nothing where the overlap of these shapes is not known in closed form.
@@ -81,12 +136,13 @@ std::optional<ShapeOverlap> shapes(const Shape &a, const Pose &pose_a, const Sha
   }
   if (b.kind == ShapeKind::halfspace) {
     if (a.polytope) return polytope_and_halfspace(a, pose_a, pose_b);
-    if (a.kind == ShapeKind::sphere && dot(pose_b.rotation.column(2), pose_a.translation - pose_b.translation) >= 0.0) {
-      return sphere_and_halfspace(a.body.radius, pose_a.translation, pose_b);
-    }
+    if (a.kind == ShapeKind::sphere) return sphere_and_halfspace(a.body.radius, pose_a.translation, pose_b);
     return std::nullopt;
   }
   if (a.mesh || b.mesh) return std::nullopt;
+  if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::sphere) {
+    return spheres(a.body.radius, pose_a.translation, b.body.radius, pose_b.translation);
+  }
   BackendScratch scratch;
   const ConvexAnswer answer = *exact_distance(a, pose_a, b, pose_b, scratch);
   if (answer.distance >= 0.0) return ShapeOverlap{};

@@ -52,6 +52,17 @@ double distance_bound(const Shape &a, const Pose &pose_a, const Shape &b, const 
 // Of two shapes, the one with the higher rank is the second body.
 int rank(const Shape &shape) { return shape.kind == ShapeKind::halfspace ? 2 : shape.kind == ShapeKind::mesh ? 1 : 0; }
 
+bool is_identity(const Pose &pose) {
+  const Mat3 &r = pose.rotation;
+  const Vec3 &t = pose.translation;
+  return r.row[0].x == 1.0 && r.row[1].y == 1.0 && r.row[2].z == 1.0 && t.x == 0.0 && t.y == 0.0 && t.z == 0.0;
+}
+
+// Where a shape is whose body is at `body`.
+Pose shape_pose(const Pose &body, const Shape &shape) {
+  return is_identity(shape.in_body) ? body : compose(body, shape.in_body);
+}
+
 }  // namespace
 
 void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
@@ -98,10 +109,16 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
   result.normal = {0.0, 0.0, 1.0};
   result.witness = 0.5 * (pose_a.translation + pose_b.translation);
   report = {};
+  if (a.size() == 1 && b.size() == 1) {
+    if (a[0].kind == ShapeKind::halfspace && b[0].kind == ShapeKind::halfspace) return;
+    query_shapes(scene, a[0], shape_pose(pose_a, a[0]), b[0], shape_pose(pose_b, b[0]), scratch, result,
+                 report.backend);
+    return;
+  }
   scratch.poses_a.clear();
   scratch.poses_b.clear();
-  for (const Shape &shape : a) scratch.poses_a.push_back(compose(pose_a, shape.in_body));
-  for (const Shape &shape : b) scratch.poses_b.push_back(compose(pose_b, shape.in_body));
+  for (const Shape &shape : a) scratch.poses_a.push_back(shape_pose(pose_a, shape));
+  for (const Shape &shape : b) scratch.poses_b.push_back(shape_pose(pose_b, shape));
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
       const double bound = distance_bound(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);
