@@ -7,8 +7,8 @@ model SpheresInBox "Spheres fall into an open box and fill it"
   Parts.FreeBodies spheres(
     bodyCount=n,
     bodyGeometry=Shapes.sphere(0.05),
-    m=0.5,
-    J=fill(0.4*0.5*0.05^2, 3),
+    bodyMass=0.5,
+    bodyInertia=fill(0.4*0.5*0.05^2, 3),
     surroundings=Shapes.compound({Shapes.halfSpace(),Shapes.halfSpace(normal={1,0,0}, position={0,0,0}),
       Shapes.halfSpace(normal={-1,0,0}, position={a,0,0}),Shapes.halfSpace(normal={0,1,0}, position={0,0,0}),
       Shapes.halfSpace(normal={0,-1,0}, position={0,a,0})}),
@@ -16,10 +16,14 @@ model SpheresInBox "Spheres fall into an open box and fill it"
     stiffnessChoice=Types.StiffnessChoice.Given,
     bodyStiffness=2e4,
     regularisationSpeed=0.05,
+    spinRadius=0.005,
     rollingLever=0.01,
     turningRegularisationSpeed=0.2,
     r_start={{0.12*mod(i - 1, edge) + 0.056 + 0.002*mod(7*i, 5),0.12*mod(div(i - 1, edge), edge) + 0.056 + 0.002*mod(3*i, 5),
       0.08 + 0.12*div(i - 1, edge*edge)} for i in 1:n}) annotation (Placement(transformation(extent={{-20,-20},{20,20}})));
+  Modelica.Units.SI.Position lowest=min(spheres.r[:, 3]) "Height of the lowest centre";
+  Modelica.Units.SI.Distance farthest=max(abs(spheres.r[:, 1:2] - fill(a/2, n, 2)))
+    "How far a centre is from the middle of the box, along one of its sides";
   annotation (
     experiment(StopTime=3, Tolerance=1e-6, Interval=0.01),
     Documentation(info="<html>

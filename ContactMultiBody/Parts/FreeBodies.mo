@@ -4,8 +4,8 @@ model FreeBodies "Many equal free rigid bodies that collide with each other and 
     final n=bodyCount + 1,
     final geometry={if i <= bodyCount then bodyGeometry else surroundings for i in 1:bodyCount + 1},
     final inertia(
-      m={if i <= bodyCount then m else 0 for i in 1:bodyCount + 1},
-      each I=diagonal(J)),
+      m={if i <= bodyCount then bodyMass else 0 for i in 1:bodyCount + 1},
+      each I=diagonal(bodyInertia)),
     final contactRadius={if i <= bodyCount then bodyRadius else Modelica.Constants.inf for i in 1:bodyCount + 1},
     final stiffness={if i <= bodyCount then bodyStiffness else Modelica.Constants.inf for i in 1:bodyCount + 1},
     final group=fill(1, bodyCount + 1),
@@ -14,8 +14,8 @@ model FreeBodies "Many equal free rigid bodies that collide with each other and 
   parameter Integer bodyCount(min=1)=2 "Number of free bodies" annotation (Evaluate=true);
   parameter String bodyGeometry=Shapes.sphere(0.1)
     "Descriptor of each free body's geometry in its frame, which lies in the centre of mass along the principal axes";
-  parameter Modelica.Units.SI.Mass m(min=Modelica.Constants.small)=1 "Mass of each free body";
-  parameter Modelica.Units.SI.Inertia J[3](each min=Modelica.Constants.small)=fill(0.004, 3)
+  parameter Modelica.Units.SI.Mass bodyMass(min=Modelica.Constants.small)=1 "Mass of each free body";
+  parameter Modelica.Units.SI.Inertia bodyInertia[3](each min=Modelica.Constants.small)=fill(0.004, 3)
     "Principal moments of inertia of each free body";
   parameter Modelica.Units.SI.Radius bodyRadius=0.1 "Radius of curvature of the free bodies' surfaces"
     annotation (Dialog(group="Normal force", enable=stiffnessChoice == Types.StiffnessChoice.Hertz));
@@ -65,12 +65,12 @@ equation
   w_0[n, :] = zeros(3);
 
   der(r) = v;
-  der(v) = Internal.accelerations(m, gravity, bodyForce, bodyCount);
+  der(v) = Internal.accelerations(bodyMass, gravity, bodyForce, bodyCount);
   der(Q) = Internal.quaternionRates(Q, w);
-  der(w) = Internal.angularAccelerations(J, w, rotation, bodyTorque);
+  der(w) = Internal.angularAccelerations(bodyInertia, w, rotation, bodyTorque);
 
-  kineticEnergy = Internal.kineticEnergy(m, J, v, w);
-  energy = kineticEnergy + elasticEnergy - m*sum(r*gravity);
+  kineticEnergy = Internal.kineticEnergy(bodyMass, bodyInertia, v, w);
+  energy = kineticEnergy + elasticEnergy - bodyMass*sum(r*gravity);
   annotation (
     defaultComponentName="bodies",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
