@@ -229,4 +229,4 @@ def test_the_report_shows_the_feet(road: Road) -> None:
     assert "Sum of the foot forces" in page
     assert "Forward travel" in page
     assert "Slid, mm" in page
-    assert "Way commanded" in road.output
+    assert "Distance commanded" in road.output

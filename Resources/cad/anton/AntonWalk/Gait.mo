@@ -5,9 +5,9 @@ record Gait "How a tripod gait moves the feet"
   parameter Modelica.Units.SI.Time rampTime=1 "Time in which the legs come to full speed";
   parameter Modelica.Units.SI.Time period=1.2 "Time of a cycle at full speed";
   parameter Real dutyFactor(min=0.5, max=0.9, unit="1")=0.55 "Share of a cycle in which a foot stands; above 0.5 all six stand for a while";
-  parameter Modelica.Units.SI.Length stride=0.08 "Way of the torso while a foot stands";
+  parameter Modelica.Units.SI.Length stride=0.08 "Distance of the torso while a foot stands";
   parameter Modelica.Units.SI.Length lift=0.035 "Height to which a foot is lifted";
-  final parameter Modelica.Units.SI.Length way=stride/dutyFactor "Way of the torso in a cycle";
+  final parameter Modelica.Units.SI.Length cycleLength=stride/dutyFactor "Distance of the torso in a cycle";
   annotation (Documentation(info="<html>
 <p>
 Two groups of three legs take turns: front left, middle right and rear left against the others. See

@@ -33,7 +33,7 @@ protected
   SI.Velocity velocity[3] "Derivative of foot";
   SI.Angle straight[3] "Angles for a foot that does not roll";
   SI.AngularVelocity straightSpeed[3] "Derivatives of straight";
-  SI.Position rolled[3] "Foot with its way of rolling";
+  SI.Position rolled[3] "Foot with the distance it rolled";
   SI.Velocity rolledVelocity[3] "Derivative of rolled";
   SI.Angle phi[3] "Wanted angles";
   SI.AngularVelocity w[3] "Wanted speeds";

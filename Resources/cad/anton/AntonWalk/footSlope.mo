@@ -3,7 +3,7 @@ pure function footSlope "Derivative of footPosition by the cycle"
   extends Modelica.Icons.Function;
   input Real cycle(unit="1") "Cycles since the foot was set down, any real number";
   input Real dutyFactor(unit="1") "Share of a cycle in which the foot stands";
-  input Modelica.Units.SI.Length stride "Way backwards while the foot stands";
+  input Modelica.Units.SI.Length stride "Distance backwards while the foot stands";
   input Modelica.Units.SI.Length lift "Height to which the foot is lifted";
   output Modelica.Units.SI.Length slope[2] "Forward and up, seen from the torso";
 protected

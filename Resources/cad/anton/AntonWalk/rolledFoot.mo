@@ -3,7 +3,7 @@ pure function rolledFoot "Where the centre of a foot is that rolls on the floor 
   extends Modelica.Icons.Function;
   input Modelica.Units.SI.Position foot[3] "Centre of the foot if it did not roll, against the hip";
   input Modelica.Units.SI.Angle phi[3] "Angles of the joints there";
-  input Modelica.Units.SI.Angle middle[3] "Angles of the joints where the way of rolling is zero";
+  input Modelica.Units.SI.Angle middle[3] "Angles of the joints where the rolled distance counts from";
   input Modelica.Units.SI.Radius radius "Radius of the foot";
   output Modelica.Units.SI.Position rolled[3] "Centre of the foot";
 algorithm
@@ -11,7 +11,7 @@ algorithm
   annotation (Documentation(info="<html>
 <p>
 A ball that rolls without slipping moves by its radius times the angle. The angle is that of a shank whose foot does not roll, which
-leaves the small share radius/tibia of the way.
+leaves out the small share radius/tibia of the distance.
 </p>
 </html>"));
 end rolledFoot;

@@ -1,9 +1,9 @@
 within AntonWalk;
-pure function rollingVelocity "Derivative of the way of rolling in rolledFoot"
+pure function rollingVelocity "Derivative of the distance rolled in rolledFoot"
   extends Modelica.Icons.Function;
   input Modelica.Units.SI.Angle phi[3] "Angles of the joints";
   input Modelica.Units.SI.AngularVelocity w[3] "Their derivatives";
-  input Modelica.Units.SI.Angle middle[3] "Angles of the joints where the way of rolling is zero";
+  input Modelica.Units.SI.Angle middle[3] "Angles of the joints where the rolled distance counts from";
   input Modelica.Units.SI.Radius radius "Radius of the foot";
   output Modelica.Units.SI.Velocity velocity[3] "Outward, sideways, up, against the hip";
 algorithm
