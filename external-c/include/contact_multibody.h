@@ -62,6 +62,15 @@ CMB_API cmb_status cmb_intern_with_files(const char *const *geometry, size_t bod
                                          size_t pair_count, cmb_backend backend, const char *folder,
                                          cmb_scene *scene);
 
+/* Writes a descriptor with the contents of the files it names in their place, for scenes that are to be interned where
+ * the files are not. Geometry that cannot be interned is refused.
+ * folder    as in cmb_intern_with_files
+ * text      [capacity] receives the descriptor with its final NUL; unchanged where capacity is too small. May be NULL
+ *           if capacity is 0.
+ * length    receives the capacity needed. Not NULL. */
+CMB_API cmb_status cmb_inline_files(const char *geometry, const char *folder, char *text, size_t capacity,
+                                    size_t *length);
+
 /* Evaluates all pairs of a scene. All arrays are the caller's, row-major, none NULL unless its size is 0.
  * position  [body_count][3], rotation [body_count][3][3] (world to body, Modelica's R.T)
  * point_capacity  slots per pair, >= 1; where a contact has more points they are merged so that the
@@ -94,8 +103,8 @@ CMB_API cmb_status cmb_backend_counts(cmb_scene scene, unsigned long long *answe
 /* The overlap of a pair as a solid. Parts of compounds are added up. */
 typedef struct cmb_overlap {
   int known;                /* 1, or 0 where a pair of shapes overlaps whose overlap the engine cannot compute: known are
-                               boxes and hulls with each other and with half-spaces, and spheres with half-spaces up to
-                               the middle. Everything is 0 then, and where nothing overlaps. */
+                               boxes and hulls with each other and with half-spaces, spheres with each other and with
+                               half-spaces. Everything is 0 then, and where nothing overlaps. */
   double volume;            /* m3 */
   double centroid[3];       /* m, world axes */
   double patch_area;        /* m2, of the overlap seen along the contact normal */

@@ -199,4 +199,34 @@ TEST_F(MeshFiles, SceneFromFileAnswersAsOneFromNumbers) {
   EXPECT_EQ(depth[0], expected.points[0].depth);
 }
 
+TEST_F(MeshFiles, ModelicaNamesAreToBeResolvedFirst) {
+  refuses("cmb/1 mesh file=modelica://Library/part.stl", 17, "loadResource");
+}
+
+TEST_F(MeshFiles, InlinedDescriptorsNeedNoFiles) {
+  write("my heights.csv", "0,0.1\n0.2,0.3\n");
+  const std::string text = "cmb/1 sphere radius=0.5 ;cmb/1 mesh position=1,2,3 file=tetrahedron.obj scale=0.1;"
+                           "cmb/1 hull file=tetrahedron.obj;cmb/1 heightfield size=1,1 file=\"my heights.csv\" scale=2";
+  std::size_t length = 0;
+  ASSERT_EQ(cmb_inline_files(text.c_str(), path("").c_str(), nullptr, 0, &length), CMB_OK);
+  std::string inlined(length, '?');
+  ASSERT_EQ(cmb_inline_files(text.c_str(), path("").c_str(), inlined.data(), inlined.size(), &length), CMB_OK);
+  inlined.pop_back();
+  EXPECT_EQ(inlined.find("cmb/1 sphere radius=0.5 ;"), 0u);
+  EXPECT_EQ(inlined.find("file"), std::string::npos);
+  const auto with = parse(text), without = parse_descriptor(inlined);
+  ASSERT_EQ(without.size(), 4u);
+  EXPECT_EQ(without[1].in_body.translation.z, 3.0);
+  EXPECT_EQ(without[1].mesh->triangles(), with[1].mesh->triangles());
+  for (std::size_t shape : {1u, 3u}) {
+    for (std::size_t v = 0; v < 4; ++v) {
+      EXPECT_EQ(norm(without[shape].mesh->vertices()[v] - with[shape].mesh->vertices()[v]), 0.0);
+    }
+  }
+  EXPECT_EQ(without[2].polytope->geometry().vertices().size(), 4u);
+  EXPECT_EQ(cmb_inline_files("cmb/1 mesh file=none.obj", path("").c_str(), nullptr, 0, &length), CMB_ERROR_DESCRIPTOR);
+  EXPECT_EQ(std::string(cmb_last_error()).find("column 17: "), 0u);
+  EXPECT_EQ(cmb_inline_files(nullptr, "", nullptr, 0, &length), CMB_ERROR_ARGUMENT);
+}
+
 }  // namespace

@@ -1,11 +1,14 @@
 #include "contact_multibody.h"
 
+#include <cstring>
 #include <string>
 
 #include "interface/call_guard.hpp"
 #include "interface/pose_check.hpp"
 #include "query/overlap_query.hpp"
 #include "query/pair_query.hpp"
+#include "scene/descriptor.hpp"
+#include "scene/inline_files.hpp"
 #include "scene/registry.hpp"
 
 namespace {
@@ -118,6 +121,22 @@ cmb_status cmb_intern_with_files(const char *const *geometry, size_t body_count,
                                           "; use 0 auto, 1 analytic, 2 libccd or 3 FCL");
     }
     *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend, folder == nullptr ? "" : folder);
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_inline_files(const char *geometry, const char *folder, char *text, size_t capacity, size_t *length) {
+  return guarded([&] {
+    if (geometry == nullptr || length == nullptr) return fail(CMB_ERROR_ARGUMENT, "geometry or length is NULL");
+    if (text == nullptr && capacity > 0) return fail(CMB_ERROR_ARGUMENT, "text is NULL");
+    cmb::GeometryFiles files(folder == nullptr ? "" : folder);
+    try {
+      const std::string inlined = cmb::inline_files(geometry, files);
+      *length = inlined.size() + 1;
+      if (capacity >= *length) std::memcpy(text, inlined.c_str(), *length);
+    } catch (const cmb::DescriptorError &error) {
+      return fail(CMB_ERROR_DESCRIPTOR, "column " + std::to_string(error.column()) + ": " + error.what());
+    }
     return CMB_OK;
   });
 }

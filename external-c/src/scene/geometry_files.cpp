@@ -20,6 +20,10 @@ std::string GeometryFiles::resolve(std::string_view name) const {
     throw MeshError(shown, "no folder is given that files may be read from",
                     "intern the scene with cmb_intern_with_files, or give vertices and triangles");
   }
+  if (name.substr(0, 11) == "modelica://") {
+    throw MeshError(shown, "a name that only Modelica tools resolve",
+                    "give the file by Modelica.Utilities.Files.loadResource");
+  }
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::canonical(folder_, error);
   if (error) throw MeshError(shown, "the folder " + folder_.string() + " cannot be read", "check the folder's name");
