@@ -1,4 +1,4 @@
-"""STL (text and binary) and Wavefront OBJ meshes."""
+"""Mesh files: STL (text and binary) and Wavefront OBJ, and COLLADA by its own module."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from cmb_base.errors import InputError, Place
 
+from cad2modelica.collada_file import read_collada
 from cad2modelica.mesh import Indices
 from cad2modelica.polygon import triangulate
 from cad2modelica.spatial import Array
@@ -25,13 +26,15 @@ def read_mesh(file: Path) -> Surface:
     Raises:
         InputError: the file is too large, of another type, broken, or ends too early.
     """
+    if file.suffix.lower() == ".dae":
+        return _checked(*read_collada(file), file)
     readers = {".stl": _read_stl, ".obj": _read_obj}
     reader = readers.get(file.suffix.lower())
     if reader is None:
         raise InputError(
             f"meshes of type {file.suffix!r} are not read",
             place=Place(file=file),
-            remedy="Convert the mesh to STL or OBJ.",
+            remedy="Convert the mesh to STL, OBJ or COLLADA.",
         )
     with file.open("rb") as stream:
         data = stream.read(MAXIMUM_BYTES + 1)
@@ -39,7 +42,10 @@ def read_mesh(file: Path) -> Surface:
         raise InputError(
             f"is larger than {MAXIMUM_BYTES // 2**20} MiB", place=Place(file=file), remedy="Export coarser."
         )
-    vertices, triangles = reader(data, file)
+    return _checked(*reader(data, file), file)
+
+
+def _checked(vertices: Array, triangles: Indices, file: Path) -> Surface:
     if not len(triangles):
         raise InputError("holds no triangle", place=Place(file=file), remedy="Export the mesh again.")
     if not np.isfinite(vertices).all():

@@ -31,6 +31,14 @@ def cylinder_surface(radius: float, height: float) -> Surface:
     return revolved_surface(np.array([0.0, radius, radius, 0.0]), np.array([1.0, 1.0, -1.0, -1.0]) * height / 2)
 
 
+def capsule_surface(radius: float, height: float) -> Surface:
+    """A capsule along y, centred; ``height`` is that of its cylinder."""
+    angles = np.linspace(0.0, np.pi / 2, RINGS // 2 + 1)
+    radii = np.concatenate([radius * np.sin(angles), radius * np.cos(angles)])
+    heights = np.concatenate([height / 2 + radius * np.cos(angles), -height / 2 - radius * np.sin(angles)])
+    return revolved_surface(radii, heights)
+
+
 def cone_surface(radius: float, height: float) -> Surface:
     """A cone along y, its tip up, centred at half its height."""
     return revolved_surface(np.array([0.0, radius, 0.0]), np.array([1.0, -1.0, -1.0]) * height / 2)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from itertools import islice
 from pathlib import Path
@@ -12,17 +13,30 @@ from lxml import etree
 MAXIMUM_BYTES = 16 * 2**20
 MAXIMUM_DEPTH = 64
 MAXIMUM_PROBLEMS = 20
+SEARCHED_FOR_DECLARATION = 4096
+
+_DECLARATION = re.compile(rb"""<\?xml\s+version\s*=\s*["']([0-9.]+)["'][^>]*\?>""")
+_FIRST_ELEMENT = re.compile(rb"<[A-Za-z_]")
 
 
-def read_xml(file: Path) -> etree._Element:
+def read_xml(file: Path, maximum_bytes: int = MAXIMUM_BYTES) -> etree._Element:
     """The root element of an XML file.
+
+    Args:
+        file: the file.
+        maximum_bytes: larger files are refused.
 
     Raises:
         InputError: the file is missing, too large, not well formed, nested too deep, or declares a document type.
     """
-    data = _read_bytes(file)
+    data = _without_odd_declaration(_read_bytes(file, maximum_bytes))
     parser = etree.XMLParser(
-        resolve_entities=False, no_network=True, load_dtd=False, huge_tree=False, remove_comments=True, remove_pis=True
+        resolve_entities=False,
+        no_network=True,
+        load_dtd=False,
+        huge_tree=maximum_bytes > MAXIMUM_BYTES,
+        remove_comments=True,
+        remove_pis=True,
     )
     try:
         root = etree.fromstring(data, parser)
@@ -64,21 +78,33 @@ def line_of(element: etree._Element) -> int | None:
     return line if isinstance(line, int) else None
 
 
-def _read_bytes(file: Path) -> bytes:
+def _read_bytes(file: Path, maximum_bytes: int) -> bytes:
     try:
         with file.open("rb") as stream:
-            data = stream.read(MAXIMUM_BYTES + 1)
+            data = stream.read(maximum_bytes + 1)
     except OSError as error:
         raise InputError(
             f"cannot be read: {error.strerror}", place=Place(file=file), remedy="Check the path and the permissions."
         ) from error
-    if len(data) > MAXIMUM_BYTES:
+    if len(data) > maximum_bytes:
         raise InputError(
-            f"is larger than {MAXIMUM_BYTES // 2**20} MiB",
+            f"is larger than {maximum_bytes // 2**20} MiB",
             place=Place(file=file),
             remedy="Geometry belongs into VRML files beside the XML file.",
         )
     return data
+
+
+def _without_odd_declaration(data: bytes) -> bytes:
+    """Some programs write the declaration with version 0.0, or behind a comment; the text itself is XML 1.0 then."""
+    found = _DECLARATION.search(data, 0, SEARCHED_FOR_DECLARATION)
+    if found is None or (found.start() == 0 and found.group(1).startswith(b"1.")):
+        return data
+    root = _FIRST_ELEMENT.search(data)
+    if root is not None and root.start() < found.start():
+        return data
+    # Blanks in its place keep lines and columns.
+    return data[: found.start()] + b" " * (found.end() - found.start()) + data[found.end() :]
 
 
 def _refuse_document_type(data: bytes, file: Path, *, certain: bool = False) -> None:

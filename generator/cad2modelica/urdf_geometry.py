@@ -1,0 +1,118 @@
+"""Geometry of a robot description's links: primitives and mesh files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from cmb_base.errors import InputError
+from lxml import etree
+
+from cad2modelica.file_reference import resolve_inside
+from cad2modelica.mesh import Mesh
+from cad2modelica.mesh_files import read_mesh
+from cad2modelica.primitive_meshes import Surface, box_surface, capsule_surface, cylinder_surface, sphere_surface
+from cad2modelica.spatial import Array, Pose, rotation_about
+from cad2modelica.urdf_elements import UrdfElements
+
+DEFAULT_COLOR = (0.7, 0.7, 0.7)
+PACKAGE = "package://"
+LEVELS_OF_PACKAGES = 5
+
+_LENGTHS = {"box": ("size",), "sphere": ("radius",), "cylinder": ("radius", "length"), "capsule": ("radius", "length")}
+
+
+class UrdfGeometry:
+    """Reads ``visual`` and ``collision`` elements of one robot.
+
+    Args:
+        root: the element ``robot``, which defines colours.
+        elements: reads attributes.
+    """
+
+    def __init__(self, root: etree._Element, elements: UrdfElements) -> None:
+        self._elements = elements
+        self._materials = {element.get("name"): element for element in root.iterchildren("material")}
+        self._surfaces: dict[Path, Surface] = {}
+
+    def mesh(self, element: etree._Element, link: str, inner: Pose) -> Mesh:
+        """The geometry of one ``visual`` or ``collision``.
+
+        Args:
+            element: it.
+            link: the link's name.
+            inner: the link's pose in the part it belongs to.
+
+        Returns:
+            A mesh in the part's coordinates, m.
+
+        Raises:
+            InputError: the geometry is missing, of an unknown kind, or its file cannot be read.
+        """
+        geometry = element.find("geometry")
+        shape = next(iter(geometry), None) if geometry is not None else None
+        if shape is None:
+            raise InputError(
+                "names no geometry", place=self._elements.place(element, link), remedy="Add box, sphere, ... or mesh."
+            )
+        vertices, triangles = self._surface(shape, link)
+        pose = inner @ self._elements.origin(element)
+        return Mesh(link, pose.point(vertices), triangles, self._color(element))
+
+    def _surface(self, shape: etree._Element, link: str) -> Surface:
+        kind = str(shape.tag)
+        place = self._elements.place(shape, link)
+        if kind == "mesh":
+            file = self._file(shape, link)
+            if file not in self._surfaces:
+                self._surfaces[file] = read_mesh(file)
+            vertices, triangles = self._surfaces[file]
+            scale = self._elements.numbers(shape, "scale", (1.0, 1.0, 1.0))
+            if not scale.all():
+                raise InputError("scale is zero", place=place, remedy="Correct the scale.")
+            return vertices * scale, triangles[:, ::-1] if np.prod(scale) < 0 else triangles
+        if kind not in _LENGTHS:
+            remedy = f"Known: {', '.join(_LENGTHS)}, mesh."
+            raise InputError(f"geometry of type {kind!r} is not known", place=place, remedy=remedy)
+        values = [
+            self._elements.numbers(shape, key, (0.0, 0.0, 0.0) if key == "size" else (0.0,)) for key in _LENGTHS[kind]
+        ]
+        if any((value <= 0).any() for value in values):
+            raise InputError(f"a {kind} needs positive lengths", place=place, remedy="Correct them.")
+        return _primitive(kind, values)
+
+    def _file(self, shape: etree._Element, link: str) -> Path:
+        reference = shape.get("filename", "")
+        description = self._elements.file
+        folder = description.parent
+        if reference.startswith(PACKAGE):
+            package, _, reference = reference.removeprefix(PACKAGE).partition("/")
+            above = description.resolve().parents[:LEVELS_OF_PACKAGES]
+            # The package's own folder if the description lies in it, else one beside.
+            candidates = [ancestor for ancestor in description.resolve().parents if ancestor.name == package]
+            candidates += [ancestor / package for ancestor in above if package and (ancestor / package).is_dir()]
+            holding = [candidate for candidate in candidates if (candidate / reference).is_file()]
+            folder = next(iter(holding + candidates), folder)
+        return resolve_inside(folder, reference, self._elements.place(shape, link))
+
+    def _color(self, element: etree._Element) -> tuple[float, float, float]:
+        material = element.find("material")
+        if material is None:
+            return DEFAULT_COLOR
+        if material.find("color") is None:
+            material = self._materials.get(material.get("name"), material)
+        color = material.find("color")
+        red, green, blue, _ = np.clip(self._elements.numbers(color, "rgba", (*DEFAULT_COLOR, 1.0)), 0.0, 1.0)
+        return float(red), float(green), float(blue)
+
+
+def _primitive(kind: str, values: list[Array]) -> Surface:
+    if kind == "box":
+        return box_surface(values[0])
+    radius = float(values[0][0])
+    if kind == "sphere":
+        return sphere_surface(radius)
+    build = cylinder_surface if kind == "cylinder" else capsule_surface
+    vertices, triangles = build(radius, float(values[1][0]))
+    # URDF's axis lies along z, the mesh's along y.
+    return vertices @ rotation_about([1, 0, 0], np.pi / 2).T, triangles
