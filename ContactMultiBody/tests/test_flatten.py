@@ -14,6 +14,8 @@ REPRESENTATIVE = (
     "ContactMultiBody.Examples.BallWithoutEvents",
     "ContactMultiBody.Examples.RollingResistance",
     "ContactMultiBodyTest.AllParts",
+    "ContactMultiBody.Actuators.Examples.CascadeOnArm",
+    "ContactMultiBody.Actuators.Examples.SpindleAxis",
 )
 
 
@@ -42,18 +44,20 @@ def test_every_function_is_used_by_a_model(core: Compiler) -> None:
 
 
 EFFECTS = (
-    # modification of the contacts of BoxOnIncline, has events, has anchors
-    ("", True, False),
-    ("friction=ContactMultiBody.Types.Friction.None", True, False),
-    ("friction=ContactMultiBody.Types.Friction.Anchored", True, True),
-    ("useRestitution=false", False, False),
-    ("normalLaw=ContactMultiBody.Types.NormalLaw.SpringDamper", False, False),
-    ("restitutionMethod=ContactMultiBody.Types.RestitutionMethod.Memoryless", False, False),
+    # modification of the contacts of BoxOnIncline, has events, has anchors, recovers the speed of impact
+    ("", True, False, False),
+    ("friction=ContactMultiBody.Types.Friction.None", True, False, False),
+    ("friction=ContactMultiBody.Types.Friction.Anchored", True, True, False),
+    ("useRestitution=false", False, False, False),
+    ("normalLaw=ContactMultiBody.Types.NormalLaw.SpringDamper", False, False, False),
+    ("restitutionMethod=ContactMultiBody.Types.RestitutionMethod.Memoryless", False, False, True),
 )
 
+FRICTION_FUNCTIONS = ("regularisedForces", "anchoredForces", "anchorRates", "contactMeans")
 
-@pytest.mark.parametrize(("modification", "events", "anchors"), EFFECTS)
-def test_effects_are_structural(core: Compiler, modification: str, events: bool, anchors: bool) -> None:
+
+@pytest.mark.parametrize(("modification", "events", "anchors", "recovers"), EFFECTS)
+def test_effects_are_structural(core: Compiler, modification: str, events: bool, anchors: bool, recovers: bool) -> None:
     model = core.model("ContactMultiBody.Examples.BoxOnIncline", f"contacts({modification})")
     flat = model.to_dict("flat")
     variables = flat["variables"]
@@ -67,7 +71,21 @@ def test_effects_are_structural(core: Compiler, modification: str, events: bool,
     assert bool(flat["when_chains"]) == events
     assert (elements("contacts.touches") > 0) == events
     assert (elements("contacts.impactSpeed") > 0) == events
-    assert elements("contacts.anchorStretch") == (3 if anchors else 0)
+    for name in ("strikeSpeed", "struck", "rate"):
+        assert (elements(f"contacts.{name}") > 0) == events, name
+    for name, size in (("anchorStretch", 3), ("meanNormal", 3), ("sliding", 3), ("spin", 1), ("mu", 1)):
+        assert elements(f"contacts.{name}") == (size if anchors else 0), name
+    assert (elements("contacts.springDeceleration") > 0) == recovers
+
+
+@pytest.mark.parametrize(
+    ("friction", "called"), [("None", set()), ("Regularised", {"regularisedForces"}), ("Anchored", None)]
+)
+def test_equations_call_the_friction_that_was_chosen(core: Compiler, friction: str, called: set[str] | None) -> None:
+    law = f"contacts(friction=ContactMultiBody.Types.Friction.{friction})"
+    equations = str(core.model("ContactMultiBody.Examples.BoxOnIncline", law).to_dict("flat")["equations"])
+    found = {name for name in FRICTION_FUNCTIONS if name in equations}
+    assert found == (set(FRICTION_FUNCTIONS) - {"regularisedForces"} if called is None else called)
 
 
 @pytest.mark.parametrize("version", LIBRARIES)
