@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cmb.project import LIBRARY
+from cmb_base.errors import UnsupportedModelError
 from fmu_regression.fmu import ModelDescription, open_fmu
 from fmu_regression.result import SimulationResult
 from fmu_regression.simulate import simulate
@@ -104,7 +105,11 @@ def run(fmu: Path, signals: tuple[str, ...]) -> SimulationResult:
 @pytest.mark.parametrize("name", MODELS)
 def test_nothing_changes(tmp_path: Path, name: str, library: str) -> None:
     msl = libraries()[library]
-    theirs, ours = (built(tmp_path, name, parts, msl) for parts in (THEIRS, OURS))
+    try:
+        theirs = built(tmp_path, name, THEIRS, msl)
+    except UnsupportedModelError as error:
+        pytest.skip(f"the FMU builder cannot build this Standard Library's own parts: {error.message}")
+    ours = built(tmp_path, name, OURS, msl)
     before, after = described(theirs), described(ours)
     added = set(after.variables) - set(before.variables)
     assert set(before.variables) <= set(after.variables)
