@@ -80,8 +80,10 @@ def test_no_scene(tmp_path: Path, text: str) -> None:
 
 
 def description(names: list[str]) -> ModelDescription:
-    variables = {name: Variable(name, k, "Real", "local", "continuous", "", False) for k, name in enumerate(names)}
-    return ModelDescription("m", "g", {}, variables, (), 0, False, True, 0.0, None, None, None, "")
+    variables = {
+        name: Variable(name, k, "Real", "Real", "local", "continuous", "", False) for k, name in enumerate(names)
+    }
+    return ModelDescription("2.0", "m", "g", {}, variables, (), 0, 0, False, True, 0.0, None, None, None, "")
 
 
 def test_signals_are_those_of_the_scene_that_the_fmu_has(content: dict[str, Any], tmp_path: Path) -> None:
