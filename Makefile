@@ -5,7 +5,7 @@
 # make promises  measures what the library promises into docs/promises.md
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: demo test setup setup-test lint bench clean release promises test-omc icons
+.PHONY: contact-paths demo test setup setup-test lint bench clean release promises test-omc icons
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -41,3 +41,7 @@ clean:
 
 bench: setup
 	scripts/bench
+
+contact-paths: bench
+	.venv/bin/python -m pip install -q --disable-pip-version-check matplotlib==3.11.2
+	build/external-c/bench/bench/sample_paths | .venv/bin/python scripts/plot_contact_paths

@@ -29,10 +29,15 @@ struct Axis {
   Vec3 middle, direction;
   double half = 0.0;
   double lower_radius, upper_radius;
+  Vec3 aside;  // from such a sphere's contact to the body's line below it, in its radii
 
   Axis(const Shape &shape, const Pose &pose, const Vec3 &normal)
       : middle(pose.translation), direction(pose.rotation.column(2)), half(shape.body.half.z) {
-    const double across = norm(normal - dot(normal, direction) * direction);
+    const Vec3 outward = normal - dot(normal, direction) * direction;
+    const double across = norm(outward);
+    if (shape.kind != ShapeKind::capsule && across > 0.0) {
+      aside = (-1.0 / (across * across)) * outward + normal;
+    }
     lower_radius = shape.kind == ShapeKind::capsule ? shape.body.radius : shape.body.half.x * across;
     upper_radius = shape.kind == ShapeKind::cone ? 0.0 : lower_radius;
   }
@@ -40,11 +45,6 @@ struct Axis {
     return lower_radius + (0.5 + 0.5 * along / half) * (upper_radius - lower_radius);
   }
   double place(const Vec3 &p) const { return std::clamp(dot(p - middle, direction), -half, half); }
-  // The place beside p along the contact normal.
-  double place_beside(const Vec3 &p, const Vec3 &normal) const {
-    const Vec3 level = direction - dot(direction, normal) * normal;
-    return std::clamp(dot(p - middle, level) / norm2(level), -half, half);
-  }
   Vec3 operator()(double along) const { return middle + along * direction; }
 };
 
@@ -76,8 +76,11 @@ void add_face_borders(const Axis &axis, const ContactPolytope &body, const Pose 
       if (rate == 0.0 && height > 0.0) end = begin;
     }
     if (begin < end) {
+      // A narrow stretch may vanish, unless it does so into an end of the axis, where there is a station anyway.
+      const double narrow = axis.half * passed_part, width = std::min(1.0, 0.5 * (end - begin) / narrow);
+      const double within = std::min(1.0, std::min(begin + axis.half, axis.half - end) / narrow);
       const double say = std::min(1.0, (cosine - faded_cosine) / (supporting_cosine - faded_cosine)) *
-                         std::min(1.0, 0.5 * (end - begin) / (axis.half * passed_part));
+                         (1.0 - within * (1.0 - width));
       add_station(-axis.half + say * (begin + axis.half), stations);
       add_station(axis.half - say * (axis.half - end), stations);
     }
@@ -102,16 +105,24 @@ void add_vertices(const Axis &axis, double radius, const ContactPolytope &body, 
 
 }  // namespace
 
-double line_part(const Shape &shape, const Vec3 &towards) {
+double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
+  gradient = {};
   if (shape.kind == ShapeKind::capsule) return 1.0;
   double sine = towards.z;  // of the side's inclination
+  Vec3 sine_gradient{0, 0, 1};
   if (shape.kind == ShapeKind::cone) {
-    const double height = 2.0 * shape.body.half.z, radius = shape.body.half.x;
-    sine = (height * towards.z - radius * std::hypot(towards.x, towards.y)) / std::hypot(height, radius);
+    const double height = 2.0 * shape.body.half.z, radius = shape.body.half.x, slant = std::hypot(height, radius);
+    const double across = std::hypot(towards.x, towards.y);
+    sine = (height * towards.z - radius * across) / slant;
+    if (across > 0.0) {
+      sine_gradient = (1.0 / slant) * Vec3{-radius * towards.x / across, -radius * towards.y / across, height};
+    }
   } else if (shape.kind != ShapeKind::cylinder) {
     return 0.0;
   }
-  return faded(std::fabs(sine) / lying_sine);
+  const double inclination = std::fabs(sine) / lying_sine;
+  gradient = (std::copysign(1.0, sine) * faded_slope(inclination) / lying_sine) * sine_gradient;
+  return faded(inclination);
 }
 
 void line_contact(const Shape &shape, const Pose &pose, const Shape &other, const Pose &other_pose, const Vec3 &deepest,
@@ -121,7 +132,7 @@ void line_contact(const Shape &shape, const Pose &pose, const Shape &other, cons
   stations.clear();
   add_station(-axis.half, stations);
   add_station(axis.half, stations);
-  add_station(shape.kind == ShapeKind::capsule ? axis.place(deepest) : axis.place_beside(deepest, normal), stations);
+  add_station(axis.place(deepest), stations);
   const ContactPolytope *bounded = other.polytope ? other.polytope.get() : other.rim.get();
   if (other.kind == ShapeKind::capsule) {
     const Axis other_axis(other, other_pose, normal);
@@ -146,7 +157,7 @@ void line_contact(const Shape &shape, const Pose &pose, const Shape &other, cons
         *exact_distance(sphere, {{}, axis(station.along)}, other, other_pose, scratch.backend);
     station.depth = -answer.distance;
     station.normal = sense * answer.normal;
-    station.position = 0.5 * (answer.point_a + answer.point_b);
+    station.position = 0.5 * (answer.point_a + answer.point_b) + axis.radius(station.along) * axis.aside;
   }
   // Between two stations the depth rises with the sine of the inclination at which both would be equally deep.
   double shallower = 1.0;  // share of the inclinations under which a station further on is the deepest

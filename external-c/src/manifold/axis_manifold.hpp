@@ -22,8 +22,8 @@ struct AxisManifoldScratch {
 
 // How far a shape lies along a line on an obstacle in the direction `towards` (unit, in the shape's frame): 1 for a
 // capsule, always; for a cylinder or cone 1 with its side flat, fading to 0 where that is inclined by more than a
-// sixth of a right angle; 0 for all others.
-double line_part(const Shape &shape, const Vec3 &towards);
+// sixth of a right angle; 0 for all others. `gradient` receives its derivative by `towards`.
+double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient);
 
 // Appends what `shape`, of some line part, carries in a contact with `other` on a line: `deepest` is a point of the
 // deepest place, `normal` the contact normal from `other` to `shape`; the points' normals are those times `sense`.

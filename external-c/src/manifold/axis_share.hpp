@@ -13,4 +13,7 @@ inline double end_share_slope(double sine) { return 1.5 * (1.0 - sine * sine); }
 // From 1 at x = 0 to 0 at x >= 1, level at both (x >= 0): how a way of touching fades as a body inclines.
 inline double faded(double x) { return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0; }
 
+// Its derivative.
+inline double faded_slope(double x) { return x < 1.0 ? -6.0 * x * (1.0 - x) : 0.0; }
+
 }  // namespace cmb
