@@ -67,12 +67,13 @@ class LinearBlock:
 
 @dataclass(frozen=True)
 class NonlinearBlock:
-    """Find ``torn`` so that after ``inner`` all ``residuals`` vanish."""
+    """Find ``torn`` so that after ``inner`` all ``residuals`` vanish; ``spans`` says where these stand in the model."""
 
     torn: tuple[str, ...]
     residuals: tuple[float | Node, ...]
     inner: tuple[Step, ...]
     size: int
+    spans: tuple[ir.Span | None, ...] = ()
 
 
 Block = Assignment | ExternalCall | LinearBlock | NonlinearBlock
@@ -189,7 +190,7 @@ class _Sorter:
             value = solved_for(entry.residual, name)
             if value is not None:
                 return [Assignment(name, value, span=entry.span)]
-            return [NonlinearBlock((name,), (entry.residual,), (), 1)]
+            return [NonlinearBlock((name,), (entry.residual,), (), 1, (entry.span,))]
         if any(isinstance(self._entries[number], Assignment) for number in component):
             raise self._discrete_loop(component)
         return [self._tear(component, column_of)]
@@ -204,8 +205,8 @@ class _Sorter:
 
     def _tear(self, component: Sequence[int], column_of: Mapping[int, str]) -> Block:
         calls = [entry for number in component if isinstance(entry := self._entries[number], ExternalCall)]
-        rows = [number for number in component if isinstance(self._entries[number], Residual)]
-        names = [column_of[number] for number in rows] + [name for call in calls for name in call.outputs]
+        numbers = [number for number in component if isinstance(self._entries[number], Residual)]
+        names = [column_of[number] for number in numbers] + [name for call in calls for name in call.outputs]
         torn, order, remaining = _Tearing(self, component, names, self._preferred).run()
         size = len(names)
         if not calls:
@@ -222,8 +223,9 @@ class _Sorter:
             else:
                 assert isinstance(entry, ExternalCall)
                 inner.append(entry)
-        residuals = [entry.residual for number in remaining if isinstance(entry := self._entries[number], Residual)]
-        return NonlinearBlock(tuple(torn), tuple(residuals), tuple(inner), size)
+        rows = [entry for number in remaining if isinstance(entry := self._entries[number], Residual)]
+        residuals, spans = tuple(row.residual for row in rows), tuple(row.span for row in rows)
+        return NonlinearBlock(tuple(torn), residuals, tuple(inner), size, spans)
 
     def _linear(
         self,

@@ -145,14 +145,13 @@ def _chunks(statements: Sequence[Statement], split: bool) -> list[_Chunk]:
     chunks: list[_Chunk] = []
     seen: set[Node] = set()
     for statement in statements:
-        new = [node for node in ex.topological(statement.roots) if node not in seen]
+        new = ex.topological(statement.roots, seen)
         size = 1 + len(new) // 2
         if not chunks or (
             split
             and (chunks[-1].is_discrete != statement.is_discrete or chunks[-1].size + size > _STATEMENTS_PER_FUNCTION)
         ):
             chunks.append(_Chunk(statement.is_discrete))
-        seen.update(new)
         chunks[-1].statements.append(statement)
         chunks[-1].size += size
     return chunks or [_Chunk(False)]

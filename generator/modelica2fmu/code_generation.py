@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from modelica2fmu import expression as ex
+from modelica2fmu import ir
 from modelica2fmu.alias import ReducedModel
 from modelica2fmu.arrays import Text
 from modelica2fmu.blocks import (
@@ -269,6 +270,9 @@ class _Generator:
         ]
         nominals = ", ".join(number(value) for value in nominal)
 
+        unknowns = ", ".join(c_text(torn) for torn in block.torn)
+        equations = ", ".join(c_text(self._stated(span)) for span in block.spans)
+
         def solve(_: Write) -> list[str]:
             starts = ", ".join(self._location(torn) for torn in block.torn)
             return [
@@ -277,13 +281,23 @@ class _Generator:
                 f"  static const double nominal[{n}] = {{{nominals}}};",
                 f"  int result = cmb_solve_nonlinear(v, NULL, {name}, {n}, x, nominal, {number(_NEWTON_TOLERANCE)},",
                 f"                                   w + {work}, v->integer_work + {integers});",
-                "  if (result != CMB_RESULT_OK) return result;",
+                "  if (result != CMB_RESULT_OK) {",
+                f"    static const char *const unknown[{n}] = {{{unknowns}}}, *const equation[{n}] = {{{equations}}};",
+                f"    return cmb_report_unsolved(v, {name}, {n}, x, residual, unknown, equation, result);",
+                "  }",
                 f"  result = {name}(v, NULL, x, residual);",
                 "  if (result != CMB_RESULT_OK) return result;",
                 "}",
             ]
 
         return Statement((), solve)
+
+    def _stated(self, span: ir.Span | None) -> str:
+        """Where an equation stands, without its folder, which would make the code depend on the machine."""
+        place = self._place(span)
+        if place.file is None:
+            return "that the translation made"
+        return f"in {place.file.name}" + (f", line {place.line}," if place.line is not None else "")
 
     # --- parameters ---
 

@@ -374,10 +374,15 @@ def apply(op: str, args: Sequence[float | Node]) -> float | Node:
     return select(args[0], args[1], args[2])
 
 
-def topological(roots: Iterable[float | Node]) -> list[Node]:
-    """All nodes below ``roots``, operands before what uses them, in an order the roots alone determine."""
+def topological(roots: Iterable[float | Node], seen: set[Node] | None = None) -> list[Node]:
+    """All nodes below ``roots``, operands before what uses them, in an order the roots alone determine.
+
+    Args:
+        roots: where to begin.
+        seen: nodes that are left out with what is below them; the others are added.
+    """
     order: list[Node] = []
-    seen: set[Node] = set()
+    seen = set() if seen is None else seen
     for root in roots:
         if not isinstance(root, Node) or root in seen:
             continue

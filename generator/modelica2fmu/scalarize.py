@@ -179,7 +179,8 @@ class _Scalarizer:
     def _enumeration(self, name: str) -> str:
         """The full name of an enumeration type that is known by ``name`` in its scope."""
         candidates = [full for full in self._enumeration_names if full == name or full.endswith("." + name)]
-        return max(candidates, key=lambda full: (len(full), full)) if candidates else name
+        # Of a type whose literals nobody mentions, only the ordinal is known.
+        return max(candidates, key=lambda full: (len(full), full)) if candidates else "Integer"
 
     def enumeration_type(self, name: str) -> str | None:
         """See :class:`interpreter.Host`."""

@@ -56,6 +56,10 @@ void cmb_substitute_lanes(int n, const double *a, const double *scale, const int
 typedef int (*cmb_residual)(cmb_values *values, const void *context, const double *x, double *r);
 int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual residual, int n, double *x,
                         const double *nominal, double tolerance, double *work, int *integer_work);
+/* After cmb_solve_nonlinear has failed at x: reports the equation with the largest residual, by the place where the model
+ * states it (equation[n]), and the unknowns by their names (unknown[n]). r has n doubles. Gives back `result`. */
+int cmb_report_unsolved(cmb_values *values, cmb_residual residual, int n, const double *x, double *r,
+                        const char *const *unknown, const char *const *equation, int result);
 
 typedef struct cmb_model_description {
   const char *name;

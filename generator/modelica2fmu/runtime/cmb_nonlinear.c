@@ -155,3 +155,24 @@ int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual re
   }
   return fail(values, MAXIMUM_ITERATIONS, norm);
 }
+
+int cmb_report_unsolved(cmb_values *values, cmb_residual residual, int n, const double *x, double *r,
+                        const char *const *unknown, const char *const *equation, int result) {
+  if (residual(values, NULL, x, r) != CMB_RESULT_OK || !all_finite(n, r)) return result; /* that is the better cause */
+  int worst = 0;
+  for (int i = 1; i < n; ++i) {
+    if (fabs(r[i]) > fabs(r[worst])) worst = i;
+  }
+  char names[400] = "";
+  size_t length = 0;
+  for (int i = 0; i < n && length < sizeof names - 40; ++i) {
+    length += (size_t)snprintf(names + length, sizeof names - length, "%s%s = %.6g", i > 0 ? ", " : "", unknown[i], x[i]);
+  }
+  char message[700];
+  snprintf(message, sizeof message,
+           "A nonlinear system of %d equations has no solution near its start at time %.15g: the equation %s is off by "
+           "%.3g. Better start values or other states may help. Unknowns: %s%s",
+           n, values->time, equation[worst], r[worst], names, length >= sizeof names - 40 ? ", ..." : "");
+  cmb_report_error(values, message);
+  return result;
+}
