@@ -125,7 +125,7 @@ def description(manager: str = "contacts", managers: int = 1) -> ModelDescriptio
     variables: dict[str, Variable] = {}
 
     def add(name: str, start: str | None = None, reference: int = 0) -> None:
-        variables[name] = Variable(name, reference, "Real", "local", "constant", "", False, start)
+        variables[name] = Variable(name, reference, "Real", "Real", "local", "constant", "", False, start)
 
     for number in range(managers):
         name = manager + (str(number) if managers > 1 else "")
@@ -143,7 +143,7 @@ def description(manager: str = "contacts", managers: int = 1) -> ModelDescriptio
         add(f"{component}.m")
         for k in (1, 2, 3):
             add(f"{component}.frame_a.r_0[{k}]", reference=10 * body + k)
-    return ModelDescription("M", "", {}, variables, (), 0, False, True, 0.0, 1.0, 1e-6, 0.1, "")
+    return ModelDescription("2.0", "M", "", {}, variables, (), 0, 0, False, True, 0.0, 1.0, 1e-6, 0.1, "")
 
 
 def test_manager_is_found_with_its_bodies() -> None:
