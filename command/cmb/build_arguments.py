@@ -11,26 +11,31 @@ from modelica2fmu.packaging import FmiVersion, SolverOptions
 
 
 def add_build_arguments(parser: ArgumentParser) -> None:
-    """Adds the Standard Library and the cache."""
+    """Adds the version of the standard, the Standard Library and the cache."""
+    parser.add_argument(
+        "--fmi", choices=("2", "3"), default="2", help="version of the FMI standard: 2.0 (if left out) or 3.0"
+    )
     parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
     parser.add_argument(
         "--no-cache", action="store_true", help="build afresh, and keep nothing for builds of the same files"
     )
 
 
-def build_options(
-    arguments: Namespace, fmi: FmiVersion = FmiVersion.FMI2, solver: SolverOptions | None = None
-) -> BuildOptions:
+def fmi_version(arguments: Namespace) -> FmiVersion:
+    """The version of the standard that was asked for."""
+    return FmiVersion(f"{arguments.fmi}.0")
+
+
+def build_options(arguments: Namespace, solver: SolverOptions | None = None) -> BuildOptions:
     """The options of a build; FMUs of unchanged files come from the user's cache.
 
     Args:
         arguments: of a parser that ``add_build_arguments`` saw.
-        fmi: version of the FMI standard.
         solver: defaults of the co-simulation integrator.
     """
     return BuildOptions(
         msl=arguments.msl,
-        fmi=fmi,
+        fmi=fmi_version(arguments),
         solver=solver or SolverOptions(),
         cache=None if arguments.no_cache else user_cache("fmu"),
     )

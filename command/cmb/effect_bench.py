@@ -9,9 +9,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from cmb_base.progress import Progress
-from modelica2fmu.build import BuildOptions, build_fmu
+from modelica2fmu.build import build_fmu
 from scene_effects.measurement import Bench, BuildFigures, RunOptions
 
+from cmb.build_arguments import add_build_arguments, build_options
 from cmb.modelica_sources import find_sources
 
 
@@ -32,7 +33,7 @@ def add_scene_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the solver")
     parser.add_argument("--interval", type=float, metavar="S", help="output interval in s")
     parser.add_argument("--time-limit", type=float, metavar="S", help="wall time for each simulation in s")
-    parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
+    add_build_arguments(parser)
 
 
 @contextmanager
@@ -43,10 +44,10 @@ def effect_bench(arguments: Namespace, progress: Progress) -> Iterator[Bench]:
         CmbError: the model cannot be built or simulated, or has no manager.
     """
     found = find_sources(arguments.model, arguments.source)
-    build_options = BuildOptions(msl=arguments.msl)
+    chosen = build_options(arguments)
 
     def build(name: str, further: Sequence[Path], fmu: Path) -> BuildFigures:
-        report = build_fmu(name, (*further, *found), fmu, build_options, progress)
+        report = build_fmu(name, (*further, *found), fmu, chosen, progress)
         return BuildFigures(
             equations=report.equations,
             states=len(report.states),

@@ -8,7 +8,7 @@ from cmb_base.progress import Progress
 from fmu_regression.case import Case
 from fmu_regression.runner import Skip
 from modelica2fmu.build import BuildOptions, build_fmu
-from modelica2fmu.standard_library import find_standard_library
+from modelica2fmu.standard_library import CORE_SUBSET, find_standard_library
 
 from cmb.project import LIBRARY
 
@@ -18,13 +18,13 @@ class FmuProvider:
 
     Args:
         folder: where the FMUs go.
-        msl: the Modelica Standard Library to use, or None to look for one.
+        options: of the builds.
         progress: told about the builds.
     """
 
-    def __init__(self, folder: Path, msl: Path | None, progress: Progress) -> None:
+    def __init__(self, folder: Path, options: BuildOptions, progress: Progress) -> None:
         self._folder = folder
-        self._msl = msl
+        self._options = options
         self._progress = progress
         self._built: dict[tuple[str, Path], Path] = {}
 
@@ -32,13 +32,13 @@ class FmuProvider:
         """The FMU of a case, or why it cannot be had here."""
         if case.fmu is not None:
             return case.fmu
-        if "msl" in case.requires and find_standard_library(self._msl).origin == "core subset":
+        if "msl" in case.requires and find_standard_library(self._options.msl).origin == CORE_SUBSET:
             return Skip("needs the whole Modelica Standard Library; name it with --msl or MODELICAPATH")
         assert case.package is not None, "a case without an FMU names a package"
         key = (case.model, case.package)
         if key not in self._built:
             output = self._folder / f"{len(self._built):03d}-{case.model}.fmu"
             sources = tuple(dict.fromkeys([case.package, *case.sources, LIBRARY]))
-            build_fmu(case.model, sources, output, BuildOptions(msl=self._msl), self._progress)
+            build_fmu(case.model, sources, output, self._options, self._progress)
             self._built[key] = output
         return self._built[key]

@@ -14,6 +14,7 @@ from cmb_base.progress import silent
 from fmu_regression.case import load_case
 from fmu_regression.runner import Skip, Verdict, run_case
 from fmu_regression.summary import text_table
+from modelica2fmu.build import BuildOptions
 from program import HAMMER, CaseCheck, Cmb
 
 
@@ -57,7 +58,7 @@ def hammer(cmb: Cmb, engine: None, tmp_path_factory: pytest.TempPathFactory) -> 
 @pytest.fixture(scope="session")
 def provide_fmu(engine: None, tmp_path_factory: pytest.TempPathFactory) -> FmuProvider:  # noqa: ARG001
     """Builds the FMU of a regression case's model, each model once."""
-    return FmuProvider(tmp_path_factory.mktemp("fmus"), None, silent)
+    return FmuProvider(tmp_path_factory.mktemp("fmus"), BuildOptions(cache=tmp_path_factory.mktemp("cache")), silent)
 
 
 @pytest.fixture

@@ -11,10 +11,10 @@ from cmb_base.output import whole_file
 from cmb_base.progress import Progress
 from modelica2fmu.build import BuildReport, build_fmu
 from modelica2fmu.openmodelica import OpenModelicaReport, export_fmu
-from modelica2fmu.packaging import FmiVersion, SolverOptions
+from modelica2fmu.packaging import SolverOptions
 from modelica2fmu.standard_library import find_standard_library
 
-from cmb.build_arguments import add_build_arguments, build_options
+from cmb.build_arguments import add_build_arguments, build_options, fmi_version
 from cmb.modelica_sources import find_sources
 from cmb.terminal import progress_bars
 
@@ -43,9 +43,6 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--source", type=Path, action="append", default=[], metavar="PATH", help="Modelica file or package folder"
     )
     parser.add_argument("--output", type=Path, metavar="FMU", help="file to write (the model's last name if left out)")
-    parser.add_argument(
-        "--fmi", choices=("2", "3"), default="2", help="version of the FMI standard: 2.0 (if left out) or 3.0"
-    )
     parser.add_argument(
         "--tool",
         choices=("builtin", "omc"),
@@ -99,7 +96,7 @@ def _by_translator(arguments: Namespace, output: Path, progress: Progress) -> Bu
         "maximum_steps": arguments.max_steps,
     }
     solver = SolverOptions(**{name: value for name, value in given.items() if value is not None})
-    options = build_options(arguments, FmiVersion(f"{arguments.fmi}.0"), solver)
+    options = build_options(arguments, solver)
     return build_fmu(arguments.model, find_sources(arguments.model, arguments.source), output, options, progress)
 
 
@@ -113,7 +110,7 @@ def _by_openmodelica(arguments: Namespace, output: Path, progress: Progress) -> 
         find_sources(arguments.model, arguments.source),
         output,
         find_standard_library(arguments.msl),
-        FmiVersion(f"{arguments.fmi}.0"),
+        fmi_version(arguments),
         progress=progress,
     )
 

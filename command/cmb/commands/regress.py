@@ -10,6 +10,7 @@ from cmb_base.errors import EXIT_FAILURE
 from fmu_regression.runner import Verdict, run_cases
 from fmu_regression.summary import text_table, write_junit, write_summary
 
+from cmb.build_arguments import add_build_arguments, build_options
 from cmb.fmu_provider import FmuProvider
 from cmb.project import CASES
 from cmb.terminal import progress_bars
@@ -23,6 +24,7 @@ DESCRIPTION = (
 EXAMPLES = """examples:
   cmb regress
   cmb regress regression/cases/reference --output out/regression.html
+  cmb regress regression/cases/library --fmi 3
   cmb regress mycases --junit regression.xml
 """
 
@@ -34,14 +36,14 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--output", type=Path, metavar="HTML", help="also write a page with plots")
     parser.add_argument("--junit", type=Path, metavar="XML", help="also write JUnit XML")
-    parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
     parser.add_argument("--time-limit", type=float, metavar="S", help="wall time for each simulation in s")
+    add_build_arguments(parser)
 
 
 def run(arguments: Namespace) -> int:
     """Runs the cases."""
     with tempfile.TemporaryDirectory(prefix="cmb-regress-") as folder, progress_bars() as progress:
-        provider = FmuProvider(Path(folder), arguments.msl, progress)
+        provider = FmuProvider(Path(folder), build_options(arguments), progress)
         results = run_cases(arguments.folder, provider, time_limit=arguments.time_limit, progress=progress)
     print(text_table(results))
     if arguments.output is not None:

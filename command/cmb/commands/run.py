@@ -17,9 +17,10 @@ from fmu_regression.scene import Scene, load_scene
 from fmu_regression.signals import signals_for
 from fmu_regression.simulate import simulate
 from fmu_regression.summarise import summarise
-from modelica2fmu.build import BuildOptions, build_fmu
+from modelica2fmu.build import build_fmu
 
 from cmb.assembly_file import find_assembly
+from cmb.build_arguments import add_build_arguments, build_options
 from cmb.experiment import Experiment, find_experiment
 from cmb.generation_arguments import add_generation_arguments, generation_options
 from cmb.project import LIBRARY
@@ -51,7 +52,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the solver")
     parser.add_argument("--interval", type=float, metavar="S", help="output interval in s")
     parser.add_argument("--mode", choices=("me", "cs"), default="me", help="model exchange or co-simulation")
-    parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
+    add_build_arguments(parser)
     add_generation_arguments(parser)
 
 
@@ -81,7 +82,7 @@ def _carry_out(
     fmu = folder / f"{assembly.stem}.fmu"
     model = experiment.model or package.mechatronics
     sources = (*experiment.sources, package.root, LIBRARY)
-    build_fmu(model, sources, fmu, BuildOptions(msl=arguments.msl), progress)
+    build_fmu(model, sources, fmu, build_options(arguments), progress)
     scene = load_scene(package.scene)
     description = read_description(fmu)
     experiment.figures.require(description.variables, Place(file=experiment.file))
