@@ -67,15 +67,31 @@ def _folder(uri: str, roots: Sequence[Path]) -> Path:
         if path.is_dir():
             return path
         raise InputError(f"the folder {uri} of an external function does not exist")
-    relative = Path(uri[len(_SCHEME) :])
-    if ".." in relative.parts:
-        raise InputError(f"the folder {uri} of an external function leaves its package")
-    for root in roots:
-        # A root is the folder of a package itself or one that holds packages.
-        base = root.parent if root.name == relative.parts[0] else root
-        if (path := base / relative).is_dir():
-            return path
+    found = resource_path(uri, roots)
+    if found is not None and found.is_dir():
+        return found
     raise InputError(
         f"the folder {uri} of an external function does not exist",
         remedy="build and install the library's C part into its Resources folder first",
     )
+
+
+def resource_path(uri: str, roots: Sequence[Path]) -> Path | None:
+    """The file or folder that a ``modelica://`` name means, None where there is none.
+
+    Args:
+        uri: the name.
+        roots: folders that contain the packages, or are packages themselves.
+
+    Raises:
+        InputError: the name leaves its package.
+    """
+    relative = Path(uri[len(_SCHEME) :])
+    if ".." in relative.parts:
+        raise InputError(f"{uri} leaves its package")
+    for root in roots:
+        # A root is the folder of a package itself or one that holds packages.
+        base = root.parent if relative.parts and root.name == relative.parts[0] else root
+        if (path := base / relative).exists():
+            return path
+    return None

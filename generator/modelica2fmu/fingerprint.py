@@ -21,6 +21,8 @@ _BUILDER_SUFFIXES: Final = (".py", ".c", ".h")
 _PACKAGES: Final = ("rumoca", "fmpy", "networkx", "numpy")
 # Folders of a Modelica package whose files go into its FMUs (Modelica Language Specification 3.6, section 12.9.4).
 _RESOURCES: Final = ("Include", "Library")
+# Geometry that descriptors name by file is written out into FMUs.
+_GEOMETRY_SUFFIXES: Final = (".stl", ".obj", ".ply", ".csv", ".txt")
 
 
 def fingerprint(model: str, sources: Sequence[Path], library: StandardLibrary, options: BuildOptions) -> str:
@@ -63,7 +65,8 @@ def _inputs(root: Path) -> Iterator[Path]:
         folders[:] = sorted(each for each in folders if not each.startswith("."))
         everything = any(part in _RESOURCES for part in folder.relative_to(root).parts) and "Resources" in folder.parts
         for each in sorted(files):
-            if everything or each.endswith(".mo") or each == "package.order":
+            geometry = "Resources" in folder.parts and each.lower().endswith(_GEOMETRY_SUFFIXES)
+            if everything or geometry or each.endswith(".mo") or each == "package.order":
                 yield folder / each
 
 

@@ -18,6 +18,7 @@ from modelica2fmu.description import ExternalCode, ModelDescription
 from modelica2fmu.experiment import read_experiment
 from modelica2fmu.external_code import find_external_code
 from modelica2fmu.front_end import load_flat_model
+from modelica2fmu.geometry_files import write_out_geometry
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.scalar_model import ScalarModel, derivative_name
 from modelica2fmu.scalarize import scalarize
@@ -67,6 +68,7 @@ def translate(
             clock.begin("expand")
             scalar = scalarize(flat, source_map)
             external = _with_real_paths(find_external_code(scalar.external_annotations, roots, model.split(".")[0]))
+            scalar.calls[:] = write_out_geometry(scalar.calls, external.library_directories, roots)
         clock.begin("reduce")
         reduced = eliminate_aliases(scalar, source_map)
         clock.begin("sort")

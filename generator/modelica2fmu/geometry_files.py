@@ -1,0 +1,92 @@
+"""Writes the contents of geometry files into descriptors, so that an FMU needs no file of the machine it was made on.
+
+Descriptors are the strings that describe shapes to the contact engine (docs/architecture.md). They may name mesh
+files by ``file=``; the engine itself, loaded from the model's libraries, reads these.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Final
+
+from cmb_base.errors import InputError
+
+from modelica2fmu.external_code import resource_path
+from modelica2fmu.scalar_model import CallArgument, ExternalCall
+
+_ENGINE: Final = "libcontactmultibody.so"
+_NAMES_A_FILE: Final = re.compile(r"cmb/\d+ \S+ (?:[^;]* )?file=")
+_URI: Final = re.compile(r'(?<=file=)(?:"(?P<quoted>modelica://[^"]*)"|(?P<bare>modelica://[^\s;]*))', re.IGNORECASE)
+
+
+def write_out_geometry(
+    calls: Sequence[ExternalCall], library_directories: Sequence[Path], roots: Sequence[Path]
+) -> list[ExternalCall]:
+    """The calls with descriptors that name no files.
+
+    Args:
+        calls: external calls of a model; those without such descriptors stay as they are.
+        library_directories: where the engine's library is looked for.
+        roots: folders that contain the packages of ``modelica://`` names.
+
+    Raises:
+        InputError: a file cannot be read or is no mesh, or the engine is missing.
+    """
+    return [
+        replace(call, args=tuple(_argument(argument, library_directories, roots) for argument in call.args))
+        if any(_names_file(value) for argument in call.args for value in argument.values)
+        else call
+        for call in calls
+    ]
+
+
+def _names_file(value: object) -> bool:
+    return isinstance(value, str) and _NAMES_A_FILE.search(value) is not None
+
+
+def _argument(argument: CallArgument, library_directories: Sequence[Path], roots: Sequence[Path]) -> CallArgument:
+    values = tuple(
+        _written_out(value, library_directories, roots) if isinstance(value, str) and _names_file(value) else value
+        for value in argument.values
+    )
+    return replace(argument, values=values)
+
+
+def _written_out(descriptor: str, library_directories: Sequence[Path], roots: Sequence[Path]) -> str:
+    def absolute(match: re.Match[str]) -> str:
+        uri = match["quoted"] or match["bare"]
+        path = resource_path(uri, roots)
+        if path is None:
+            raise InputError(f"there is no file {uri}", remedy="check the name of the package and of the file")
+        return f'"{path}"'
+
+    library = next((path for folder in library_directories if (path := folder / _ENGINE).is_file()), None)
+    if library is None:
+        raise InputError(
+            f"{_ENGINE} is missing, which reads the geometry files of the model",
+            remedy="build and install the contact engine first",
+        )
+    engine = ctypes.CDLL(str(library))
+    engine.cmb_inline_files.argtypes = [
+        ctypes.c_char_p,
+        ctypes.c_char_p,
+        ctypes.c_char_p,
+        ctypes.c_size_t,
+        ctypes.POINTER(ctypes.c_size_t),
+    ]
+    engine.cmb_last_error.restype = ctypes.c_char_p
+    text = _URI.sub(absolute, descriptor).encode()
+    length = ctypes.c_size_t(0)
+    room: ctypes.Array[ctypes.c_char] | None = None
+    for _ in range(2):
+        capacity = 0 if room is None else len(room)
+        if engine.cmb_inline_files(text, b"/", room, capacity, ctypes.byref(length)) != 0:
+            raise InputError(f"geometry: {engine.cmb_last_error().decode(errors='replace')}")
+        if room is None:
+            room = ctypes.create_string_buffer(length.value)
+    assert room is not None
+    return room.value.decode()
