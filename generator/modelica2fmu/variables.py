@@ -15,6 +15,7 @@ from modelica2fmu.description import (
     Variable,
 )
 from modelica2fmu.expression import Node
+from modelica2fmu.packaging.units import rate_unit
 from modelica2fmu.scalar_model import Kind, ScalarVariable, derivative_name, unwrapped
 from modelica2fmu.slots import Slots, Store
 
@@ -175,14 +176,9 @@ class _Describer:
             variability=Variability.CONTINUOUS,
             initial=Initial.CALCULATED,
             description=f"Derivative of {state} by time",
-            unit=_rate_unit(unit),
+            unit=rate_unit(unit),
             derivative_of=state,
         )
-
-
-def _rate_unit(unit: str) -> str:
-    known = {"m": "m/s", "m/s": "m/s2", "rad": "rad/s", "rad/s": "rad/s2", "1": "1/s"}
-    return known.get(unit, "")
 
 
 def _zero(type_name: str) -> float | str:

@@ -182,3 +182,19 @@ def display_conversion(unit: Unit, display: Unit) -> tuple[float, float] | None:
     if unit.exponents != display.exponents:
         return None
     return unit.factor / display.factor, (unit.offset - display.offset) / display.factor
+
+
+def rate_unit(text: str) -> str:
+    """The unit of the time derivative of a variable of unit ``text``: "m/s2" for "m/s"; "" where it is not known."""
+    unit = parse_unit(text)
+    if unit is None or unit.offset != 0.0:
+        return ""
+    numerator, _, denominator = text.partition("/")
+    seconds = re.fullmatch(r"s([2-9]?)", denominator)
+    if not denominator:
+        rate = f"{numerator}/s"
+    elif seconds is not None:
+        rate = f"{numerator}/s{int(seconds[1] or 1) + 1}"
+    else:
+        rate = f"{numerator}/({denominator.removeprefix('(').removesuffix(')')}.s)"
+    return rate if parse_unit(rate) == unit * _unit(s=-1) else ""

@@ -7,7 +7,7 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from modelica2fmu.packaging.units import BASE_UNITS, display_conversion, parse_unit
+from modelica2fmu.packaging.units import BASE_UNITS, display_conversion, parse_unit, rate_unit
 
 
 def exponents(**powers: int) -> tuple[int, ...]:
@@ -79,3 +79,29 @@ def test_any_text_is_a_unit_or_not(text: str) -> None:
     if unit is not None:
         assert len(unit.exponents) == len(BASE_UNITS)
         assert unit.factor > 0.0
+
+
+@pytest.mark.parametrize(
+    ("text", "rate"),
+    [
+        ("1", "1/s"),
+        ("m", "m/s"),
+        ("m/s", "m/s2"),
+        ("rad/s2", "rad/s3"),
+        ("N.m", "N.m/s"),
+        ("kg/m3", "kg/(m3.s)"),
+        ("W/(m2.K)", "W/(m2.K.s)"),
+        ("degC", ""),  # a difference of temperatures has another zero
+        ("m/s9", "m/s10"),
+        ("", ""),
+        ("furlong", ""),
+    ],
+)
+def test_units_of_derivatives(text: str, rate: str) -> None:
+    assert rate_unit(text) == rate
+    unit, derivative = parse_unit(text), parse_unit(rate)
+    if unit is not None and derivative is not None:
+        assert derivative.factor == pytest.approx(unit.factor)
+        seconds = BASE_UNITS.index("s")
+        for index, (before, after) in enumerate(zip(unit.exponents, derivative.exponents, strict=True)):
+            assert after == before - (index == seconds)
