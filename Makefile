@@ -5,7 +5,7 @@
 # make promises  measures what the library promises into docs/promises.md
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: contact-paths demo test setup setup-test lint bench clean release promises test-omc icons
+.PHONY: bench-fmu contact-paths demo test setup setup-test lint bench clean release promises test-omc icons
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -41,6 +41,9 @@ clean:
 
 bench: setup
 	scripts/bench
+
+bench-fmu: setup
+	.venv/bin/python regression/bench/fmu_size.py
 
 contact-paths: bench
 	.venv/bin/python -m pip install -q --disable-pip-version-check matplotlib==3.11.2
