@@ -1,6 +1,7 @@
 # make demo   sets up and runs the main job on Resources/cad/hammer
 # make test   sets up and passes the tests
 # make bench  times the engine beside libccd, FCL and coal
+# make bench-fmu  how building and simulating FMUs grows with the size of the model
 # make release   packs the Modelica library: out/ContactMultiBody-<version>.zip
 # make promises  measures what the library promises into docs/promises.md
 # make test-omc  runs the examples through OpenModelica where it is installed
