@@ -8,7 +8,7 @@ class ReleaseNotes "Release notes"
 <li>ContactManager, VolumeContactManager and CompiledContactManager; bodies that stand in for those of MultiBody, CollisionShape, Ground.</li>
 <li>Shapes: half-space, sphere, box, capsule, cylinder, cone, ellipsoid, hull, compounds of them.</li>
 <li>Ten laws of the normal force with events or without, volume law, stiffness by Hertz or given; friction regularised or anchored, of spin and of rolling.</li>
-<li>Thirteen materials with their sources.</li>
+<li>Twelve materials with their sources.</li>
 <li>Contacts of simple shapes in Modelica alone.</li>
 </ul>
 <p>Changes of the whole project are in its file CHANGELOG.md.</p>
