@@ -37,7 +37,8 @@ typedef CMB_ENUM(cmb_backend) {
   CMB_BACKEND_AUTO = 0,
   CMB_BACKEND_ANALYTIC = 1, /* the engine's own exact paths */
   CMB_BACKEND_LIBCCD = 2,
-  CMB_BACKEND_FCL = 3
+  CMB_BACKEND_FCL = 3,
+  CMB_BACKEND_COAL = 4      /* only where the engine was built with coal; interning says so if not */
 } cmb_backend;
 
 /* Handle of an interned scene; positive. */

@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
              rolling_cylinder, 1.0, 1e-4},
         Loop{"cone turns", "cmb/1 cone radius=0.3 length=0.5", floor_halfspace, rolling_cylinder, 1.0, 1e-4},
         Loop{"cylinder lies down and stands up on a table", "cmb/1 cylinder radius=0.3 length=0.5", table,
-             rolling_cylinder, 1.0, 1e-3},
+             rolling_cylinder, 1.0, 1e-4},
         Loop{"capsule lies down and stands up on a half-space", capsule, floor_halfspace, rolling_capsule, 1.0, 1e-5},
         Loop{"capsule lies down and stands up on a half-space", capsule, floor_halfspace, rolling_capsule, 1.5, 0.1},
         Loop{"capsule lies down and stands up on a table", capsule, table, rolling_capsule, 1.0, 1e-5},

@@ -38,6 +38,10 @@ std::optional<ConvexAnswer> libccd_distance(const Shape &a, const Pose &pose_a, 
 // FCL's collide and distance with its own solver.
 std::optional<ConvexAnswer> fcl_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                                          BackendScratch &scratch);
+// coal's signed distance, where the engine was built with coal (CMake option CMB_COAL) and finds it; else no answer.
+std::optional<ConvexAnswer> coal_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                                          BackendScratch &scratch);
+bool coal_is_available();
 
 // Whether a library's answer holds: finite, unit normal, and the two shapes' extents along it leave the distance it
 // says to `tolerance` (relative to the shapes' size). An overlap's depth that is true along the normal but not the

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <string>
 
+#include "backend/distance_backend.hpp"
 #include "interface/call_guard.hpp"
 #include "interface/pose_check.hpp"
 #include "query/overlap_query.hpp"
@@ -116,9 +117,12 @@ cmb_status cmb_intern_with_files(const char *const *geometry, size_t body_count,
         return fail(CMB_ERROR_ARGUMENT, "descriptor " + std::to_string(i + 1) + " is NULL; give an empty string");
       }
     }
-    if (backend < CMB_BACKEND_AUTO || backend > CMB_BACKEND_FCL) {
+    if (backend < CMB_BACKEND_AUTO || backend > CMB_BACKEND_COAL) {
       return fail(CMB_ERROR_ARGUMENT, "there is no back end " + std::to_string(static_cast<int>(backend)) +
-                                          "; use 0 auto, 1 analytic, 2 libccd or 3 FCL");
+                                          "; use 0 auto, 1 analytic, 2 libccd, 3 FCL or 4 coal");
+    }
+    if (backend == CMB_BACKEND_COAL && !cmb::coal_is_available()) {
+      return fail(CMB_ERROR_ARGUMENT, "this engine was built without coal, or does not find it; use another back end");
     }
     *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend, folder == nullptr ? "" : folder);
     return CMB_OK;
