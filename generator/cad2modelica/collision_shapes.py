@@ -1,4 +1,4 @@
-"""Collision shapes from meshes: spheres, boxes and capsules are recognised, all else becomes hulls."""
+"""Collision shapes from meshes: spheres, boxes, cylinders and capsules are recognised, all else becomes hulls."""
 
 from __future__ import annotations
 

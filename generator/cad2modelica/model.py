@@ -63,6 +63,7 @@ class CollisionChoice(Enum):
     AUTO = "auto"
     BOX = "box"
     SPHERE = "sphere"
+    CYLINDER = "cylinder"
     CAPSULE = "capsule"
     HULL = "hull"
     DECOMPOSITION = "decomposition"

@@ -1,4 +1,4 @@
-"""Recognises boxes, spheres and capsules by the corners of their convex hulls."""
+"""Recognises boxes, spheres, cylinders and capsules by the corners of their convex hulls."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ from cad2modelica.spatial import Array, Pose
 
 FIT_TOLERANCE = 1e-6  # largest distance of a vertex from a recognised surface, relative to the size
 ROUND_VOLUME = 0.85  # a tessellated round body fills at least this share of the exact one
+ROUND_PRISM = 0.95  # the same of cylinders: a prism of twelve sides does, one of ten may be meant as such
+CAPSULE_UNKNOWNS = 7
 
 
 def recognise(hull: ConvexHull, choice: CollisionChoice) -> CollisionShape | None:
@@ -90,8 +92,32 @@ def _as_sphere(points: Array, hull: ConvexHull) -> CollisionShape | None:
     return CollisionShape("sphere", _tidy(Pose(center + middle, np.eye(3)), radius), radius=_round(radius))
 
 
+def _as_cylinder(points: Array, hull: ConvexHull) -> CollisionShape | None:
+    """All corners in two parallel planes, on circles about one axis at right angles to them."""
+    for direction in _axis_candidates(points - points.mean(axis=0)):
+        axis = _snap(direction)
+        along = points @ axis
+        low, high = float(along.min()), float(along.max())
+        length = high - low
+        middle = (points[along < low + length / 2].mean(axis=0) + points[along >= low + length / 2].mean(axis=0)) / 2
+        offset = points - middle
+        across = np.linalg.norm(offset - np.outer(offset @ axis, axis), axis=1)
+        radius = float(across.mean())
+        tolerance = FIT_TOLERANCE * (radius + length)
+        if np.minimum(along - low, high - along).max() > tolerance or np.abs(across - radius).max() > tolerance:
+            continue
+        if hull.volume < ROUND_PRISM * np.pi * radius**2 * length:
+            continue
+        center = middle + axis * ((low + high) / 2 - middle @ axis)
+        pose = _tidy(Pose(center, _frame_along(_upward(axis))), radius + length)
+        return CollisionShape("cylinder", pose, radius=_round(radius), length=_round(length))
+    return None
+
+
 def _as_capsule(points: Array, hull: ConvexHull) -> CollisionShape | None:
     """All corners at one distance from a segment, found by least squares from the longest direction."""
+    if len(points) <= CAPSULE_UNKNOWNS:
+        return None
     middle = points.mean(axis=0)
     extent = points - middle
     for direction in _axis_candidates(extent):
@@ -110,10 +136,7 @@ def _as_capsule(points: Array, hull: ConvexHull) -> CollisionShape | None:
             continue
         if hull.volume < ROUND_VOLUME * (4 / 3 * np.pi * radius**3 + np.pi * radius**2 * length):
             continue
-        axis = (first - second) / length
-        if axis[int(np.argmax(np.abs(axis)))] < 0:
-            axis = -axis
-        axis = _snap(axis)
+        axis = _snap(_upward((first - second) / length))
         pose = Pose((first + second) / 2 + middle, _frame_along(axis))
         return CollisionShape("capsule", _tidy(pose, length + radius), radius=_round(radius), length=_round(length))
     return None
@@ -121,7 +144,7 @@ def _as_capsule(points: Array, hull: ConvexHull) -> CollisionShape | None:
 
 def _axis_candidates(extent: Array) -> list[Array]:
     _, vectors = np.linalg.eigh(extent.T @ extent)
-    return [vectors[:, 2], *np.eye(3)]
+    return [vectors[:, 2], vectors[:, 0], *np.eye(3)]
 
 
 def _capsule_residuals(unknowns: Array, points: Array) -> Array:
@@ -141,6 +164,11 @@ def _frame_along(axis: Array) -> Array:
     first = np.cross(helper, axis)
     first /= np.linalg.norm(first)
     return np.column_stack([first, np.cross(axis, first), axis])
+
+
+def _upward(axis: Array) -> Array:
+    """The axis in the sense that makes its greatest component positive."""
+    return -axis if axis[int(np.argmax(np.abs(axis)))] < 0 else axis
 
 
 def _snap(axis: Array) -> Array:
@@ -168,5 +196,6 @@ def _triple(values: Array) -> tuple[float, float, float]:
 RECOGNISERS: dict[CollisionChoice, Callable[[Array, ConvexHull], CollisionShape | None]] = {
     CollisionChoice.BOX: _as_box,
     CollisionChoice.SPHERE: _as_sphere,
+    CollisionChoice.CYLINDER: _as_cylinder,
     CollisionChoice.CAPSULE: _as_capsule,
 }

@@ -48,6 +48,13 @@ def capsule(radius: float, length: float) -> np.ndarray:
     return points + np.where(points[:, 2:] > 0, 0.5, -0.5) * np.array([0.0, 0.0, length])
 
 
+def prism(radius: float, length: float, sides: int) -> np.ndarray:
+    angles = 2 * np.pi * np.arange(sides) / sides
+    ring = np.column_stack([radius * np.cos(angles), radius * np.sin(angles), np.zeros(sides)])
+    half = np.array([0.0, 0.0, length / 2])
+    return np.concatenate([ring - half, ring + half])
+
+
 BOX = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
 
 vectors = st.tuples(*[st.floats(-3, 3)] * 3).map(np.array)
@@ -96,9 +103,36 @@ def test_capsule_anywhere(radius: float, slenderness: float, turn: np.ndarray, s
     np.testing.assert_allclose(shape.pose.position, shift * radius, atol=1e-5 * (radius + length))
 
 
+@settings(max_examples=20, deadline=None)
+@given(sizes, st.floats(0.02, 30), st.integers(12, 60), vectors, vectors)
+def test_cylinder_anywhere(radius: float, slenderness: float, sides: int, turn: np.ndarray, shift: np.ndarray) -> None:
+    length = radius * slenderness
+    rotation = Rotation.from_rotvec(turn)
+    (shape,) = shapes_of(rotation.apply(prism(radius, length, sides)) + shift * radius).shapes
+    assert shape.kind == "cylinder"
+    assert (shape.radius, shape.length) == pytest.approx((radius, length), rel=1e-6)
+    assert abs(shape.pose.rotation[:, 2] @ rotation.apply([0, 0, 1])) == pytest.approx(1.0, abs=1e-9)
+    np.testing.assert_allclose(shape.pose.position, shift * radius, atol=1e-5 * (radius + length))
+
+
+def test_outline_of_a_cylinder_holds_it() -> None:
+    (shape,) = shapes_of(prism(1.0, 2.0, 24)).shapes
+    points, margin = shape.outline
+    outline = ConvexHull(points)
+    around = 2 * np.pi * np.arange(500) / 500
+    rim = np.column_stack([np.cos(around), np.sin(around), np.full(500, 1.0)])
+    assert margin == 0.0
+    assert (rim @ outline.equations[:, :3].T + outline.equations[:, 3]).max() < 1e-9
+    assert outline.volume < 1.01 * 2.0 * np.pi
+
+
 @pytest.mark.parametrize(
     "points",
     [
+        prism(1.0, 2.0, 10),  # a nut blank rather than a cylinder
+        prism(1.0, 2.0, 24) * [1, 1.001, 1],
+        prism(1.0, 2.0, 24) * np.repeat([[1.0, 1.0, 1.0], [1.001, 1.001, 1.0]], 24, axis=0),  # a frustum
+        np.array([[0, 0, 0], [9, 0, 0], [0, 0.5, 0], [9, 0, 0.5]]),  # too few corners for a capsule's fit
         BOX * [1, 1, 1] + np.outer(np.arange(8) == 0, [0.001, 0, 0]),  # a corner moved
         sphere(1.0) * [1, 1, 1.001],  # an ellipsoid
         sphere(1.0, 30),  # too coarse to be called round
@@ -142,8 +176,8 @@ def test_sample_shapes(hammer: Path) -> None:
     assert kinds.pop("arm") == ["hull"] * len(found["arm"].shapes)
     assert 1 < len(found["arm"].shapes) <= 16
     assert kinds == {
-        "frame": ["box", "hull"],
-        "hammer head": ["hull", "hull", "hull"],
+        "frame": ["box", "cylinder"],
+        "hammer head": ["hull", "cylinder", "cylinder"],
         "anvil": ["hull"],
         "ball": ["sphere"],
     }
