@@ -14,6 +14,7 @@ from cad2modelica.actuators import place_actuators
 from cad2modelica.assembling import assembled, require_closed
 from cad2modelica.collision_shapes import MAXIMUM_PIECES, collision_geometry
 from cad2modelica.contact_pairs import contact_pairs, within_reach
+from cad2modelica.generation_notes import overlap_notes, unit_notes
 from cad2modelica.generation_report import ReportInput, report_html
 from cad2modelica.graph_drawing import graph_svg
 from cad2modelica.kinematic_graph import kinematic_tree
@@ -38,10 +39,9 @@ from cad2modelica.regeneration import (
 )
 from cad2modelica.scene_file import scene_text
 from cad2modelica.spherical_axes import with_spherical_axes
-from cad2modelica.start_overlaps import StartCheck, start_overlaps
+from cad2modelica.start_overlaps import start_overlaps
 from cad2modelica.structure import structure_of
 
-NOTED_OVERLAPS = 10
 GENERATED = ("package.mo", "Mechanics.mo", "Geometry.mo", RECORD)
 
 
@@ -139,7 +139,13 @@ def generate(
     balls = {part.name: geometries[part.name].ball(part.pose) for part in assembly.parts}
     pairs, dropped = within_reach(assembly, tree, contact_pairs(assembly, tree, colliding), balls)
     view = mechanism_view(assembly, tree, loops, geometries, pairs)
-    notes = (*assembly.notes, *loops.notes, *(note for item in geometries.values() for note in item.notes), *dropped)
+    notes = (
+        *assembly.notes,
+        *unit_notes(assembly),
+        *loops.notes,
+        *(note for item in geometries.values() for note in item.notes),
+        *dropped,
+    )
     own = find_own_files(output, name, {*GENERATED, ORDER})
     earlier = read_record(own.root)
     structure = structure_of(assembly, loops, view)
@@ -157,7 +163,7 @@ def generate(
         written = earlier.mechatronics
     progress("start configuration", 0.0, name)
     start = start_overlaps(assembly, geometries, pairs)
-    notes += (*changes, *plan.notes, *_overlap_notes(start))
+    notes += (*changes, *plan.notes, *overlap_notes(start))
     drawing = graph_svg(assembly, tree, loops.loops)
     report = report_html(
         ReportInput(
@@ -201,15 +207,6 @@ def generate(
         scene=output / SCENE,
         report=output / REPORT,
         notes=notes,
-    )
-
-
-def _overlap_notes(start: StartCheck) -> tuple[str, ...]:
-    if start.reason is not None:
-        return (f"overlaps at the start were not checked: {start.reason}",)
-    return tuple(
-        f"{item.first!r} and {item.second!r} overlap at the start by {1000 * item.depth:.4g} mm"
-        for item in start.overlaps[:NOTED_OVERLAPS]
     )
 
 

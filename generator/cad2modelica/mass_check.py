@@ -12,6 +12,7 @@ from cad2modelica.model import MassProperties
 RELATIVE_TOLERANCE = 1e-6
 DENSITY_LIMITS = (0.05, 50_000.0)  # kg/m3: aerogel to twice osmium
 REMARK_TOLERANCE = 0.05
+LARGEST_GYRATION = 10.0  # of the mechanism's size, for parts whose own size is not known
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,25 @@ def check_tensor(properties: MassProperties) -> MassFinding | None:
             True,
         )
     return None
+
+
+def check_against_mechanism(properties: MassProperties, length: float) -> MassFinding | None:
+    """Compares a part without geometry with the mechanism's size: a doubt about units, never an error.
+
+    Args:
+        properties: of the part.
+        length: distance between the joints that are farthest apart, m.
+    """
+    gyration = float(np.sqrt(np.linalg.eigvalsh(properties.inertia)[2] / properties.mass))
+    away = float(np.linalg.norm(properties.center_of_mass))
+    if gyration <= LARGEST_GYRATION * length and away <= LARGEST_GYRATION * length:
+        return None
+    return MassFinding(
+        f"its radius of gyration is {gyration:.3g} m and its centre of mass {away:.3g} m from its origin, but the "
+        f"joints of the whole mechanism lie within {length:.3g} m",
+        "check the units of mass, length and inertia",
+        False,
+    )
 
 
 def check_against_geometry(properties: MassProperties, meshes: tuple[Mesh, ...]) -> list[MassFinding]:

@@ -207,6 +207,31 @@ def test_loops_planar_through_fixed_rotations_and_parallelogram(tmp_path: Path) 
     assert np.ptp(motion.point("slider", (0, 0, 0)), axis=0).max() > 0.05
 
 
+def test_loop_without_spherical_joints(tmp_path: Path) -> None:
+    """Revolute and three cylindrical joints: 1 + 3*2 - 6 = 1 freedom; cut at the revolute one, which has a speed."""
+    parts = [part("a"), part("b", position=(0.3, 0, 0.2)), part("c", position=(0.6, 0.3, 0.2))]
+    joints = [
+        joint("r", "revolute", "ground", "a", axis=ACROSS, start='speed="1"'),
+        joint("c1", "cylindrical", "a", "b", origin=(0.3, 0, 0.2), axis=(0.6, 0, 0.8)),
+        joint("c2", "cylindrical", "b", "c", origin=(0.6, 0.3, 0.2), axis=(0, 0.6, 0.8)),
+        joint("c3", "cylindrical", "ground", "c", origin=(0.9, 0.1, 0), axis=(0.8, 0.6, 0)),
+    ]
+    file = write_assembly(tmp_path / "rccc.xml", parts, joints, name="Rccc")
+    tree, loops = analysed(file)
+    assert [joint.name for joint in tree.cut_joints] == ["r"]
+    assert loops.freedoms == 1
+    assert loops.rates["r"] == (1.0,)
+    motion = moved(file, tmp_path, ["a", "c"], 0.5)
+    for height in (0.0, 1.0):  # two points of the axis stay
+        assert np.abs(motion.point("a", (0, height, 0)) - [0, height, 0]).max() < 1e-8
+    # The axis of c3 in part c stays on its line through (0.9, 0.1, 0).
+    for along in (0.0, 1.0):
+        own = np.array([0.9, 0.1, 0]) + along * np.array([0.8, 0.6, 0]) - [0.6, 0.3, 0.2]
+        off = np.cross(motion.point("c", own) - [0.9, 0.1, 0], [0.8, 0.6, 0])
+        assert np.abs(off).max() < 1e-8
+    assert np.ptp(motion.point("c", (0, 0, 0)), axis=0).max() > 0.05
+
+
 def test_two_planar_loops_in_different_planes_that_share_two_bodies(tmp_path: Path) -> None:
     """Each keeps its own planar constraint, whatever order the joints are listed in."""
     corners = {"p": (1, 0, 1), "q": (2, 0, 1.2), "r": (0.5, 1, 0.4)}

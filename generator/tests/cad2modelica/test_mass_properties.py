@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cad2modelica import read_assembly
+from assembly_text import joint, part, write_assembly
+from cad2modelica import generate, read_assembly
 from cad2modelica.mass_check import check_against_geometry, check_tensor
 from cad2modelica.mesh import Mesh, bodies, is_closed, join, volume_integrals, weld
 from cad2modelica.model import Assembly, MassProperties, Part
@@ -125,3 +126,18 @@ def test_flat_plate_is_at_the_limit_of_the_triangle_inequality() -> None:
     """A thin plate has Ixx + Iyy = Izz: legal, and rounding must not refuse it."""
     assert check_tensor(MassProperties(1.0, np.zeros(3), np.diag([0.1, 0.2, 0.3 * (1 + 1e-9)]))) is None
     assert check_tensor(MassProperties(1.0, np.zeros(3), np.diag([0.1, 0.2, 0.31]))) is not None
+
+
+@pytest.mark.parametrize(("inertia", "doubtful"), [(0.02, False), (2e4, True)])
+def test_inertia_in_wrong_units_without_geometry_is_remarked(tmp_path: Path, inertia: float, doubtful: bool) -> None:
+    """1 kg with 20000 kg.m2 would be a ring of 140 m in a mechanism of half a metre: kg.mm2 were meant."""
+    moments = (inertia, inertia, inertia)
+    parts = [part("arm", inertia=moments), part("hand", position=(0.5, 0, 0))]
+    joints = [
+        joint("shoulder", "revolute", "ground", "arm", axis=(0, 1, 0)),
+        joint("wrist", "revolute", "arm", "hand", origin=(0.5, 0, 0), axis=(0, 1, 0)),
+    ]
+    notes = generate(write_assembly(tmp_path / "arm.xml", parts, joints), tmp_path / "out").notes
+    found = [note for note in notes if "'arm'" in note and "lie within 0.5 m" in note]
+    assert bool(found) is doubtful
+    assert all("141 m" in note for note in found)
