@@ -1,16 +1,21 @@
 within ContactMultiBodyTest;
 model BothWays "The same contacts by the equations of the library and by the engine"
-  parameter String geometry[4]=fill("", 4) "Descriptor of each body's geometry";
+  extends Modelica.Icons.Example;
+  parameter String shape[3]={ContactMultiBody.Shapes.box({0.2,0.3,0.25}),ContactMultiBody.Shapes.capsule(0.1, 0.2),
+    ContactMultiBody.Shapes.compound({ContactMultiBody.Shapes.sphere(0.1, {0.1,0,0}),ContactMultiBody.Shapes.box({0.3,0.1,0.1})})}
+    "Geometries of the moved bodies";
   parameter ContactMultiBody.Types.NormalLaw law=ContactMultiBody.Types.NormalLaw.Exact "Law of the normal force"
     annotation (Evaluate=true);
   parameter Boolean useRestitution=true "= true, if restitution is delivered" annotation (Evaluate=true);
   parameter ContactMultiBody.Types.Friction friction=ContactMultiBody.Types.Friction.Regularised "Law of friction, without anchors"
     annotation (Evaluate=true);
   parameter Boolean turning=false "= true, if spin and rolling friction act" annotation (Evaluate=true);
-  Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame[4] "Frames of the bodies";
+  inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1});
+  MovedBody body[3](phase={0.1,1.3,2.2}, each size=0.2, each center={0,0,0.22});
+  ContactMultiBody.Parts.Ground floor;
   ContactMultiBody.ContactManager contacts(
     n=4,
-    geometry=geometry,
+    geometry={shape[1],shape[2],shape[3],floor.geometry},
     material(restitution={0.2,0.4,0.9,0.8}, muStatic={0.1,0.2,0.4,0.3}),
     inertia(m={1,2,3,0}, r_CM={{0,0,0},{0.01,0,0.02},{0,0.03,0},{0,0,0}}, I={{{0.004,0,0},{0,0.005,0},{0,0,0.006}},
       {{0.006,0.001,0},{0.001,0.007,0},{0,0,0.008}},{{0.01,0,0.002},{0,0.02,0},{0.002,0,0.015}},zeros(3, 3)}),
@@ -28,7 +33,7 @@ model BothWays "The same contacts by the equations of the library and by the eng
     pointCapacity=24);
   ContactMultiBody.CompiledContactManager compiled(
     n=4,
-    geometry=geometry,
+    geometry={shape[1],shape[2],shape[3],floor.geometry},
     material(restitution={0.2,0.4,0.9,0.8}, muStatic={0.1,0.2,0.4,0.3}),
     inertia(m={1,2,3,0}, r_CM={{0,0,0},{0.01,0,0.02},{0,0.03,0},{0,0,0}}, I={{{0.004,0,0},{0,0.005,0},{0,0,0.006}},
       {{0.006,0.001,0},{0.001,0.007,0},{0,0,0.008}},{{0.01,0,0.002},{0,0.02,0},{0.002,0,0.015}},zeros(3, 3)}),
@@ -43,8 +48,14 @@ model BothWays "The same contacts by the equations of the library and by the eng
     rollingLever=if turning then 0.01 else 0);
   WrenchComparison comparison(n=4);
 equation
-  connect(frame, contacts.frame);
-  connect(frame, compiled.frame);
+  for i in 1:3 loop
+    connect(body[i].frame_a, contacts.frame[i]);
+  end for;
+  connect(floor.frame_a, contacts.frame[4]);
+  for i in 1:3 loop
+    connect(body[i].frame_a, compiled.frame[i]);
+  end for;
+  connect(floor.frame_a, compiled.frame[4]);
   for i in 1:4 loop
     comparison.force[i, 1, :] = contacts.frame[i].f;
   end for;
@@ -58,7 +69,7 @@ equation
     comparison.torque[i, 2, :] = compiled.frame[i].t;
   end for;
   comparison.energy = {contacts.elasticEnergy,compiled.elasticEnergy};
-  annotation (Documentation(info="<html>
+  annotation (experiment(StopTime=50, Tolerance=1e-6, Interval=0.1), Documentation(info="<html>
 <p>Bodies 1 to 3 move, body 4 is the ground. The equations get room for all points of a pair: nothing is merged.</p>
 </html>"));
 end BothWays;

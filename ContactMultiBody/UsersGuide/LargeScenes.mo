@@ -1,0 +1,34 @@
+within ContactMultiBody.UsersGuide;
+class LargeScenes "Many bodies: contacts computed in the engine"
+  extends Modelica.Icons.Information;
+  annotation (DocumentationClass=true, Documentation(info="<html>
+<p>
+The <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a> has equations for every pair: five bodies are ten
+pairs, a hundred are five thousand. From about ten bodies that may all touch, use the
+<a href=\"modelica://ContactMultiBody.CompiledContactManager\">CompiledContactManager</a>: the engine finds the pairs that touch and computes
+their forces by the same laws. For tens to a thousand equal free bodies there is
+<a href=\"modelica://ContactMultiBody.Parts.FreeBodies\">FreeBodies</a>, without frames.
+</p>
+<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
+<tr><th></th><th>ContactManager</th><th>CompiledContactManager, FreeBodies</th></tr>
+<tr><td>equations</td><td>for each pair and point</td><td>six for each body</td></tr>
+<tr><td>restitution</td><td>by events or without</td><td>without events, from <code>inertia</code></td></tr>
+<tr><td>friction</td><td>none, regularised, anchored</td><td>none, regularised, with Stribeck's curve</td></tr>
+<tr><td>spin and rolling friction</td><td>yes</td><td>yes</td></tr>
+<tr><td>parameters</td><td>of pairs</td><td>of bodies</td></tr>
+<tr><td>shows</td><td>distance, forces, speeds of each pair</td><td>force on each body, sums over the scene</td></tr>
+<tr><td>pairs that never touch</td><td>left out of <code>pairs</code></td><td>immovable bodies, groups, <code>excluded</code></td></tr>
+</table>
+<p>
+<strong>Stiffness</strong> decides how long a simulation takes. Impacts last about &pi; sqrt(m/K) with exponent 1, and the integrator needs some ten steps for each: choose K as small as the depth m g/K and
+v sqrt(m/K) you can accept. So does <code>regularisationSpeed</code>: the smaller, the stiffer friction is.
+</p>
+<p>
+<strong>Heaps creep</strong> under regularised friction, and give way now and then. What must stand is for the ContactManager with anchored friction.
+</p>
+<p>
+Examples: <a href=\"modelica://ContactMultiBody.Examples.SpheresOnFloor\">SpheresOnFloor</a>,
+<a href=\"modelica://ContactMultiBody.Examples.SpheresInBox\">SpheresInBox</a>.
+</p>
+</html>"));
+end LargeScenes;
