@@ -178,11 +178,57 @@ CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const P
   return witness_error(better) < outside ? better : result;
 }
 
+// Outward directions of a body's side and ends, in the half plane y = 0, x >= 0 of its frame; 0 where its profile is
+// not made of straight lines.
+int profile_normals(const ConvexBody &body, Vec3 normals[3]) {
+  switch (body.core) {
+    case CoreShape::cylinder:
+    case CoreShape::segment:
+      normals[0] = {1, 0, 0}, normals[1] = {0, 0, 1}, normals[2] = {0, 0, -1};
+      return 3;
+    case CoreShape::cone: {
+      const double slant = std::hypot(body.half.x, 2.0 * body.half.z);
+      normals[0] = {2.0 * body.half.z / slant, 0, body.half.x / slant}, normals[1] = {0, 0, -1};
+      return 2;
+    }
+    default: return 0;
+  }
+}
+
+// Bodies of revolution on one axis are equally deep all round, which no bound of a general search settles. But their
+// difference is a body of revolution too, with a polygon as its profile: its sides are all the ways out there are.
+// Receives the direction of the shortest one; false where the bodies are not of that kind, or apart.
+bool coaxial_way_out(const MinkowskiDifference &difference, Vec3 &direction, double &depth) {
+  const Mat3 &r = difference.b_in_a.rotation;
+  const Vec3 &t = difference.b_in_a.translation;
+  constexpr double tilt = 1e-14;
+  if (std::hypot(r.row[0].z, r.row[1].z) > tilt || std::hypot(t.x, t.y) > tilt * difference.scale) return false;
+  Vec3 of_a[3], of_b[3];
+  const int count_a = profile_normals(difference.body_a, of_a), count_b = profile_normals(difference.body_b, of_b);
+  if (count_a == 0 || count_b == 0) return false;
+  depth = INFINITY;
+  const auto consider = [&](const Vec3 &m) {
+    const double height = dot(difference.support(m).w, m);
+    if (height < depth) depth = height, direction = m;
+  };
+  for (int k = 0; k < count_a; ++k) consider(of_a[k]);
+  // B's outward directions count turned over; its frame's x axis is of no meaning.
+  for (int k = 0; k < count_b; ++k) consider({of_b[k].x, 0, -std::copysign(1.0, r.row[2].z) * of_b[k].z});
+  return depth > 0.0;
+}
+
 CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, const Vec3 &first,
                       DistanceScratch &scratch, bool with_mean) {
   const MinkowskiDifference difference(body_a, body_b, pose);
   const bool polyhedral = is_polyhedral(body_a.core) && is_polyhedral(body_b.core);
   const double tolerance = (polyhedral ? 1e-14 : 1e-11) * difference.scale;
+  Vec3 coaxial_direction;
+  double coaxial_depth;
+  if (!polyhedral && coaxial_way_out(difference, coaxial_direction, coaxial_depth)) {
+    const DifferencePoint start = difference.support(coaxial_direction);
+    const RefinedDirection r = refine_direction(difference, coaxial_direction, start.a, start.b);
+    return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, r.height >= coaxial_depth - tolerance, {}};
+  }
   const GjkResult gjk = gjk_distance(difference, first, tolerance);
   const auto gjk_answer = [&] {
     CoreDistance result{norm(gjk.closest), gjk.direction, {}, {}, DistanceMethod::gjk, true};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "convex/feature_enumeration.hpp"
+#include "convex/minkowski_difference.hpp"
 #include "random_bodies.hpp"
 #include "reference_smooth.hpp"
 
@@ -262,6 +263,34 @@ TEST(Reference, CoincidentHullsOfAThousandVertices) {
     high = std::max(high, dot(d.normal, v));
   }
   EXPECT_NEAR(-d.distance, high - low, 1e-14);
+}
+
+// Cylinders and cones on one axis are equally deep all round: their profiles settle the depth.
+TEST(ConvexDistance, CoaxialBodiesOfRevolutionAreProven) {
+  DistanceScratch scratch;
+  const ConvexBody bodies[] = {make_cylinder(0.5, 1.0), make_cylinder(0.2, 3.0), make_cone(0.5, 1.0),
+                               make_cone(0.8, 0.6), make_capsule(0.3, 0.8)};
+  const Mat3 upright, over{{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
+  for (const ConvexBody &a : bodies) {
+    for (const ConvexBody &b : bodies) {
+      for (const Mat3 &rotation : {upright, over}) {
+        for (const double height : {-0.4, -0.1, 0.0, 0.2, 0.45}) {
+          const Pose pose{rotation, {0, 0, height}};
+          const SignedDistance d = signed_distance(a, b, pose, scratch);
+          if (d.distance >= 0.0) continue;
+          EXPECT_TRUE(d.proven) << height;
+          // Never deeper than along any direction, all round.
+          const MinkowskiDifference difference(a, b, pose);
+          for (int k = 0; k <= 720; ++k) {
+            const double angle = 3.14159265358979323846 * k / 720.0;
+            const Vec3 m{0.6 * std::sin(angle), 0.8 * std::sin(angle), std::cos(angle)};
+            EXPECT_LE(-d.distance, dot(difference.support(m).w, m) + a.radius + b.radius + 1e-12) << height;
+          }
+          EXPECT_NEAR(norm(d.point_a - d.point_b - d.distance * d.normal), 0.0, 1e-9) << height;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
