@@ -18,6 +18,7 @@ from modelica2fmu.expression import Node
 from modelica2fmu.packaging.units import rate_unit
 from modelica2fmu.scalar_model import Kind, ScalarVariable, derivative_name, unwrapped
 from modelica2fmu.slots import Slots, Store
+from modelica2fmu.tunability import Tunability
 
 _TYPES = {
     "Real": DataType.REAL,
@@ -57,6 +58,7 @@ class _Describer:
         self._variables = reduced.model.variables
         self._slots = slots
         self._states = list(states)
+        self._tunability = Tunability(reduced)
         self._invariants = {name for name, _ in reduced.invariants}
         self._reinitialized = {item.state for item in reduced.model.reinitializations}
 
@@ -108,12 +110,11 @@ class _Describer:
         by = self._reduced.replacements.get(name)
         if kind is not Kind.CONSTANT and (name in self._invariants or (by is not None and self._is_fixed(by))):
             # An alias of a parameter, or computed from parameters once.
-            variability = Variability.TUNABLE if variable.type == "Real" else Variability.FIXED
-            return causality, variability, Initial.CALCULATED, None
+            return causality, self._parameter_variability(name), Initial.CALCULATED, None
         if kind is Kind.CONSTANT:
             return causality, Variability.CONSTANT, Initial.EXACT, self._constant(variable)
         if kind is Kind.PARAMETER:
-            variability = Variability.TUNABLE if variable.type == "Real" else Variability.FIXED
+            variability = self._parameter_variability(name)
             if isinstance(variable.value, Node):
                 return Causality.CALCULATED_PARAMETER, variability, Initial.CALCULATED, None
             return Causality.PARAMETER, variability, Initial.EXACT, variable.value
@@ -136,6 +137,9 @@ class _Describer:
         if name in self._states:
             return causality, changing, Initial.APPROX, start if start is not None else _zero(variable.type)
         return causality, changing, Initial.CALCULATED, None
+
+    def _parameter_variability(self, name: str) -> Variability:
+        return Variability.TUNABLE if self._tunability.is_tunable(name) else Variability.FIXED
 
     def _constant(self, variable: ScalarVariable) -> float | str:
         value = variable.value

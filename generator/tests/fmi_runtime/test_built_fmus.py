@@ -156,6 +156,7 @@ def test_every_variable_is_described_and_every_unit_defined(unpacked: Unpacked) 
     assert variables["der(ball.v_0[3])"].unit == "m/s2"
     for name in ("contacts.stiffness[1]", "ball.m", "e", "ball.material.muDynamic"):
         assert (variables[name].variability, bool(variables[name].description)) == ("tunable", True)
+    assert variables["height"].variability == "fixed"  # of the start only
 
 
 @pytest.mark.parametrize("kind", KINDS)
