@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,15 +10,22 @@ import numpy as np
 from cad2modelica.collision_shapes import CollisionGeometry
 from cad2modelica.joint_resistance import resistances
 from cad2modelica.joint_twists import spherical_axes
+from cad2modelica.joint_view import (
+    COORDINATES,
+    MULTIBODY,
+    axis_of,
+    coordinate_modifiers,
+    joint_declaration,
+    start_rotation,
+)
 from cad2modelica.kinematic_graph import KinematicTree
 from cad2modelica.loops import LoopAnalysis
 from cad2modelica.model import GROUND, Assembly, Joint, JointType, Part, Plane
 from cad2modelica.modelica_names import NamePool
-from cad2modelica.modelica_text import SIGNIFICANT_LENGTH, number, tidy_direction, tidy_length, vector
-from cad2modelica.spatial import IDENTITY, Array, Pose, cardan_angles, perpendicular, rotation_about
+from cad2modelica.modelica_text import number, tidy_direction, tidy_length, vector
+from cad2modelica.spatial import IDENTITY, Array, Pose, cardan_angles
 
 ROTATION_SNAP = 1e-9  # a rotation nearer to the identity than this is the identity
-MULTIBODY = "Modelica.Mechanics.MultiBody"
 RESERVED = ("world", "contacts", "Mechanics", "Mechatronics", "Geometry")
 
 
@@ -212,10 +218,10 @@ class _Builder:
         side = Pose(joint.origin, first.rotation)
         if joint.type is JointType.FIXED:
             return self._add_offset(connector, pose.inverse() @ child.pose, joint.name, column, joint)
-        moved = side @ Pose(np.zeros(3), _start_rotation(joint, side))
+        moved = side @ Pose(np.zeros(3), start_rotation(joint, side))
         if joint.type in (JointType.PRISMATIC, JointType.SCREW):
             way = joint.position * (joint.pitch / (2 * math.pi) if joint.type is JointType.SCREW else 1.0)
-            before = Pose(before.position - first.rotation.T @ (_axis(joint) * way), before.rotation)
+            before = Pose(before.position - first.rotation.T @ (axis_of(joint) * way), before.rotation)
         after = moved.inverse() @ second
         name = self._view.joint_names[joint.name]
         text = joint.name
@@ -249,9 +255,9 @@ class _Builder:
         flags, rates = self._loops.independent[joint.name], self._loops.rates[joint.name]
         name = self._view.joint_names[joint.name]
         spin = self._pool.instance(f"{name} spin")
-        both = _coordinates(_COORDINATES[JointType.UNIVERSAL], flags[:2], rates[:2])
+        both = coordinate_modifiers(COORDINATES[JointType.UNIVERSAL], flags[:2], rates[:2])
         universal = (f"n_a={vector(first)}", f"n_b={vector(second)}", *both)
-        revolute = (f"n={vector(third)}", *_coordinates(_COORDINATES[JointType.REVOLUTE], flags[2:], rates[2:]))
+        revolute = (f"n={vector(third)}", *coordinate_modifiers(COORDINATES[JointType.REVOLUTE], flags[2:], rates[2:]))
         for class_name, own, modifiers, place in (
             ("Universal", name, universal, column),
             ("Revolute", spin, revolute, column + 1),
@@ -264,7 +270,7 @@ class _Builder:
         return name, spin, column + 2
 
     def _connect_joint(self, joint: Joint, side: Pose, name: str, text: str, column: int) -> None:
-        class_name, modifiers = _joint_declaration(joint, side, self._loops)
+        class_name, modifiers = joint_declaration(joint, side, self._loops)
         found = () if joint.name in self._loops.planar_constraints else resistances(joint, self._moved_by(joint))
         if found:
             modifiers = ("useAxisFlange=true", *modifiers)
@@ -357,18 +363,6 @@ class _Builder:
         ]
 
 
-def _axis(joint: Joint) -> Array:
-    if joint.axis is None:
-        raise AssertionError(f"the reader guarantees an axis for {joint.name}")
-    return joint.axis
-
-
-def _start_rotation(joint: Joint, side: Pose) -> Array:
-    if joint.type in (JointType.REVOLUTE, JointType.SCREW):
-        return rotation_about(side.rotation.T @ _axis(joint), joint.position)
-    return np.eye(3)
-
-
 def _free_start(motion: tuple[Array, Array], pose: Pose) -> list[str]:
     velocity, angular_velocity = motion
     angles = cardan_angles(pose.rotation)
@@ -382,61 +376,3 @@ def _free_start(motion: tuple[Array, Array], pose: Pose) -> list[str]:
         # Without it the root of the mechanism's orientations, whose coordinates are the states, may be any other body.
         "enforceStates=true",
     ]
-
-
-# Coordinates and rates of the joints in the order of loops.joint_twists.
-_COORDINATES = {
-    JointType.REVOLUTE: (("phi", "w"),),
-    JointType.PRISMATIC: (("s", "v"),),
-    JointType.SCREW: (("phi", "w"),),
-    JointType.CYLINDRICAL: (("s", "v"), ("phi", "w")),
-    JointType.UNIVERSAL: (("phi_a", "w_a"), ("phi_b", "w_b")),
-    JointType.PLANAR: (("s_x", "v_x"), ("s_y", "v_y"), ("phi", "w")),
-}
-
-
-def _joint_declaration(joint: Joint, side: Pose, loops: LoopAnalysis) -> tuple[str, tuple[str, ...]]:
-    """Class and modifiers of a joint whose parent side stands at ``side``."""
-    library = "ContactMultiBody" if joint.type is JointType.SCREW else MULTIBODY
-    class_name = f"{library}.Joints.{joint.type.name.capitalize()}"
-    independent, rates = loops.independent[joint.name], loops.rates[joint.name]
-    if joint.type is JointType.SPHERICAL:
-        start = side.rotation.T @ np.array(rates)
-        fixed = "true" if all(independent) else "false"
-        return class_name, (
-            f"angles_fixed={fixed}",
-            f"w_rel_a_fixed={fixed}",
-            f"w_rel_a_start={vector(tidy_length(start))}",
-        )
-    axes = _axis_modifiers(joint, side)
-    if joint.name in loops.planar_constraints:
-        return f"{MULTIBODY}.Joints.RevolutePlanarLoopConstraint", axes
-    return class_name, (*axes, *_coordinates(_COORDINATES[joint.type], independent, rates, joint.position))
-
-
-def _coordinates(
-    names: Sequence[tuple[str, str]], independent: Sequence[bool], rates: Sequence[float], position: float = 0.0
-) -> list[str]:
-    """Start values of a joint's coordinates and rates, and whether they are states."""
-    modifiers = []
-    for (coordinate, rate), fixed_start, value in zip(names, independent, rates, strict=True):
-        suffix = ",fixed=true" if fixed_start else ""
-        modifiers.append(f"{coordinate}(start={number(position)}{suffix})")
-        modifiers.append(f"{rate}(start={number(round(value, SIGNIFICANT_LENGTH))}{suffix})")
-    if all(independent):
-        modifiers.append("stateSelect=StateSelect.always")
-    elif not any(independent):
-        modifiers.append("stateSelect=StateSelect.avoid")
-    return modifiers
-
-
-def _axis_modifiers(joint: Joint, side: Pose) -> tuple[str, ...]:
-    axis = tidy_direction(side.rotation.T @ _axis(joint))
-    if joint.type is JointType.UNIVERSAL and joint.second_axis is not None:
-        return f"n_a={vector(axis)}", f"n_b={vector(tidy_direction(side.rotation.T @ joint.second_axis))}"
-    if joint.type is JointType.PLANAR:
-        first = side.rotation.T @ perpendicular(_axis(joint))
-        return f"n={vector(axis)}", f"n_x={vector(tidy_direction(first))}"
-    if joint.type is JointType.SCREW:
-        return f"n={vector(axis)}", f"pitch={number(joint.pitch)}"
-    return (f"n={vector(axis)}",)
