@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "backend/distance_backend.hpp"
 #include "geometry/pose_algebra.hpp"
 
@@ -5,24 +7,42 @@ namespace cmb {
 
 namespace {
 
-ConvexAnswer between_spheres(double radius_a, const Vec3 &center_a, double radius_b, const Vec3 &center_b) {
+// `if_together` is the normal where the centres coincide.
+ConvexAnswer between_spheres(double radius_a, const Vec3 &center_a, double radius_b, const Vec3 &center_b,
+                             const Vec3 &if_together) {
   const Vec3 apart = center_a - center_b;
   const double length = norm(apart);
   ConvexAnswer answer;
   answer.distance = length - radius_a - radius_b;
-  answer.normal = length > 0.0 ? (1.0 / length) * apart : Vec3{0, 0, 1};
+  answer.normal = length > 0.0 ? (1.0 / length) * apart : if_together;
   answer.point_a = center_a - radius_a * answer.normal;
   answer.point_b = center_b + radius_b * answer.normal;
   answer.mean_normal = answer.normal;
   return answer;
 }
 
+// The place of a capsule's axis nearest to p.
+Vec3 nearest_on_axis(const Shape &capsule, const Pose &pose, const Vec3 &p) {
+  const Vec3 axis = pose.rotation.column(2);
+  const double half = capsule.body.half.z;
+  return pose.translation + std::clamp(dot(axis, p - pose.translation), -half, half) * axis;
+}
+
 }  // namespace
 
 std::optional<ConvexAnswer> exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                                            BackendScratch &scratch) {
+  const Vec3 &center_a = pose_a.translation, &center_b = pose_b.translation;
   if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::sphere) {
-    return between_spheres(a.body.radius, pose_a.translation, b.body.radius, pose_b.translation);
+    return between_spheres(a.body.radius, center_a, b.body.radius, center_b, {0, 0, 1});
+  }
+  if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::capsule) {
+    return between_spheres(a.body.radius, center_a, b.body.radius, nearest_on_axis(b, pose_b, center_a),
+                           pose_b.rotation.column(0));
+  }
+  if (a.kind == ShapeKind::capsule && b.kind == ShapeKind::sphere) {
+    return between_spheres(a.body.radius, nearest_on_axis(a, pose_a, center_b), b.body.radius, center_b,
+                           pose_a.rotation.column(0));
   }
   const bool polytopes = a.polytope && b.polytope;
   const convex::SignedDistance found =
