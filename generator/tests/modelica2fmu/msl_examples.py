@@ -135,12 +135,19 @@ def _deviation(model: str, library: Path, states: Sequence[str], mine: Any, stop
     if not common:
         return None, "no state in common"
     size = max(float(np.max(np.abs(mine[name]))) for name in common) or 1.0
-    rows = [int(np.argmin(np.abs(mine["time"] - time))) for time in np.asarray(other.time)]
+    # rumoca's rows are at the grid and at events; compared is the grid, after an event there.
+    on_grid = {round(float(time) / (stop / 10)): row for row, time in enumerate(other.time) if _is_on_grid(time, stop)}
+    rows = [int(np.argmin(np.abs(mine["time"] - number * stop / 10))) for number in on_grid]
     worst = 0.0
     for name in common:
         scale = max(float(np.ptp(mine[name])), 1e-3 * size)
-        worst = max(worst, float(np.max(np.abs(mine[name][rows] - theirs[name]))) / scale)
+        worst = max(worst, float(np.max(np.abs(mine[name][rows] - theirs[name][list(on_grid.values())]))) / scale)
     return worst, "" if len(common) == len(states) else f"{len(common)} of {len(states)} states compared"
+
+
+def _is_on_grid(time: float, stop: float) -> bool:
+    share = float(time) / (stop / 10)
+    return abs(share - round(share)) < 1e-9
 
 
 # --- the command ---

@@ -62,7 +62,6 @@ def test_example_runs_as_the_front_end_simulates_it(model, tmp_path):
 
 
 def test_linear_part_of_backlash_has_its_closed_form(tmp_path):
-    """rumoca 0.10.2 leaves it after the first event, so it is no reference for this example."""
     fmu = tmp_path / "m.fmu"
     build_fmu(f"{ROTATIONAL}.Backlash", [LIBRARY / "Modelica"], fmu, BuildOptions(msl=LIBRARY))
     result = simulate_fmu(
