@@ -59,7 +59,7 @@ def run_limited(work: Callable[[Progress], T], limit: float, progress: Progress,
             process.kill()
         process.join()
         receiver.close()
-    raise SimulationError(f"given up after {limit:g} s of wall time: a step did not return", place=place)
+    raise SimulationError(f"given up after {limit:g} s of wall time: a call of the FMU did not return", place=place)
 
 
 def _carry_out(work: Callable[[Progress], T], sender: Connection) -> None:
