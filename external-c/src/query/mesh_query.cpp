@@ -1,11 +1,15 @@
 #include "query/mesh_query.hpp"
 
+#include <cstddef>
+
 #include "mesh/triangle_mesh.hpp"
 
 namespace cmb {
 
-void mesh_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, MeshQueryScratch &scratch,
-                  ContactSet &result) {
+namespace {
+
+void dispatch(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, MeshQueryScratch &scratch,
+              ContactSet &result) {
   const mesh::TriangleMesh &mesh = *b.mesh;
   switch (a.kind) {
     case ShapeKind::sphere:
@@ -28,6 +32,18 @@ void mesh_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose
       return;
     case ShapeKind::halfspace:
       return;
+  }
+}
+
+}  // namespace
+
+void mesh_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, MeshQueryScratch &scratch,
+                  ContactSet &result) {
+  const std::size_t begin = result.points.size();
+  dispatch(a, pose_a, b, pose_b, scratch, result);
+  // So deep in a closed mesh that nothing of its surface pushes: one point leads out.
+  if (b.mesh->closed() && result.distance < 0.0 && result.points.size() == begin) {
+    result.points.push_back({-result.distance, 1.0, result.normal, result.witness});
   }
 }
 

@@ -239,4 +239,17 @@ TEST(MeshOnMesh, SwallowedBodyIsPushedOut) {
   EXPECT_NEAR(norm(contact.load() - Vec3{contact.load().x, 0, 0}), 0.0, 1e-12);
 }
 
+// A body around a whole mesh pushes it out, whatever pushes at its surface.
+TEST(MeshInside, EveryBodyThatHoldsAMeshPushes) {
+  const std::string mesh = mesh_text(box_mesh({1, 0.5, 0.75}, 2));
+  for (const char *body : {"cmb/1 capsule radius=1.25 length=1", "cmb/1 sphere radius=2"}) {
+    const PairScene scene(body, mesh);
+    for (const Vec3 &place : {Vec3{0, 0, 0}, Vec3{0.1, 0.05, 0.02}}) {
+      const Contact contact = scene.query({place, {}}, {});
+      EXPECT_LT(contact.distance, 0.0) << body;
+      EXPECT_GT(contact.total_weight(), 0.0) << body;
+    }
+  }
+}
+
 }  // namespace
