@@ -27,7 +27,8 @@ v sqrt(m/K) you can accept. So does <code>regularisationSpeed</code>: the smalle
 <strong>Heaps creep</strong> under regularised friction, and give way now and then. What must stand is for the ContactManager with anchored friction.
 </p>
 <p>
-Examples: <a href=\"modelica://ContactMultiBody.Examples.SpheresOnFloor\">SpheresOnFloor</a>,
+Examples: <a href=\"modelica://ContactMultiBody.Examples.TumblingShapes\">TumblingShapes</a>,
+<a href=\"modelica://ContactMultiBody.Examples.SpheresOnFloor\">SpheresOnFloor</a>,
 <a href=\"modelica://ContactMultiBody.Examples.SpheresInBox\">SpheresInBox</a>.
 </p>
 </html>"));
