@@ -176,9 +176,12 @@ class _Scalarizer:
                 span=variable.span,
             )
 
+    def _enumeration_candidates(self, name: str) -> list[str]:
+        return [full for full in self._enumeration_names if full == name or full.endswith("." + name)]
+
     def _enumeration(self, name: str) -> str:
         """The full name of an enumeration type that is known by ``name`` in its scope."""
-        candidates = [full for full in self._enumeration_names if full == name or full.endswith("." + name)]
+        candidates = self._enumeration_candidates(name)
         # Of a type whose literals nobody mentions, only the ordinal is known.
         return max(candidates, key=lambda full: (len(full), full)) if candidates else "Integer"
 
@@ -534,6 +537,15 @@ class _Scalarizer:
         """See :class:`interpreter.Host`; the outputs become symbols."""
         external = function.external
         assert external is not None
+        for variable in (*function.inputs, *function.outputs):
+            is_known = variable.type in _BASE_TYPES or variable.is_record or self._enumeration_candidates(variable.type)
+            if not is_known and variable.type.rsplit(".", 1)[-1] not in _BASE_TYPES:
+                # Neither a number nor an enumeration: a pointer that the equations cannot carry.
+                raise UnsupportedModelError(
+                    f"the external object {variable.type} of the function {function.name} is not translated",
+                    place=self._source_map.place(span or function.span),
+                    remedy="use a function of arrays, as tables can be written, or blocks without external objects",
+                )
         key = (
             function.name,
             *(

@@ -9,6 +9,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from cmb_base.errors import UnsupportedModelError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 
@@ -71,3 +72,11 @@ def test_linear_part_of_backlash_has_its_closed_form(tmp_path):
     damping, frequency = 50 / 5 / 2, np.sqrt(20e3 / 5 - (50 / 5 / 2) ** 2)
     closed = np.exp(-damping * time) * (np.cos(frequency * time) + damping / frequency * np.sin(frequency * time))
     assert angle == pytest.approx(np.pi / 2 * closed, abs=1e-5)
+
+
+def test_tables_are_refused_as_external_objects(tmp_path):
+    """rumoca flattens them with their pointer as a number, which must not become an FMU."""
+    fmu = tmp_path / "m.fmu"
+    with pytest.raises(UnsupportedModelError, match="external object ExternalCombiTimeTable"):
+        build_fmu("Modelica.Blocks.Examples.LogicalNetwork1", [LIBRARY / "Modelica"], fmu, BuildOptions(msl=LIBRARY))
+    assert not fmu.exists()
