@@ -656,6 +656,8 @@ class Interpreter:
         assert function.external is not None
         if function.external.language not in ("C", "builtin"):
             raise self.unsupported(f"an external function in {function.external.language}", function.span)
+        if function.external.language == "builtin":
+            return (self._mathematical(function, local, span),)
         values = {name: value for name, value in local.values.items() if value is not None}
         known = STRING_FUNCTIONS.get(function.external.name)
         if known is not None:
@@ -663,6 +665,17 @@ class Interpreter:
             if all(isinstance(arg, str | int | float) for arg in args):
                 return (known(*args),)
         return self._host.external(function, values, span)
+
+    def _mathematical(self, function: ir.Function, local: _Scope, span: ir.Span | None) -> Value:
+        """A function that only gives one of the language's own a second name, like those of Modelica.Math."""
+        assert function.external is not None
+        name = function.external.name
+        args = [_number(self._value(arg, local)) for arg in function.external.args]
+        if len(args) == 1 and name in ex.UNARY:
+            return ex.unary(name, args[0])
+        if len(args) == 2 and name in ex.BINARY:
+            return ex.binary(name, *args)
+        raise self.unsupported(f"the built-in function {name} of {function.name}", span)
 
     def _initial_value(self, variable: ir.FunctionVariable, local: _Scope) -> Value | None:
         if variable.default is not None:

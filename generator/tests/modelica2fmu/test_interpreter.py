@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from cmb_base.errors import InputError, UnsupportedModelError
 from modelica2fmu import expression as ex
@@ -122,3 +123,32 @@ def test_while_loop_on_numbers_is_run(translated):
 end Halved;
 """
     assert value(translated(text), "n") == 4
+
+
+SECOND_NAMES = """model SecondNames
+  function sine
+    input Real u;
+    output Real y;
+    external "builtin" y = sin(u);
+  end sine;
+  function angle
+    input Real u1;
+    input Real u2;
+    output Real y;
+    external "builtin" y = atan2(u1, u2);
+  end angle;
+  Real x(start = 0.5, fixed = true);
+  Real y = sine(x) + angle(x, 2);
+  Real rate = der(y);
+equation
+  der(x) = 1;
+end SecondNames;
+"""
+
+
+def test_second_names_of_built_in_functions_have_their_derivatives(simulate):
+    """So the Standard Library 4.0 defines Modelica.Math; sin(x) + atan(x/2) and its derivative, x = 1/2 + t."""
+    result = simulate(SECOND_NAMES, ["y", "rate"])
+    x = 0.5 + np.asarray(result["time"])
+    np.testing.assert_allclose(result["y"], np.sin(x) + np.arctan(x / 2), atol=1e-6)
+    np.testing.assert_allclose(result["rate"], np.cos(x) + 2 / (4 + x * x), atol=1e-6)
