@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cmb.project import LIBRARY
-from cmb_base.errors import UnsupportedModelError
 from fmu_regression.fmu import ModelDescription, open_fmu
 from fmu_regression.result import SimulationResult
 from fmu_regression.simulate import simulate
