@@ -66,23 +66,26 @@ def collision_geometry(part: Part, limits: DecompositionLimits = NO_LIMITS) -> C
         return CollisionGeometry((), ())
     shapes: list[CollisionShape] = []
     notes: list[str] = []
-    found = bodies(*weld(*join(meshes)))
-    for number, (vertices, triangles) in enumerate(found, start=1):
+    vertices, triangles = weld(*join(meshes))
+    found = bodies(vertices, triangles)
+    limits = part.decomposition.or_else(limits)
+    refusal = _too_fine(part, len(triangles), limits)
+    for number, body in enumerate(found, start=1):
         label = f"part {part.name!r}" + (f", body {number} of {len(found)}" if len(found) > 1 else "")
-        hull = _hull(vertices)
+        hull = _hull(body[0])
         if hull is None:
             notes.append(f"{label}: is flat and was left out of the contacts")
             continue
-        own_shapes, remarks = _body_shapes(part, label, hull, (vertices, triangles), part.decomposition.or_else(limits))
+        own_shapes, remarks = _body_shapes(part, label, hull, body, limits, refusal)
         shapes += own_shapes
         notes += [f"{label}: {text}" for text in remarks]
     return CollisionGeometry(tuple(shapes), tuple(notes))
 
 
 def _body_shapes(
-    part: Part, label: str, hull: ConvexHull, body: tuple[Array, Indices], limits: DecompositionLimits
+    part: Part, label: str, hull: ConvexHull, body: tuple[Array, Indices], limits: DecompositionLimits, refusal: str
 ) -> tuple[list[CollisionShape], list[str]]:
-    """Shapes of one connected body and remarks on them."""
+    """Shapes of one connected body and remarks on them; a refusal says why it is not decomposed."""
     vertices, triangles = body
     shape = recognise(hull, part.collision)
     if shape is None and part.collision in RECOGNISERS:
@@ -98,8 +101,8 @@ def _body_shapes(
     remarks = ["the faces are turned inside out"] if volume < 0 else []
     added = 1.0 - abs(volume) / hull.volume
     threshold = {CollisionChoice.AUTO: DECOMPOSED, CollisionChoice.DECOMPOSITION: CONVEX}.get(part.collision)
-    failure = ""
-    if threshold is not None and added > threshold:
+    failure = refusal
+    if threshold is not None and added > threshold and not refusal:
         outward = triangles if volume > 0 else triangles[:, ::-1]
         pieces, failure = _pieces(vertices, outward, limits)
         if pieces:
@@ -111,6 +114,14 @@ def _body_shapes(
             + (f" (no decomposition: {failure})" if failure else "")
         )
     return [shape or _hull_shape(hull)], remarks
+
+
+def _too_fine(part: Part, triangles: int, limits: DecompositionLimits) -> str:
+    """Why bodies of a part are not decomposed unasked; empty if they are."""
+    asked = part.collision is not CollisionChoice.AUTO or limits.error is not None or limits.pieces is not None
+    if asked or limits.triangles is None or triangles <= limits.triangles:
+        return ""
+    return f"{triangles} triangles in all, more than {limits.triangles}; --collision-error or --max-pieces ask for it"
 
 
 def _pieces(vertices: Array, triangles: Indices, limits: DecompositionLimits) -> tuple[list[ConvexHull], str]:

@@ -77,16 +77,19 @@ class DecompositionLimits:
     Attributes:
         error: concavity a piece may keep, m.
         pieces: largest number of pieces of a body; counts before the error.
+        triangles: largest number of triangles of a part whose bodies are decomposed unless the user asks for it.
     """
 
     error: float | None = None
     pieces: int | None = None
+    triangles: int | None = None
 
     def or_else(self, other: DecompositionLimits) -> DecompositionLimits:
         """These limits, and the other's where these say nothing."""
         return DecompositionLimits(
             self.error if self.error is not None else other.error,
             self.pieces if self.pieces is not None else other.pieces,
+            self.triangles if self.triangles is not None else other.triangles,
         )
 
 

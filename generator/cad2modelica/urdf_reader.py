@@ -15,7 +15,18 @@ from cmb_base.progress import Progress, silent
 from lxml import etree
 
 from cad2modelica.mesh import Mesh
-from cad2modelica.model import GROUND, Assembly, CollisionChoice, Joint, JointFriction, JointType, MassProperties, Part
+from cad2modelica.model import (
+    GROUND,
+    Assembly,
+    CollisionChoice,
+    ContactSettings,
+    DecompositionLimits,
+    Joint,
+    JointFriction,
+    JointType,
+    MassProperties,
+    Part,
+)
 from cad2modelica.problems import Problems
 from cad2modelica.spatial import IDENTITY, Array, Pose
 from cad2modelica.urdf_elements import UrdfElements
@@ -25,6 +36,9 @@ from cad2modelica.urdf_mass import has_mass, read_mass_properties, usable
 GRAVITY = (0.0, 0.0, -9.81)
 STOP_TIME = 1.0
 TOLERANCE = 1e-6
+DECOMPOSED_TRIANGLES = 1000
+"""Parts of finer geometry collide as hulls of their bodies: most simulators take a collision mesh's convex hull, so
+descriptions are written for it, and a robot of thirty finely tessellated links would be decomposed for minutes."""
 
 _TYPES = {
     "revolute": JointType.REVOLUTE,
@@ -126,6 +140,7 @@ class _UrdfReader:
             planes=(),
             parts=tuple(parts),
             joints=tuple(joint for joint in model_joints if joint is not None),
+            contacts=ContactSettings(decomposition=DecompositionLimits(triangles=DECOMPOSED_TRIANGLES)),
             notes=tuple(self._notes),
         )
 

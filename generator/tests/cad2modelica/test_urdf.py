@@ -11,7 +11,7 @@ from cad2modelica import generate, read_assembly
 from cad2modelica.collision_shapes import collision_geometry
 from cad2modelica.mesh import is_closed, join, volume_integrals, weld
 from cad2modelica.mesh_files import read_mesh
-from cad2modelica.model import Assembly, JointFriction, JointType
+from cad2modelica.model import Assembly, DecompositionLimits, JointFriction, JointType
 from cad2modelica.primitive_meshes import box_surface
 from cmb_base.errors import InputError
 from mechanics_simulation import ROOT, simulate
@@ -308,3 +308,27 @@ def test_truncated_meshes(tmp_path: Path, encode, cut: int) -> None:
     (tmp_path / "a.stl").write_bytes(encode(box_surface(np.array([1.0, 2.0, 3.0])))[:-cut])
     with pytest.raises(InputError, match="too early"):
         read_mesh(tmp_path / "a.stl")
+
+
+def test_finely_tessellated_part_is_decomposed_only_if_asked(tmp_path: Path) -> None:
+    count = 400  # corners of a star's outline: 1600 triangles
+    angle = 2 * np.pi * np.arange(count) / count
+    radius = 0.06 + 0.04 * np.cos(5 * angle)
+    lines = ["v 0 0 0", "v 0 0 0.05"]
+    outline = np.column_stack([radius * np.cos(angle), radius * np.sin(angle)])
+    lines += [f"v {x:.9f} {y:.9f} {z}" for z in (0, 0.05) for x, y in outline]
+    for k in range(count):
+        low, after = 3 + k, 3 + (k + 1) % count
+        lines += [f"f 1 {after} {low}", f"f 2 {low + count} {after + count}"]
+        lines += [f"f {low} {after} {after + count}", f"f {low} {after + count} {low + count}"]
+    (tmp_path / "star.obj").write_text("\n".join(lines))
+    text = """<robot name="star"><link name="a">
+      <inertial><mass value="1"/><inertia ixx="1e-3" iyy="1e-3" izz="1e-3" ixy="0" ixz="0" iyz="0"/></inertial>
+      <collision><geometry><mesh filename="star.obj"/></geometry></collision></link></robot>"""
+    assembly = read_assembly(write(tmp_path, text))
+    (part,), limits = assembly.parts, assembly.contacts.decomposition
+    unasked = collision_geometry(part, limits)
+    assert len(unasked.shapes) == 1
+    assert any("1600 triangles in all" in note for note in unasked.notes)
+    asked = collision_geometry(part, DecompositionLimits(pieces=8).or_else(limits))
+    assert 3 <= len(asked.shapes) <= 8
