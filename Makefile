@@ -3,10 +3,12 @@
 # make bench  times the engine beside libccd, FCL and coal
 # make bench-fmu  how building and simulating FMUs grows with the size of the model
 # make release   packs the Modelica library: out/ContactMultiBody-<version>.zip
+# make coverage  prints the branch coverage of the engine's own code by its tests
+# make fuzz      fuzzes the engine (needs clang): make fuzz SECONDS=60
 # make promises  measures what the library promises into docs/promises.md
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: bench-fmu contact-paths demo test setup setup-test lint bench clean release promises test-omc icons
+.PHONY: coverage fuzz bench-fmu contact-paths demo test setup setup-test lint bench clean release promises test-omc icons
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -42,6 +44,12 @@ clean:
 
 bench: setup
 	scripts/bench
+
+coverage: setup-test
+	scripts/coverage
+
+fuzz:
+	scripts/fuzz $(SECONDS)
 
 bench-fmu: setup
 	.venv/bin/python regression/bench/fmu_size.py

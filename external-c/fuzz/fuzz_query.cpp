@@ -8,6 +8,9 @@
 #include <string>
 
 #include "contact_multibody.h"
+#include "interface/pose_check.hpp"
+#include "query/pair_query.hpp"
+#include "scene/descriptor.hpp"
 
 namespace {
 
@@ -87,38 +90,35 @@ void require(bool holds, const char *what, const std::string &a, const std::stri
 
 constexpr std::size_t capacity = 6;
 
-struct Answer {
-  double distance, depth[capacity], weight[capacity], normal[3 * capacity], point[3 * capacity];
-};
-
-Answer ask(const std::string &a, const std::string &b, cmb_backend backend, const double *position,
+// Scenes of their own: interned ones are kept, and the registry of a long run would be full.
+double ask(cmb::Scene &scene, cmb_backend backend, const std::string &a, const std::string &b, const double *position,
            const double *rotation) {
-  const char *geometry[] = {a.c_str(), b.c_str()};
-  const int pairs[] = {1, 2};
-  cmb_scene scene = 0;
-  const cmb_status interned = cmb_intern(geometry, 2, pairs, 1, backend, &scene);
-  // The registry of a long run fills up.
-  if (interned == CMB_ERROR_MEMORY) std::exit(0);
-  require(interned == CMB_OK, cmb_last_error(), a, b, position, rotation);
-  Answer answer;
-  const cmb_status asked = cmb_query_scene(scene, position, rotation, 2, 1, capacity, &answer.distance, answer.depth,
-                                           answer.weight, answer.normal, answer.point);
-  require(asked == CMB_OK, cmb_last_error(), a, b, position, rotation);
+  scene.backend = backend;
+  for (std::size_t body = 0; body < 2; ++body) {
+    require(cmb::check_body_pose(body, position, rotation) == CMB_OK, cmb_last_error(), a, b, position, rotation);
+  }
+  cmb::QueryScratch &scratch = cmb::query_scratch();
+  cmb::PairReport report;
+  cmb::query_bodies(scene, scene.bodies[0], cmb::body_pose(position, rotation), scene.bodies[1],
+                    cmb::body_pose(position + 3, rotation + 9), scratch, scratch.contact, report);
+  cmb::merge_points(scratch.contact.points, capacity);
+  const cmb::ContactSet &answer = scratch.contact;
   require(std::isfinite(answer.distance), "distance", a, b, position, rotation);
+  require(std::fabs(norm(answer.normal) - 1.0) < 1e-9 && is_finite(answer.witness), "witness", a, b, position, rotation);
+  require(answer.points.size() <= capacity, "capacity", a, b, position, rotation);
   double load = 0.0, deepest = 0.0;
-  for (std::size_t k = 0; k < capacity; ++k) {
-    const double *n = answer.normal + 3 * k, *p = answer.point + 3 * k;
-    require(std::isfinite(answer.depth[k]) && answer.depth[k] >= 0.0, "depth", a, b, position, rotation);
-    require(std::isfinite(answer.weight[k]) && answer.weight[k] >= 0.0, "weight", a, b, position, rotation);
-    require(std::fabs(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1.0) < 1e-9, "normal", a, b, position, rotation);
-    require(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]), "point", a, b, position, rotation);
-    load += answer.weight[k] * answer.depth[k];
-    deepest = std::fmax(deepest, answer.depth[k]);
+  for (const cmb::ContactPoint &point : answer.points) {
+    require(std::isfinite(point.depth) && point.depth >= 0.0, "depth", a, b, position, rotation);
+    require(std::isfinite(point.weight) && point.weight >= 0.0, "weight", a, b, position, rotation);
+    require(std::fabs(norm(point.normal) - 1.0) < 1e-9, "normal", a, b, position, rotation);
+    require(is_finite(point.position), "point", a, b, position, rotation);
+    load += point.weight * point.depth;
+    deepest = std::fmax(deepest, point.depth);
   }
   require((answer.distance < 0.0) == (deepest > 0.0), "touch", a, b, position, rotation);
   // Merging averages depths, so the deepest point may be gone; the load never exceeds what the bodies allow.
   require(load < 40.0, "load", a, b, position, rotation);
-  return answer;
+  return answer.distance;
 }
 
 }  // namespace
@@ -132,10 +132,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     std::memcpy(swapped_position + 3 * (1 - body), position + 3 * body, 3 * sizeof(double));
     std::memcpy(swapped_rotation + 9 * (1 - body), rotation + 9 * body, 9 * sizeof(double));
   }
-  const Answer one = ask(a, b, CMB_BACKEND_AUTO, position, rotation);
-  const Answer other = ask(b, a, CMB_BACKEND_AUTO, swapped_position, swapped_rotation);
-  require(std::fabs(one.distance - other.distance) < 1e-6, "reversed distance", a, b, position, rotation);
-  const Answer checked = ask(a, b, size % 2 == 0 ? CMB_BACKEND_LIBCCD : CMB_BACKEND_FCL, position, rotation);
-  require(std::fabs(one.distance - checked.distance) < 2e-3, "back end", a, b, position, rotation);
+  cmb::Scene scene, reversed;
+  scene.bodies = {cmb::parse_descriptor(a), cmb::parse_descriptor(b)};
+  reversed.bodies = {scene.bodies[1], scene.bodies[0]};
+  const double one = ask(scene, CMB_BACKEND_AUTO, a, b, position, rotation);
+  const double other = ask(reversed, CMB_BACKEND_AUTO, b, a, swapped_position, swapped_rotation);
+  require(std::fabs(one - other) < 1e-6, "reversed distance", a, b, position, rotation);
+  const cmb_backend library = size % 2 == 0 ? CMB_BACKEND_LIBCCD : CMB_BACKEND_FCL;
+  const double checked = ask(scene, library, a, b, position, rotation);
+  require(std::fabs(one - checked) < 2e-3, "back end", a, b, position, rotation);
   return 0;
 }

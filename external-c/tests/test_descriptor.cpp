@@ -108,6 +108,19 @@ TEST(Descriptor, SizeIsLimited) {
   EXPECT_THROW(parse_descriptor(points), cmb::DescriptorError);
 }
 
+TEST(Descriptor, CharactersOfCodeZeroAreRefused) {
+  using namespace std::string_literals;
+  for (const std::string &text : {"cmb/1 mesh file=\"\0 part.obj\""s, "cmb/1 sphere rad\0us=1"s, "\0"s, "cmb/1 box\0"s}) {
+    try {
+      parse_descriptor(text);
+      FAIL() << "accepted";
+    } catch (const cmb::DescriptorError &error) {
+      EXPECT_EQ(error.column(), text.find('\0') + 1);
+      EXPECT_NE(std::string(error.what()).find("code 0"), std::string::npos);
+    }
+  }
+}
+
 TEST(Intern, SameArgumentsGiveTheSameHandle) {
   const char *one[] = {"cmb/1 sphere radius=0.11", "cmb/1 halfspace"};
   const char *other[] = {"cmb/1 sphere radius=0.12", "cmb/1 halfspace"};

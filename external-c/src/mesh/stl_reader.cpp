@@ -88,6 +88,11 @@ MeshData read_ascii(std::string_view contents, const std::string &source) {
   return data;
 }
 
+bool begins_as_text(std::string_view contents) {
+  const std::size_t begin = contents.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && contents.substr(begin, 5) == "solid";
+}
+
 // Binary files may begin with "solid" too: the size tells.
 bool is_binary(std::string_view contents) {
   if (contents.size() < header_size + 4) return false;
@@ -95,15 +100,14 @@ bool is_binary(std::string_view contents) {
   bytes.skip(header_size);
   const auto count = bytes.read<std::uint32_t>();
   if (bytes.left() == count * record_size) return true;
-  return contents.substr(0, 5) != "solid" || contents.find('\0') != std::string_view::npos;
+  return !begins_as_text(contents) || contents.find('\0') != std::string_view::npos;
 }
 
 }  // namespace
 
 MeshData read_stl(std::string_view contents, const std::string &source) {
   if (is_binary(contents)) return read_binary(contents, source);
-  const std::size_t begin = contents.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos || contents.substr(begin, 5) != "solid") {
+  if (!begins_as_text(contents)) {
     throw MeshError(source, "neither binary nor ASCII STL", "check that the file is complete and of that format");
   }
   return read_ascii(contents, source);

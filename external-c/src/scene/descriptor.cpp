@@ -120,6 +120,11 @@ BodyShapes parse_descriptor(std::string_view text, GeometryFiles &files) {
     throw DescriptorError(1, "the descriptor has " + std::to_string(text.size()) + " characters; at most " +
                                  std::to_string(DescriptorLimits::characters) + " are accepted: simplify the geometry");
   }
+  // It would cut messages and names of files short.
+  const std::size_t zero = text.find('\0');
+  if (zero != std::string_view::npos) {
+    throw DescriptorError(zero + 1, "a character of code 0; descriptors are text: remove it");
+  }
   BodyShapes shapes;
   if (std::all_of(text.begin(), text.end(), is_blank)) return shapes;
   std::size_t begin = 0;

@@ -1,6 +1,9 @@
 // Random and adversarial poses against the independent references.
 //
 //   stress_convex_distance [samples [seed [class]]]
+//   stress_convex_distance --replay seed class sample
+//
+// A failure prints the second line, which asks for that pose alone and prints all of it, fault or not.
 //
 // For every class of pairs: largest errors of distance, normal and witness points relative to the
 // size, of the exchange of A and B, of continuity under a small motion; repeated queries must agree to
@@ -194,7 +197,14 @@ bool same_bits(const SignedDistance &p, const SignedDistance &q) {
          std::memcmp(&p.point_b, &q.point_b, sizeof p.point_b) == 0;
 }
 
-bool run(const Class &c, long samples, std::uint64_t seed) {
+// Every sample has random numbers of its own, so that it can be replayed without those before it.
+Random random_of_sample(std::uint64_t seed, long sample) {
+  return Random(Random(seed ^ Random(static_cast<std::uint64_t>(sample)).bits()).bits());
+}
+
+// Samples first ... end - 1. `replay`: prints each, whatever comes of it.
+bool run(const Class &c, long first, long end, std::uint64_t seed, bool replay = false) {
+  const long samples = end - first;
   Random random(seed);
   std::vector<Sample> pool;
   int refused = 0;
@@ -210,7 +220,8 @@ bool run(const Class &c, long samples, std::uint64_t seed) {
   reference::Errors worst;
   double worst_exchange = 0, worst_jump = 0;
   long failures = 0, queries_out = 0;
-  for (long k = 0; k < samples; ++k) {
+  for (long k = first; k < end; ++k) {
+    random = random_of_sample(seed, k);
     const Sample &a = pool[static_cast<std::size_t>(random.integer(0, c.pool - 1))];
     const Sample &b = pool[static_cast<std::size_t>(random.integer(0, c.pool - 1))];
     const double size = 2 * std::max(core_radius(a.body) + a.body.radius, core_radius(b.body) + b.body.radius);
@@ -243,15 +254,16 @@ bool run(const Class &c, long samples, std::uint64_t seed) {
     const double limit = c.limit;
     const bool finite =
         std::isfinite(d.distance) && is_finite(d.normal) && is_finite(d.point_a) && is_finite(d.point_b);
-    if (finite && repeatable && e.distance < limit * size && e.normal < limit * size && e.witness < 1e-6 * size &&
-        exchange < limit && jump < limit) {
-      continue;
-    }
-    if (++failures <= 5) {
-      std::printf("  FAILED %s sample %ld: distance %.17g errors %.2Lg normal %.2Lg witness %.2Lg exchange %.2g jump "
+    const bool holds = finite && repeatable && e.distance < limit * size && e.normal < limit * size &&
+                       e.witness < 1e-6 * size && exchange < limit && jump < limit;
+    if (!holds) ++failures;
+    if (replay || (!holds && failures <= 5)) {
+      std::printf("  %s %s sample %ld: distance %.17g errors %.2Lg normal %.2Lg witness %.2Lg exchange %.2g jump "
                   "%.2g repeatable %d method %d\n",
-                  c.name, k, d.distance, e.distance / size, e.normal / size, e.witness / size, exchange, jump,
+                  holds ? "holds" : "FAILED", c.name, k, d.distance, e.distance / size, e.normal / size, e.witness / size, exchange, jump,
                   repeatable, static_cast<int>(d.method));
+      std::printf("    replay: stress_convex_distance --replay %llu '%s' %ld\n", static_cast<unsigned long long>(seed),
+                  c.name, k);
       for (const Sample *sample : {&a, &b}) {
         const Vec3 &h = sample->body.half;
         std::printf("    body of pool %ld: core %d half %a %a %a radius %a\n", static_cast<long>(sample - pool.data()),
@@ -277,12 +289,26 @@ bool run(const Class &c, long samples, std::uint64_t seed) {
 }  // namespace
 
 int main(int argc, char **argv) {
+  if (argc > 1 && std::strcmp(argv[1], "--replay") == 0) {
+    if (argc != 5) {
+      std::fprintf(stderr, "stress_convex_distance: --replay takes seed, class and sample\n");
+      return 2;
+    }
+    const long sample = std::atol(argv[4]);
+    for (const Class &c : classes) {
+      if (std::strcmp(c.name, argv[3]) != 0) continue;
+      return run(c, sample, sample + 1, std::strtoull(argv[2], nullptr, 10), true) ? 0 : 1;
+    }
+    std::fprintf(stderr, "stress_convex_distance: there is no class '%s'\n", argv[3]);
+    return 2;
+  }
   const long samples = argc > 1 ? std::atol(argv[1]) : 60000;
   const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
   bool good = true;
   const char *only = argc > 3 ? argv[3] : "";  // part of a class's name
   for (const Class &c : classes) {
-    if (std::strstr(c.name, only) != nullptr) good = run(c, std::max(20L, samples * c.share / 1000), seed) && good;
+    if (std::strstr(c.name, only) == nullptr) continue;
+    good = run(c, 0, std::max(20L, samples * c.share / 1000), seed) && good;
   }
   return good ? 0 : 1;
 }
