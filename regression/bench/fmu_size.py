@@ -160,6 +160,10 @@ def row(kind: str, item: Measurement, before: Measurement | None) -> str:
 
 def main(arguments: Sequence[str]) -> int:
     """The command; see the module's text."""
+    unknown = [item for item in arguments if item not in KINDS and not item.isdigit()]
+    if unknown:
+        sys.stdout.write(str(__doc__))
+        return 0 if unknown[0] in ("-h", "--help") else 2
     kinds = [name for name in arguments if name in KINDS] or list(KINDS)
     sizes = [int(item) for item in arguments if item.isdigit()] or list(SIZES)
     sys.stdout.write(
