@@ -37,7 +37,7 @@ GRAVITY = (0.0, 0.0, -9.81)
 STOP_TIME = 1.0
 TOLERANCE = 1e-6
 DECOMPOSED_TRIANGLES = 1000
-"""Parts of finer geometry collide as hulls of their bodies: most simulators take a collision mesh's convex hull, so
+"""Parts of finer geometry collide as hulls of their bodies: several simulators take a collision mesh's convex hull, so
 descriptions are written for it, and a robot of thirty finely tessellated links would be decomposed for minutes."""
 
 _TYPES = {
