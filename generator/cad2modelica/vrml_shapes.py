@@ -85,11 +85,10 @@ def _indexed_face_set(node: Node, file: Path) -> Surface:
     index = list_field(node, "coordIndex", file)
     if (index != np.rint(index)).any():
         raise _wrong(node, "coordIndex must hold whole numbers", file)
-    indices = index.astype(np.int64)
-    if len(indices) and (indices.max() >= len(points) or indices.min() < -1):
-        worst = int(indices.max()) if indices.max() >= len(points) else int(indices.min())
-        raise _wrong(node, f"coordIndex names point {worst}, but there are {len(points)} points", file)
-    triangles = _split_faces(points, indices)
+    outside = index[(index < -1) | (index >= len(points))]
+    if len(outside):
+        raise _wrong(node, f"coordIndex names point {outside[0]:g}, but there are {len(points)} points", file)
+    triangles = _split_faces(points, index.astype(np.int64))
     return points, _turned(node, triangles)
 
 

@@ -247,6 +247,13 @@ def test_inline_and_external_prototype(tmp_path: Path) -> None:
     assert [np.ptp(shape.vertices) for shape in found] == [1, 2, 5]
 
 
+def test_index_beyond_all_numbers_is_named(tmp_path: Path) -> None:
+    text = """Shape { geometry IndexedFaceSet {
+        coord Coordinate { point [ 0 0 0, 1 0 0, 0 2 0 ] } coordIndex [ 0 1 1e999 -1 ] } }"""
+    with pytest.raises(InputError, match="names point inf, but there are 3 points"):
+        scene(tmp_path, text)
+
+
 def test_external_prototype_that_names_no_file_is_reported(tmp_path: Path) -> None:
     text = 'EXTERNPROTO N [ field SFVec3f s ] [ "urn:web3d:vrml97:node:N" ] N { } Shape { geometry Box { } }'
     found = scene(tmp_path, text)
