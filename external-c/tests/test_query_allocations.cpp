@@ -1,33 +1,8 @@
 // Queries do not allocate once the thread's scratch has grown.
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "counted_allocations.hpp"
 #include "rigid_bodies.hpp"
 #include "mesh/mesh_text.hpp"
 #include "scene_query.hpp"
-
-namespace {
-
-std::atomic<unsigned long> allocations{0};
-
-}  // namespace
-
-void *operator new(std::size_t size) {
-  ++allocations;
-  void *memory = std::malloc(size > 0 ? size : 1);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-// Sanitizers' own would not fit the delete below.
-void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
-  ++allocations;
-  return std::malloc(size > 0 ? size : 1);
-}
-
-void operator delete(void *memory) noexcept { std::free(memory); }
-void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 

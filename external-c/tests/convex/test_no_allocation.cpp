@@ -1,32 +1,9 @@
 // Queries do not allocate once the scratch objects are warm.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "convex/convex_overlap.hpp"
+#include "counted_allocations.hpp"
 #include "random_bodies.hpp"
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-}  // namespace
-
-void *operator new(std::size_t size) {
-  ++allocations;
-  void *memory = std::malloc(size > 0 ? size : 1);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-// Sanitizers' own would not fit the delete below.
-void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
-  ++allocations;
-  return std::malloc(size > 0 ? size : 1);
-}
-void operator delete(void *memory) noexcept { std::free(memory); }
-void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -55,9 +32,9 @@ TEST(Allocation, NoneInDistanceAndOverlapQueries) {
     return sum;
   };
   const double first = ask(1);
-  const long before = allocations;
+  const unsigned long before = cmb::test::allocations;
   const double again = ask(1), fresh = ask(2);
-  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(cmb::test::allocations - before, 0u);
   EXPECT_EQ(again, first);
   EXPECT_NE(fresh, first);
 }
