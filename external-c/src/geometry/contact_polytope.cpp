@@ -101,14 +101,4 @@ double ContactPolytope::share(std::int32_t v, const Vec3 &down, Vec3 *gradient) 
   return share;
 }
 
-double ContactPolytope::visible_normal_cone(std::int32_t v, const Vec3 &down) const {
-  DirectionCone cone;
-  const auto begin = index(corner_begin_[index(v)]), end = index(corner_begin_[index(v) + 1]);
-  // An apex with very many faces is taken with every second, third, ... of them.
-  const std::size_t step = 1 + (end - begin) / (DirectionCone::capacity - 8);
-  for (std::size_t i = begin; i < end; i += step) cone.add(corners_[i].normal);
-  cone.clip(down);
-  return std::fmax(cone.solid_angle(), 0.25 * normal_cone_[index(v)]);
-}
-
 }  // namespace cmb

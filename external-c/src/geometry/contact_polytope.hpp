@@ -44,10 +44,6 @@ class ContactPolytope {
   // The solid angle of vertex v's whole normal cone.
   double normal_cone(std::int32_t v) const { return normal_cone_[static_cast<std::size_t>(v)]; }
 
-  // The solid angle of vertex v's normal cone within the half-space of directions u with
-  // u . down >= 0, but at least a quarter of that of the whole cone.
-  double visible_normal_cone(std::int32_t v, const Vec3 &down) const;
-
  private:
   struct Corner {
     Vec3 normal;         // of the face

@@ -13,33 +13,6 @@ double triangle_solid_angle(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
   return 2.0 * std::atan2(numerator, denominator);
 }
 
-void DirectionCone::clip(const Vec3 &normal) {
-  if (count_ == 0) return;
-  std::array<double, capacity> side;  // only the first count_ are used
-  bool cuts = false;
-  for (std::size_t i = 0; i < count_; ++i) {
-    side[i] = dot(rays_[i], normal);
-    cuts = cuts || side[i] < 0.0;
-  }
-  if (!cuts) return;
-  std::array<Vec3, capacity> kept;
-  std::size_t count = 0;
-  const auto keep = [&](const Vec3 &ray) {
-    if (count < capacity) kept[count++] = ray;
-  };
-  for (std::size_t i = 0; i < count_; ++i) {
-    const std::size_t next = i + 1 < count_ ? i + 1 : 0;
-    if (side[i] >= 0.0) keep(rays_[i]);
-    if ((side[i] > 0.0 && side[next] < 0.0) || (side[i] < 0.0 && side[next] > 0.0)) {
-      const Vec3 ray = std::fabs(side[next]) * rays_[i] + std::fabs(side[i]) * rays_[next];
-      const double length = norm(ray);
-      if (length > 0.0) keep((1.0 / length) * ray);
-    }
-  }
-  count_ = count < 3 ? 0 : count;
-  std::copy_n(kept.begin(), count_, rays_.begin());
-}
-
 double DirectionCone::solid_angle() const {
   if (count_ < 3) return 0.0;
   // The triangles' half angles add up to no more than pi: the product of the complex numbers that have them as

@@ -1,4 +1,4 @@
-// Convex cones of directions: clipping and solid angle.
+// Convex cones of directions and their solid angles.
 #pragma once
 
 #include <array>
@@ -23,9 +23,6 @@ class DirectionCone {
   void add(const Vec3 &ray) {
     if (count_ < capacity) rays_[count_++] = ray;
   }
-
-  // Keeps the directions u with u . normal >= 0.
-  void clip(const Vec3 &normal);
 
   // Solid angle in steradian; 0 where empty.
   double solid_angle() const;
