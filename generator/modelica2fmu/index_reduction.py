@@ -305,12 +305,12 @@ class _Reducer:
             if self._incidence_is_stale:  # some names have got derivatives and are no longer the highest ones
                 matching.incidence = {row: self._highest(row) for row in matching.column_of}
                 self._incidence_is_stale = False
+                for row, column in list(matching.column_of.items()):
+                    if derivative_name(column) in self._names:
+                        del matching.column_of[row], matching.row_of[column]
+                        if row != number:
+                            raise AssertionError("a matched variable got a derivative without its equation")
             matching.incidence[number] = self._highest(number)
-            for row, column in list(matching.column_of.items()):
-                if derivative_name(column) in self._names:
-                    del matching.column_of[row], matching.row_of[column]
-                    if row != number:
-                        raise AssertionError("a matched variable got a derivative without its equation")
             found, reached_rows, reached_columns = matching.search(number)
             if found:
                 return

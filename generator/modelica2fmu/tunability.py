@@ -54,12 +54,19 @@ class Tunability:
 
     def _closure(self, names: list[str]) -> set[str]:
         used: set[str] = set()
+        followed: set[int] = set()  # calls: one may have thousands of outputs, which all need the same inputs
         stack = list(names)
         while stack:
             name = stack.pop()
-            if name not in used:
-                used.add(name)
-                stack.extend(self._inputs(name))
+            if name in used:
+                continue
+            used.add(name)
+            call = self._calls.get(name)
+            if call is not None and call.number in followed:
+                continue
+            if call is not None:
+                followed.add(call.number)
+            stack.extend(self._inputs(name))
         return used
 
 

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import pytest
 from modelica2fmu.description import Causality, Variability
+from modelica2fmu.scalar_model import ExternalCall
 from modelica2fmu.translation import Translation
+from modelica2fmu.tunability import Tunability
 
 MODEL = """model Tunable
   parameter Real rate = 2 "used by an equation";
@@ -47,3 +50,32 @@ def test_parameters_are_tunable_where_they_act(translated: Callable[[str], Trans
     assert tunable >= {"rate", "half", "level", "back", "through", "factor", "shown"}
     assert fixed >= {"begin", "twice", "guess", "idle", "count", "scaled"}
     assert variables["half"].causality is Causality.CALCULATED_PARAMETER
+
+
+MANY_OUTPUTS = """model ManyOutputs
+  function scaled
+    input Real x[40];
+    input Real factor;
+    output Real y[40];
+  external "C" scale_all(x, factor, y)
+    annotation(Include="static void scale_all(const double *x, double f, double *y) {
+      for (int i = 0; i < 40; ++i) y[i] = f*x[i]; }");
+  end scaled;
+  parameter Real factor = -1 "of the call";
+  Real x[40](each start = 1, each fixed = true);
+equation
+  der(x) = scaled(x, factor);
+end ManyOutputs;
+"""
+
+
+def test_a_call_is_followed_once_whatever_the_number_of_its_outputs(
+    translated: Callable[[str], Translation], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reduced = translated(MANY_OUTPUTS).reduced
+    asked = []
+    inputs = ExternalCall.inputs
+    monkeypatch.setattr(ExternalCall, "inputs", lambda call: asked.append(call.number) or inputs(call))
+    tunability = Tunability(reduced)
+    assert tunability.is_tunable("factor")
+    assert len(asked) == len(set(asked)) == 1
