@@ -62,7 +62,8 @@ TrianglePair triangle_distance(const Vec3 (&a)[3], const Vec3 (&b)[3]) {
 TrianglePair mesh_pair_distance(const TriangleMesh &a, const TriangleMesh &b, const Pose &b_in_a) {
   TrianglePair best;
   best.distance = std::numeric_limits<double>::infinity();
-  const auto visit = [&](const TriangleHierarchy::Node &leaf_a, const TriangleHierarchy::Node &leaf_b) {
+  const auto visit = [&](std::uint32_t number_a, std::uint32_t number_b) {
+    const TriangleHierarchy::Node &leaf_a = a.hierarchy().nodes()[number_a], &leaf_b = b.hierarchy().nodes()[number_b];
     for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
       const std::uint32_t tb = b.hierarchy().order()[j];
       const Vec3 corners_b[3] = {b_in_a(b.corner(tb, 0)), b_in_a(b.corner(tb, 1)), b_in_a(b.corner(tb, 2))};

@@ -17,41 +17,39 @@ class PairSearch {
   PairSearch(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, PairScratch &scratch,
              std::vector<Vec3> &polygon, PatchLoad &load)
       : mesh_(mesh), body_(body), place_(place), scratch_(scratch), polygon_(polygon), load_(load) {
-    if (scratch.placed_in.size() < body.vertices().size()) {
-      scratch.placed_in.resize(body.vertices().size(), 0);
-      scratch.places.resize(body.vertices().size());
-    }
+    if (scratch.vertices.size() < body.vertices().size()) scratch.vertices.resize(body.vertices().size());
+    if (scratch.wedge_of.size() < mesh.triangles().size()) scratch.wedge_of.resize(mesh.triangles().size());
     if (scratch.seen.empty()) grow();
     if (++scratch.query == 0) {  // the counter has wrapped
-      std::fill(scratch.placed_in.begin(), scratch.placed_in.end(), 0);
-      std::fill(scratch.seen_in.begin(), scratch.seen_in.end(), 0);
+      for (auto &entry : scratch.seen) entry.query = 0;
+      for (auto &entry : scratch.vertices) entry.query = 0;
+      for (auto &entry : scratch.wedge_of) entry.query = 0;
       scratch.query = 1;
     }
     scratch.seen_count = 0;
+    scratch.wedges.clear();
   }
 
   void run() {
     walk_pairs(mesh_.hierarchy(), body_.hierarchy(), place_, [] { return 0.0; },
-               [&](const TriangleHierarchy::Node &leaf, const TriangleHierarchy::Node &body_leaf) {
-                 leaves(leaf, body_leaf);
-               });
+               [&](std::uint32_t leaf, std::uint32_t body_leaf) { leaves(leaf, body_leaf); });
   }
 
  private:
   // Every pair of triangles that cross, and what hangs together with it.
-  void leaves(const TriangleHierarchy::Node &leaf, const TriangleHierarchy::Node &body_leaf) {
-    Bounds boxes[TriangleHierarchy::leaf_size];
-    bool measured = false;
+  void leaves(std::uint32_t number, std::uint32_t body_number) {
+    const TriangleHierarchy::Node &leaf = mesh_.hierarchy().nodes()[number];
+    const TriangleHierarchy::Node &body_leaf = body_.hierarchy().nodes()[body_number];
+    const FlatBound &flat = mesh_.hierarchy().flat_bounds()[number];
     for (std::uint32_t j = body_leaf.first; j < body_leaf.first + body_leaf.count; ++j) {
       const std::uint32_t facet = body_.hierarchy().order()[j];
       const Vec3 corners[3] = {placed(facet, 0), placed(facet, 1), placed(facet, 2)};
+      if (!reaches(flat, corners)) continue;
       const Bounds box = bounds_of(corners);
       if (distance2(box, leaf.bounds) > 0.0) continue;
-      if (!measured) measure(leaf, boxes);
-      measured = true;
-      for (std::uint32_t i = 0; i < leaf.count; ++i) {
-        const std::uint32_t t = mesh_.hierarchy().order()[leaf.first + i];
-        if (distance2(boxes[i], box) > 0.0 || !cuts(t, corners)) continue;
+      for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+        const std::uint32_t t = mesh_.hierarchy().order()[i];
+        if (!cuts(t, corners) || distance2(box_of(t), box) > 0.0) continue;
         offer({t, facet});
         while (!scratch_.open.empty()) {
           const Pair pair = scratch_.open.back();
@@ -62,12 +60,17 @@ class PairSearch {
     }
   }
 
-  void measure(const TriangleHierarchy::Node &leaf, Bounds *boxes) const {
-    for (std::uint32_t i = 0; i < leaf.count; ++i) {
-      const std::uint32_t t = mesh_.hierarchy().order()[leaf.first + i];
-      const Vec3 corners[3] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
-      boxes[i] = bounds_of(corners);
-    }
+  // Whether the triangle may come between the two planes of the bound.
+  static bool reaches(const FlatBound &flat, const Vec3 (&corners)[3]) {
+    const double first = dot(flat.axis, corners[0] - flat.center), second = dot(flat.axis, corners[1] - flat.center),
+                 third = dot(flat.axis, corners[2] - flat.center);
+    return std::min({first, second, third}) <= flat.half_thickness &&
+           std::max({first, second, third}) >= -flat.half_thickness;
+  }
+
+  Bounds box_of(std::uint32_t t) const {
+    const Vec3 corners[3] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
+    return bounds_of(corners);
   }
 
   // Whether the plane of triangle t has corners on both sides, or on it.
@@ -81,8 +84,8 @@ class PairSearch {
 
   void look_at(const Pair &pair) {
     const Vec3 corners[3] = {placed(pair.facet, 0), placed(pair.facet, 1), placed(pair.facet, 2)};
-    TriangleWedge wedge;
-    if (!wedge.build_if_it_meets(mesh_, pair.triangle, body_.bound_radius(), corners)) return;
+    const TriangleWedge &wedge = wedge_of(pair.triangle);
+    if (!wedge.may_meet(corners)) return;
     polygon_.assign(corners, corners + 3);
     if (!load_.push(wedge, place_.rotation * body_.face_normal(pair.facet))) return;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -94,20 +97,27 @@ class PairSearch {
 
   const Vec3 &placed(std::uint32_t facet, std::size_t k) {
     const std::uint32_t v = body_.triangles()[facet][k];
-    if (scratch_.placed_in[v] != scratch_.query) {
-      scratch_.placed_in[v] = scratch_.query;
-      scratch_.places[v] = place_(body_.vertices()[v]);
+    PairScratch::PlacedVertex &vertex = scratch_.vertices[v];
+    if (vertex.query != scratch_.query) vertex = {place_(body_.vertices()[v]), scratch_.query};
+    return vertex.place;
+  }
+
+  // Valid until the next call.
+  const TriangleWedge &wedge_of(std::uint32_t t) {
+    PairScratch::KnownWedge &known = scratch_.wedge_of[t];
+    if (known.query != scratch_.query) {
+      known = {static_cast<std::uint32_t>(scratch_.wedges.size()), scratch_.query};
+      scratch_.wedges.emplace_back(mesh_, t, body_.bound_radius());
     }
-    return scratch_.places[v];
+    return scratch_.wedges[known.number];
   }
 
   // Opens a pair, unless it was before.
   void offer(const Pair &pair) {
     if (2 * (scratch_.seen_count + 1) > scratch_.seen.size()) grow();
-    const std::size_t slot = find(pair);
-    if (scratch_.seen_in[slot] == scratch_.query) return;
-    scratch_.seen_in[slot] = scratch_.query;
-    scratch_.seen[slot] = pair;
+    PairScratch::SeenPair &slot = scratch_.seen[find(pair)];
+    if (slot.query == scratch_.query) return;
+    slot = {pair, scratch_.query};
     ++scratch_.seen_count;
     scratch_.open.push_back(pair);
   }
@@ -115,26 +125,21 @@ class PairSearch {
   // Where the pair is, or should be.
   std::size_t find(const Pair &pair) const {
     const std::size_t mask = scratch_.seen.size() - 1;
-    std::uint64_t hash = (std::uint64_t{pair.triangle} << 32 | pair.facet) * 0x9e3779b97f4a7c15ull;
+    const std::uint64_t hash = (std::uint64_t{pair.triangle} << 32 | pair.facet) * 0x9e3779b97f4a7c15ull;
     std::size_t slot = static_cast<std::size_t>(hash >> 32) & mask;
-    while (scratch_.seen_in[slot] == scratch_.query &&
-           (scratch_.seen[slot].triangle != pair.triangle || scratch_.seen[slot].facet != pair.facet)) {
-      slot = (slot + 1) & mask;
+    for (;; slot = (slot + 1) & mask) {
+      const PairScratch::SeenPair &entry = scratch_.seen[slot];
+      if (entry.query != scratch_.query) return slot;
+      if (entry.pair.triangle == pair.triangle && entry.pair.facet == pair.facet) return slot;
     }
-    return slot;
   }
 
   // The table's size is a power of two.
   void grow() {
-    std::vector<Pair> pairs(std::max<std::size_t>(1024, 2 * scratch_.seen.size()));
-    std::vector<std::uint32_t> in(pairs.size(), 0);
-    pairs.swap(scratch_.seen);
-    in.swap(scratch_.seen_in);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (in[i] != scratch_.query || scratch_.query == 0) continue;
-      const std::size_t slot = find(pairs[i]);
-      scratch_.seen_in[slot] = scratch_.query;
-      scratch_.seen[slot] = pairs[i];
+    std::vector<PairScratch::SeenPair> before(std::max<std::size_t>(1024, 2 * scratch_.seen.size()));
+    before.swap(scratch_.seen);
+    for (const PairScratch::SeenPair &entry : before) {
+      if (entry.query == scratch_.query) scratch_.seen[find(entry.pair)] = entry;
     }
   }
 

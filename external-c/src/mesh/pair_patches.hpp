@@ -9,18 +9,30 @@
 
 namespace cmb::mesh {
 
-// Room for pairs of triangles; grows in the first calls.
+// Room for pairs of triangles; grows in the first calls. What was found carries the number of its query, so that nothing
+// has to be cleared.
 struct PairScratch {
   struct Pair {
     std::uint32_t triangle, facet;
   };
-  std::vector<Pair> open;            // still to be looked at
-  std::vector<Pair> seen;            // a hash table of pairs that were looked at
-  std::vector<std::uint32_t> seen_in;  // the query that put an entry there
-  std::size_t seen_count = 0;
-  std::vector<Vec3> places;          // vertices of the body in the mesh's frame
-  std::vector<std::uint32_t> placed_in;
+  struct SeenPair {
+    Pair pair;
+    std::uint32_t query;
+  };
+  struct PlacedVertex {
+    Vec3 place;  // in the mesh's frame
+    std::uint32_t query;
+  };
+  struct KnownWedge {
+    std::uint32_t number, query;
+  };
   std::uint32_t query = 0;
+  std::vector<Pair> open;              // still to be looked at
+  std::vector<SeenPair> seen;          // a hash table of pairs that were looked at
+  std::size_t seen_count = 0;
+  std::vector<PlacedVertex> vertices;  // of the body
+  std::vector<KnownWedge> wedge_of;    // by triangle: its place in `wedges`
+  std::vector<TriangleWedge> wedges;
 };
 
 // Pushes to `load` every piece of the surface of `body` that lies in the wedge of a triangle of `mesh`. `place` is the

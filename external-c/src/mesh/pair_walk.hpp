@@ -8,9 +8,9 @@
 
 namespace cmb::mesh {
 
-// Calls visit(leaf of a, leaf of b) for the leaves whose boxes are within `reach()` of each other. `reach` gives a
-// squared distance, is asked anew at each step, and may shrink: the nearer boxes come first. `b_in_a` is the pose of b's
-// frame in a's.
+// Calls visit(leaf of a, leaf of b), by their numbers, for the leaves whose bounds are within `reach()` of each other.
+// `reach` gives a squared distance, is asked anew at each step, and may shrink: the nearer bounds come first. `b_in_a` is
+// the pose of b's frame in a's.
 template <typename Reach, typename Visit>
 void walk_pairs(const TriangleHierarchy &a, const TriangleHierarchy &b, const Pose &b_in_a, Reach &&reach,
                 Visit &&visit) {
@@ -19,10 +19,12 @@ void walk_pairs(const TriangleHierarchy &a, const TriangleHierarchy &b, const Po
     double distance2;
   };
   const Pose a_in_b = b_in_a.inverse();
-  // Boxes seen from both frames: the larger distance is the truer one.
+  // Of all bounds, boxes seen from both frames, the largest distance is the truest one.
   const auto entry_of = [&](std::uint32_t node_a, std::uint32_t node_b) {
+    const double flat = least_distance(a.flat_bounds()[node_a], moved(b.flat_bounds()[node_b], b_in_a));
+    if (flat * flat > reach()) return Entry{node_a, node_b, flat * flat};
     const Bounds &box_a = a.nodes()[node_a].bounds, &box_b = b.nodes()[node_b].bounds;
-    const double in_a = distance2(box_a, moved(box_b, b_in_a));
+    const double in_a = std::max(flat * flat, distance2(box_a, moved(box_b, b_in_a)));
     if (in_a > reach()) return Entry{node_a, node_b, in_a};
     return Entry{node_a, node_b, std::max(in_a, distance2(moved(box_a, a_in_b), box_b))};
   };
@@ -34,7 +36,7 @@ void walk_pairs(const TriangleHierarchy &a, const TriangleHierarchy &b, const Po
     if (entry.distance2 > reach()) continue;
     const TriangleHierarchy::Node &node_a = a.nodes()[entry.a], &node_b = b.nodes()[entry.b];
     if (node_a.count > 0 && node_b.count > 0) {
-      visit(node_a, node_b);
+      visit(entry.a, entry.b);
       continue;
     }
     // The larger box is opened.

@@ -11,6 +11,39 @@ Bounds bounds_of(const std::vector<Vec3> &points) {
   return box;
 }
 
+namespace {
+
+// Of the triangles named by `begin` to `end`, whose box is `box`; across the mean of their normals.
+FlatBound flat_bound(const std::vector<Vec3> &vertices, const std::vector<Triangle> &triangles,
+                     std::vector<std::uint32_t>::const_iterator begin,
+                     std::vector<std::uint32_t>::const_iterator end, const Bounds &box) {
+  Vec3 sum;
+  for (auto it = begin; it != end; ++it) {
+    const Triangle &t = triangles[*it];
+    sum = sum + cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]]);
+  }
+  FlatBound bound;
+  bound.axis = normalized(sum, {0.0, 0.0, 1.0});
+  const Vec3 middle = 0.5 * (box.low + box.high);
+  double low = 0.0, high = 0.0, radius2 = 0.0;
+  for (auto it = begin; it != end; ++it) {
+    for (const std::uint32_t v : triangles[*it]) {
+      const Vec3 off = vertices[v] - middle;
+      const double height = dot(bound.axis, off);
+      low = std::min(low, height);
+      high = std::max(high, height);
+      radius2 = std::max(radius2, norm2(off - height * bound.axis));
+    }
+  }
+  const double slack = 1e-12 * (norm(box.low) + norm(box.high));
+  bound.center = middle + (0.5 * (low + high)) * bound.axis;
+  bound.half_thickness = 0.5 * (high - low) + slack;
+  bound.radius = std::sqrt(radius2) + slack;
+  return bound;
+}
+
+}  // namespace
+
 TriangleHierarchy::TriangleHierarchy(const std::vector<Vec3> &vertices, const std::vector<Triangle> &triangles)
     : order_(triangles.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
@@ -19,6 +52,7 @@ TriangleHierarchy::TriangleHierarchy(const std::vector<Vec3> &vertices, const st
     centres[t] = vertices[triangles[t][0]] + vertices[triangles[t][1]] + vertices[triangles[t][2]];
   }
   nodes_.reserve(triangles.size());
+  flat_bounds_.reserve(triangles.size());
   nodes_.push_back({{}, 0, static_cast<std::uint32_t>(triangles.size())});
   // Nodes are appended while their parents are split: a walk over the array reaches them all.
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
@@ -31,6 +65,7 @@ TriangleHierarchy::TriangleHierarchy(const std::vector<Vec3> &vertices, const st
       include(spread, centres[*it]);
     }
     nodes_[n].bounds = box;
+    flat_bounds_.push_back(flat_bound(vertices, triangles, begin, end, box));
     if (count <= leaf_size) {
       std::sort(begin, end);
       continue;

@@ -9,11 +9,13 @@ void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset,
   for (const Vec3 &p : polygon) all_kept = all_kept && dot(normal, p) >= offset;
   if (all_kept) return;
   room.clear();
+  double above_p = dot(normal, polygon[0]) - offset;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 &p = polygon[i], &q = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    const double above_p = dot(normal, p) - offset, above_q = dot(normal, q) - offset;
+    const double above_q = dot(normal, q) - offset;
     if (above_p >= 0.0) room.push_back(p);
     if ((above_p < 0.0) != (above_q < 0.0)) room.push_back(p + (above_p / (above_p - above_q)) * (q - p));
+    above_p = above_q;
   }
   polygon.swap(room);
 }
@@ -52,12 +54,9 @@ bool TriangleWedge::build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t,
   return true;
 }
 
-bool TriangleWedge::build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest,
-                                      const Vec3 (&corner)[3]) {
-  build_front(mesh, t, deepest);
+bool TriangleWedge::may_meet(const Vec3 (&corner)[3]) const {
   if (depth(corner[0]) <= 0.0 && depth(corner[1]) <= 0.0 && depth(corner[2]) <= 0.0) return false;
   for (std::size_t k = 0; k < 3; ++k) {
-    build_side(mesh, k);
     const double offset = side_offset_[k];
     if (dot(side_[k], corner[0]) < offset && dot(side_[k], corner[1]) < offset && dot(side_[k], corner[2]) < offset) {
       return false;

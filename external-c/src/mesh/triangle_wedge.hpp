@@ -17,10 +17,11 @@ class TriangleWedge {
 
   // A wedge to be built later.
   TriangleWedge() = default;
-  // The same, but gives up and returns false as soon as it shows that no point of the ball, or of the triangle with these
-  // corners, lies in the wedge.
+  // The same, but gives up and returns false as soon as it shows that no point of the ball lies in the wedge.
   bool build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 &center, double radius);
-  bool build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 (&corner)[3]);
+
+  // False where all corners of a triangle lie beyond one of the wedge's planes.
+  bool may_meet(const Vec3 (&corner)[3]) const;
 
   std::uint32_t triangle() const { return triangle_; }
   const Vec3 &normal() const { return normal_; }
