@@ -20,6 +20,7 @@ from modelica2fmu.external_code import find_external_code
 from modelica2fmu.front_end import load_flat_model
 from modelica2fmu.geometry_files import write_out_geometry
 from modelica2fmu.phases import PhaseClock
+from modelica2fmu.resource_names import library_with_resource_names
 from modelica2fmu.scalar_model import ScalarModel, derivative_name
 from modelica2fmu.scalarize import scalarize
 from modelica2fmu.source_map import SourceMap
@@ -61,7 +62,7 @@ def translate(
     limit = sys.getrecursionlimit()
     sys.setrecursionlimit(max(limit, _RECURSION_LIMIT))
     try:
-        with library.root() as library_root:
+        with library.root() as original, library_with_resource_names(original, [file, *sources]) as library_root:
             roots = [*found, library_root, *other_libraries()]
             ex.new_graph()
             flat = load_flat_model(model, file, roots, source_map)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import pytest
 from cmb_base.errors import InputError
 from fmpy import simulate_fmu
 from modelica2fmu.build import build_fmu, translate
-from modelica2fmu.standard_library import StandardLibrary, core_subset
+from modelica2fmu.standard_library import StandardLibrary, core_subset, find_standard_library
 
 LIBRARY = Path(__file__).parents[3] / "ContactMultiBody"
 CORE = StandardLibrary(core_subset(), "", "core subset")
@@ -65,6 +66,24 @@ def test_fmu_carries_its_mesh(tmp_path: Path) -> None:
     shutil.rmtree(parts)
     result = simulate_fmu(str(output), stop_time=1.0, fmi_type="CoSimulation", output=["cube.r_0[3]"])
     assert result["cube.r_0[3]"][-1] == pytest.approx(0.05 - 9.81e-5, abs=1e-8)
+
+
+@pytest.mark.parametrize("library", ["core subset", "Standard Library"])
+def test_load_resource_names_the_file(tmp_path: Path, library: str) -> None:
+    """As the documentation of meshFile says, and other tools need it."""
+    chosen = CORE if library == "core subset" else find_standard_library()
+    if library != "core subset" and chosen.origin == CORE.origin:
+        pytest.skip("no Modelica Standard Library is installed")
+    parts = package(tmp_path / "models", "hullFile", "modelica://MeshDemo/Resources/my cube.obj")
+    model = parts / "Cube.mo"
+    text = model.read_text(encoding="utf-8")
+    called = re.sub(r'"(modelica://[^"]*)"', r'Modelica.Utilities.Files.loadResource("\1")', text)
+    model.write_text(called, encoding="utf-8")
+    translation = translate("MeshDemo.Cube", [parts, LIBRARY], chosen)
+    texts = [value for call in translation.scalar.calls for arg in call.args for value in arg.values]
+    hull = next(text for text in texts if isinstance(text, str) and text.startswith("cmb/1 hull"))
+    assert "file" not in hull
+    assert "-0.05,-0.05,-0.05" in hull
 
 
 def test_absolute_names_are_written_out_too(tmp_path: Path) -> None:
