@@ -13,6 +13,7 @@ from typing import Any, Final
 from cmb_base.errors import BuildError, InputError, Place, UnsupportedModelError
 
 from modelica2fmu import ir
+from modelica2fmu.lone_files import LoneFiles, apart
 from modelica2fmu.source_map import SourceMap
 
 # Expression trees of a sound model are shallow; deeper ones are an attack or a generator gone wrong.
@@ -31,8 +32,8 @@ def load_flat_model(model: str, file: Path, roots: Sequence[Path], source_map: S
 
     Args:
         model: full Modelica name.
-        file: the file that holds it.
-        roots: library folders (those that contain packages) that it uses.
+        file: the file that holds it; of the files beside it only those of its package structure are loaded.
+        roots: library folders (those that contain packages) and single files that it uses.
         source_map: for the places in error messages.
 
     Raises:
@@ -49,27 +50,30 @@ def load_flat_model(model: str, file: Path, roots: Sequence[Path], source_map: S
     # With a package and the folder around it among the roots, rumoca would see only the package.
     resolved = {root.resolve() for root in roots}
     roots = [root for root in roots if root.resolve().parent not in resolved]
-    try:
-        with _without_modelicapath():
-            compiled = _compile(rumoca.Session([str(root) for root in roots]), model, file, roots)
-            flat: dict[str, Any] = compiled.to_dict("flat")
-    except rumoca.RumocaError as error:
-        raise _input_error(rumoca, str(error), model, file) from error
-    except BaseException as error:
-        # A panic of rumoca derives from BaseException alone.
-        if not isinstance(error, OSError | RuntimeError | ValueError) and type(error).__name__ != "PanicException":
-            raise
-        raise InputError(f"{model} cannot be compiled: {error}", place=Place(file=file)) from error
-    return read_flat_model(flat, model, source_map)
+    with apart(file, roots, source_map) as given:
+        try:
+            with _without_modelicapath():
+                session = rumoca.Session([str(root) for root in given.roots])
+                flat: dict[str, Any] = _compile(session, model, file, given).to_dict("flat")
+        except rumoca.RumocaError as error:
+            raise _input_error(rumoca, given.restored(str(error)), model, file) from error
+        except BaseException as error:
+            # A panic of rumoca derives from BaseException alone.
+            if not isinstance(error, OSError | RuntimeError | ValueError) and type(error).__name__ != "PanicException":
+                raise
+            message = f"{model} cannot be compiled: {given.restored(str(error))}"
+            raise InputError(message, place=Place(file=file)) from error
+        return read_flat_model(flat, model, source_map)
 
 
-def _compile(session: Any, model: str, file: Path, roots: Sequence[Path]) -> Any:
+def _compile(session: Any, model: str, file: Path, given: LoneFiles) -> Any:
     """Loads ``file`` and compiles ``model``.
 
     rumoca loads only libraries that the loaded text names, not those that they name in turn. A model in a file of its
     own is therefore followed by a class that names them all; places in the text stay as they are. A model of a library
-    among ``roots`` needs that class alone.
+    among the roots needs that class alone.
     """
+    roots = given.roots
     is_package = file.name == "package.mo"
     is_library = is_package and file.parent.parent.resolve() in {root.resolve() for root in roots}
     if is_package and not is_library:
@@ -86,7 +90,7 @@ def _compile(session: Any, model: str, file: Path, roots: Sequence[Path]) -> Any
     return session.loads(
         f"{text}\nclass 'cmb libraries'\n{imports}end 'cmb libraries';\n",
         model=model,
-        filename="libraries.mo" if is_library else str(file),
+        filename="libraries.mo" if is_library else str(given.file),
     )
 
 

@@ -32,7 +32,13 @@ class SourceMap:
 
     def __init__(self, roots: Sequence[Path]) -> None:
         self._roots = tuple(roots)
+        self._copies: dict[int, Path] = {}
         self._files: dict[int, Path] | None = None
+
+    def add_copy(self, given: Path, original: Path) -> None:
+        """Tells that the front end was given ``given`` in place of ``original``."""
+        self._copies[source_number(str(given))] = original
+        self._files = None
 
     def place(self, span: Span | None, component: str | None = None) -> Place:
         """The place of ``span``; without file where it is not known."""
@@ -46,7 +52,7 @@ class SourceMap:
 
     def _known_files(self) -> dict[int, Path]:
         if self._files is None:
-            self._files = {}
+            self._files = dict(self._copies)
             for root in self._roots:
                 for path in sorted(root.rglob("*.mo")) if root.is_dir() else [root]:
                     for name in {str(path), str(path.resolve())}:

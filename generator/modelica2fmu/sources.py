@@ -10,7 +10,7 @@ from cmb_base.errors import InputError, Place
 
 
 def locate(model: str, sources: Sequence[Path]) -> tuple[Path, list[Path]]:
-    """The file to load for ``model`` and the folders that contain the packages of ``sources``.
+    """The file to load for ``model``, and what else to load: folders with packages, and single files of other packages.
 
     Raises:
         InputError: a source does not exist, or none holds the model's package.
@@ -32,7 +32,7 @@ def locate(model: str, sources: Sequence[Path]) -> tuple[Path, list[Path]]:
             if path.stem == package or _declares(path, package):
                 file = file or path
             else:
-                roots[path.parent] = None
+                roots[path] = None  # not its folder, of which other files are no part of the model
         else:
             raise InputError("a source is a .mo file or a folder of a package", place=Place(file=source))
     if file is None:

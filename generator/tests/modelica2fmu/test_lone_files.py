@@ -1,0 +1,66 @@
+"""A model in a file by itself is built whatever lies beside the file."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from cmb_base.errors import InputError
+from fmpy import simulate_fmu
+from modelica2fmu.build import build_fmu
+
+DECAY = """
+model Decay
+  Real x(start = 1, fixed = true);
+equation
+  der(x) = -x;
+end Decay;
+"""
+# Two definitions of one class, which no package may have, and a file that is no Modelica at all.
+BESIDE = {
+    "first.mo": "model Other Real a = 1; end Other;",
+    "second.mo": "model Other Real a = 2; end Other;",
+    "n.mo": "?",
+}
+
+
+@pytest.fixture
+def folder(tmp_path):
+    for name, text in BESIDE.items():
+        (tmp_path / name).write_text(text)
+    return tmp_path
+
+
+def final_value(fmu, name):
+    return simulate_fmu(str(fmu), stop_time=1.0, relative_tolerance=1e-8, output=[name])[name][-1]
+
+
+def test_files_beside_a_model_are_not_loaded(folder):
+    (folder / "Decay.mo").write_text(DECAY)
+    build_fmu("Decay", [folder / "Decay.mo"], folder / "m.fmu")
+    assert final_value(folder / "m.fmu", "x") == pytest.approx(np.exp(-1), rel=1e-6)
+
+
+def test_files_beside_a_package_in_one_file_are_not_loaded(folder):
+    (folder / "Laws.mo").write_text(f"package Laws {DECAY} end Laws;")
+    (folder / "User.mo").write_text("model User\n  Laws.Decay decay;\nend User;\n")
+    build_fmu("User", [folder / "User.mo", folder / "Laws.mo"], folder / "m.fmu")
+    assert final_value(folder / "m.fmu", "decay.x") == pytest.approx(np.exp(-1), rel=1e-6)
+
+
+def test_files_of_a_package_folder_are_loaded(folder):
+    package = folder / "Laws"
+    package.mkdir()
+    (package / "package.mo").write_text("package Laws\nend Laws;\n")
+    (package / "package.order").write_text("Decay\nUser\n")
+    (package / "Decay.mo").write_text(f"within Laws;{DECAY}")
+    (package / "User.mo").write_text("within Laws;\nmodel User\n  Decay decay;\nend User;\n")
+    build_fmu("Laws.User", [package], folder / "m.fmu")
+    assert final_value(folder / "m.fmu", "decay.x") == pytest.approx(np.exp(-1), rel=1e-6)
+
+
+def test_errors_name_the_file_itself(folder):
+    (folder / "Decay.mo").write_text(DECAY.replace("= -x", "= -y"))
+    with pytest.raises(InputError, match="'y'") as caught:
+        build_fmu("Decay", [folder / "Decay.mo"], folder / "m.fmu")
+    assert (caught.value.place.file, caught.value.place.line) == (folder / "Decay.mo", 5)
+    assert "cmb-sources" not in str(caught.value)
