@@ -74,8 +74,8 @@ bool holds_origin(const Difference *s) {
 
 }  // namespace
 
-ConvexGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::ConvexBody &body,
-                              const Pose &body_in_mesh, double enough) {
+TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::ConvexBody &body,
+                                const Pose &body_in_mesh, double enough) {
   const auto support = [&](const Vec3 &d) {  // the farthest of the difference along d
     const double da = dot(d, a), db = dot(d, b), dc = dot(d, c);
     const Vec3 &on_triangle = da >= db && da >= dc ? a : db >= dc ? b : c;
@@ -83,54 +83,55 @@ ConvexGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const
     return Difference{on_triangle - on_body, on_triangle, on_body};
   };
   const double slack = tolerance * convex::core_radius(body);
-  std::array<Difference, 4> simplex;
+  // The corners that carry the nearest point found, with its weights.
+  std::array<Difference, 3> simplex;
   std::size_t count = 1;
   simplex[0] = support(body_in_mesh.translation - a);
   Nearest nearest{simplex[0].w, {1.0, 0.0, 0.0}, norm2(simplex[0].w)};
+  const auto gap = [&](double distance) {
+    TriangleGap result{distance, {}, {}};
+    for (std::size_t k = 0; k < count; ++k) {
+      result.on_triangle = result.on_triangle + nearest.weight[k] * simplex[k].on_triangle;
+      result.on_body = result.on_body + nearest.weight[k] * simplex[k].on_body;
+    }
+    return result;
+  };
   for (int step = 0; step < most_steps; ++step) {
     const double distance = std::sqrt(nearest.distance2);
-    if (distance <= slack) return {0.0, {}, {}};
+    if (distance <= slack) return gap(0.0);
     const Difference next = support(-nearest.point);
     const double lower = dot(next.w, nearest.point) / distance;
     if (lower > enough) return {lower, {}, {}};
     if (distance - lower <= slack) break;
-    simplex[count++] = next;
-    if (count == 4) {
-      if (holds_origin(simplex.data())) return {0.0, {}, {}};
+    std::array<Difference, 3> tried = simplex;
+    std::size_t tried_count = count;
+    Nearest moved;
+    if (count < 3) {
+      tried[tried_count++] = next;
+      moved = nearest_of(tried.data(), tried_count);
+    } else {
+      const std::array<Difference, 4> corners{simplex[0], simplex[1], simplex[2], next};
+      if (holds_origin(corners.data())) return gap(0.0);
       // The nearest face with the new corner; one corner goes.
-      Nearest best;
-      std::size_t dropped = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::array<Difference, 3> face{simplex[(k + 1) % 3], simplex[(k + 2) % 3], simplex[3]};
+        const std::array<Difference, 3> face{simplex[(k + 1) % 3], simplex[(k + 2) % 3], next};
         const Nearest candidate = nearest_of(face.data(), 3);
-        if (candidate.distance2 < best.distance2) {
-          best = candidate;
-          dropped = k;
-        }
+        if (!(candidate.distance2 < moved.distance2)) continue;
+        moved = candidate;
+        tried = face;
       }
-      const std::array<Difference, 3> face{simplex[(dropped + 1) % 3], simplex[(dropped + 2) % 3], simplex[3]};
-      std::copy(face.begin(), face.end(), simplex.begin());
-      count = 3;
     }
-    const Nearest moved = nearest_of(simplex.data(), count);
     if (!(moved.distance2 < nearest.distance2)) break;  // rounding ends the search
-    // Corners that carry nothing go.
-    std::size_t kept = 0;
     nearest = {moved.point, {}, moved.distance2};
-    for (std::size_t k = 0; k < count; ++k) {
+    // Corners that carry nothing go.
+    count = 0;
+    for (std::size_t k = 0; k < tried_count; ++k) {
       if (!(moved.weight[k] > 0.0)) continue;
-      nearest.weight[kept] = moved.weight[k];
-      simplex[kept++] = simplex[k];
+      nearest.weight[count] = moved.weight[k];
+      simplex[count++] = tried[k];
     }
-    count = kept;
   }
-  ConvexGap gap;
-  gap.distance = std::sqrt(nearest.distance2);
-  for (std::size_t k = 0; k < 3 && k < count; ++k) {
-    gap.on_triangle = gap.on_triangle + nearest.weight[k] * simplex[k].on_triangle;
-    gap.on_body = gap.on_body + nearest.weight[k] * simplex[k].on_body;
-  }
-  return gap;
+  return gap(std::sqrt(nearest.distance2));
 }
 
 }  // namespace cmb::mesh

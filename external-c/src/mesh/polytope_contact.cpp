@@ -3,6 +3,7 @@
 
 #include "geometry/pose_algebra.hpp"
 #include "mesh/mesh_contact.hpp"
+#include "mesh/nearest_triangle.hpp"
 #include "mesh/patch_load.hpp"
 #include "mesh/polytope_distance.hpp"
 #include "mesh/swallowed.hpp"
@@ -62,33 +63,25 @@ class PolytopeQuery {
   }
 
   void apart() {
-    PolytopeDistance best;
-    best.distance = std::numeric_limits<double>::infinity();
-    std::uint32_t nearest = 0;
+    NearestTriangle nearest(mesh_);
     // The extents along the best direction so far bound the distance of the others.
     Vec3 direction;
     double lowest = 0.0;
     mesh_.hierarchy().visit_near(
-        box_, [&] { return best.distance * best.distance; },
+        box_, [&] { return nearest.distance() * nearest.distance(); },
         [&](std::uint32_t t) {
-          const double highest = std::fmax(dot(direction, mesh_.corner(t, 0)),
-                                           std::fmax(dot(direction, mesh_.corner(t, 1)), dot(direction, mesh_.corner(t, 2))));
-          if (lowest - highest > best.distance) return;
-          const PolytopeDistance candidate =
-              triangle_polytope_distance(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), body_,
-                                         scratch_.body_vertices, scratch_.body_normals, scratch_.patch.polygon,
-                                         scratch_.patch.clipped);
-          if (candidate.distance < best.distance || (candidate.distance == best.distance && t < nearest)) {
-            best = candidate;
-            nearest = t;
-            direction = normalized(best.on_body - best.on_triangle, mesh_.face_normal(t));
-            lowest = std::numeric_limits<double>::infinity();
-            for (const Vec3 &v : scratch_.body_vertices) lowest = std::fmin(lowest, dot(direction, v));
-          }
+          const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
+          const double highest = std::fmax(dot(direction, a), std::fmax(dot(direction, b), dot(direction, c)));
+          if (lowest - highest > nearest.distance()) return;
+          const TriangleGap gap = triangle_polytope_distance(a, b, c, body_, scratch_.body_vertices,
+                                                             scratch_.body_normals, scratch_.patch.polygon,
+                                                             scratch_.patch.clipped);
+          if (!nearest.offer(gap, t)) return;
+          direction = nearest.direction();
+          lowest = std::numeric_limits<double>::infinity();
+          for (const Vec3 &v : scratch_.body_vertices) lowest = std::fmin(lowest, dot(direction, v));
         });
-    result_.distance = best.distance;
-    result_.normal = pose_.rotation * normalized(best.on_body - best.on_triangle, mesh_.face_normal(nearest));
-    result_.witness = pose_(0.5 * (best.on_body + best.on_triangle));
+    nearest.write(pose_, result_);
   }
 
   const convex::Polytope &body_;

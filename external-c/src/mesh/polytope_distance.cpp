@@ -9,9 +9,9 @@
 
 namespace cmb::mesh {
 
-PolytopeDistance triangle_polytope_distance(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,
-                                            const std::vector<Vec3> &vertices, const std::vector<Vec3> &normals,
-                                            std::vector<Vec3> &polygon, std::vector<Vec3> &clipped) {
+TriangleGap triangle_polytope_distance(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,
+                                       const std::vector<Vec3> &vertices, const std::vector<Vec3> &normals,
+                                       std::vector<Vec3> &polygon, std::vector<Vec3> &clipped) {
   // The triangle meets the body where something of it lies behind all faces.
   polygon.assign({a, b, c});
   for (std::size_t f = 0; f < normals.size() && !polygon.empty(); ++f) {
@@ -21,7 +21,7 @@ PolytopeDistance triangle_polytope_distance(const Vec3 &a, const Vec3 &b, const 
   }
   if (!polygon.empty()) return {0.0, polygon[0], polygon[0]};
 
-  PolytopeDistance best;
+  TriangleGap best;
   best.distance = std::numeric_limits<double>::infinity();
   const auto offer = [&](const Vec3 &on_triangle, const Vec3 &on_body) {
     const double distance = norm(on_triangle - on_body);

@@ -4,19 +4,14 @@
 #include <vector>
 
 #include "convex/polytope.hpp"
-#include "mesh/mesh_data.hpp"
+#include "mesh/nearest_triangle.hpp"
 
 namespace cmb::mesh {
 
-struct PolytopeDistance {
-  double distance = 0.0;  // m, 0 where they meet
-  Vec3 on_triangle, on_body;
-};
-
 // Distance of triangle abc and a polytope whose vertices, and unit outward face normals, are given in the triangle's
 // frame; exact to rounding. `polygon` and `clipped` are room.
-PolytopeDistance triangle_polytope_distance(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,
-                                            const std::vector<Vec3> &vertices, const std::vector<Vec3> &normals,
-                                            std::vector<Vec3> &polygon, std::vector<Vec3> &clipped);
+TriangleGap triangle_polytope_distance(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,
+                                       const std::vector<Vec3> &vertices, const std::vector<Vec3> &normals,
+                                       std::vector<Vec3> &polygon, std::vector<Vec3> &clipped);
 
 }  // namespace cmb::mesh

@@ -1,9 +1,9 @@
 #include <cmath>
-#include <limits>
 
 #include "geometry/pose_algebra.hpp"
 #include "mesh/convex_gap.hpp"
 #include "mesh/mesh_contact.hpp"
+#include "mesh/nearest_triangle.hpp"
 #include "mesh/patch_load.hpp"
 #include "mesh/smooth_facets.hpp"
 #include "mesh/swallowed.hpp"
@@ -72,22 +72,15 @@ class SmoothQuery {
   }
 
   void apart() {
-    ConvexGap best;
-    best.distance = std::numeric_limits<double>::infinity();
-    std::uint32_t nearest = 0;
+    NearestTriangle nearest(mesh_);
     mesh_.hierarchy().visit_near(
-        box_, [&] { return best.distance * best.distance; },
+        box_, [&] { return nearest.distance() * nearest.distance(); },
         [&](std::uint32_t t) {
-          const ConvexGap gap = triangle_convex_gap(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), body_,
-                                                    place_, best.distance);
-          if (gap.distance < best.distance || (gap.distance == best.distance && t < nearest)) {
-            best = gap;
-            nearest = t;
-          }
+          nearest.offer(triangle_convex_gap(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), body_, place_,
+                                            nearest.distance()),
+                        t);
         });
-    result_.distance = best.distance;
-    result_.normal = pose_.rotation * normalized(best.on_body - best.on_triangle, mesh_.face_normal(nearest));
-    result_.witness = pose_(0.5 * (best.on_body + best.on_triangle));
+    nearest.write(pose_, result_);
   }
 
   const convex::ConvexBody &body_;
