@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Final
 
 from modelica2fmu.c_expressions import Statement, Write, c_text
 from modelica2fmu.expression import Node
+from modelica2fmu.rolled_code import rolled
 from modelica2fmu.scalar_model import CallArgument, ExternalCall
+
+_LONGEST_INITIALIZER: Final = 64
 
 
 def call_statement(call: ExternalCall, store: Callable[[str, str], str]) -> Statement:
@@ -34,7 +38,7 @@ def call_statement(call: ExternalCall, store: Callable[[str, str], str]) -> Stat
             text = f"const {_c_type(call.result[1])} result = {text}"
             copies.append(store(call.result[0], "result"))
         result.append(f"  {text};")
-        result.extend(f"  {copy}" for copy in copies)
+        result.extend(f"  {copy}" for copy in rolled(copies))
         result.append("}")
         return result
 
@@ -61,6 +65,10 @@ def _argument(
     texts = [_value(argument.type, value, write) for value in argument.values]
     if not argument.is_array:
         return f"({c_type}){texts[0]}" if argument.type != "String" else texts[0]
+    if len(texts) > _LONGEST_INITIALIZER and argument.type != "String":
+        declarations.append(f"  {c_type} {name}[{len(texts)}];")
+        declarations.extend(f"  {line}" for line in rolled([f"{name}[{k}] = {text};" for k, text in enumerate(texts)]))
+        return name
     initial = ", ".join(texts) if texts else "0"
     declarations.append(f"  {c_type} {name}[{max(len(texts), 1)}] = {{{initial}}};")
     return name
