@@ -7,6 +7,7 @@ from typing import TypeVar
 
 from cad2modelica.actuator_catalogue import IDEAL, SENSOR, ComponentClass, Parameter, Signal, components_for
 from cad2modelica.actuator_file import Assignment, finite_number, parameter_value
+from cad2modelica.actuators import rated_parameters
 from cad2modelica.model import Joint
 from cmb_base.errors import InputError
 
@@ -88,7 +89,7 @@ class Dialog:
     def _add(self, joint: Joint, component: ComponentClass) -> None:
         parameters: dict[str, float | bool] = {}
         for parameter in component.parameters:
-            value = self._parameter(parameter)
+            value = self._parameter(parameter, rated_parameters(joint, component, parameters).get(parameter.name))
             if value is not None:
                 parameters[parameter.name] = value
         inputs: dict[str, float] = {}
@@ -102,8 +103,9 @@ class Dialog:
             self._assignments = [item for item in self._assignments if (item.joint, item.component) != same]
         self._assignments.append(Assignment(joint.name, component.name, None, parameters, inputs))
 
-    def _parameter(self, parameter: Parameter) -> float | bool | None:
+    def _parameter(self, parameter: Parameter, rated: float | bool | None) -> float | bool | None:
         default = parameter.default if parameter.default is not None else "none"
+        default = f"{rated:g}, the joint's limit" if rated is not None else default
         while True:
             answer = self._ask(f"  {parameter.name} - {parameter.description} ({parameter.unit}) [{default}]: ").strip()
             if not answer:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
+from argparse import ArgumentParser, BooleanOptionalAction, Namespace
 from pathlib import Path
 
 from cad2modelica import Edited, GenerateOptions
@@ -21,6 +21,18 @@ def add_generation_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--assemble", action="store_true", help="move parts so that joints close which the exported poses leave open"
+    )
+    parser.add_argument(
+        "--ground",
+        action="append",
+        default=[],
+        metavar="PART",
+        help="hold this part (URDF: link) in the world where it stands; may be given several times",
+    )
+    parser.add_argument(
+        "--stops",
+        action=BooleanOptionalAction,
+        help="joints have elastic stops at the limits of their range, or not (XML: they do, URDF: they do not)",
     )
     parser.add_argument(
         "--accept-structure",
@@ -48,4 +60,6 @@ def generation_options(arguments: Namespace) -> GenerateOptions:
         accept_structure=arguments.accept_structure,
         edited=arguments.mechatronics,
         assemble=arguments.assemble,
+        ground=tuple(arguments.ground),
+        stops=arguments.stops,
     )

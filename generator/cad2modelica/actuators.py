@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from cad2modelica.actuator_catalogue import SENSOR, ComponentClass, Signal, components_for
@@ -82,6 +84,7 @@ def place_actuators(
         joint = joints[item.joint]
         component = next(c for c in components_for(joint.type) if c.name == item.component)
         modelica = joint_names[joint.name]
+        parameters = {**rated_parameters(joint, component, item.parameters), **item.parameters}
         sensor = sensors.get(item.joint)
         if item.component == SENSOR:
             flange = ("flange_b", f"{modelica}.axis")
@@ -91,7 +94,7 @@ def place_actuators(
             Actuator(
                 class_name=component.class_name,
                 name=name,
-                modifiers=("useSupport=true", *(f"{key}={_text(value)}" for key, value in item.parameters.items())),
+                modifiers=("useSupport=true", *(f"{key}={_text(value)}" for key, value in parameters.items())),
                 description=f"{component.description.split(',')[0]} at {joint.name}",
                 joint=modelica,
                 connections=(flange, ("support", f"{modelica}.support")),
@@ -100,6 +103,41 @@ def place_actuators(
             )
         )
     return tuple(actuators)
+
+
+def rated_parameters(
+    joint: Joint, component: ComponentClass, given: Mapping[str, float | bool]
+) -> dict[str, float | bool]:
+    """Limits of a drive that the joint's rating says: largest effort, and largest speed by the drive's gear.
+
+    Args:
+        joint: the joint.
+        component: the drive.
+        given: parameters that the user chose; the gear's ``ratio`` and the spindle's ``pitch`` count for the rotor.
+    """
+    rating = joint.rating
+    if rating is None:
+        return {}
+    found: dict[str, float | bool] = {}
+    for name in ("tau_max", "f_max"):
+        if rating.effort is not None and component.parameter(name) is not None:
+            found[name] = rating.effort
+    if rating.speed is not None and component.parameter("w_max") is not None:
+        found["w_max"] = rating.speed * _rotor_speed(component, given)
+    return found
+
+
+def _rotor_speed(component: ComponentClass, given: Mapping[str, float | bool]) -> float:
+    """Speed of the rotor over that of the joint: the gear's ratio, or turns of the spindle, in rad, for the way."""
+
+    def value(name: str) -> float | None:
+        parameter = component.parameter(name)
+        if parameter is None:
+            return None
+        return float(given[name]) if name in given else float(parameter.default or 1.0)
+
+    pitch = value("pitch")
+    return 2 * math.pi / pitch if pitch is not None else value("ratio") or 1.0
 
 
 def _default_name(item: Assignment) -> str:

@@ -12,6 +12,7 @@ from cmb_base.progress import Progress, silent
 from cad2modelica.actuator_file import FILE_NAME, Assignment, named_joints, read_assignments
 from cad2modelica.actuators import place_actuators
 from cad2modelica.assembling import assembled, require_closed
+from cad2modelica.assembly_choices import with_grounded, with_stops
 from cad2modelica.collision_shapes import MAXIMUM_PIECES, collision_geometry
 from cad2modelica.contact_pairs import contact_pairs, within_reach
 from cad2modelica.generation_notes import overlap_notes, unit_notes
@@ -59,6 +60,8 @@ class GenerateOptions:
         collision_error: concavity that a piece of a concave body may keep, in the assembly's unit of length (m for
             URDF); counts before the assembly's own ``collisionError``, but not before a part's.
         max_pieces: largest number of pieces of a concave body; counts likewise.
+        ground: names of parts that are held in the world where they stand.
+        stops: whether joints have stops at their limits; None: as the format has it (XML: yes, URDF: no).
     """
 
     package: str | None = None
@@ -68,6 +71,8 @@ class GenerateOptions:
     accept_structure: bool = False
     edited: Edited = Edited.ASK
     assemble: bool = False
+    ground: tuple[str, ...] = ()
+    stops: bool | None = None
 
 
 @dataclass(frozen=True)
@@ -116,7 +121,7 @@ def generate(
         InputError: the input is wrong, or what is there must not be replaced without consent; nothing is written then.
     """
     _check(options)
-    assembly = read_assembly(assembly_path, progress)
+    assembly = with_stops(with_grounded(read_assembly(assembly_path, progress), options.ground), options.stops)
     if options.assemble:
         assembly = assembled(assembly, kinematic_tree(assembly))
     require_closed(assembly)

@@ -163,6 +163,14 @@ class JointLimits:
 
 
 @dataclass(frozen=True)
+class JointRating:
+    """Largest effort (N.m, N) and speed (rad/s, m/s) of what drives a joint; None: nothing is said."""
+
+    effort: float | None
+    speed: float | None
+
+
+@dataclass(frozen=True)
 class JointFriction:
     """Viscous (N.m.s/rad, N.s/m) and dry friction (N.m, N)."""
 
@@ -184,7 +192,7 @@ class Joint:
         velocity: of the child against the parent at the origin, world axes, m/s (other types).
         angular_velocity: of the child against the parent, world axes, rad/s (other types).
         pitch: way along the axis in one turn, m, screw joints only.
-        limits, friction: None where nothing is said.
+        limits, friction, rating: None where nothing is said.
         child_origin, child_axis: point and axis as the child has them, in the world's coordinates; None where the child
             says nothing.
     """
@@ -206,6 +214,7 @@ class Joint:
     friction: JointFriction | None = None
     child_origin: Array | None = None
     child_axis: Array | None = None
+    rating: JointRating | None = None
 
     @property
     def is_turning(self) -> bool:
@@ -251,6 +260,7 @@ class Assembly:
         gravity: acceleration, world axes, m/s2.
         notes: what the user should know about how the source was read; each one line.
         length_unit: the source's unit of length, m.
+        limits_stop: whether joints have stops at their limits unless the user says otherwise.
     """
 
     name: str
@@ -267,6 +277,7 @@ class Assembly:
     contacts: ContactSettings = field(default_factory=ContactSettings)
     notes: tuple[str, ...] = ()
     length_unit: float = 1.0
+    limits_stop: bool = True
 
     @cached_property
     def _by_name(self) -> dict[str, Part]:

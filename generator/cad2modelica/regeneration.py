@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from enum import Enum
 from pathlib import Path
+from typing import Any
 
 from cmb_base.errors import InputError, Place
 
@@ -82,8 +83,11 @@ def record_text(record: Record) -> str:
 
 
 def actuator_signature(assignments: Sequence[Assignment], assembly: Assembly) -> str:
-    """SHA-256 of all that the mechatronic model says itself: the assignment, and the experiment's settings."""
-    data = [[asdict(item) for item in assignments], assembly.stop_time, assembly.tolerance]
+    """SHA-256 of all that the mechatronic model says itself: the assignment, joints' ratings, and the experiment."""
+    data: list[Any] = [[asdict(item) for item in assignments], assembly.stop_time, assembly.tolerance]
+    driven = {item.joint for item in assignments}
+    ratings = [[joint.name, asdict(joint.rating)] for joint in assembly.joints if joint.rating and joint.name in driven]
+    data += [ratings] if ratings else []
     return checksum(json.dumps(data, sort_keys=True).encode())
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,6 +14,10 @@ from cad2modelica.problems import Problems
 from cad2modelica.spatial import Array, Pose, rotation_of_roll_pitch_yaw
 from cad2modelica.xml_document import line_of
 
+XACRO = "ros.org/wiki/xacro"
+EXPAND = "Expand the macros first: xacro robot.urdf.xacro > robot.urdf"
+_OPTIONAL_ENVIRONMENT = re.compile(r"\$\(optenv\s+\w+\s+([^()]*)\)")
+
 
 @dataclass(frozen=True)
 class UrdfElements:
@@ -21,10 +26,12 @@ class UrdfElements:
     Attributes:
         file: the robot description.
         problems: receives what is wrong.
+        notes: receives what was read otherwise than it stands there.
     """
 
     file: Path
     problems: Problems
+    notes: list[str]
 
     def origin(self, element: etree._Element) -> Pose:
         """The pose that an element's ``origin`` gives; identity if there is none."""
@@ -34,22 +41,39 @@ class UrdfElements:
         return Pose(position, rotation_of_roll_pitch_yaw(angles))
 
     def numbers(self, element: etree._Element | None, name: str, default: tuple[float, ...]) -> Array:
-        """As many finite numbers as the default has."""
+        """As many finite numbers as the default has.
+
+        Read with a note: commas between numbers, more numbers than needed, and ``$(optenv NAME value)``, whose value
+        counts; the environment is never looked at.
+        """
         text = element.get(name) if element is not None else None
         if text is None:
             return np.array(default)
+        words = _OPTIONAL_ENVIRONMENT.sub(r"\1", text).replace(",", " ").split()
         try:
-            values = np.array(text.split(), dtype=np.float64)
+            values = np.array(words[: len(default)], dtype=np.float64)
         except ValueError:
             values = np.zeros(0)
+        if words != text.split():
+            self.notes.append(f"{self.place(element)}: {name}={text!r} was read as {' '.join(words)!r}")
+        if len(words) > len(default):
+            self.notes.append(f"{self.place(element)}: of {name}={text!r} the first {len(default)} numbers count")
         if len(values) != len(default) or not np.isfinite(values).all():
             self.problems.add(
                 f"{name}={text!r} must be {len(default)} finite number{'s' if len(default) > 1 else ''}",
                 self.place(element),
-                "Correct the value; xacro files must be expanded first." if "$" in text else "Correct the value.",
+                f"{EXPAND}." if "$" in text else "Correct the value.",
             )
             return np.array(default)
         return values
+
+    def refuse_macros(self, root: etree._Element) -> None:
+        """Records a problem if macros of xacro stand in the file: without them parts of the robot would be missing."""
+        for element in root.iter():
+            if XACRO in str(element.tag):
+                macro = etree.QName(element).localname
+                self.problems.add(f"holds macros of xacro ({macro!r})", self.place(element), f"{EXPAND}.")
+                return
 
     def place(self, element: etree._Element | None, component: str | None = None) -> Place:
         """Where an element stands."""

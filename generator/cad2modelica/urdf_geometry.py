@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+import os.path
+from pathlib import Path, PurePosixPath
 
 import numpy as np
 from cmb_base.errors import InputError
@@ -17,6 +18,7 @@ from cad2modelica.urdf_elements import UrdfElements
 
 DEFAULT_COLOR = (0.7, 0.7, 0.7)
 PACKAGE = "package://"
+PACKAGE_FILE = "package.xml"
 LEVELS_OF_PACKAGES = 5
 
 _LENGTHS = {"box": ("size",), "sphere": ("radius",), "cylinder": ("radius", "length"), "capsule": ("radius", "length")}
@@ -93,6 +95,8 @@ class UrdfGeometry:
             candidates += [ancestor / package for ancestor in above if package and (ancestor / package).is_dir()]
             holding = [candidate for candidate in candidates if (candidate / reference).is_file()]
             folder = next(iter(holding + candidates), folder)
+        elif ".." in PurePosixPath(reference).parts:
+            folder, reference = _inside_package(description, reference)
         return resolve_inside(folder, reference, self._elements.place(shape, link))
 
     def _color(self, element: etree._Element) -> tuple[float, float, float]:
@@ -116,3 +120,13 @@ def _primitive(kind: str, values: list[Array]) -> Surface:
     vertices, triangles = build(radius, float(values[1][0]))
     # URDF's axis lies along z, the mesh's along y.
     return vertices @ rotation_about([1, 0, 0], np.pi / 2).T, triangles
+
+
+def _inside_package(description: Path, reference: str) -> tuple[Path, str]:
+    """Folder and reference in it, for one that climbs but stays in the ROS package that the description lies in."""
+    above = description.resolve().parents[:LEVELS_OF_PACKAGES]
+    package = next((folder for folder in above if (folder / PACKAGE_FILE).is_file()), None)
+    target = Path(os.path.normpath(above[0] / reference))
+    if package is None or not target.is_relative_to(package):
+        return description.parent, reference
+    return package, target.relative_to(package).as_posix()

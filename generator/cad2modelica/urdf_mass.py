@@ -17,8 +17,6 @@ from cad2modelica.urdf_elements import UrdfElements
 LEAST_GYRATION = 1e-3
 """Least radius of gyration over the size of the geometry that a repaired inertia gets."""
 SIZE_WITHOUT_GEOMETRY = 0.1  # m
-NEGATIVE_MOMENT = -1e-6
-"""A principal moment below this part of the greatest is no rounding of zero."""
 
 _COMPONENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 
@@ -54,23 +52,18 @@ def usable(properties: MassProperties, meshes: tuple[Mesh, ...]) -> tuple[MassPr
 
     Returns:
         The properties, their inertia with principal moments of at least a thousandth of the size as radius of
-        gyration if one of them was zero; and remarks.
+        gyration if one of them was zero or negative; and remarks.
 
     Raises:
-        ValueError: the mass or a principal moment is negative; the message says which.
+        ValueError: the mass is negative.
     """
     if properties.mass < 0:
         raise ValueError(f"mass is {properties.mass:g} kg, but must be positive")
     remarks: list[str] = []
     moments, axes = np.linalg.eigh(properties.inertia)
-    if moments[0] < NEGATIVE_MOMENT * max(abs(moments[2]), 1e-300):
-        listed = ", ".join(f"{moment:.4g}" for moment in moments)
-        raise ValueError(
-            f"the inertia about the centre of mass is not positive definite (principal moments {listed} kg.m2)"
-        )
     size = float(np.linalg.norm(np.ptp(join(meshes)[0], axis=0))) if meshes else SIZE_WITHOUT_GEOMETRY
     least = properties.mass * (LEAST_GYRATION * size) ** 2
-    if moments[0] <= 1e-12 * moments[2] or moments[2] == 0.0:
+    if moments[0] <= 1e-12 * max(moments[2], least):
         raised = np.maximum(moments, least)
         remarks.append(
             f"principal moments of inertia {_listed(moments)} kg.m2 raised to {_listed(raised)}, "

@@ -30,6 +30,8 @@ def read_xml(file: Path, maximum_bytes: int = MAXIMUM_BYTES) -> etree._Element:
         InputError: the file is missing, too large, not well formed, nested too deep, or declares a document type.
     """
     data = _without_odd_declaration(_read_bytes(file, maximum_bytes))
+    end = data.rstrip(b"\0")  # which some programs write behind the end; in UTF-16 one belongs to the last character
+    data = end if end.rstrip().endswith(b">") and not end.startswith((b"\xff\xfe", b"\xfe\xff", b"<\0")) else data
     parser = etree.XMLParser(
         resolve_entities=False,
         no_network=True,

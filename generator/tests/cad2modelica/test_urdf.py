@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 import struct
 from pathlib import Path
 
 import numpy as np
 import pytest
-from cad2modelica import generate, read_assembly
+from cad2modelica import GenerateOptions, generate, read_assembly
 from cad2modelica.collision_shapes import collision_geometry
 from cad2modelica.mesh import is_closed, join, volume_integrals, weld
 from cad2modelica.mesh_files import read_mesh
@@ -76,7 +77,6 @@ def test_massless_link_lends_its_geometry(tmp_path: Path) -> None:
         Rotation.from_euler("y", -0.5).apply(axis), Rotation.from_euler("x", 0.3).apply([0, 1, 0]), atol=1e-12
     )
     assert assembly.joints[1].parent == "b1"
-    assert "not used: limit of joints" in assembly.notes
 
 
 def test_inertia_turns_with_its_origin(tmp_path: Path) -> None:
@@ -211,7 +211,7 @@ def test_collision_geometry_stands_in_for_a_missing_visual(tmp_path: Path) -> No
         <collision><geometry><sphere radius="0.1"/></geometry></collision>"""
     assembly = changed(tmp_path, ('<link name="b2">', f'<link name="b2">{geometry}'))
     assert len(assembly.part("b2").meshes) == 1
-    assert any("b2: geometry left out" in note and "gone.stl" in note for note in assembly.notes)
+    assert any("'b2': visual geometry left out" in note and "gone.stl" in note for note in assembly.notes)
 
 
 def test_package_beside_the_description(tmp_path: Path) -> None:
@@ -276,23 +276,24 @@ def test_wrong_collada(tmp_path: Path, old: str, new: str, words: str) -> None:
         ('child link="b2"', 'child link="b3"', "'b3' is no link"),
         ('type="continuous"', 'type="helical"', "'helical'"),
         ('mass value="0.7"', 'mass value="-0.7"', "must be positive"),
+        ('<robot name="double pendulum">', '<robot name="d"><deformable name="torus"/></robot>', "no link has"),
+        (
+            '<link name="world"/>',
+            '<link name="world"/><x:macro xmlns:x="http://www.ros.org/wiki/xacro" name="leg"/>',
+            "xacro ('macro')",
+        ),
         ('<limit effort="1"/>', '<dynamics damping="-1"/>', "must not be negative"),
-        ('iyy="0.01"', 'iyy="-0.01"', "positive definite"),
         ('xyz="0 1 0"', 'xyz="0 0 0"', "zero vector"),
         ('xyz="0.25 0 0"', 'xyz="${length} 0 0"', "xacro"),
         ('xyz="0.25 0 0"', 'xyz="nan 0 0"', "finite"),
         ('link name="b2"', 'link name="b1"', "name of its own"),
         ('joint name="r2"', 'joint name="r1"', "name of its own"),
         ('parent link="world"', 'parent link="b2"', "circle"),
-        ('<box size="0.1 0.2 0.3"/>', '<box size="0.1 0 0.3"/>', "positive lengths"),
-        ('<box size="0.1 0.2 0.3"/>', '<mesh filename="a.dae"/>', "does not exist"),
-        ('<box size="0.1 0.2 0.3"/>', '<mesh filename="../a.stl"/>', "leaves"),
-        ('<box size="0.1 0.2 0.3"/>', '<mesh filename="file:///etc/passwd"/>', "not a relative path"),
     ],
 )
 def test_wrong_urdf(tmp_path: Path, old: str, new: str, words: str) -> None:
     assert old in PENDULUM
-    text = PENDULUM.replace(old, new)
+    text = new if "</robot>" in new else PENDULUM.replace(old, new)
     file = write(tmp_path, text)
     with pytest.raises(InputError) as caught:
         generate(file, tmp_path / "out")
@@ -332,3 +333,212 @@ def test_finely_tessellated_part_is_decomposed_only_if_asked(tmp_path: Path) -> 
     assert any("1600 triangles in all" in note for note in unasked.notes)
     asked = collision_geometry(part, DecompositionLimits(pieces=8).or_else(limits))
     assert 3 <= len(asked.shapes) <= 8
+
+
+@pytest.mark.parametrize(
+    ("geometry", "words"),
+    [
+        ('<box size="0.1 0 0.3"/>', "positive lengths"),
+        ('<mesh filename="a.dae"/>', "does not exist"),
+        ('<mesh filename="../secret.stl"/>', "leaves"),
+        ('<mesh filename="file:///etc/passwd"/>', "not a relative path"),
+        ('<mesh filename="/etc/passwd.stl"/>', "not a relative path"),
+        ('<mesh filename="package://arm/secret.stl"/>', "does not exist"),
+        ('<mesh filename="model.blend"/>', "does not exist"),
+        ("<torus/>", "not known"),
+        ("", "names no geometry"),
+    ],
+)
+def test_geometry_that_cannot_be_read_is_left_out(tmp_path: Path, geometry: str, words: str) -> None:
+    """The body stays with its mass, and a note says what is missing; nothing outside the folder is read."""
+    (tmp_path / "secret.stl").write_bytes(binary_stl(box_surface(np.array([1.0, 2.0, 3.0]))))
+    (tmp_path / "urdf").mkdir()
+    assembly = changed(tmp_path / "urdf", ('<box size="0.1 0.2 0.3"/>', geometry))
+    part = assembly.part("b1")
+    assert part.meshes == ()
+    assert part.mass_properties.mass == 1.0
+    (note,) = [note for note in assembly.notes if "geometry left out" in note]
+    assert words in note
+    assert "robot.urdf:" in note
+    assert "link 'bracket'" in note
+
+
+def test_meshes_beside_the_description_in_its_package(tmp_path: Path) -> None:
+    """``../meshes`` is read where package.xml says that both belong together, and no further."""
+    package = tmp_path / "arm"
+    for folder in ("urdf", "meshes"):
+        (package / folder).mkdir(parents=True)
+    (package / "package.xml").write_text("<package/>")
+    solid = binary_stl(box_surface(np.array([1.0, 2.0, 3.0])))
+    (package / "meshes" / "box.stl").write_bytes(solid)
+    (tmp_path / "secret.stl").write_bytes(solid)
+    mesh = '<mesh filename="{}"/>'
+    inside = changed(package / "urdf", ('<box size="0.1 0.2 0.3"/>', mesh.format("../meshes/box.stl")))
+    assert len(inside.part("b1").meshes) == 1
+    outside = changed(package / "urdf", ('<box size="0.1 0.2 0.3"/>', mesh.format("../../secret.stl")))
+    assert outside.part("b1").meshes == ()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('xyz="0.25 0 0"', 'xyz="0.25, 0, 0"', "read as '0.25 0 0'"),
+        ('xyz="0.25 0 0"', 'xyz="0.25 0 0 7"', "the first 3 numbers"),
+        ('xyz="0.25 0 0"', 'xyz="$(optenv HOME 0.25 0 0)"', "read as '0.25 0 0'"),
+    ],
+)
+def test_numbers_as_other_programs_read_them(tmp_path: Path, old: str, new: str, words: str) -> None:
+    assembly = changed(tmp_path, (old, new))
+    np.testing.assert_allclose(assembly.part("b1").mass_properties.center_of_mass, [0.25, 0, 0])
+    assert any(words in note for note in assembly.notes)
+
+
+def test_zero_bytes_behind_the_end(tmp_path: Path) -> None:
+    assert len(read_assembly(write(tmp_path, PENDULUM + "\0\0")).parts) == 2
+
+
+@pytest.mark.parametrize("rest", ['"0"', '"0.01" iyz="0.02"', '"-2e-35"'])
+def test_moments_not_positive_are_raised(tmp_path: Path, rest: str) -> None:
+    """Products too large, or rounded nothing: raised to the least moment, with a note; the others stay."""
+    if "iyz" in rest:
+        old, new = 'izz="0.01" ixy="0" ixz="0" iyz="0"', f'izz={rest} ixy="0" ixz="0"'
+        expected = [0.7e-8, 1e-3, 0.03]  # 0.01 + 0.02 and 0.01 - 0.02
+    else:
+        old, new = 'iyy="0.01" izz="0.01"', f'iyy={rest} izz="0.01"'
+        expected = [0.7e-8, 1e-3, 0.01]
+    assembly = changed(tmp_path, (old, new))
+    moments = np.linalg.eigvalsh(assembly.part("b2").mass_properties.inertia)
+    np.testing.assert_allclose(moments, expected, rtol=1e-9)
+    assert any("'b2': principal moments" in note and "raised" in note for note in assembly.notes)
+
+
+def test_massless_root_with_geometry_stands_in_the_world_and_collides(tmp_path: Path) -> None:
+    table = '<link name="world"><collision><geometry><box size="2 2 0.1"/></geometry></collision></link>'
+    assembly = changed(
+        tmp_path,
+        ('<link name="world"/>', table),
+        ('<link name="b2">', '<link name="b2"><collision><geometry><sphere radius="0.1"/></geometry></collision>'),
+    )
+    world = assembly.part("world")
+    assert world.grounded
+    assert world.mass_properties.mass == 0.0
+    assert assembly.joints[0].parent == "world"
+    package = generate(tmp_path / "robot.urdf", tmp_path / "out")
+    text = (package.root / "Mechanics.mo").read_text()
+    assert "contacts.frame" in text
+    assert text.count("geometry=Geometry.") == 3  # world, b1 with its bracket, b2
+
+
+def test_scenery_without_any_mass(tmp_path: Path) -> None:
+    """What other simulators load as an immovable obstacle."""
+    text = """<robot name="tray"><link name="base"><inertial><mass value="0"/></inertial>
+      <collision><geometry><box size="1 1 0.1"/></geometry></collision></link></robot>"""
+    (part,) = read_assembly(write(tmp_path, text)).parts
+    assert part.grounded
+    assert len(part.meshes) == 1
+    generate(tmp_path / "robot.urdf", tmp_path / "out")
+
+
+def test_link_named_like_the_ground(tmp_path: Path) -> None:
+    assembly = changed(tmp_path, ('link name="b1"', 'link name="ground"'), ('link="b1"', 'link="ground"'))
+    assert [part.name for part in assembly.parts] == ["ground link", "b2"]
+    assert assembly.joints[0].parent == "ground"
+    assert assembly.joints[1].parent == "ground link"
+
+
+def test_floating_joint_behind_a_body_moves_freely(tmp_path: Path) -> None:
+    assembly = changed(tmp_path, ('joint name="r2" type="revolute"', 'joint name="r2" type="floating"'))
+    assert assembly.joints[1].type is JointType.FREE
+    text = (generate(tmp_path / "robot.urdf", tmp_path / "out").root / "Mechanics.mo").read_text()
+    assert "enforceStates=true" in text
+
+
+def test_mimic_is_named(tmp_path: Path) -> None:
+    assembly = changed(tmp_path, ('<limit effort="1"/>', '<mimic joint="r1" multiplier="2"/>'))
+    assert any("'r2' is to follow joint 'r1'" in note for note in assembly.notes)
+
+
+# ----- limits, ratings, ground -----
+
+LIMITS = '<limit effort="12" velocity="3" lower="-0.5" upper="2"/>'
+
+
+def mechanics(tmp_path: Path, options: GenerateOptions, *replacements: tuple[str, str]) -> tuple[str, tuple[str, ...]]:
+    changed(tmp_path, ('<limit effort="1"/>', LIMITS), *replacements)
+    package = generate(tmp_path / "robot.urdf", tmp_path / "out", options)
+    return (package.root / "Mechanics.mo").read_text(), package.notes
+
+
+def test_limits_are_stops_if_asked(tmp_path: Path) -> None:
+    text, notes = mechanics(tmp_path, GenerateOptions())
+    assert "EndStop" not in text
+    assert "1 joints move without stops at their limits; --stops adds them" in notes
+    text, notes = mechanics(tmp_path, GenerateOptions(stops=True, accept_structure=True))
+    assert text.count("Actuators.Rotational.EndStop ") == 1
+    assert "phi_min=-0.5" in text
+    assert "phi_max=2" in text
+
+
+def test_no_stop_where_the_joint_starts_outside_its_range(tmp_path: Path) -> None:
+    text, notes = mechanics(tmp_path, GenerateOptions(stops=True), ('lower="-0.5"', 'lower="0.5"'))
+    assert "EndStop" not in text
+    assert any("'r2' has no stops, for it starts at 0, outside its range 0.5 to 2" in note for note in notes)
+
+
+def test_continuous_joints_and_empty_ranges_have_no_stops(tmp_path: Path) -> None:
+    for old, new in (('name="r2" type="revolute"', 'name="r2" type="continuous"'), ('upper="2"', 'upper="-0.5"')):
+        text, _ = mechanics(tmp_path, GenerateOptions(stops=True), (old, new))
+        assert "EndStop" not in text
+
+
+@pytest.mark.parametrize(
+    ("entry", "expected"),
+    [
+        ('component = "Servo"', ["tau_max=12"]),
+        ('component = "Torque"', ["tau_max=12"]),
+        ('component = "Torque"\nparameters = { tau_max = 5.0 }', ["tau_max=5"]),
+        ('component = "CascadeServo"\nparameters = { ratio = 50.0 }', ["w_max=150", "ratio=50"]),
+    ],
+)
+def test_ratings_are_the_drives_limits(tmp_path: Path, entry: str, expected: list[str]) -> None:
+    (tmp_path / "actuators.toml").write_text(f'[[actuator]]\njoint = "r2"\n{entry}\n')
+    changed(tmp_path, ('<limit effort="1"/>', LIMITS))
+    package = generate(tmp_path / "robot.urdf", tmp_path / "out")
+    text = re.sub(r"\s", "", (package.root / "Mechatronics.mo").read_text())
+    for item in expected:
+        assert item in text
+    assert text.count("tau_max=") <= 1
+
+
+def test_changed_rating_reaches_the_mechatronic_model(tmp_path: Path) -> None:
+    (tmp_path / "actuators.toml").write_text('[[actuator]]\njoint = "r2"\ncomponent = "Servo"\n')
+    for effort in ("12", "15"):
+        changed(tmp_path, ('<limit effort="1"/>', LIMITS.replace("12", effort)))
+        package = generate(tmp_path / "robot.urdf", tmp_path / "out")
+        assert f"tau_max={effort}" in (package.root / "Mechatronics.mo").read_text()
+
+
+def test_spindle_turns_a_speed_into_that_of_its_rotor(tmp_path: Path) -> None:
+    entry = '[[actuator]]\njoint = "r2"\ncomponent = "CascadeServo"\nparameters = { pitch = 0.01 }\n'
+    (tmp_path / "actuators.toml").write_text(entry)
+    changed(tmp_path, ('<limit effort="1"/>', LIMITS), ('name="r2" type="revolute"', 'name="r2" type="prismatic"'))
+    package = generate(tmp_path / "robot.urdf", tmp_path / "out")
+    value = re.search(r"w_max=([\d.]+)", (package.root / "Mechatronics.mo").read_text())
+    assert value is not None
+    assert float(value[1]) == pytest.approx(3 / 0.01 * 2 * np.pi)
+
+
+def test_root_held_in_the_world(tmp_path: Path) -> None:
+    free = PENDULUM.replace('<link name="world"/>', "").replace(
+        PENDULUM[PENDULUM.index('  <joint name="r1"') : PENDULUM.index('  <link name="b1">')], ""
+    )
+    file = write(tmp_path, free)
+    notes = generate(file, tmp_path / "free").notes
+    assert "link 'b1' is the root and moves freely; --ground b1 holds it" in notes
+    held = generate(file, tmp_path / "held", GenerateOptions(ground=("b1",)))
+    assert not any("moves freely" in note for note in held.notes)
+    text = (held.root / "Mechanics.mo").read_text()
+    assert "enforceStates" not in text
+    assert re.search(r"connect\(world\.frame_b, b1\.frame_a\)", text)
+    with pytest.raises(InputError, match="no part 'b3' to ground"):
+        generate(file, tmp_path / "wrong", GenerateOptions(ground=("b3",)))
