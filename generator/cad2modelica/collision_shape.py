@@ -9,6 +9,8 @@ import numpy as np
 from cad2modelica.spatial import IDENTITY, Array, Pose
 
 PRISM_SIDES = 32
+INLINE_CORNERS = 12  # of a hull that stays in the text: a block with a chamfered face
+FILE_ERROR = 1e-6  # of a hull's size: what single precision may move a corner
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,6 +32,25 @@ class CollisionShape:
     length: float = 0.0
     size: tuple[float, float, float] = (0.0, 0.0, 0.0)
     vertices: Array | None = None
+
+    @staticmethod
+    def hull(corners: Array) -> CollisionShape:
+        """A convex hull; many corners, which go into a file, are rounded to that file's single precision.
+
+        Args:
+            corners: in the body's frame, shape (n, 3), m.
+        """
+        rounded = corners.astype(np.float32).astype(np.float64)
+        coarse = np.abs(rounded - corners).max() > FILE_ERROR * np.ptp(corners, axis=0).max()
+        return CollisionShape("hull", vertices=corners if len(corners) <= INLINE_CORNERS or coarse else rounded)
+
+    @property
+    def file_corners(self) -> Array | None:
+        """Corners of a hull that belongs into a file, which are single precision numbers; None of all else."""
+        corners = self.vertices
+        if corners is None or len(corners) <= INLINE_CORNERS:
+            return None
+        return corners if (corners.astype(np.float32) == corners).all() else None
 
     @property
     def outline(self) -> tuple[Array, float]:

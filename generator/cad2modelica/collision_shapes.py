@@ -154,7 +154,7 @@ def _accuracy(vertices: Array, triangles: Indices, pieces: list[ConvexHull]) -> 
 
 
 def _hull_shape(hull: ConvexHull) -> CollisionShape:
-    return CollisionShape("hull", vertices=hull.points[hull.vertices])
+    return CollisionShape.hull(hull.points[hull.vertices])
 
 
 def _hull(vertices: Array) -> ConvexHull | None:

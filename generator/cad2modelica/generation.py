@@ -151,8 +151,8 @@ def generate(
         *(note for item in geometries.values() for note in item.notes),
         *dropped,
     )
-    own = find_own_files(output, name, {*GENERATED, ORDER})
-    earlier = read_record(own.root)
+    earlier = read_record(output / name)
+    own = find_own_files(output, name, {*GENERATED, ORDER, *(earlier.files if earlier is not None else ())})
     structure = structure_of(assembly, loops, view)
     file = _actuator_file(assembly_path, options)
     assigned = named_joints(file) if file is not None else ()
@@ -162,6 +162,7 @@ def generate(
     taken = {component.name for component in view.components} | {*view.material_names.values(), *RESERVED}
     actuators = place_actuators(assignments, assembly, view.joint_names, taken)
     texts = package_texts(assembly, view, geometries, actuators, name, notes)
+    own.require_free(texts.resources)
     if plan.write_mechatronics or earlier is None:
         written = checksum(texts.mechatronics.encode())
     else:
@@ -196,7 +197,10 @@ def generate(
             (root / file_name).write_text(text, encoding="utf-8")
         if plan.write_mechatronics:
             (root / MECHATRONICS_FILE).write_text(texts.mechatronics, encoding="utf-8")
-        record = Record(structure, actuator_signature(assignments, assembly), written)
+        for path, content in texts.resources.items():
+            (root / path).parent.mkdir(parents=True, exist_ok=True)
+            (root / path).write_bytes(content)
+        record = Record(structure, actuator_signature(assignments, assembly), written, tuple(sorted(texts.resources)))
         (root / RECORD).parent.mkdir(exist_ok=True)
         (root / RECORD).write_text(record_text(record), encoding="utf-8")
         (root / ORDER).write_text("".join(f"{item}\n" for item in own.package_order(CLASSES)), encoding="utf-8")

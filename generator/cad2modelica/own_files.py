@@ -37,6 +37,17 @@ class OwnFiles:
             (root / file).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(self.root / file, root / file, follow_symlinks=False)
 
+    def require_free(self, paths: Collection[str]) -> None:
+        """Raises InputError if one of these paths, relative to the package, is taken by a file of the modeller's."""
+        for path in map(Path, sorted(paths)):
+            taken = next((place for place in (path, *path.parents) if place in self.files), None)
+            if taken is not None:
+                raise InputError(
+                    "is no file of the generator's, which would write over it",
+                    place=Place(file=self.root / taken),
+                    remedy="Move it away, or give it another name.",
+                )
+
     def package_order(self, generated: tuple[str, ...]) -> tuple[str, ...]:
         """Classes of the package: the earlier order, then what is new."""
         own = {file.stem if len(file.parts) == 1 else file.parts[0] for file in self.files if file.suffix == ".mo"}

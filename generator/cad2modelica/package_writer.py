@@ -12,6 +12,7 @@ from cad2modelica.actuator_diagram import draw_actuators
 from cad2modelica.actuators import Actuator
 from cad2modelica.collision_shapes import CollisionGeometry
 from cad2modelica.diagram import Extent, Point, draw
+from cad2modelica.hull_files import package_geometry
 from cad2modelica.mechanism_view import ContactView, MechanismView
 from cad2modelica.model import Assembly, Material
 from cad2modelica.modelica_text import array, html, number, string, vector
@@ -28,10 +29,17 @@ _FRICTION = {"none": "None", "regularised": "Regularised", "anchored": "Anchored
 
 @dataclass(frozen=True)
 class PackageTexts:
-    """Files of the package by their names, the mechatronic model apart because it is written only once."""
+    """Files of the package by their names, the mechatronic model apart because it is written only once.
+
+    Attributes:
+        files: Modelica files.
+        mechatronics: the mechatronic model.
+        resources: other files, by their paths in the package.
+    """
 
     files: dict[str, str]
     mechatronics: str
+    resources: dict[str, bytes]
 
 
 def package_texts(
@@ -72,11 +80,9 @@ def package_texts(
         size=_extent(diagram.size),
         notes=notes,
     )
-    bodies = [
-        {"name": view.part_names[name], "descriptor": geometry.descriptor, "label": name}
-        for name, geometry in geometries.items()
-        if geometry.shapes
-    ]
+    part_of = {view.part_names[name]: name for name in geometries}
+    expressions, resources = package_geometry(package, {body: geometries[name] for body, name in part_of.items()})
+    bodies = [{"name": body, "geometry": text, "label": part_of[body]} for body, text in expressions.items()]
     files = {
         "package.mo": environment.get_template("package.mo.jinja").render(**common),
         f"{MECHANICS}.mo": mechanics,
@@ -92,7 +98,7 @@ def package_texts(
         ],
         mechatronics_size=_extent(drives.size),
     )
-    return PackageTexts(files, mechatronics)
+    return PackageTexts(files, mechatronics, resources)
 
 
 def _environment(extents: dict[str, Extent]) -> Environment:

@@ -37,11 +37,19 @@ class Edited(Enum):
 
 @dataclass(frozen=True)
 class Record:
-    """What an earlier generation wrote; ``mechatronics`` is the SHA-256 of the model's file."""
+    """What an earlier generation wrote.
+
+    Attributes:
+        structure: of the mechanics.
+        actuators: signature of the assignment.
+        mechatronics: SHA-256 of the mechatronic model's file.
+        files: resources, by their paths in the package.
+    """
 
     structure: Structure
     actuators: str
     mechatronics: str
+    files: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -65,7 +73,8 @@ def read_record(root: Path) -> Record | None:
         data = json.loads((root / RECORD).read_text(encoding="utf-8"))
         if data["format"] != FORMAT:
             return None
-        return Record(structure_from(data["structure"]), str(data["actuators"]), str(data["mechatronics"]))
+        files = tuple(str(file) for file in data.get("files", ()))
+        return Record(structure_from(data["structure"]), str(data["actuators"]), str(data["mechatronics"]), files)
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
@@ -78,6 +87,7 @@ def record_text(record: Record) -> str:
         "structure": asdict(record.structure),
         "actuators": record.actuators,
         "mechatronics": record.mechatronics,
+        "files": list(record.files),
     }
     return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
 
