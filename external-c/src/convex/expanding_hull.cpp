@@ -36,6 +36,22 @@ bool ExpandingHull::set_plane(Face &face, double thickness) const {
   return true;
 }
 
+double ExpandingHull::distance(const Face &face) const {
+  const double offset = face.offset;
+  if (!(offset > 0.0)) return offset;
+  const Vec3 *const corner[3] = {&point(face.vertex[0]), &point(face.vertex[1]), &point(face.vertex[2])};
+  double nearest2 = INFINITY;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &p = *corner[k], &q = *corner[k == 2 ? 0 : k + 1];
+    if (dot(face.normal, cross(p, q)) >= 0.0) continue;  // the origin's foot lies on the face's side of the edge
+    const Vec3 edge = q - p;
+    const double along = -dot(p, edge), length2 = norm2(edge);
+    const double t = along <= 0.0 ? 0.0 : along >= length2 ? 1.0 : along / length2;
+    nearest2 = std::min(nearest2, norm2(p + t * edge));
+  }
+  return nearest2 < INFINITY ? std::max(offset, std::sqrt(nearest2)) : offset;
+}
+
 bool ExpandingHull::start(const Vec3 &p0, const Vec3 &p1, const Vec3 &p2, const Vec3 &p3, double thickness) {
   points_.clear();
   faces_.clear();

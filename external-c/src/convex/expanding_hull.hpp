@@ -40,6 +40,8 @@ class ExpandingHull {
   std::int32_t first_new_face() const { return first_new_face_; }
   const Vec3 &point(std::int32_t i) const { return points_[static_cast<std::size_t>(i)]; }
   const Face &face(std::int32_t i) const { return faces_[static_cast<std::size_t>(i)]; }
+  // The origin's distance from a face that is no sliver; its plane's offset where that is not positive.
+  double distance(const Face &face) const;
   // The faces that the last expansion removed.
   const std::vector<std::int32_t> &removed_faces() const { return visible_; }
 

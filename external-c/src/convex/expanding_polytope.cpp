@@ -114,15 +114,18 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
   const double visibility = 4e-16 * difference.scale;
   queue_.clear();
   // Faces farther than this have nothing to tell.
-  const auto limit = [&] {
-    const double nearest = result.depth - tolerance;
-    return size > 0.0 && result.depth < INFINITY ? std::max(nearest, surface_reach(result.depth, size)) : nearest;
+  double limit = INFINITY;
+  const auto lower_depth = [&](double depth) {
+    result.depth = depth;
+    limit = size > 0.0 ? std::max(depth - tolerance, surface_reach(depth, size)) : depth - tolerance;
   };
   const auto enqueue = [&](std::int32_t begin) {
     for (std::int32_t f = begin; f < hull_.face_count(); ++f) {
       const ExpandingHull::Face &face = hull_.face(f);
-      if (face.sliver || face.offset >= limit()) continue;
-      queue_.emplace_back(face.offset, f);
+      if (face.sliver || face.offset >= limit) continue;
+      const double distance = hull_.distance(face);
+      if (distance >= limit) continue;
+      queue_.emplace_back(distance, f);
       std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
     }
   };
@@ -131,19 +134,19 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
   result.lower = INFINITY;
   while (!queue_.empty()) {
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
-    const std::int32_t f = queue_.back().second;
+    const auto [distance, f] = queue_.back();
     queue_.pop_back();
     const ExpandingHull::Face &face = hull_.face(f);
     if (!face.alive) continue;
-    if (face.offset >= limit()) break;
-    const bool decides = face.offset < result.depth - tolerance;
+    if (distance >= limit) break;
+    const bool decides = distance < result.depth - tolerance;
     ++result.steps;
     const Vec3 direction = face.normal;
     const double offset = face.offset;
     const DifferencePoint p = difference.support(direction);
     const double height = dot(p.w, direction);
     if (height < result.depth) {
-      result.depth = height;
+      lower_depth(height);
       result.direction = direction;
       result.a = p.a;
       result.b = p.b;
@@ -158,7 +161,7 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
     if (outcome != ExpandingHull::Outcome::expanded) {
       if (decides) {
         result.proven = false;
-        result.lower = std::min(result.lower, offset);
+        result.lower = std::min(result.lower, distance);
       }
       if (outcome == ExpandingHull::Outcome::full) break;
       continue;

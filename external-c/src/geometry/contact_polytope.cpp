@@ -64,11 +64,12 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::mov
     double normal_cone = 0.0;
     for (const FaceCorner &corner : corners) {
       const Vec3 &normal = geometry_.faces()[index(corner.face)].normal;
-      corners_.push_back({normal, corner.share});
+      corners_.push_back({normal, corner.share, corner.face});
       low = std::min(low, corner.share);
       high = std::max(high, corner.share);
     }
     constant_.push_back(high - low <= 1e-12 ? 0.5 * (high + low) : -1.0);
+    all_constant_ = all_constant_ && constant_.back() >= 0.0;
     for (std::size_t i = corners_.size() - corners.size(); i + 2 < corners_.size(); ++i) {
       normal_cone += triangle_solid_angle(corners_[corners_.size() - corners.size()].normal, corners_[i + 1].normal,
                                           corners_[i + 2].normal);
@@ -76,6 +77,24 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::mov
     normal_cone_.push_back(std::fabs(normal_cone));
   }
   corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+}
+
+double ContactPolytope::greatest_face_cosine(const Vec3 &direction, std::int32_t start) const {
+  double greatest = -1.0;
+  std::int32_t best = -1;
+  const auto look_round = [&](std::int32_t v) {
+    for (auto i = index(corner_begin_[index(v)]); i < index(corner_begin_[index(v) + 1]); ++i) {
+      const double cosine = dot(corners_[i].normal, direction);
+      if (cosine > greatest) greatest = cosine, best = corners_[i].face;
+    }
+  };
+  look_round(start);
+  for (std::int32_t looked_at = -1; best != looked_at;) {  // cosines rise strictly, so this ends
+    looked_at = best;
+    const convex::Polytope::Face &face = geometry_.faces()[index(looked_at)];
+    for (std::int32_t k = 0; k < face.count; ++k) look_round(geometry_.face_vertices()[index(face.first + k)]);
+  }
+  return greatest;
 }
 
 double ContactPolytope::share(std::int32_t v, const Vec3 &down, Vec3 *gradient) const {

@@ -32,6 +32,13 @@ class ContactPolytope {
   // Whether the share of vertex v is the same for all directions, as for every box.
   bool share_is_constant(std::int32_t v) const { return constant_[static_cast<std::size_t>(v)] >= 0.0; }
 
+  // Whether that holds for all vertices.
+  bool shares_are_constant() const { return all_constant_; }
+
+  // The greatest cosine of the angle between `direction` (unit, in the polytope's frame) and a face's normal; found by
+  // climbing from face to face from vertex `start`, the farthest one along that direction.
+  double greatest_face_cosine(const Vec3 &direction, std::int32_t start) const;
+
   // The normals of the faces at vertex v, in turn: faces_at(v) of them.
   std::size_t faces_at(std::int32_t v) const {
     return static_cast<std::size_t>(corner_begin_[static_cast<std::size_t>(v) + 1] -
@@ -48,11 +55,13 @@ class ContactPolytope {
   struct Corner {
     Vec3 normal;         // of the face
     double share = 0.0;  // of the vertex in this face
+    std::int32_t face = 0;
   };
   convex::Polytope geometry_;
   std::vector<Corner> corners_;             // in turn round each vertex, counter-clockwise from outside
   std::vector<std::int32_t> corner_begin_;  // vertex -> first corner
   std::vector<double> constant_;            // share where it does not depend on the direction, else -1
+  bool all_constant_ = true;
   std::vector<double> normal_cone_;         // solid angle of the whole cone
 };
 

@@ -10,14 +10,6 @@ double total_load(const std::vector<ContactPoint> &points, std::size_t begin) {
   return load;
 }
 
-void limit_load(std::vector<ContactPoint> &points, std::size_t begin) {
-  double deepest = 0.0;
-  for (std::size_t i = begin; i < points.size(); ++i) deepest = std::max(deepest, points[i].depth);
-  const double load = total_load(points, begin);
-  if (!(load > deepest)) return;
-  for (std::size_t i = begin; i < points.size(); ++i) points[i].weight *= deepest / load;
-}
-
 namespace {
 
 // Up to this many points the best of all pairs is united.

@@ -34,11 +34,6 @@ inline void reverse(ContactSet &contact) {
 // The sum of weight * depth.
 double total_load(const std::vector<ContactPoint> &points, std::size_t begin = 0);
 
-// Scales the weights of points[begin..] so that their load is at most that of one point at their
-// greatest depth. Contacts of finely tessellated bodies, which push with ever more corners the deeper
-// they go, get the stiffness of the smooth body that way, whatever the tessellation.
-void limit_load(std::vector<ContactPoint> &points, std::size_t begin);
-
 // Merges points until at most `capacity` (>= 1) are left, so that the sums of weight * depth (the load),
 // weight * depth^2 (the energy stored at exponent 1) and weight * depth * position stay the same; normals are
 // averaged by load. Of all pairs, the one whose

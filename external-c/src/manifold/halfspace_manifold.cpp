@@ -1,8 +1,11 @@
 #include "manifold/halfspace_manifold.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "manifold/axis_share.hpp"
+#include "manifold/load_level.hpp"
 
 namespace cmb {
 
@@ -33,6 +36,27 @@ class Collector {
     missing_ = missing_ + 0.5 * depth * depth * weight_gradient;
   }
 
+  // Limits the load (load_level.hpp). Returns the level; where that is not 0, weights' derivatives have to be given again.
+  double limit_load() {
+    std::vector<ContactPoint> &points = result_.points;
+    const double level = load_level(points, begin_);
+    if (level == 0.0) return level;
+    load_ = 0.0;
+    missing_ = {};
+    for (std::size_t i = begin_; i < points.size(); ++i) {
+      points[i].weight *= std::fmax(0.0, 1.0 - level / points[i].depth);
+      load_ += points[i].weight * points[i].depth;
+    }
+    points.erase(std::remove_if(points.begin() + static_cast<std::ptrdiff_t>(begin_), points.end(),
+                                [](const ContactPoint &point) { return !(point.weight > 0.0); }),
+                 points.end());
+    return level;
+  }
+  // `below_level`: how deep the point lies below the level.
+  void add_derivative(double below_level, const Vec3 &weight_gradient) {
+    missing_ = missing_ + 0.5 * below_level * below_level * weight_gradient;
+  }
+
   // Ends the collection: `lowest` is the shape's lowest point.
   void finish(const Vec3 &lowest) {
     result_.distance = height(lowest);
@@ -45,7 +69,6 @@ class Collector {
     for (std::size_t i = begin_; i < result_.points.size(); ++i) {
       result_.points[i].position = result_.points[i].position + shift;
     }
-    limit_load(result_.points, begin_);
   }
 
  private:
@@ -59,22 +82,55 @@ class Collector {
   Vec3 missing_;
 };
 
-void polytope_contact(const ContactPolytope &polytope, Collector &collector) {
-  const std::vector<Vec3> &vertices = polytope.geometry().vertices();
-  std::size_t lowest = 0;
-  double lowest_height = collector.height(vertices[0]);
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const double height = collector.height(vertices[v]);
-    if (height < lowest_height) {
-      lowest_height = height;
-      lowest = v;
+// Calls visit(vertex) for all vertices that lie deeper than `level` below the plane, from `lowest` along the edges.
+template <typename Visit>
+void visit_deeper(const convex::Polytope &polytope, std::int32_t lowest, double level, const Collector &collector,
+                  const Visit &visit) {
+  const auto deeper = [&](std::int32_t v) {
+    return -collector.height(polytope.vertices()[static_cast<std::size_t>(v)]) > level;
+  };
+  if (!deeper(lowest)) return;
+  // Vertices beyond a plane hang together. A few are noted in a list; of more, all vertices are looked at.
+  constexpr std::size_t few = 24;
+  std::array<std::int32_t, few> found;
+  std::size_t count = 1;
+  found[0] = lowest;
+  for (std::size_t k = 0; k < count && count < few; ++k) {
+    for (std::int32_t slot = polytope.neighbour_begin(found[k]);
+         slot < polytope.neighbour_begin(found[k] + 1) && count < few; ++slot) {
+      const std::int32_t next = polytope.neighbours()[static_cast<std::size_t>(slot)];
+      if (deeper(next) && std::find(found.begin(), found.begin() + count, next) == found.begin() + count) {
+        found[count++] = next;
+      }
     }
-    if (!(height < 0.0)) continue;
-    Vec3 gradient;
-    const double share = polytope.share(static_cast<std::int32_t>(v), collector.down(), &gradient);
-    collector.add(vertices[v], share, gradient);
   }
-  collector.finish(vertices[lowest]);
+  if (count < few) {
+    for (std::size_t k = 0; k < count; ++k) visit(found[k]);
+    return;
+  }
+  for (std::int32_t v = 0; v < static_cast<std::int32_t>(polytope.vertices().size()); ++v) {
+    if (deeper(v)) visit(v);
+  }
+}
+
+void polytope_contact(const ContactPolytope &polytope, Collector &collector) {
+  const convex::Polytope &geometry = polytope.geometry();
+  const std::int32_t lowest = geometry.support_vertex(collector.down());
+  const auto place = [&](std::int32_t v) -> const Vec3 & { return geometry.vertices()[static_cast<std::size_t>(v)]; };
+  visit_deeper(geometry, lowest, 0.0, collector, [&](std::int32_t v) {
+    Vec3 gradient;
+    const double share = polytope.share(v, collector.down(), &gradient);
+    collector.add(place(v), share, gradient);
+  });
+  const double level = collector.limit_load();
+  if (level > 0.0) {
+    visit_deeper(geometry, lowest, level, collector, [&](std::int32_t v) {
+      Vec3 gradient;
+      polytope.share(v, collector.down(), &gradient);
+      collector.add_derivative(-collector.height(place(v)) - level, gradient);
+    });
+  }
+  collector.finish(place(lowest));
 }
 
 void capsule_contact(const convex::ConvexBody &body, Collector &collector) {

@@ -1,6 +1,7 @@
 // The part of a polytope near a contact.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,8 +20,24 @@ struct Shake {
   Vec3 direction(const Vec3 &d) const { return d + cross(turn, d); }
 };
 
-// A polytope's vertices that reach beyond a limit towards the other body, the edges and faces at them, and the edges'
-// other ends; in the contact's axes, z along the contact normal.
+// A rectangle in the contact plane.
+struct Extent {
+  double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;
+
+  void add(const Vec3 &p) {
+    if (p.x < low_x) low_x = p.x;
+    if (p.x > high_x) high_x = p.x;
+    if (p.y < low_y) low_y = p.y;
+    if (p.y > high_y) high_y = p.y;
+  }
+  bool holds(const Vec3 &p) const { return p.x >= low_x && p.x <= high_x && p.y >= low_y && p.y <= high_y; }
+  bool meets(const Extent &other) const {
+    return low_x <= other.high_x && other.low_x <= high_x && low_y <= other.high_y && other.low_y <= high_y;
+  }
+};
+
+// A polytope's vertices that reach beyond a limit towards the other body, the edges at them and the edges' other ends.
+// All in the side's axes: x and y in the contact plane, z towards the other body.
 class PolytopeSide {
  public:
   struct Vertex {
@@ -29,47 +46,51 @@ class PolytopeSide {
     bool inside = false;      // beyond the limit; else the other end of an edge
   };
   struct Edge {
-    std::int32_t vertex[2], face[2];  // into vertices() and faces()
-    std::int32_t number;
-  };
-  struct Face {
-    Vec3 normal, shaken_normal;
-    double offset, shaken_offset;
-    std::int32_t number;
+    std::int32_t vertex[2];  // into vertices()
+    std::int32_t number;     // in the polytope
+    Extent extent;           // of its part beyond the limit
   };
 
-  // Gathers what of `body` lies beyond `limit`: sense * z > limit, `sense` being +1 where the other body lies above
-  // and -1 where it lies below.
-  void gather(const ContactPolytope &body, const Pose &to_contact, double sense, double limit, const Shake &shake);
+  // `to_side` maps the body's frame to the side's axes, which mirrors the body where the other one lies below.
+  void place(const ContactPolytope &body, const Pose &to_side, const Shake &shake);
+  // Gathers what lies beyond `limit`: z > limit.
+  void gather(double limit);
 
-  // How far the body reaches: the greatest sense * z.
-  static double reach(const ContactPolytope &body, const Pose &to_contact, double sense);
+  // How far the body reaches: its greatest z.
+  double reach() const { return reach_; }
+  // The direction towards the other body, in the body's frame.
+  const Vec3 &towards() const { return to_side_.rotation.row[2]; }
+  // 1 less the cosine of the angle between the contact plane and the face that is most level.
+  double lean() const { return std::fmax(0.0, 1.0 - body_->greatest_face_cosine(towards(), summit_)); }
 
   const ContactPolytope &body() const { return *body_; }
-  const Pose &to_contact() const { return to_contact_; }
-  double sense() const { return sense_; }
+  const Pose &to_side() const { return to_side_; }
   const Shake &shake() const { return shake_; }
   const std::vector<Vertex> &vertices() const { return vertices_; }
   const std::vector<Edge> &edges() const { return edges_; }
-  const std::vector<Face> &faces() const { return faces_; }
+  // Of what lies beyond the limit.
+  const Extent &extent() const { return extent_; }
+  // The numbers of the faces at the edges gathered; valid until the next gathering.
+  const std::vector<std::int32_t> &faces();
 
  private:
   std::int32_t add_vertex(std::int32_t number, double limit);
-  std::int32_t add_face(std::int32_t number, std::int32_t corner);
 
   const ContactPolytope *body_ = nullptr;
-  Pose to_contact_;
-  double sense_ = 1.0;
+  Pose to_side_;
   Shake shake_;
+  std::int32_t summit_ = 0;
+  double reach_ = 0.0;
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
-  std::vector<Face> faces_;
-  // For each vertex, edge and face of the polytope the last gathering that met it, and where it is kept.
+  std::vector<std::int32_t> faces_;
+  Extent extent_;
+  // For each vertex and face of the polytope the last gathering that met it, and where the vertex is kept.
   struct Mark {
     std::uint32_t gathering = 0;
     std::int32_t place = 0;
   };
-  std::vector<Mark> vertex_mark_, edge_mark_, face_mark_;
+  std::vector<Mark> vertex_mark_, face_mark_;
   std::uint32_t gathering_ = 0;
 };
 

@@ -1,0 +1,89 @@
+// The corners of two polytopes' depth in each other over the contact plane.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "manifold/polytope_side.hpp"
+#include "manifold/vertex_stiffness.hpp"
+
+namespace cmb {
+
+// How far B's upper side lies above A's lower side, measured along the contact normal, is a concave function over the
+// contact plane. Its graph's corners are vertices of one body over the other's faces, and crossings of edges. A corner's
+// weight is the part of the hemisphere of directions in which it is the graph's farthest point (its normal cone), scaled
+// so that a vertex of one body inside a face of the other carries its share in that face. This measure of a convex body
+// changes continuously with the body (Schneider, Convex Bodies, section 4.2), so corners may appear, merge and vanish
+// without a jump. Where edges cross, the scale is interpolated between their four ends.
+//
+// Holds room; one for each thread.
+class DepthGraph {
+ public:
+  struct Corner {
+    Vec3 middle;  // half way between the surfaces, in the contact's axes
+    double depth, weight;
+    Vec3 slope;  // of the weight by the direction towards the other body, in the contact's axes (x and y)
+  };
+
+  // Places both bodies, whose poses in the contact's axes are given: z along the contact normal, from B to A.
+  void place(const ContactPolytope &a, const Pose &a_in_axes, const ContactPolytope &b, const Pose &b_in_axes);
+
+  // How deep the bodies are in each other along the contact normal; no corner is deeper.
+  double reach() const { return side_a_.reach() + side_b_.reach(); }
+
+  // Finds the corners deeper than `level` (>= 0).
+  void find_corners(double level);
+  std::vector<Corner> &corners() { return corners_; }
+
+ private:
+  // A face's plane over the contact plane: z = height - slope_x x - slope_y y.
+  struct Plane {
+    double slope_x, slope_y, height;
+    double over(const Vec3 &p) const { return height - slope_x * p.x - slope_y * p.y; }
+  };
+  struct Wall {
+    Vec3 normal;
+    double offset;
+  };
+  // The faces of a side: those towards the other body, as they are and shaken, and the others, of which only the border
+  // counts.
+  struct Faces {
+    std::vector<Plane> planes, shaken;
+    std::vector<Wall> walls;
+    void gather(PolytopeSide &side);
+    // The plane over p; null where there is none, or where p, at `height` in the other body, cannot be deeper than
+    // `level`. `size` is that of the bodies.
+    const Plane *over(const Vec3 &p, double height, double level, double size) const;
+  };
+  // An edge between faces of which at least one looks towards the other body.
+  struct Border {
+    Extent extent;  // of the shaken edge
+    Vec3 from, to, shaken_from, shaken_to;
+    std::int32_t vertex[2];  // into the side's
+    Vec3 ray[2];             // its faces' directions within the hemisphere
+  };
+  // Borders from the left to the right.
+  struct Borders {
+    std::vector<Border> list;
+    std::vector<std::pair<double, std::int32_t>> order;
+    void gather(const PolytopeSide &side, const Extent &region);
+  };
+
+  void add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side, Faces &others,
+                    double sense);
+  void add_crossings();
+  void add_crossing(const Border &e, const Border &f);
+
+  double size_ = 0.0, level_ = 0.0, turning_a_ = 0.5;
+  PolytopeSide side_a_, side_b_;
+  Extent region_;
+  Faces faces_a_, faces_b_;
+  Borders borders_a_, borders_b_;
+  VertexStiffness stiffness_a_, stiffness_b_;
+  DirectionCone cone_, sheared_cone_;
+  std::vector<Corner> corners_;
+};
+
+}  // namespace cmb

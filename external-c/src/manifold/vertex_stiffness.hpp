@@ -1,0 +1,42 @@
+// What the vertices of a polytope near a contact would carry.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/solid_angle.hpp"
+#include "manifold/polytope_side.hpp"
+
+namespace cmb {
+
+// The directions of the hemisphere in a vertex' normal cone, its z axis pointing to the other body. Returns their solid
+// angle.
+double visible_cone(const PolytopeSide &side, std::int32_t vertex, DirectionCone &cone);
+
+// What a vertex would carry if its normal cone filled the hemisphere, and how that changes with the direction towards
+// the other body as far as that turns with the other body.
+struct Stiffness {
+  double value = -1.0;  // negative where not yet known
+  Vec3 slope;           // in the side's axes
+};
+
+// The stiffness of a side's vertices, found where it is asked for.
+class VertexStiffness {
+ public:
+  // For the vertices gathered by `side`, which is borrowed until the next start. The direction towards the other body
+  // turns with that one as far as `turning` says (0 to 1).
+  void start(const PolytopeSide &side, double turning);
+
+  // Of the side's vertex k, whose visible cone has the solid angle `visible`.
+  const Stiffness &of(std::int32_t k, double visible);
+  const Stiffness &of(std::int32_t k);
+
+ private:
+  const PolytopeSide *side_ = nullptr;
+  double turning_ = 0.0;
+  std::vector<Stiffness> known_;
+  DirectionCone cone_;
+};
+
+}  // namespace cmb
