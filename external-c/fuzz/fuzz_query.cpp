@@ -11,6 +11,7 @@
 #include "interface/pose_check.hpp"
 #include "query/pair_query.hpp"
 #include "scene/descriptor.hpp"
+#include "scene/registry.hpp"
 
 namespace {
 
@@ -94,6 +95,8 @@ constexpr std::size_t capacity = 6;
 double ask(cmb::Scene &scene, cmb_backend backend, const std::string &a, const std::string &b, const double *position,
            const double *rotation) {
   scene.backend = backend;
+  const cmb::DistanceLibrary *library = cmb::distance_library(backend);
+  cmb::attach_library_shapes(scene.bodies, library == nullptr ? nullptr : library->make_shape);
   for (std::size_t body = 0; body < 2; ++body) {
     require(cmb::check_body_pose(body, position, rotation) == CMB_OK, cmb_last_error(), a, b, position, rotation);
   }

@@ -48,6 +48,28 @@ TEST(Allocations, StopOnceTheScratchHasGrown) {
   EXPECT_EQ(allocations - before, 0u);
 }
 
+// A ball of `count` vertices.
+std::string ball_hull(int count) {
+  std::string text = "cmb/1 hull vertices=";
+  for (int k = 0; k < count; ++k) {
+    const double z = 1.0 - (2.0 * k + 1.0) / count, r = std::sqrt(1.0 - z * z), turn = 2.399963 * k;
+    text += (k > 0 ? "," : "") + digits(r * std::cos(turn)) + "," + digits(r * std::sin(turn)) + "," + digits(z);
+  }
+  return text;
+}
+
+TEST(Allocations, OfFclDoNotGrowWithTheHulls) {
+  const auto of_a_query = [](int vertices) {
+    const PairScene scene(ball_hull(vertices), ball_hull(vertices), CMB_BACKEND_FCL);
+    const BodyPose afar{{3.0, 0.4, 0.2}, {}};
+    scene.query(afar, {});
+    const unsigned long before = allocations;
+    scene.query(afar, {});
+    return allocations - before;
+  };
+  EXPECT_EQ(of_a_query(400), of_a_query(12));
+}
+
 TEST(Allocations, StopInScenesWithAFilterToo) {
   Bodies bodies;
   for (int i = 0; i < 100; ++i) bodies.add_sphere(0.1, 1.0, 1e4);

@@ -46,4 +46,33 @@ TEST(Threads, InternAndQueryTogether) {
   }
 }
 
+TEST(Threads, LibrariesShareTheShapesTheyKeep) {
+  constexpr int threads = 4, poses = 200;
+  const std::string hull = "cmb/1 hull vertices=0.4,0.1,0.1,-0.3,0.4,0.2,0,-0.5,0.1,0.1,0.2,0.6,-0.2,-0.1,-0.4";
+  for (const cmb_backend backend : {CMB_BACKEND_LIBCCD, CMB_BACKEND_FCL, CMB_BACKEND_COAL}) {
+    cmb_scene none = 0;
+    if (cmb_intern(nullptr, 0, nullptr, 0, backend, &none) != CMB_OK) continue;  // built without coal
+    const PairScene scene(hull, hull, backend);
+    const auto pose = [](int k) {
+      return BodyPose{{0.4 * std::sin(0.1 * k), 0.3, 0.4 * std::cos(0.13 * k)}, rotation_about({0, 0, 1}, 0.05 * k)};
+    };
+    std::vector<double> expected;
+    for (int k = 0; k < poses; ++k) expected.push_back(scene.query(pose(k), {}).distance);
+    std::vector<int> wrong(threads, 0);
+    std::vector<std::thread> crew;
+    for (int t = 0; t < threads; ++t) {
+      crew.emplace_back([&, t] {
+        for (int k = 0; k < poses; ++k) {
+          const int asked = (k * 7 + t * 50) % poses;
+          if (scene.query(pose(asked), {}).distance != expected[static_cast<std::size_t>(asked)]) {
+            ++wrong[static_cast<std::size_t>(t)];
+          }
+        }
+      });
+    }
+    for (std::thread &thread : crew) thread.join();
+    for (int t = 0; t < threads; ++t) EXPECT_EQ(wrong[static_cast<std::size_t>(t)], 0) << backend;
+  }
+}
+
 }  // namespace

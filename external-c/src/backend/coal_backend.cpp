@@ -10,16 +10,16 @@ namespace {
 
 // coal comes with an octomap of its own and FCL with Debian's; in one program their symbols collide. The module with
 // coal is therefore loaded with its own symbols first. Null where there is none.
-CoalDistance load() {
+const CoalModule *load() {
 #ifdef CMB_COAL_BACKEND_MODULE
   void *module = dlopen(CMB_COAL_BACKEND_MODULE, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
-  if (module != nullptr) return reinterpret_cast<CoalDistance>(dlsym(module, coal_distance_symbol));
+  if (module != nullptr) return static_cast<const CoalModule *>(dlsym(module, coal_module_symbol));
 #endif
   return nullptr;
 }
 
-CoalDistance coal() {
-  static const CoalDistance loaded = load();
+const CoalModule *coal() {
+  static const CoalModule *const loaded = load();
   return loaded;
 }
 
@@ -27,10 +27,16 @@ CoalDistance coal() {
 
 bool coal_is_available() { return coal() != nullptr; }
 
+std::shared_ptr<const LibraryShape> make_coal_shape(const Shape &shape) {
+  if (coal() == nullptr) return nullptr;
+  return std::shared_ptr<const LibraryShape>(coal()->make_shape(shape));
+}
+
 std::optional<ConvexAnswer> coal_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                                           BackendScratch &) {
   ConvexAnswer answer;
-  if (coal() == nullptr || !coal()(a, pose_a, b, pose_b, answer)) return std::nullopt;
+  if (!a.in_library || !b.in_library) return std::nullopt;
+  if (!coal()->distance(*a.in_library, pose_a, *b.in_library, pose_b, answer)) return std::nullopt;
   return answer;
 }
 

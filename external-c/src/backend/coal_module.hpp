@@ -5,11 +5,15 @@
 
 namespace cmb {
 
-// coal's signed distance of A and B; false where it has no answer. Never throws.
-using CoalDistance = bool (*)(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
-                              ConvexAnswer &answer);
+struct CoalModule {
+  // coal's shape, which the caller deletes; null where it has none. Never throws.
+  LibraryShape *(*make_shape)(const Shape &shape);
+  // coal's signed distance of two such shapes; false where it has no answer. Never throws.
+  bool (*distance)(const LibraryShape &a, const Pose &pose_a, const LibraryShape &b, const Pose &pose_b,
+                   ConvexAnswer &answer);
+};
 
-// The name of that function in the module.
-constexpr const char *coal_distance_symbol = "cmb_coal_distance";
+// The name of the module's CoalModule.
+constexpr const char *coal_module_symbol = "cmb_coal_module";
 
 }  // namespace cmb

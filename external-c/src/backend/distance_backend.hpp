@@ -1,8 +1,10 @@
 // Back ends: who computes the signed distance of two convex shapes.
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include "contact_multibody.h"
 #include "convex/convex_distance.hpp"
 #include "scene/shape.hpp"
 
@@ -25,7 +27,8 @@ struct BackendScratch {
 };
 
 // A back end answers or, where it has no answer it vouches for, returns nothing; it never throws and never aborts.
-// Neither shape is a half-space; poses map the shapes' frames to the world.
+// Neither shape is a half-space or a mesh; poses map the shapes' frames to the world. FCL and coal answer for shapes only
+// that they hold (Shape::in_library).
 using DistanceFunction = std::optional<ConvexAnswer> (*)(const Shape &a, const Pose &pose_a, const Shape &b,
                                                          const Pose &pose_b, BackendScratch &scratch);
 
@@ -42,6 +45,19 @@ std::optional<ConvexAnswer> fcl_distance(const Shape &a, const Pose &pose_a, con
 std::optional<ConvexAnswer> coal_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                                           BackendScratch &scratch);
 bool coal_is_available();
+
+// The shape as FCL or coal holds it; null where it has none. Throw std::bad_alloc.
+std::shared_ptr<const LibraryShape> make_fcl_shape(const Shape &shape);
+std::shared_ptr<const LibraryShape> make_coal_shape(const Shape &shape);
+
+// A back end that is a library.
+struct DistanceLibrary {
+  DistanceFunction distance;
+  std::shared_ptr<const LibraryShape> (*make_shape)(const Shape &shape);  // null where it takes the engine's shapes
+};
+
+// Null for the engine's own.
+const DistanceLibrary *distance_library(cmb_backend backend);
 
 // Whether a library's answer holds: finite, unit normal, and the two shapes' extents along it leave the distance it
 // says to `tolerance` (relative to the shapes' size). An overlap's depth that is true along the normal but not the

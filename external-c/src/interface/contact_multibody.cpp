@@ -124,7 +124,9 @@ cmb_status cmb_intern_with_files(const char *const *geometry, size_t body_count,
     if (backend == CMB_BACKEND_COAL && !cmb::coal_is_available()) {
       return fail(CMB_ERROR_ARGUMENT, "this engine was built without coal, or does not find it; use another back end");
     }
-    *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend, folder == nullptr ? "" : folder);
+    const cmb::DistanceLibrary *library = cmb::distance_library(backend);
+    *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend,
+                               library == nullptr ? nullptr : library->make_shape, folder == nullptr ? "" : folder);
     return CMB_OK;
   });
 }

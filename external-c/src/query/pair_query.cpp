@@ -20,22 +20,12 @@ Plane world_plane(const Pose &pose) {
 // Relative agreement asked of a library with the exact path.
 constexpr double library_tolerance = 1e-4;
 
-// The function of a back end that is a library; null for the engine's own.
-DistanceFunction library(cmb_backend backend) {
-  switch (backend) {
-    case CMB_BACKEND_LIBCCD: return libccd_distance;
-    case CMB_BACKEND_FCL: return fcl_distance;
-    case CMB_BACKEND_COAL: return coal_distance;
-    default: return nullptr;
-  }
-}
-
 // Asks the scene's back end; the exact path answers where that has no answer, or one that does not hold.
 ConvexAnswer convex_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                            BackendScratch &scratch, cmb_backend &who) {
   const ConvexAnswer exact = *exact_distance(a, pose_a, b, pose_b, scratch);
-  if (const DistanceFunction ask = library(scene.backend)) {
-    auto answer = ask(a, pose_a, b, pose_b, scratch);
+  if (const DistanceLibrary *library = distance_library(scene.backend)) {
+    auto answer = library->distance(a, pose_a, b, pose_b, scratch);
     const double slack = library_tolerance * (a.bound_radius + b.bound_radius);
     const bool holds = answer && answer_holds(*answer, a, pose_a, b, pose_b, library_tolerance) &&
                        std::fabs(answer->distance - exact.distance) <= slack;

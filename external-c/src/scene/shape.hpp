@@ -18,6 +18,12 @@ using convex::Mat3;
 using convex::Pose;
 using convex::Vec3;
 
+// A convex shape as a back end's library holds it: made where the scene is interned, never changed, shared by threads.
+class LibraryShape {
+ public:
+  virtual ~LibraryShape() = default;
+};
+
 enum class ShapeKind { halfspace, sphere, box, capsule, hull, ellipsoid, cylinder, cone, mesh };
 
 // Immutable once parsed; shared by threads.
@@ -28,6 +34,7 @@ struct Shape {
   std::shared_ptr<const ContactPolytope> rim;        // of cylinder and cone: stands for their flat ends
   std::shared_ptr<const mesh::TriangleMesh> mesh;    // of mesh, which height fields are too
   std::shared_ptr<const ContactPolytope> mesh_hull;  // of a mesh that a half-space may touch, if it is no plane
+  std::shared_ptr<const LibraryShape> in_library;    // for the scene's back end; null where that keeps none
   Pose in_body;                                      // point_in_body = in_body(point_in_shape)
   Vec3 bound_center;                                 // bounding sphere in the shape's frame;
   double bound_radius = 0.0;                         // not for halfspace
