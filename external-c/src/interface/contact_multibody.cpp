@@ -122,7 +122,7 @@ cmb_status cmb_intern_with_files(const char *const *geometry, size_t body_count,
                                           "; use 0 auto, 1 analytic, 2 libccd, 3 FCL or 4 coal");
     }
     if (backend == CMB_BACKEND_COAL && !cmb::coal_is_available()) {
-      return fail(CMB_ERROR_ARGUMENT, "this engine was built without coal, or does not find it; use another back end");
+      return fail(CMB_ERROR_ARGUMENT, "this engine was built without coal, or does not find it; build it with -DCMB_COAL=ON or use another back end");
     }
     const cmb::DistanceLibrary *library = cmb::distance_library(backend);
     *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend,

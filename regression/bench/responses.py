@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Cost of contacts by equations (ContactManager) and by the engine (CompiledContactManager), by number of bodies.
 
-    .venv/bin/python scripts/bench_responses.py [BODIES ...]      1 4 16 64 if none is given
+    .venv/bin/python regression/bench/responses.py [BODIES ...]      1 4 16 64 if none is given
 
 Spheres lie close together on a floor; all of them may touch each other; restitution without events, regularised
 friction. Prints a line each: scalar equations, processor seconds to build the FMU (its compiler included), and
@@ -22,7 +22,7 @@ import fmpy
 from fmpy.fmi2 import FMU2Model
 from modelica2fmu.build import BuildOptions, BuildReport, build_fmu
 
-REPOSITORY = Path(__file__).resolve().parents[1]
+REPOSITORY = Path(__file__).resolve().parents[2]
 MOST_BY_EQUATIONS = 16
 EVALUATIONS = 300
 
