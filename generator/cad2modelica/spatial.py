@@ -116,3 +116,8 @@ def perpendicular(axis: Array) -> Array:
     candidate[int(np.argmin(np.abs(axis)))] = 1.0
     normal = np.cross(axis, candidate)
     return np.asarray(normal / np.linalg.norm(normal))
+
+
+def dot(first: Array, second: Array) -> Array:
+    """Scalar products along the last axis."""
+    return np.asarray(np.einsum("...i,...i->...", first, second))
