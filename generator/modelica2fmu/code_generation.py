@@ -40,7 +40,6 @@ from modelica2fmu.scalar_model import (
 from modelica2fmu.slots import Slot, Slots, Store, assign_slots
 from modelica2fmu.systems import PlaceOf, Systems
 from modelica2fmu.tangents import tangents
-from modelica2fmu.unit_vectors import unit_vectors
 
 _SIGNATURE: Final = "cmb_values *v"
 _PROLOGUE: Final = (
@@ -104,10 +103,6 @@ class _Generator:
         self._slots = Slots()
         self._factors: dict[tuple[str, ...], Factors] = {}  # of linear systems while simulating, by their unknowns
         self._jacobian: JacobianCode | None = None
-        reduction = systems.reduction
-        self._unit_vectors = list(
-            dict.fromkeys([*reduction.unit_vectors, *unit_vectors(reduction.states, systems.simulation)])
-        )
 
     def run(self) -> GeneratedModel:
         systems, model = self._systems, self._model
@@ -541,7 +536,7 @@ static cmb_result discrete(cmb_values *v, int *states_changed)
 {discrete}  return (cmb_result)result;
 }}
 
-{self._projection()}{"" if self._jacobian is None else self._jacobian.text}const cmb_model_description cmb_model = {{
+{"" if self._jacobian is None else self._jacobian.text}const cmb_model_description cmb_model = {{
   .name = {c_text(self._model.name)},
   .guid = "{_GUID_PLACE}",
   .real_count = {counts[Store.REAL]},
@@ -565,20 +560,9 @@ static cmb_result discrete(cmb_values *v, int *states_changed)
   .indicators = indicators,
   .discrete = discrete,
   .indicator_text = indicator_text,
-  .project = {"project" if self._unit_vectors else "NULL"},
   .jacobian = {"NULL" if self._jacobian is None else "jacobian"},
 }};
 """
-
-    def _projection(self) -> str:
-        """The function that scales unit vectors of states to length one."""
-        vectors = self._unit_vectors
-        if not vectors:
-            return ""
-        rows = [[str(self._slots.of[name].index) for name in names] for names in vectors]
-        width = max(len(row) for row in rows)
-        table = ",\n    ".join("{" + ", ".join([*row, *["-1"] * (width - len(row))]) + "}" for row in rows)
-        return _PROJECTION.format(count=len(rows), width=width, table=table)
 
     def _start_tables(self) -> tuple[list[str], list[str], list[str], list[str]]:
         counts = self._slots.counts
@@ -645,21 +629,6 @@ def _wrapped(items: Sequence[str]) -> str:
     rows = [", ".join(items[start : start + 8]) for start in range(0, len(items), 8)]
     return ",\n  ".join(rows)
 
-
-_PROJECTION: Final = """static void project(cmb_values *v)
-{{
-  static const int vector[{count}][{width}] = {{
-    {table}}};
-  for (int k = 0; k < {count}; ++k) {{
-    double square = 0.0;
-    for (int i = 0; i < {width} && vector[k][i] >= 0; ++i) square += v->real[vector[k][i]] * v->real[vector[k][i]];
-    if (!(square > 0.0)) continue;
-    const double scale = 1.0 / sqrt(square);
-    for (int i = 0; i < {width} && vector[k][i] >= 0; ++i) v->real[vector[k][i]] *= scale;
-  }}
-}}
-
-"""
 
 _HEADER: Final = """#ifndef MODEL_PARTS_H
 #define MODEL_PARTS_H

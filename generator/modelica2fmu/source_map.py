@@ -33,11 +33,17 @@ class SourceMap:
     def __init__(self, roots: Sequence[Path]) -> None:
         self._roots = tuple(roots)
         self._copies: dict[int, Path] = {}
+        self._views: dict[Path, Path] = {}
         self._files: dict[int, Path] | None = None
 
     def add_copy(self, given: Path, original: Path) -> None:
         """Tells that the front end was given ``given`` in place of ``original``."""
         self._copies[source_number(str(given))] = original
+        self._files = None
+
+    def add_view(self, given: Path, original: Path) -> None:
+        """Tells that the front end was given a folder ``given`` that shows the files of ``original``."""
+        self._views[given] = original
         self._files = None
 
     def place(self, span: Span | None, component: str | None = None) -> Place:
@@ -53,6 +59,9 @@ class SourceMap:
     def _known_files(self) -> dict[int, Path]:
         if self._files is None:
             self._files = dict(self._copies)
+            for given, original in self._views.items():
+                for path in sorted(original.rglob("*.mo")):
+                    self._files[source_number(str(given / path.relative_to(original)))] = path
             for root in self._roots:
                 for path in sorted(root.rglob("*.mo")) if root.is_dir() else [root]:
                     for name in {str(path), str(path.resolve())}:

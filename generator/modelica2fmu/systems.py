@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from cmb_base.errors import Place, UnsupportedModelError
 
@@ -31,6 +31,8 @@ from modelica2fmu.scalar_model import (
     start_name,
     unwrapped,
 )
+from modelica2fmu.unit_states import with_unit_states
+from modelica2fmu.unit_vectors import unit_vectors
 
 PlaceOf = Callable[[ir.Span | None], Place]
 
@@ -45,6 +47,7 @@ class Systems:
         simulation: blocks while simulating, discrete ones included.
         initialization: blocks at initialization.
         warnings: remarks for the build log (start values assumed, initial equations left out).
+        integrated: the state that stands for each element of a vector of length one.
     """
 
     model: ScalarModel
@@ -52,6 +55,7 @@ class Systems:
     simulation: list[Block]
     initialization: list[Block]
     warnings: list[str] = field(default_factory=list)
+    integrated: dict[str, str] = field(default_factory=dict)
 
 
 def build_systems(reduced: ReducedModel, place: PlaceOf) -> Systems:
@@ -98,12 +102,19 @@ class _Builder:
             self._resolve,
             self._place,
         )
+        simulation = self._simulation(assignments, reduction)
+        initialization = self._initialization(assignments, reduction)
+        drifting = [
+            names for names in unit_vectors(reduction.states, simulation) if names not in reduction.unit_vectors
+        ]
+        unit = with_unit_states(self._model, reduction.states, [*reduction.unit_vectors, *drifting])
         return Systems(
             model=self._model,
-            reduction=reduction,
-            simulation=self._simulation(assignments, reduction),
-            initialization=self._initialization(assignments, reduction),
+            reduction=replace(reduction, states=list(unit.states)),
+            simulation=[*unit.vectors, *simulation, *unit.rates],
+            initialization=[*initialization, *unit.initialization],
             warnings=self._warnings,
+            integrated=unit.integrated,
         )
 
     def _resolve(self, name: str) -> float | Node:
@@ -154,7 +165,7 @@ class _Builder:
     # --- simulation ---
 
     def _simulation(self, assignments: Sequence[Assignment], reduction: ReducedSystem) -> list[Block]:
-        running = ex.Substitution({INITIAL: 0, **_normalized(reduction.unit_vectors)})
+        running = ex.Substitution({INITIAL: 0})
         entries: list[Entry] = []
         for equation in reduction.equations:
             if equation.number in reduction.stabilized:
@@ -271,20 +282,6 @@ class _Builder:
         return Residual(
             ex.subtract(ex.symbol(name), ex.symbol(start_name(name))), variable.span if variable is not None else None
         )
-
-
-def _normalized(vectors: Sequence[tuple[str, ...]]) -> dict[str, float | Node]:
-    """Replaces vectors and their derivatives by these over the vectors' norms."""
-    mapping: dict[str, float | Node] = {}
-    for names in vectors:
-        square: float | Node = 0
-        for name in names:
-            square = ex.add(square, ex.multiply(ex.symbol(name), ex.symbol(name)))
-        scale = ex.divide(1, ex.unary("sqrt", square))
-        for name in names:
-            mapping[name] = ex.multiply(scale, ex.symbol(name))
-            mapping[derivative_name(name)] = ex.multiply(scale, ex.symbol(derivative_name(name)))
-    return mapping
 
 
 def _explicit(side: float | Node, other: float | Node) -> tuple[str, float | Node]:

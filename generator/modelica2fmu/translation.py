@@ -19,8 +19,8 @@ from modelica2fmu.experiment import read_experiment
 from modelica2fmu.external_code import find_external_code
 from modelica2fmu.front_end import load_flat_model
 from modelica2fmu.geometry_files import write_out_geometry
+from modelica2fmu.library_repairs import repaired_library
 from modelica2fmu.phases import PhaseClock
-from modelica2fmu.resource_names import library_with_resource_names
 from modelica2fmu.scalar_model import ScalarModel, derivative_name
 from modelica2fmu.scalarize import scalarize
 from modelica2fmu.source_map import SourceMap
@@ -62,8 +62,10 @@ def translate(
     limit = sys.getrecursionlimit()
     sys.setrecursionlimit(max(limit, _RECURSION_LIMIT))
     try:
-        with library.root() as original, library_with_resource_names(original, [file, *sources]) as library_root:
-            roots = [*found, library_root, *other_libraries()]
+        with library.root() as original:
+            library_root = repaired_library(original, source_map)
+            file = _shown(file, original, library_root)
+            roots = [*(_shown(root, original, library_root) for root in found), library_root, *other_libraries()]
             ex.new_graph()
             flat = load_flat_model(model, file, roots, source_map)
             clock.begin("expand")
@@ -83,7 +85,7 @@ def translate(
         name=model,
         identifier=model.replace(".", "_"),
         guid=generated.guid,
-        variables=describe_variables(reduced, generated.slots, states),
+        variables=describe_variables(reduced, generated.slots, states, systems.integrated),
         states=states,
         derivatives=tuple(derivative_name(name) for name in states),
         outputs=tuple(name for name, variable in reduced.model.variables.items() if variable.is_output),
@@ -95,6 +97,12 @@ def translate(
         internal_parameters=internal_parameters(reduced, generated.slots),
     )
     return Translation(scalar, reduced, systems, generated, description)
+
+
+def _shown(path: Path, original: Path, view: Path) -> Path:
+    """Where a file or folder of the library is seen in its repaired form; others stay as they are."""
+    base = original.resolve()
+    return view / path.resolve().relative_to(base) if path.resolve().is_relative_to(base) else path
 
 
 def _with_real_paths(external: ExternalCode) -> ExternalCode:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from modelica2fmu.alias import ReducedModel
 from modelica2fmu.description import (
@@ -28,9 +28,18 @@ _TYPES = {
 }
 
 
-def describe_variables(reduced: ReducedModel, slots: Slots, states: Sequence[str]) -> tuple[Variable, ...]:
-    """Variables of the model in its order, then the derivatives of the states."""
-    return _Describer(reduced, slots, states).run()
+def describe_variables(
+    reduced: ReducedModel, slots: Slots, states: Sequence[str], guessed: Collection[str]
+) -> tuple[Variable, ...]:
+    """Variables of the model in its order, then the derivatives of the states.
+
+    Args:
+        reduced: the model.
+        slots: where the variables are.
+        states: names of the states.
+        guessed: names of other variables whose start value the initialization may begin from.
+    """
+    return _Describer(reduced, slots, states, guessed).run()
 
 
 def internal_parameters(reduced: ReducedModel, slots: Slots) -> tuple[int, ...]:
@@ -53,11 +62,12 @@ def describe_enumerations(reduced: ReducedModel) -> tuple[EnumerationType, ...]:
 
 
 class _Describer:
-    def __init__(self, reduced: ReducedModel, slots: Slots, states: Sequence[str]) -> None:
+    def __init__(self, reduced: ReducedModel, slots: Slots, states: Sequence[str], guessed: Collection[str]) -> None:
         self._reduced = reduced
         self._variables = reduced.model.variables
         self._slots = slots
         self._states = list(states)
+        self._guessed = {*states, *guessed}
         self._tunability = Tunability(reduced)
         self._invariants = {name for name, _ in reduced.invariants}
         self._reinitialized = {item.state for item in reduced.model.reinitializations}
@@ -134,7 +144,7 @@ class _Describer:
             return causality, changing, Initial.CALCULATED, None
         if variable.fixed:
             return causality, changing, Initial.EXACT, start if start is not None else _zero(variable.type)
-        if name in self._states:
+        if name in self._guessed:
             return causality, changing, Initial.APPROX, start if start is not None else _zero(variable.type)
         return causality, changing, Initial.CALCULATED, None
 

@@ -95,9 +95,6 @@ typedef struct cmb_model_description {
   /* d(derivative)/d(state) at the values after `continuous`, relations and discrete variables held:
    * jacobian[i + j * state_count] is the derivative of derivative i by state j. */
   cmb_result (*jacobian)(cmb_values *values, double *jacobian);
-  /* Moves the states onto invariants that integration leaves by its error (quaternions to length one). Derivatives do
-   * not depend on what it changes, so an integrator may go on from where it was. */
-  void (*project)(cmb_values *values);
 } cmb_model_description;
 
 extern const cmb_model_description cmb_model;

@@ -355,7 +355,6 @@ cmb_result cmb_solver_advance(cmb_solver *solver, double target, double limit, d
     if (flag >= 0) {
       const int found_root = flag == CV_ROOT_RETURN;
       cmb_set_point(instance, found_root ? reached : end, NV_DATA_S(solver->state));
-      if (cmb_model.project != NULL) cmb_model.project(&instance->values);
       instance->situation.continuous_stale = 1;
       if (found_root) *stop = CMB_STOP_ROOT;
       if (!shortened || found_root) return CMB_RESULT_OK;
