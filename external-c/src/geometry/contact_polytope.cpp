@@ -1,6 +1,7 @@
 #include "geometry/contact_polytope.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -77,6 +78,9 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::mov
     normal_cone_.push_back(std::fabs(normal_cone));
   }
   corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+  double radius = 0.0;
+  for (const Vec3 &v : geometry_.vertices()) radius = std::max(radius, norm(v - geometry_.center()));
+  fineness_ = static_cast<double>(vertex_count) / (2.0 * radius);
 }
 
 double ContactPolytope::greatest_face_cosine(const Vec3 &direction, std::int32_t start) const {
@@ -101,20 +105,27 @@ double ContactPolytope::share(std::int32_t v, const Vec3 &down, Vec3 *gradient) 
   if (gradient != nullptr) *gradient = {};
   if (constant_[index(v)] >= 0.0) return constant_[index(v)];
   // Shepard's interpolation over the faces at v in the angle between face normal and load.
-  const auto begin = index(corner_begin_[index(v)]), end = index(corner_begin_[index(v) + 1]);
+  const Corner *const corner = corners_.data() + corner_begin_[index(v)];
+  const std::size_t count = faces_at(v);
+  constexpr std::size_t most_kept = 32;
+  std::array<double, most_kept> kept;  // only the first ones are used
+  const auto inverse_term = [&](std::size_t i) {
+    const double term = 1.0 - dot(corner[i].normal, down);
+    return 1.0 / (term > smallest_angle_term ? term : smallest_angle_term);
+  };
   double sum = 0.0, weighted = 0.0;
-  for (std::size_t i = begin; i < end; ++i) {
-    const double angle_term = std::fmax(1.0 - dot(corners_[i].normal, down), smallest_angle_term);
-    const double influence = 1.0 / (angle_term * angle_term);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double inverse = inverse_term(i), influence = inverse * inverse;
+    if (i < most_kept) kept[i] = inverse;
     sum += influence;
-    weighted += influence * corners_[i].share;
+    weighted += influence * corner[i].share;
   }
   const double share = weighted / sum;
   if (gradient != nullptr) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const double angle_term = std::fmax(1.0 - dot(corners_[i].normal, down), smallest_angle_term);
-      const double influence = 1.0 / (angle_term * angle_term) / sum;
-      *gradient = *gradient + (2.0 * influence * (corners_[i].share - share) / angle_term) * corners_[i].normal;
+    const double factor = 2.0 / sum;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double inverse = i < most_kept ? kept[i] : inverse_term(i);
+      *gradient = *gradient + (factor * inverse * inverse * inverse * (corner[i].share - share)) * corner[i].normal;
     }
   }
   return share;

@@ -39,6 +39,9 @@ class ContactPolytope {
   // climbing from face to face from vertex `start`, the farthest one along that direction.
   double greatest_face_cosine(const Vec3 &direction, std::int32_t start) const;
 
+  // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated.
+  double fineness() const { return fineness_; }
+
   // The normals of the faces at vertex v, in turn: faces_at(v) of them.
   std::size_t faces_at(std::int32_t v) const {
     return static_cast<std::size_t>(corner_begin_[static_cast<std::size_t>(v) + 1] -
@@ -62,6 +65,7 @@ class ContactPolytope {
   std::vector<std::int32_t> corner_begin_;  // vertex -> first corner
   std::vector<double> constant_;            // share where it does not depend on the direction, else -1
   bool all_constant_ = true;
+  double fineness_ = 0.0;
   std::vector<double> normal_cone_;         // solid angle of the whole cone
 };
 

@@ -5,6 +5,13 @@
 
 namespace cmb {
 
+namespace {
+
+// Products of complex numbers are scaled where they leave this range.
+constexpr double smallest_scale = 1e-100, largest_scale = 1e100;
+
+}  // namespace
+
 double triangle_solid_angle(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
   const double la = norm(a), lb = norm(b), lc = norm(c);
   const double numerator = dot(a, cross(b, c));
@@ -29,9 +36,11 @@ double DirectionCone::solid_angle() const {
     imaginary = real * sine + imaginary * cosine;
     real = next;
     const double scale = std::fabs(real) + std::fabs(imaginary);
-    if (!(scale > 0.0)) return 0.0;
-    real /= scale;
-    imaginary /= scale;
+    if (!(scale > smallest_scale && scale < largest_scale)) {
+      if (!(scale > 0.0)) return 0.0;
+      real /= scale;
+      imaginary /= scale;
+    }
     length1 = length2;
     cosine01 = cosine02;
   }

@@ -41,8 +41,14 @@ bool cut_arc(Vec3 &first, Vec3 &second) {
   return true;
 }
 
-double area(const Vec3 &from, const Vec3 &to, const Vec3 &p) {
-  return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+// The directions of the faces at an edge within the hemisphere; false where none of them looks towards the other body.
+bool edge_arc(const PolytopeSide &side, const PolytopeSide::Edge &edge, Vec3 &first, Vec3 &second) {
+  const convex::Polytope &geometry = side.body().geometry();
+  const convex::Polytope::Edge &whole = geometry.edges()[index(edge.number)];
+  const convex::Mat3 &rotation = side.to_side().rotation;
+  first = rotation * geometry.faces()[index(whole.face[0])].normal;
+  second = rotation * geometry.faces()[index(whole.face[1])].normal;
+  return std::max(first.z, second.z) > wall_cosine && cut_arc(first, second);
 }
 
 // Interpolates (Shepard) between the ends of two edges that cross, at the parts t and s of their ways.
@@ -95,28 +101,26 @@ const DepthGraph::Plane *DepthGraph::Faces::over(const Vec3 &p, double height, d
   return &planes[best];
 }
 
-void DepthGraph::Borders::gather(const PolytopeSide &side, const Extent &region) {
-  list.clear();
+void DepthGraph::Lines::gather(const PolytopeSide &side, const Extent &region) {
+  found.clear();
   order.clear();
-  const convex::Mat3 &rotation = side.to_side().rotation;
-  const convex::Polytope &geometry = side.body().geometry();
-  for (const PolytopeSide::Edge &edge : side.edges()) {
+  for (std::size_t i = 0; i < side.edge_count(); ++i) {
+    const PolytopeSide::Edge &edge = side.edge(i);
     if (!edge.extent.meets(region)) continue;
-    const convex::Polytope::Edge &whole = geometry.edges()[index(edge.number)];
-    Border border;
-    for (int k = 0; k < 2; ++k) border.ray[k] = rotation * geometry.faces()[index(whole.face[k])].normal;
-    if (!(std::max(border.ray[0].z, border.ray[1].z) > wall_cosine)) continue;
-    if (!cut_arc(border.ray[0], border.ray[1])) continue;
-    const PolytopeSide::Vertex &from = side.vertices()[index(edge.vertex[0])], &to = side.vertices()[index(edge.vertex[1])];
-    border.from = from.at, border.to = to.at;
-    border.shaken_from = from.shaken, border.shaken_to = to.shaken;
-    border.extent.add(from.shaken);
-    border.extent.add(to.shaken);
-    for (int k = 0; k < 2; ++k) border.vertex[k] = edge.vertex[k];
-    order.emplace_back(border.extent.low_x, static_cast<std::int32_t>(list.size()));
-    list.push_back(border);
+    const PolytopeSide::Vertex &first = side.vertex(index(edge.vertex[0])), &second = side.vertex(index(edge.vertex[1]));
+    const Vec3 from = side.shaken(first), to = side.shaken(second);
+    found.emplace_back();
+    Line &line = found.back();
+    line.from_x = from.x, line.from_y = from.y, line.to_x = to.x, line.to_y = to.y;
+    line.low_x = std::min(from.x, to.x), line.high_x = std::max(from.x, to.x);
+    line.low_y = std::min(from.y, to.y), line.high_y = std::max(from.y, to.y);
+    line.highest = std::max(first.at.z, second.at.z);
+    line.edge = static_cast<std::int32_t>(i);
+    order.emplace_back(line.low_x, static_cast<std::int32_t>(order.size()));
   }
   std::sort(order.begin(), order.end());
+  ordered.clear();
+  for (const auto &[low, k] : order) ordered.push_back(found[index(k)]);
 }
 
 void DepthGraph::place(const ContactPolytope &a, const Pose &a_in_axes, const ContactPolytope &b,
@@ -154,11 +158,11 @@ void DepthGraph::find_corners(double level) {
 void DepthGraph::add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side,
                               Faces &others, double sense) {
   bool gathered = false;
-  for (std::size_t i = 0; i < side.vertices().size(); ++i) {
-    const PolytopeSide::Vertex &v = side.vertices()[i];
+  for (std::size_t i = 0; i < side.vertex_count(); ++i) {
+    const PolytopeSide::Vertex &v = side.vertex(i);
     if (!v.inside || !region_.holds(v.at)) continue;
     if (!gathered) others.gather(other_side), gathered = true;
-    const Plane *plane = others.over(v.shaken, v.at.z, level_, size_);
+    const Plane *plane = others.over(side.shaken(v), v.at.z, level_, size_);
     if (plane == nullptr) continue;
     const double other = plane->over(v.at), depth = v.at.z + other;
     if (!(depth > level_)) continue;
@@ -180,30 +184,26 @@ void DepthGraph::add_vertices(const PolytopeSide &side, VertexStiffness &stiffne
   }
 }
 
-// The crossing of two edges, seen along the contact normal, if there is one.
-void DepthGraph::add_crossing(const Border &e, const Border &f) {
-  if (f.extent.low_y > e.extent.high_y || f.extent.high_y < e.extent.low_y) return;
-  if ((area(f.shaken_from, f.shaken_to, e.shaken_from) > 0.0) ==
-      (area(f.shaken_from, f.shaken_to, e.shaken_to) > 0.0)) {
-    return;
-  }
-  if ((area(e.shaken_from, e.shaken_to, f.shaken_from) > 0.0) ==
-      (area(e.shaken_from, e.shaken_to, f.shaken_to) > 0.0)) {
-    return;
-  }
-  const Vec3 de = e.to - e.from, df = f.to - f.from, between = f.from - e.from;
+// The crossing of two edges, one of each side, that cross as seen along the contact normal.
+void DepthGraph::add_crossing(std::int32_t edge_a, std::int32_t edge_b) {
+  const PolytopeSide::Edge &e = side_a_.edge(index(edge_a)), &f = side_b_.edge(index(edge_b));
+  const Vec3 &from_e = side_a_.vertex(index(e.vertex[0])).at, &from_f = side_b_.vertex(index(f.vertex[0])).at;
+  const Vec3 de = side_a_.vertex(index(e.vertex[1])).at - from_e, df = side_b_.vertex(index(f.vertex[1])).at - from_f;
+  const Vec3 between = from_f - from_e;
   const double product = de.x * df.y - de.y * df.x;
   if (!(product * product > parallel_sine * parallel_sine * norm2(de) * norm2(df))) return;
   const double inverse = 1.0 / product;
   const double t = std::clamp((between.x * df.y - between.y * df.x) * inverse, 0.0, 1.0);
   const double s = std::clamp((between.x * de.y - between.y * de.x) * inverse, 0.0, 1.0);
-  const Vec3 on_e = e.from + t * de, on_f = f.from + s * df;
+  const Vec3 on_e = from_e + t * de, on_f = from_f + s * df;
   const double depth = on_e.z + on_f.z;
   if (!(depth > level_)) return;
+  Vec3 of_e[2], of_f[2];
+  if (!edge_arc(side_a_, e, of_e[0], of_e[1]) || !edge_arc(side_b_, f, of_f[0], of_f[1])) return;
   // Slopes add up: the cone's rays are the sums of both edges' directions, taken at the same z.
   cone_.clear();
   for (const int corner : {0, 1, 3, 2}) {
-    const Vec3 &p = e.ray[corner & 1], &q = f.ray[corner >> 1];
+    const Vec3 &p = of_e[corner & 1], &q = of_f[corner >> 1];
     const Vec3 ray{p.x * q.z + q.x * p.z, p.y * q.z + q.y * p.z, p.z * q.z};
     if (norm2(ray) > 0.0) cone_.add(ray);
   }
@@ -216,22 +216,26 @@ void DepthGraph::add_crossing(const Border &e, const Border &f) {
 
 // Edges whose extents along x overlap are found by a sweep.
 void DepthGraph::add_crossings() {
-  borders_a_.gather(side_a_, region_);
-  if (borders_a_.list.empty()) return;
-  borders_b_.gather(side_b_, region_);
-  const auto &order_a = borders_a_.order, &order_b = borders_b_.order;
-  std::size_t next_a = 0, next_b = 0;
-  while (next_a < order_a.size() && next_b < order_b.size()) {
-    if (order_a[next_a].first <= order_b[next_b].first) {
-      const Border &e = borders_a_.list[index(order_a[next_a++].second)];
-      for (std::size_t k = next_b; k < order_b.size() && order_b[k].first <= e.extent.high_x; ++k) {
-        add_crossing(e, borders_b_.list[index(order_b[k].second)]);
+  lines_a_.gather(side_a_, region_);
+  if (lines_a_.ordered.empty()) return;
+  lines_b_.gather(side_b_, region_);
+  const double level = level_;
+  const auto cross = [level](const Line &e, const Line &f) {
+    return e.highest + f.highest > level && f.low_y <= e.high_y && f.high_y >= e.low_y && f.parts(e) && e.parts(f);
+  };
+  const Line *a = lines_a_.ordered.data(), *b = lines_b_.ordered.data();
+  const Line *const end_a = a + lines_a_.ordered.size(), *const end_b = b + lines_b_.ordered.size();
+  while (a != end_a && b != end_b) {
+    if (a->low_x <= b->low_x) {
+      for (const Line *f = b; f != end_b && f->low_x <= a->high_x; ++f) {
+        if (cross(*a, *f)) add_crossing(a->edge, f->edge);
       }
+      ++a;
     } else {
-      const Border &f = borders_b_.list[index(order_b[next_b++].second)];
-      for (std::size_t k = next_a; k < order_a.size() && order_a[k].first <= f.extent.high_x; ++k) {
-        add_crossing(borders_a_.list[index(order_a[k].second)], f);
+      for (const Line *e = a; e != end_a && e->low_x <= b->high_x; ++e) {
+        if (cross(*e, *b)) add_crossing(e->edge, b->edge);
       }
+      ++b;
     }
   }
 }

@@ -35,7 +35,7 @@ class DepthGraph {
 
   // Finds the corners deeper than `level` (>= 0).
   void find_corners(double level);
-  std::vector<Corner> &corners() { return corners_; }
+  const std::vector<Corner> &corners() const { return corners_; }
 
  private:
   // A face's plane over the contact plane: z = height - slope_x x - slope_y y.
@@ -57,16 +57,21 @@ class DepthGraph {
     // `level`. `size` is that of the bodies.
     const Plane *over(const Vec3 &p, double height, double level, double size) const;
   };
-  // An edge between faces of which at least one looks towards the other body.
-  struct Border {
-    Extent extent;  // of the shaken edge
-    Vec3 from, to, shaken_from, shaken_to;
-    std::int32_t vertex[2];  // into the side's
-    Vec3 ray[2];             // its faces' directions within the hemisphere
+  // What decides whether edges cross: a shaken edge as seen along the contact normal.
+  struct Line {
+    double low_x, high_x, low_y, high_y, from_x, from_y, to_x, to_y;
+    double highest;     // z, of the true edge
+    std::int32_t edge;  // of the side
+
+    // Whether the other edge's ends lie on different sides of this line.
+    bool parts(const Line &other) const {
+      return (area(other.from_x, other.from_y) > 0.0) != (area(other.to_x, other.to_y) > 0.0);
+    }
+    double area(double x, double y) const { return (to_x - from_x) * (y - from_y) - (to_y - from_y) * (x - from_x); }
   };
-  // Borders from the left to the right.
-  struct Borders {
-    std::vector<Border> list;
+  // A side's edges within a region, from the left to the right.
+  struct Lines {
+    std::vector<Line> ordered, found;
     std::vector<std::pair<double, std::int32_t>> order;
     void gather(const PolytopeSide &side, const Extent &region);
   };
@@ -74,13 +79,13 @@ class DepthGraph {
   void add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side, Faces &others,
                     double sense);
   void add_crossings();
-  void add_crossing(const Border &e, const Border &f);
+  void add_crossing(std::int32_t edge_a, std::int32_t edge_b);
 
   double size_ = 0.0, level_ = 0.0, turning_a_ = 0.5;
   PolytopeSide side_a_, side_b_;
   Extent region_;
   Faces faces_a_, faces_b_;
-  Borders borders_a_, borders_b_;
+  Lines lines_a_, lines_b_;
   VertexStiffness stiffness_a_, stiffness_b_;
   DirectionCone cone_, sheared_cone_;
   std::vector<Corner> corners_;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "manifold/axis_share.hpp"
-#include "manifold/load_level.hpp"
+#include "manifold/load_limit.hpp"
 
 namespace cmb {
 
@@ -36,25 +36,28 @@ class Collector {
     missing_ = missing_ + 0.5 * depth * depth * weight_gradient;
   }
 
-  // Limits the load (load_level.hpp). Returns the level; where that is not 0, weights' derivatives have to be given again.
-  double limit_load() {
+  // Limits the load (load_limit.hpp) of corners of the given fineness, and says whether that was needed: weights'
+  // derivatives have to be given again then (add_derivative), for corners deeper than `least_depth`.
+  bool limit_load(double fineness) {
     std::vector<ContactPoint> &points = result_.points;
-    const double level = load_level(points, begin_);
-    if (level == 0.0) return level;
+    const double greatest = greatest_depth(points, begin_);
+    if (!(load_ > greatest)) return false;
+    limit_ = load_limit(points, begin_, greatest, load_width(greatest, fineness));
     load_ = 0.0;
     missing_ = {};
+    std::size_t kept = begin_;
     for (std::size_t i = begin_; i < points.size(); ++i) {
-      points[i].weight *= std::fmax(0.0, 1.0 - level / points[i].depth);
+      points[i].weight *= limit_.part(points[i].depth);
       load_ += points[i].weight * points[i].depth;
+      if (points[i].weight > 0.0) points[kept++] = points[i];
     }
-    points.erase(std::remove_if(points.begin() + static_cast<std::ptrdiff_t>(begin_), points.end(),
-                                [](const ContactPoint &point) { return !(point.weight > 0.0); }),
-                 points.end());
-    return level;
+    points.resize(kept);
+    return true;
   }
-  // `below_level`: how deep the point lies below the level.
-  void add_derivative(double below_level, const Vec3 &weight_gradient) {
-    missing_ = missing_ + 0.5 * below_level * below_level * weight_gradient;
+  double least_depth() const { return std::fmax(0.0, limit_.level); }
+  void add_derivative(const Vec3 &p, const Vec3 &weight_gradient) {
+    const double depth = -height(p);
+    missing_ = missing_ + (0.5 * depth * depth * limit_.part(depth)) * weight_gradient;
   }
 
   // Ends the collection: `lowest` is the shape's lowest point.
@@ -80,6 +83,7 @@ class Collector {
   double offset_;
   double load_ = 0.0;
   Vec3 missing_;
+  LoadLimit limit_{0.0, 1.0};
 };
 
 // Calls visit(vertex) for all vertices that lie deeper than `level` below the plane, from `lowest` along the edges.
@@ -122,12 +126,11 @@ void polytope_contact(const ContactPolytope &polytope, Collector &collector) {
     const double share = polytope.share(v, collector.down(), &gradient);
     collector.add(place(v), share, gradient);
   });
-  const double level = collector.limit_load();
-  if (level > 0.0) {
-    visit_deeper(geometry, lowest, level, collector, [&](std::int32_t v) {
+  if (collector.limit_load(polytope.fineness())) {
+    visit_deeper(geometry, lowest, collector.least_depth(), collector, [&](std::int32_t v) {
       Vec3 gradient;
       polytope.share(v, collector.down(), &gradient);
-      collector.add_derivative(-collector.height(place(v)) - level, gradient);
+      collector.add_derivative(place(v), gradient);
     });
   }
   collector.finish(place(lowest));

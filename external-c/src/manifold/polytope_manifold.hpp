@@ -10,7 +10,7 @@
 namespace cmb {
 
 // Appends the points at which polytopes A and B touch: the corners of their depth's graph. `normal` (unit, from B to A)
-// is the contact normal, `witness` a point near the contact, both in world axes. The load is limited (load_level.hpp). `graph` is room to work in.
+// is the contact normal, `witness` a point near the contact, both in world axes. The load is limited (load_limit.hpp). `graph` is room to work in.
 //
 // Shares that change with the direction ask for a torque, as on a half-space: all points are shifted along the contact
 // plane to supply it.

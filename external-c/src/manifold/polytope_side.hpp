@@ -25,10 +25,19 @@ struct Extent {
   double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;
 
   void add(const Vec3 &p) {
-    if (p.x < low_x) low_x = p.x;
-    if (p.x > high_x) high_x = p.x;
-    if (p.y < low_y) low_y = p.y;
-    if (p.y > high_y) high_y = p.y;
+    low_x = p.x < low_x ? p.x : low_x;
+    high_x = p.x > high_x ? p.x : high_x;
+    low_y = p.y < low_y ? p.y : low_y;
+    high_y = p.y > high_y ? p.y : high_y;
+  }
+  void add(const Extent &other) {
+    low_x = other.low_x < low_x ? other.low_x : low_x;
+    high_x = other.high_x > high_x ? other.high_x : high_x;
+    low_y = other.low_y < low_y ? other.low_y : low_y;
+    high_y = other.high_y > high_y ? other.high_y : high_y;
+  }
+  static Extent of(const Vec3 &p, const Vec3 &q) {
+    return {p.x < q.x ? p.x : q.x, p.x > q.x ? p.x : q.x, p.y < q.y ? p.y : q.y, p.y > q.y ? p.y : q.y};
   }
   bool holds(const Vec3 &p) const { return p.x >= low_x && p.x <= high_x && p.y >= low_y && p.y <= high_y; }
   bool meets(const Extent &other) const {
@@ -41,12 +50,12 @@ struct Extent {
 class PolytopeSide {
  public:
   struct Vertex {
-    Vec3 at, shaken;
+    Vec3 at;
     std::int32_t number = 0;  // in the polytope
     bool inside = false;      // beyond the limit; else the other end of an edge
   };
   struct Edge {
-    std::int32_t vertex[2];  // into vertices()
+    std::int32_t vertex[2];  // the numbers of gathered ones
     std::int32_t number;     // in the polytope
     Extent extent;           // of its part beyond the limit
   };
@@ -66,23 +75,26 @@ class PolytopeSide {
   const ContactPolytope &body() const { return *body_; }
   const Pose &to_side() const { return to_side_; }
   const Shake &shake() const { return shake_; }
-  const std::vector<Vertex> &vertices() const { return vertices_; }
-  const std::vector<Edge> &edges() const { return edges_; }
+  Vec3 shaken(const Vertex &vertex) const { return shake_(vertex.at); }
+  std::size_t vertex_count() const { return vertex_count_; }
+  std::size_t edge_count() const { return edge_count_; }
+  const Vertex &vertex(std::size_t k) const { return vertices_[k]; }
+  const Edge &edge(std::size_t k) const { return edges_[k]; }
   // Of what lies beyond the limit.
   const Extent &extent() const { return extent_; }
   // The numbers of the faces at the edges gathered; valid until the next gathering.
   const std::vector<std::int32_t> &faces();
 
  private:
-  std::int32_t add_vertex(std::int32_t number, double limit);
-
   const ContactPolytope *body_ = nullptr;
   Pose to_side_;
   Shake shake_;
   std::int32_t summit_ = 0;
   double reach_ = 0.0;
+  // Room for the largest polytope so far; the first ones count.
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
+  std::size_t vertex_count_ = 0, edge_count_ = 0;
   std::vector<std::int32_t> faces_;
   Extent extent_;
   // For each vertex and face of the polytope the last gathering that met it, and where the vertex is kept.

@@ -1,5 +1,6 @@
 #include "manifold/vertex_stiffness.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cmb {
@@ -8,6 +9,17 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+// Whether all faces at a vertex look towards the other body.
+bool is_whole(const PolytopeSide &side, std::int32_t vertex) {
+  const ContactPolytope &body = side.body();
+  const Vec3 towards = side.towards();
+  const std::size_t count = body.faces_at(vertex);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (dot(towards, body.face_normal_at(vertex, i)) < 0.0) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -37,15 +49,15 @@ double visible_cone(const PolytopeSide &side, std::int32_t vertex, DirectionCone
 void VertexStiffness::start(const PolytopeSide &side, double turning) {
   side_ = &side;
   turning_ = turning;
-  known_.assign(side.vertices().size(), {});
+  known_.assign(side.vertex_count(), {});
 }
 
 const Stiffness &VertexStiffness::of(std::int32_t k, double visible) {
   Stiffness &stiffness = known_[index(k)];
   if (stiffness.value >= 0.0) return stiffness;
   const ContactPolytope &body = side_->body();
-  const std::int32_t v = side_->vertices()[index(k)].number;
-  const double scale = 2.0 * pi / std::fmax(visible, 0.25 * body.normal_cone(v));
+  const std::int32_t v = side_->vertex(index(k)).number;
+  const double scale = 2.0 * pi / std::max(visible, 0.25 * body.normal_cone(v));
   if (body.share_is_constant(v)) {
     stiffness.value = scale * body.share(v, side_->towards());
   } else {
@@ -58,7 +70,8 @@ const Stiffness &VertexStiffness::of(std::int32_t k, double visible) {
 
 const Stiffness &VertexStiffness::of(std::int32_t k) {
   if (known_[index(k)].value >= 0.0) return known_[index(k)];
-  return of(k, visible_cone(*side_, side_->vertices()[index(k)].number, cone_));
+  const std::int32_t v = side_->vertex(index(k)).number;
+  return of(k, is_whole(*side_, v) ? side_->body().normal_cone(v) : visible_cone(*side_, v, cone_));
 }
 
 }  // namespace cmb
