@@ -24,7 +24,8 @@ their forces by the same laws. For tens to a thousand equal free bodies there is
 v sqrt(m/K) you can accept. So does <code>regularisationSpeed</code>: the smaller, the stiffer friction is.
 </p>
 <p>
-<strong>Heaps creep</strong> under regularised friction, and give way now and then. What must stand is for the ContactManager with anchored friction.
+<strong>Heaps creep</strong> under regularised friction: each contact slides at <code>regularisationSpeed</code> q/sqrt(1 - q<sup>2</sup>) under the share q of its largest friction force, and in a heap some contacts are always near
+theirs. So a heap flattens slowly and gives way now and then, however small that speed; smooth bodies that fill a container come to rest, as in SpheresInBox. What must stand is for the ContactManager with anchored friction.
 </p>
 <p>
 Examples: <a href=\"modelica://ContactMultiBody.Examples.TumblingShapes\">TumblingShapes</a>,

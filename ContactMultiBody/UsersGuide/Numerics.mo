@@ -21,8 +21,17 @@ as half-spaces, which nothing can pass.</li>
 <li>The solution of the law is exact for a free impact. Gravity, joints and other contacts act during an impact as well; their share is of the order of g sqrt(m/K)/v<sub>0</sub>, so that slow bounces lose more than e says. Below
 <code>restSpeed</code> the damping rises until bounces die.</li>
 <li>The speed of impact is caught by an event when a pair starts to touch, and again when a point of a touching pair meets more than a quarter faster than that: as when a box falls flat
-after landing on its edge, or when something strikes a body that rests. A second strike that is slower than the first one finds the first speed and comes back with more than e of its own. With <code>Memoryless</code>
-each point recovers its own speed.</li>
+after landing on its edge, or when something strikes a body that rests. A second strike at the share s of the first speed, while the pair still touches, keeps the first speed v<sub>0</sub>: no other choice for the pair leaves the force of
+its other points as it is. The damping factor then counts as s d, so that the strike comes back with the restitution that s d delivers
+(<a href=\"modelica://ContactMultiBody.NormalForce.deliveredRestitution\">deliveredRestitution</a>): more than e, less than 1.
+<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
+<tr><th>second speed by first</th><th>1</th><th>0.8</th><th>0.5</th><th>0.3</th><th>0.1</th></tr>
+<tr><td>e = 0.1</td><td>0.100</td><td>0.125</td><td>0.197</td><td>0.307</td><td>0.594</td></tr>
+<tr><td>e = 0.3</td><td>0.300</td><td>0.356</td><td>0.480</td><td>0.613</td><td>0.829</td></tr>
+<tr><td>e = 0.5</td><td>0.500</td><td>0.559</td><td>0.673</td><td>0.776</td><td>0.913</td></tr>
+<tr><td>e = 0.7</td><td>0.700</td><td>0.745</td><td>0.825</td><td>0.887</td><td>0.959</td></tr>
+</table>
+With <code>Memoryless</code> each point recovers its own speed, and each strike delivers e.</li>
 <li>A contact that exists when the simulation starts is taken to have started at the speed it then has.</li>
 <li>Anchored friction is elastic up to 0.9 of its limit: displacement under load is F/S and goes back. It does not creep.</li>
 <li>Depth at rest is m g/K (exponent 1), shared by the points of a face.</li>

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -105,6 +106,8 @@ def _friction(
         reason = f"Tangential forces stay below {100 * share:.2g} % of the largest normal force."
     elif pair.creep > allowed:
         needed, reason = Friction.ANCHORED, f"Friction has to hold: {sticks}."
+        reason += f" It would stay below {_mm(allowed)} with regularisationSpeed="
+        reason += f"{_one_digit_below(parameters.regularisation_speed * allowed / pair.creep)}."
     else:
         needed = Friction.REGULARISED
         reason = f"Tangential forces reach {100 * share:.3g} % of the largest normal force, "
@@ -200,6 +203,13 @@ def _pairs(manager: Manager, observations: Sequence[PairObservation], allowed: f
 
 def _impacts(count: int) -> str:
     return f"{count} contact{'s start' if count > 1 else ' starts'} in this time"
+
+
+def _one_digit_below(value: float) -> str:
+    """A positive number with one digit, not greater than ``value``."""
+    rounded = value * (1 + 1e-9)  # 2e-4 that came out a rounding error smaller is 2e-4
+    exponent = math.floor(math.log10(rounded))
+    return f"{math.floor(rounded / 10.0**exponent)}e{exponent}"
 
 
 def _mm(length: float) -> str:

@@ -250,6 +250,17 @@ def test_friction_by_what_it_does() -> None:
     weak = finding("friction", replace(MANAGER, friction=Friction.REGULARISED), parameters(), holding, APART, APART)
     assert (weak.verdict, weak.change) == (Verdict.MISSING, Change(friction=Friction.ANCHORED))
     assert "5 mm" in weak.reason
+    # Creep is proportional to the speed: 1 mm/s lets it creep by 5 mm, 0.2 mm/s by 1 mm.
+    assert weak.reason.endswith("It would stay below 1 mm with regularisationSpeed=2e-4.")
+    slower = finding(
+        "friction",
+        replace(MANAGER, friction=Friction.REGULARISED),
+        parameters(),
+        replace(HITS, creep=1.61e-3),
+        APART,
+        APART,
+    )
+    assert slower.reason.endswith("regularisationSpeed=6e-4.")
     strong = finding("friction", MANAGER, parameters(), HITS, APART, APART)
     assert (strong.verdict, strong.change) == (Verdict.UNNEEDED, Change(friction=Friction.REGULARISED))
     straight = finding("friction", MANAGER, parameters(), replace(HITS, tangential_share=1e-6), APART, APART)

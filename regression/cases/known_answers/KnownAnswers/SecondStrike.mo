@@ -8,8 +8,8 @@ model SecondStrike "One end of a body strikes while the other still touches"
   final parameter Modelica.Units.SI.Length l=0.3 "From the middle of the body to its ends";
   final parameter Modelica.Units.SI.Radius radius=0.02 "Radius of the ends";
   final parameter Modelica.Units.SI.Mass m=2 "Mass of the body";
-  final parameter Modelica.Units.SI.Velocity slow=0.02 "Speed of the end that touches first";
-  final parameter Modelica.Units.SI.Velocity fast=1 "Speed of the end that strikes then";
+  parameter Modelica.Units.SI.Velocity slow=0.02 "Speed of the end that touches first";
+  parameter Modelica.Units.SI.Velocity fast=1 "Speed of the end that strikes then";
   inner Modelica.Mechanics.MultiBody.World world(gravityType=Modelica.Mechanics.MultiBody.Types.GravityTypes.NoGravity,
     enableAnimation=false);
   ContactMultiBody.Parts.Body body(
