@@ -5,10 +5,11 @@
 # make release   packs the Modelica library: out/ContactMultiBody-<version>.zip
 # make coverage  prints the branch coverage of the engine's own code by its tests
 # make fuzz      fuzzes the engine (needs clang): make fuzz SECONDS=60
+# make stress    ten million random and adversarial poses of all pairs of bodies (POSES=...)
 # make promises  measures what the library promises into docs/promises.md
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: coverage fuzz bench-fmu contact-paths demo test setup setup-test lint bench clean release promises test-omc icons
+.PHONY: coverage fuzz stress bench-fmu contact-paths demo test setup setup-test lint bench clean release promises test-omc icons
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -50,6 +51,9 @@ coverage: setup-test
 
 fuzz:
 	scripts/fuzz $(SECONDS)
+
+stress:
+	scripts/stress $(POSES)
 
 bench-fmu: setup
 	.venv/bin/python regression/bench/fmu_size.py

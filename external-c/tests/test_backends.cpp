@@ -59,6 +59,28 @@ TEST_P(Libraries, AgreeWithTheExactPathWhereTheyAnswer) {
   EXPECT_GT(answered, 100u);  // the library is really asked, and often right
 }
 
+TEST_P(Libraries, ShallowOverlapsStayOverlaps) {
+  // Well within the depth that an answer may be off by.
+  std::mt19937 engine(3);
+  const auto random = [&] { return static_cast<double>(engine() >> 5) / 134217728.0 - 0.5; };
+  for (const char *a : convex_shapes) {
+    for (const char *b : convex_shapes) {
+      const PairScene exact(a, b), library(a, b, GetParam());
+      for (int k = 0; k < 10; ++k) {
+        const Vec3 way = normalized(Vec3{random(), random(), random()});
+        BodyPose pose{2.0 * way, rotation_about(normalized(Vec3{random(), random(), 1.1}), 6 * random())};
+        for (int step = 0; step < 60; ++step) pose.position = pose.position - exact.query(pose, {}).distance * way;
+        pose.position = pose.position - 4e-5 * way;
+        const Contact contact = exact.query(pose, {});
+        if (!(contact.distance < 0.0)) continue;
+        const Contact answer = library.query(pose, {});
+        ASSERT_LT(answer.distance, 0.0) << a << " | " << b << " | " << k;
+        ASSERT_GT(norm(answer.load()), 0.0) << a << " | " << b << " | " << k;
+      }
+    }
+  }
+}
+
 TEST_P(Libraries, FailuresAreRefusedAndAnswered) {
   // Aligned and concentric cubes: no direction, no depth, or too deep a one, from the libraries.
   const PairScene exact("cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1");

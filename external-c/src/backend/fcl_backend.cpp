@@ -46,6 +46,7 @@ std::optional<ConvexAnswer> overlap(const Placed &a, const Placed &b) {
   for (std::size_t i = 1; i < result.numContacts(); ++i) {
     if (result.getContact(i).penetration_depth > deepest->penetration_depth) deepest = &result.getContact(i);
   }
+  if (!(deepest->penetration_depth > 0.0)) return std::nullopt;  // its solver gives some depths with the wrong sign
   ConvexAnswer answer;
   answer.distance = -deepest->penetration_depth;
   answer.normal = -vector(deepest->normal);  // FCL's points from the first object to the second

@@ -39,6 +39,8 @@ class CapsuleQuery {
     free_to_ = end(to_, nearest_to, 1.0);
     shift_ends();
     between();
+    // From behind a sheet the end that reaches through may carry nothing.
+    if (result_.points.size() == begin_ && !mesh_.closed()) distance_ = std::fmax(0.0, distance_);
     result_.normal = pose_.rotation * nearest_normal_;
     result_.distance = distance_;
     result_.witness = pose_(nearest_at_ - (radius_ + 0.5 * distance_) * nearest_normal_);
@@ -94,13 +96,16 @@ class CapsuleQuery {
     if (rest > 0.0 && share > 0.0) shared_.add({rest, share, direction, point}, place_tolerance(mesh_));
   }
 
+  // An edge along the axis is as near as its ends are: rounding must not leave out both.
+  double slack(double distance) const { return 1e-3 * place_tolerance(mesh_) + 1e-14 * distance; }
+
   void edge(std::uint32_t t, std::size_t k) {
     const SegmentPoints points =
         nearest_of_segments(from_, to_ - from_, mesh_.corner(t, k), mesh_.corner(t, k + 1) - mesh_.corner(t, k));
     if (!(points.s > 0.0 && points.s < 1.0 && points.t > 0.0 && points.t < 1.0)) return;
     const Vec3 off = points.first - points.second;
     const double distance = norm(off);
-    if (!(distance > place_tolerance(mesh_)) || !edge_is_nearest(mesh_, t, k, off, 0.0)) return;
+    if (!(distance > place_tolerance(mesh_)) || !edge_is_nearest(mesh_, t, k, off, slack(distance))) return;
     const Vec3 direction = (1.0 / distance) * off;
     place(points.s, points.second, direction, distance, edge_share(mesh_, t, k, direction));
   }
@@ -112,9 +117,22 @@ class CapsuleQuery {
     if (!(part > 0.0 && part < 1.0)) return;
     const Vec3 off = from_ + part * along - point;
     const double distance = norm(off);
-    if (!(distance > place_tolerance(mesh_)) || !vertex_is_nearest(mesh_, v, off, 0.0)) return;
+    if (!(distance > place_tolerance(mesh_)) || !vertex_is_nearest(mesh_, v, off, slack(distance))) return;
     const Vec3 direction = (1.0 / distance) * off;
     place(part, point, direction, distance, vertex_share(mesh_, v, direction));
+  }
+
+  // Where the axis passes through a triangle, the surfaces meet however far the ends and all edges are.
+  void crossing(std::uint32_t t) {
+    const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2), &normal = mesh_.face_normal(t);
+    const double height_from = dot(normal, from_ - a), height_to = dot(normal, to_ - a);
+    if ((height_from > 0.0) == (height_to > 0.0)) return;
+    const Vec3 at = from_ + (height_from / (height_from - height_to)) * (to_ - from_);
+    // Where it passes through an edge, rounding must not leave out both sides.
+    const auto inside = [&](const Vec3 &from, const Vec3 &to) {
+      return dot(normal, cross(to - from, at - from)) >= -place_tolerance(mesh_) * norm(to - from);
+    };
+    if (inside(a, b) && inside(b, c) && inside(c, a)) keep_nearest(0.0, at, normal);
   }
 
   void between() {
@@ -129,6 +147,7 @@ class CapsuleQuery {
       return farthest * farthest;
     };
     mesh_.hierarchy().visit_near(box, reach, [&](std::uint32_t t) {
+      if (distance_ > 0.0) crossing(t);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::int32_t other = mesh_.neighbour(t, k);
         if (other < 0 || static_cast<std::uint32_t>(other) > t) edge(t, k);

@@ -28,7 +28,8 @@ ConvexAnswer convex_answer(const Scene &scene, const Shape &a, const Pose &pose_
     auto answer = library->distance(a, pose_a, b, pose_b, scratch);
     const double slack = library_tolerance * (a.bound_radius + b.bound_radius);
     const bool holds = answer && answer_holds(*answer, a, pose_a, b, pose_b, library_tolerance) &&
-                       std::fabs(answer->distance - exact.distance) <= slack;
+                       std::fabs(answer->distance - exact.distance) <= slack &&
+                       (answer->distance < 0.0) == (exact.distance < 0.0);
     (holds ? scene.answered : scene.refused).fetch_add(1, std::memory_order_relaxed);
     if (holds) {
       who = scene.backend;

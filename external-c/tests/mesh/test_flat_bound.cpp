@@ -65,4 +65,20 @@ TEST(FlatBound, OfFacingPatchesIsTheirGap) {
   EXPECT_NEAR(least_distance(tree.flat_bounds()[0], moved(tree.flat_bounds()[0], in_front)), 0.1, 1e-11);
 }
 
+TEST(FlatBound, OfSquaresHardlyTiltedIsNotTooGreat) {
+  MeshData square;
+  square.vertices = {{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const TriangleHierarchy tree(square.vertices, square.triangles);
+  random_bodies::Random random(6);
+  for (int k = 0; k < 500; ++k) {
+    const Vec3 axis = normalized(Vec3{random.normal(), random.normal(), 0.0});
+    const Pose pose{random_bodies::rotation_about(axis, random.log_uniform(1e-10, 1e-5)), {0, 0, 0.5}};
+    const double bound = least_distance(tree.flat_bounds()[0], moved(tree.flat_bounds()[0], pose));
+    const double exact =
+        distance_of_leaves(square, tree, tree.nodes()[0], square, tree, tree.nodes()[0], pose);
+    ASSERT_LE(bound, exact + 1e-13) << k;
+  }
+}
+
 }  // namespace

@@ -65,6 +65,33 @@ TEST(CylinderOnMesh, LiesWithTheMeanOfItsDepth) {
   }
 }
 
+TEST(CapsuleOnMesh, AlongAnEdgeItIsAsFarAsFromTheBox) {
+  // The edge is shorter than the axis, and turned by angles whose sines are not exact.
+  const PairScene scene("cmb/1 capsule radius=0.5 length=1.4", mesh_text(mesh_samples::box_mesh({0.6, 0.8, 0.3}))),
+      box("cmb/1 capsule radius=0.5 length=1.4", "cmb/1 box size=0.6,0.8,0.3");
+  random_bodies::Random random(4);
+  for (int i = 0; i < 200; ++i) {
+    const BodyPose mesh{{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)},
+                        random_bodies::random_rotation(random)};
+    const double turn = random.uniform(-pi, pi), out = random.uniform(0.7, 1.6);
+    const Vec3 beside{out * std::cos(turn), out * std::sin(turn), random.uniform(-0.3, 0.3)};
+    BodyPose capsule = mesh;
+    capsule.position = mesh.position + mesh.rotation * beside;
+    const double expected = box.query(capsule, mesh).distance;
+    if (expected < -0.05) continue;
+    ASSERT_NEAR(scene.query(capsule, mesh).distance, expected, 1e-12) << i;
+  }
+}
+
+TEST(CapsuleOnMesh, WhoseAxisPassesThroughIsNotApart) {
+  const PairScene plate("cmb/1 capsule radius=0.05 length=2", mesh_text(mesh_samples::box_mesh({3, 3, 0.2}))),
+      sheet("cmb/1 capsule radius=0.05 length=2", flat_field());
+  for (const double z : {-0.4, 0.0, 0.7}) {
+    EXPECT_LE(plate.query({{0.23, 0.31, z}, {}}, {}).distance, 0.0);
+    EXPECT_LE(sheet.query({{0.23, 0.31, flat_height + z}, {}}, {}).distance, 0.0);
+  }
+}
+
 TEST(RoundBodiesOnMesh, RollWithoutBumps) {
   for (const char *body : {"cmb/1 cylinder radius=0.3 length=0.5", "cmb/1 cone radius=0.3 length=0.5"}) {
     const PairScene scene(body, flat_field());
