@@ -281,7 +281,8 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
     return exchanged(body_and_point(b, pose.inverse().translation), pose);
   }
   Vec3 first = core_center(a) - pose(core_center(b));
-  if (a.core == CoreShape::box && b.core == CoreShape::box) {
+  const double reach = core_radius(a) + core_radius(b);
+  if (a.core == CoreShape::box && b.core == CoreShape::box && norm2(pose.translation) <= reach * reach) {
     const BoxAxes axes = box_axes(a.half, b.half, pose);
     if (axes.separation <= 0.0) return overlapping_boxes(a, b, pose, axes, with_mean);
     first = -axes.axis;
@@ -290,7 +291,8 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
   return iterated(a, b, pose, first, scratch, with_mean);
 }
 
-// Vertex, edge or face of the core that its supporting plane along m (unit, core's frame) touches.
+}  // namespace
+
 Feature support_feature(const ConvexBody &body, const Vec3 &m) {
   constexpr double parallel = 1e-8;  // sine of the angle up to which a face or edge counts as in the plane
   switch (body.core) {
@@ -322,8 +324,6 @@ Feature support_feature(const ConvexBody &body, const Vec3 &m) {
   }
 }
 
-}  // namespace
-
 SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, DistanceScratch &scratch,
                                bool with_mean) {
   ++scratch.counters.queries;
@@ -348,8 +348,6 @@ SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const P
   result.mean_normal = -normalized(core.mean_outward, core.direction);
   result.point_a = core.a + a.radius * core.direction;
   result.point_b = core.b - b.radius * core.direction;
-  result.feature_a = support_feature(a, core.direction);
-  result.feature_b = support_feature(b, -transposed_times(r, core.direction));
   result.method = core.method;
   result.proven = core.proven;
   return result;

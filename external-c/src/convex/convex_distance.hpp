@@ -40,7 +40,6 @@ struct SignedDistance {
   Vec3 normal{0, 0, 1};   // unit, from B to A, in A's frame
   Vec3 point_a;           // witness points on both surfaces, in A's frame:
   Vec3 point_b;           // point_a - point_b = distance * normal
-  Feature feature_a, feature_b;
   DistanceMethod method = DistanceMethod::closed_form;
   // Where asked for: the mean normal of the difference's surface near the origin (nearby_surface.hpp), unit, from B to A;
   // else the normal.
@@ -63,5 +62,9 @@ struct DistanceScratch {
 // request (`with_mean`), for overlapping boxes and polytopes.
 SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, DistanceScratch &scratch,
                                bool with_mean = false);
+
+// The vertex, edge or face of a body's core that its supporting plane along m (unit, in the body's frame) touches, to
+// 1e-8 rad: with m = -normal for A, and the normal in B's frame for B, where they are nearest.
+Feature support_feature(const ConvexBody &body, const Vec3 &m);
 
 }  // namespace cmb::convex

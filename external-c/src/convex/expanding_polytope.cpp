@@ -178,9 +178,22 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
 
 void ExpandingPolytope::measure_surface(PenetrationResult &result, double size) const {
   const double radius = surface_reach(std::max(result.depth, 0.0), size);
+  const auto is_near = [&](const ExpandingHull::Face &face) {
+    return face.alive && !face.sliver && face.offset < radius && hull_.distance(face) < radius;
+  };
+  // Of facets in one plane the mean is their normal.
+  bool one_plane = true;
+  for (std::int32_t f = 0; f < hull_.face_count() && one_plane; ++f) {
+    const ExpandingHull::Face &face = hull_.face(f);
+    one_plane = !is_near(face) || norm2(face.normal - result.direction) <= same_normal2;
+  }
+  if (one_plane) {
+    result.mean_outward = result.direction;
+    return;
+  }
   for (std::int32_t f = 0; f < hull_.face_count(); ++f) {
     const ExpandingHull::Face &face = hull_.face(f);
-    if (!face.alive || face.sliver || face.offset >= radius) continue;
+    if (!is_near(face)) continue;
     FacetIntegral integral(face.normal, std::max(face.offset, 0.0), radius);
     if (integral.empty()) continue;
     for (int k = 0; k < 3; ++k) {

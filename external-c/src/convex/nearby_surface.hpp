@@ -23,6 +23,9 @@ inline double surface_reach(double depth, double size) {
   return depth * std::sqrt(1.0 + sideways / (1.0 + part * part));
 }
 
+// Unit normals that differ by rounding: the square of the difference.
+constexpr double same_normal2 = 1e-24;
+
 // The integral of the weight (radius^2 - distance^2)^2 over a facet's part in the ball, given edge by edge.
 class FacetIntegral {
  public:
@@ -38,11 +41,10 @@ class FacetIntegral {
  private:
   void add_angle(double off, double begin, double end);
 
-  static constexpr int most_arcs = 16;
   Vec3 normal_, foot_;
-  double limit2_, sum_ = 0.0, more_angle_ = 0.0;
-  double arc_[most_arcs][2];
-  int arcs_ = 0;
+  double limit2_, sum_ = 0.0;
+  // The sum of angles: full turns, and the argument of a complex number.
+  double real_ = 1.0, imaginary_ = 0.0, turns_ = 0.0;
   bool all_beyond_ = true, outside_ = false;
 };
 

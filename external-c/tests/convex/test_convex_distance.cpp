@@ -45,9 +45,10 @@ TEST(ClosedForm, AlignedCubes) {
     EXPECT_NEAR(d.distance, -depth, 1e-15);
     EXPECT_NEAR(d.normal.z, -1, 1e-15);
     EXPECT_NEAR(d.point_a.z, 0.5, 1e-15);
-    EXPECT_EQ(d.feature_a.kind, FeatureKind::face);
-    EXPECT_EQ(d.feature_a.index, 5);
-    EXPECT_EQ(d.feature_b.index, 4);
+    const Feature of_a = support_feature(cube, -d.normal), of_b = support_feature(cube, d.normal);
+    EXPECT_EQ(of_a.kind, FeatureKind::face);
+    EXPECT_EQ(of_a.index, 5);
+    EXPECT_EQ(of_b.index, 4);
   }
 }
 
@@ -77,12 +78,12 @@ TEST(ClosedForm, CubeOnEdgeAndOnCorner) {
   const Mat3 on_edge = rotation_about({1, 0, 0}, pi / 4);
   const SignedDistance edge = signed_distance(cube, cube, {on_edge, {0, 0, 0.5 + std::sqrt(0.5) - 0.01}}, scratch);
   EXPECT_NEAR(edge.distance, -0.01, 1e-15);
-  EXPECT_EQ(edge.feature_a.kind, FeatureKind::face);
-  EXPECT_EQ(edge.feature_b.kind, FeatureKind::edge);
+  EXPECT_EQ(support_feature(cube, -edge.normal).kind, FeatureKind::face);
+  EXPECT_EQ(support_feature(cube, transposed_times(on_edge, edge.normal)).kind, FeatureKind::edge);
   const Mat3 on_corner = rotation_about(normalized({1, -1, 0}), std::acos(1 / std::sqrt(3.0)));
   const SignedDistance corner = signed_distance(cube, cube, {on_corner, {0, 0, 0.5 + std::sqrt(0.75) + 0.2}}, scratch);
   EXPECT_NEAR(corner.distance, 0.2, 1e-15);
-  EXPECT_EQ(corner.feature_b.kind, FeatureKind::vertex);
+  EXPECT_EQ(support_feature(cube, transposed_times(on_corner, corner.normal)).kind, FeatureKind::vertex);
 }
 
 TEST(ClosedForm, SphereAgainstBox) {
