@@ -68,7 +68,7 @@ def report_html(given: ReportInput) -> str:
         pairs=len(pairs),
         parts=[_part(part, given) for part in given.assembly.parts],
         joints=[_joint(joint, given) for joint in given.assembly.joints if joint.type is not JointType.FREE],
-        loops=[_loop(number, loop) for number, loop in enumerate(given.loops.loops, start=1)],
+        loops=[_loop(number, loop, given) for number, loop in enumerate(given.loops.loops, start=1)],
         actuators=given.actuators,
         start=given.start,
         overlaps=[
@@ -107,6 +107,8 @@ def _joint(joint: Joint, given: ReportInput) -> dict[str, Any]:
     cut = any(item is joint for item in given.tree.cut_joints)
     if joint.name in given.loops.planar_constraints:
         role = "closes a planar loop: planar loop constraint, no coordinate"
+    elif joint.name in given.loops.closures:
+        role = "closes an overconstrained loop that moves, by a loop closure; keeps its coordinate"
     elif cut:
         role = "closes a loop in space"
     else:
@@ -134,8 +136,11 @@ def _start(joint: Joint, given: ReportInput) -> str:
     return f"{sum(flags)} of {len(flags)} coordinates as given, the others follow from the loops"
 
 
-def _loop(number: int, loop: Loop) -> dict[str, Any]:
-    if loop.normal is not None:
+def _loop(number: int, loop: Loop, given: ReportInput) -> dict[str, Any]:
+    closure = given.loops.closures.get(loop.joint.name)
+    if closure is not None:
+        why = f"{closure.note[0].upper()}{closure.note[1:]}."
+    elif loop.normal is not None:
         normal = ", ".join(f"{value:.6g}" for value in loop.normal + 0.0)
         why = (
             f"All its joints move across the direction ({normal}): three conditions close it. The revolute joint that "

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
+from cad2modelica.loop_closures import Closure
 from cad2modelica.loops import LoopAnalysis
 from cad2modelica.model import Joint, JointType
 from cad2modelica.modelica_text import SIGNIFICANT_LENGTH, number, tidy_direction, tidy_length, vector
 from cad2modelica.spatial import Array, Pose, perpendicular, rotation_about
 
 MULTIBODY = "Modelica.Mechanics.MultiBody"
+CLOSURE = "ContactMultiBody.Joints.LoopClosure"
 
 # Coordinates and rates of the joints in the order of joint_twists.
 COORDINATES = {
@@ -57,6 +60,15 @@ def coordinate_modifiers(
     elif not any(independent):
         modifiers.append("stateSelect=StateSelect.avoid")
     return modifiers
+
+
+def closure_modifiers(closure: Closure) -> tuple[str, ...]:
+    """What a loop closure does not hold, and what the conditions left out may show."""
+    held = (*closure.shifts, *closure.turns)
+    names = ("x_locked", "y_locked", "z_locked", "turn_x_locked", "turn_y_locked", "turn_z_locked")
+    free = [f"{name}=false" for name, locked in zip(names, held, strict=True) if not locked]
+    angle = "Modelica.Constants.inf" if math.isinf(closure.angle) else number(closure.angle)
+    return (*free, f"distance_max={number(closure.distance)}", f"angle_max={angle}")
 
 
 def _axis_modifiers(joint: Joint, side: Pose) -> tuple[str, ...]:

@@ -15,6 +15,7 @@ from cad2modelica.joint_twists import (
     loop_projection,
     twists_of,
 )
+from cad2modelica.loop_closures import NotMovable
 from cad2modelica.model import Joint, JointType
 from cad2modelica.planar_loops import Loop
 from cad2modelica.spatial import Array
@@ -34,7 +35,9 @@ _WIDER = {
 }
 
 
-def overconstrained(loops: Sequence[Loop], columns: Sequence[Column], missing: int, length: float) -> InputError:
+def overconstrained(
+    loops: Sequence[Loop], columns: Sequence[Column], missing: int, length: float, finding: NotMovable
+) -> InputError:
     """The error about coupled loops whose conditions are not independent at the start.
 
     Args:
@@ -42,10 +45,11 @@ def overconstrained(loops: Sequence[Loop], columns: Sequence[Column], missing: i
         columns: the coordinates of their joints.
         missing: number of conditions less the rank of their matrix.
         length: typical length of the mechanism, m.
+        finding: why it does not move, or not from where it stands.
     """
     matrix = loop_matrix(loops, columns, length)
     involved = _involved(loops, matrix)
-    remedies = _remedies(loops, columns, matrix, involved, missing, length)
+    remedies = [] if finding.singular else _remedies(loops, columns, matrix, involved, missing, length)
     joints = _joints(involved)
     names = ", ".join(repr(joint.name) for joint in joints[:LISTED])
     times = f"{missing} time{'s' if missing > 1 else ''}"
@@ -55,6 +59,7 @@ def overconstrained(loops: Sequence[Loop], columns: Sequence[Column], missing: i
         f"the loop that the joint {place.name!r} closes is overconstrained {times}: "
         f"of {total} closing conditions only {total - missing} are independent at the start, "
         "so the forces in it are not determined by rigid bodies.",
+        f"  {finding}",
         f"  Joints that take part: {names}{', ...' if len(joints) > LISTED else ''}.",
     ]
     if remedies:
@@ -63,8 +68,10 @@ def overconstrained(loops: Sequence[Loop], columns: Sequence[Column], missing: i
     return InputError(
         "\n".join(lines),
         place=place.place,
-        remedy="Give a joint more freedom (spherical instead of revolute, cylindrical instead of prismatic), suppress "
-        "one that repeats what others hold already, or start in a configuration that is not singular.",
+        remedy="Move the parts a little along their motion and export that position."
+        if finding.singular
+        else "Correct the axes, give a joint more freedom (spherical instead of revolute, cylindrical instead of "
+        "prismatic), or suppress one that repeats what others hold already.",
     )
 
 

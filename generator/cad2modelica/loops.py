@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass
 
 import networkx as nx
@@ -17,6 +17,7 @@ from cad2modelica.joint_twists import (
     start_rates,
 )
 from cad2modelica.kinematic_graph import KinematicTree
+from cad2modelica.loop_closures import Closure, NotMovable, movable_closures
 from cad2modelica.loop_diagnosis import overconstrained
 from cad2modelica.model import GROUND, Assembly, Joint, JointType
 from cad2modelica.planar_loops import Loop, Step
@@ -29,6 +30,7 @@ class LoopAnalysis:
     Attributes:
         loops: all independent loops, in the order of the joints that close them.
         planar_constraints: names of the cut joints that become planar loop constraints.
+        closures: conditions that close overconstrained loops which move, by the names of their cut joints.
         independent: for every joint, which of its coordinates (in the order of ``joint_twists``) start as given;
             the others follow from the loops.
         rates: for every joint, the rates at the start that satisfy the loops.
@@ -37,6 +39,7 @@ class LoopAnalysis:
 
     loops: tuple[Loop, ...]
     planar_constraints: frozenset[str]
+    closures: dict[str, Closure]
     independent: dict[str, tuple[bool, ...]]
     rates: dict[str, tuple[float, ...]]
     notes: tuple[str, ...]
@@ -59,12 +62,17 @@ def analyse_loops(assembly: Assembly, tree: KinematicTree) -> LoopAnalysis:
     given = {joint.name: list(start_rates(joint)) for joint in joints}
     independent = {joint.name: [True] * len(joint_twists(joint)) for joint in joints}
     notes: list[str] = []
+    closures: dict[str, Closure] = {}
     for group in _coupled(loops):
-        notes += _solve(group, tree, joints, length, given, independent)
-    notes += [_loop_note(loop) for loop in loops]
+        found = _closures(assembly, group, tree, joints, length)
+        notes += [closure.note for closure in found.values()]
+        notes += _solve(group, _columns(group, tree, joints, found), length, given, independent)
+        closures |= found
+    notes += [_loop_note(loop) for loop in loops if loop.joint.name not in closures]
     return LoopAnalysis(
         loops,
-        frozenset(loop.joint.name for loop in tree.planar_loops),
+        frozenset(loop.joint.name for loop in tree.planar_loops if loop.joint.name not in closures),
+        closures,
         {name: tuple(flags) for name, flags in independent.items()},
         {name: tuple(values) for name, values in given.items()},
         tuple(notes),
@@ -93,21 +101,31 @@ def _coupled(loops: Sequence[Loop]) -> list[list[Loop]]:
     return [[loops[number] for number in group] for group in sorted(groups)]
 
 
+def _closures(
+    assembly: Assembly, loops: Sequence[Loop], tree: KinematicTree, joints: Sequence[Joint], length: float
+) -> dict[str, Closure]:
+    """Conditions for coupled loops that move although they are overconstrained; none if they are not."""
+    columns = _columns(loops, tree, joints, ())
+    matrix = loop_matrix(loops, columns, length)
+    missing = sum(loop_equations(loop) for loop in loops) - len(independent_columns(matrix))
+    if missing == 0:
+        return {}
+    try:
+        return movable_closures(assembly, loops, columns, length)
+    except NotMovable as finding:
+        raise overconstrained(loops, columns, missing, length, finding) from None
+
+
 def _solve(
     loops: Sequence[Loop],
-    tree: KinematicTree,
-    joints: Sequence[Joint],
+    columns: Sequence[Column],
     length: float,
     given: dict[str, list[float]],
     independent: dict[str, list[bool]],
 ) -> list[str]:
     """Finds the dependent coordinates of coupled loops and their rates; changes ``given`` and ``independent``."""
-    columns = _columns(loops, tree, joints)
     matrix = loop_matrix(loops, columns, length)
     dependent = independent_columns(matrix)
-    missing = sum(loop_equations(loop) for loop in loops) - len(dependent)
-    if missing > 0:
-        raise overconstrained(loops, columns, missing, length)
     rates = np.array([given[joint.name][k] for joint, k in columns])
     free = sorted(set(range(len(columns))) - set(dependent))
     solution, *_ = np.linalg.lstsq(matrix[:, dependent], -matrix[:, free] @ rates[free], rcond=None)
@@ -123,7 +141,9 @@ def _solve(
     return notes
 
 
-def _columns(loops: Sequence[Loop], tree: KinematicTree, joints: Sequence[Joint]) -> list[Column]:
+def _columns(
+    loops: Sequence[Loop], tree: KinematicTree, joints: Sequence[Joint], closures: Container[str]
+) -> list[Column]:
     """Coordinates of the loops' joints, candidates for dependence first.
 
     First those that no model variable stands for (planar loop constraints, spherical joints that close a loop), then
@@ -131,7 +151,11 @@ def _columns(loops: Sequence[Loop], tree: KinematicTree, joints: Sequence[Joint]
     """
     inside = {joint.name for loop in loops for joint, _ in loop.steps}
     cut = {joint.name for joint in tree.cut_joints}
-    without = {loop.joint.name for loop in loops if loop.normal is not None or loop.joint.type is JointType.SPHERICAL}
+    without = {
+        loop.joint.name
+        for loop in loops
+        if loop.joint.type is JointType.SPHERICAL or (loop.normal is not None and loop.joint.name not in closures)
+    }
     order = [joint for joint in joints if joint.name in cut] + [j for j in reversed(joints) if j.name not in cut]
     columns = []
     for joint in order:

@@ -11,14 +11,17 @@ from cad2modelica.collision_shapes import CollisionGeometry
 from cad2modelica.joint_resistance import resistances
 from cad2modelica.joint_twists import spherical_axes
 from cad2modelica.joint_view import (
+    CLOSURE,
     COORDINATES,
     MULTIBODY,
     axis_of,
+    closure_modifiers,
     coordinate_modifiers,
     joint_declaration,
     start_rotation,
 )
 from cad2modelica.kinematic_graph import KinematicTree
+from cad2modelica.loop_closures import Closure
 from cad2modelica.loops import LoopAnalysis
 from cad2modelica.model import GROUND, Assembly, Joint, JointType, Part, Plane
 from cad2modelica.modelica_names import NamePool
@@ -241,11 +244,39 @@ class _Builder:
         """Closes a loop: a joint between two bodies that stand already."""
         parent = self._assembly.part(joint.parent) if joint.parent != GROUND else None
         child = self._assembly.part(joint.child)
+        closure = self._loops.closures.get(joint.name)
+        if closure is not None and closure.is_empty:
+            return
         connector = f"{self._view.part_names[parent.name]}.frame_a" if parent is not None else "world.frame_b"
         pose = parent.pose if parent is not None else IDENTITY
-        end, _ = self._add_joint(joint, child, connector, pose, 1)
-        self._view.connections.append(Connection(end, f"{self._view.part_names[child.name]}.frame_a"))
+        far = f"{self._view.part_names[child.name]}.frame_a"
+        if closure is None:
+            end, _ = self._add_joint(joint, child, connector, pose, 1)
+        else:
+            end, far = self._add_closure(joint, closure, (connector, pose), (far, child))
+        self._view.connections.append(Connection(end, far))
         self._row += 1
+
+    def _add_closure(
+        self, joint: Joint, closure: Closure, near: tuple[str, Pose], far: tuple[str, Part]
+    ) -> tuple[str, str]:
+        """Adds the joint, if it has coordinates, and the conditions behind it; returns the connectors left to meet."""
+        name = self._view.joint_names[joint.name]
+        connector, pose = near
+        other, child = far
+        if joint.type is JointType.SPHERICAL:
+            # The conditions are the joint: they hold its centre and nothing else.
+            origin = Pose(joint.origin, pose.rotation)
+            connector, column = self._add_offset(connector, pose.inverse() @ origin, f"{name} base", 1)
+            own = Pose(joint.origin, child.pose.rotation)
+            other, _ = self._add_offset(other, child.pose.inverse() @ own, f"{name} end", column + 1)
+        else:
+            connector, column = self._add_joint(joint, child, connector, pose, 1)
+            name = self._pool.instance(f"{name} closure")
+        text = f"{joint.name}: conditions that close the loop"
+        self._view.components.append(Component(CLOSURE, name, closure_modifiers(closure), text, column, self._row))
+        self._view.connections.append(Connection(connector, f"{name}.frame_a"))
+        return f"{name}.frame_b", other
 
     def _add_spherical_chain(self, joint: Joint, side: Pose, column: int) -> tuple[str, str, int]:
         """A spherical joint in a loop, as universal joint and a third axis; the ends in its direction, next column."""

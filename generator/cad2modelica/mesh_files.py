@@ -100,8 +100,10 @@ def _read_obj(data: bytes, file: Path) -> Surface:
     vertices = np.array(points, dtype=np.float64).reshape(-1, 3)
     triangles: list[tuple[int, int, int]] = []
     for number, face in faces:
-        if len(face) < 3 or max(face) >= len(vertices):
-            raise _wrong_line(file, number, "a face needs at least three vertices that exist")
+        if max(face, default=0) >= len(vertices):
+            raise _wrong_line(file, number, "a face needs vertices that exist")
+        if len(face) < 3:  # edges that some programs leave behind
+            continue
         triangles += [(face[a], face[b], face[c]) for a, b, c in triangulate(vertices[face])]
     return vertices, np.array(triangles, dtype=np.int64).reshape(-1, 3)
 

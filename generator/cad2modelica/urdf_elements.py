@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -66,6 +67,19 @@ class UrdfElements:
             )
             return np.array(default)
         return values
+
+    def number_or_zero(self, element: etree._Element, name: str) -> float:
+        """A number that can be done without: zero with a note if it is none."""
+        text = element.get(name, "0")
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if math.isfinite(value):
+            return value
+        if "inf" not in text:  # no limit
+            self.notes.append(f"{self.place(element)}: {name}={text!r} is no number and was left out")
+        return 0.0
 
     def refuse_macros(self, root: etree._Element) -> None:
         """Records a problem if macros of xacro stand in the file: without them parts of the robot would be missing."""

@@ -199,7 +199,7 @@ class _UrdfReader:
         if element is None or not kind.is_scalar:
             return None, None
         effort, speed, lower, upper = (
-            float(self._elements.numbers(element, key, (0.0,))[0]) for key in ("effort", "velocity", "lower", "upper")
+            self._elements.number_or_zero(element, key) for key in ("effort", "velocity", "lower", "upper")
         )
         rating = JointRating(effort if effort > 0 else None, speed if speed > 0 else None)
         limits = JointLimits(lower, upper) if joint.type != "continuous" and lower < upper else None

@@ -112,6 +112,14 @@ def obj(surface: tuple[np.ndarray, np.ndarray]) -> bytes:
     return ("# a box\n" + "\n".join(lines)).encode()
 
 
+def test_edges_among_the_faces_of_an_obj_file(tmp_path: Path) -> None:
+    (tmp_path / "a.obj").write_bytes(obj(box_surface(np.array([1.0, 2.0, 3.0]))) + b"\nf 1 2\nf 3\n")
+    assert volume_integrals(*weld(*read_mesh(tmp_path / "a.obj"))).volume == pytest.approx(6.0)
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\nf 1 2\n")
+    with pytest.raises(InputError, match="holds no triangle"):
+        read_mesh(tmp_path / "a.obj")
+
+
 @pytest.mark.parametrize(("name", "encode"), [("a.stl", binary_stl), ("b.STL", text_stl), ("c.obj", obj)])
 def test_mesh_files(tmp_path: Path, name: str, encode) -> None:
     (tmp_path / name).write_bytes(encode(box_surface(np.array([1.0, 2.0, 3.0]))))
@@ -477,6 +485,12 @@ def test_limits_are_stops_if_asked(tmp_path: Path) -> None:
     assert text.count("Actuators.Rotational.EndStop ") == 1
     assert "phi_min=-0.5" in text
     assert "phi_max=2" in text
+
+
+def test_limit_that_is_no_number_is_left_out(tmp_path: Path) -> None:
+    text, notes = mechanics(tmp_path, GenerateOptions(stops=True), ('effort="12"', 'effort="-1.57."'))
+    assert "EndStop" in text
+    assert any("effort='-1.57.' is no number and was left out" in note and "robot.urdf:" in note for note in notes)
 
 
 def test_no_stop_where_the_joint_starts_outside_its_range(tmp_path: Path) -> None:
