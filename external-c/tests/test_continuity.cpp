@@ -1,12 +1,5 @@
 // The force-carrying sums have no jumps along paths in pose space.
-//
-// Each path is sampled; the intervals over which the sums change most are halved again and again towards the larger
-// change. Over a jump the change stays; for continuous sums it goes to zero.
-#include <algorithm>
-#include <functional>
-
-#include "convex/random_bodies.hpp"
-#include "scene_query.hpp"
+#include "path_sums.hpp"
 
 namespace {
 
@@ -18,7 +11,7 @@ constexpr double depth = 0.01;
 struct Path {
   const char *name;
   const char *a, *b;
-  std::function<BodyPose(double)> pose_a;
+  PosePath pose_a;
   BodyPose pose_b;
 };
 
@@ -185,105 +178,28 @@ const Path paths[] = {
      [](double s) { return BodyPose{{1.5 + s, 0.1, 0.8 - depth}, {}}; }, {}},
 };
 
-// The largest jump, over a path, of the sums of load and moment; touches says whether there was a load at all.
-double largest_jump(const PairScene &scene, const std::function<BodyPose(double)> &pose_a, const BodyPose &pose_b,
-                    int samples, std::size_t suspects, bool &touches) {
-  struct Sums {
-    Vec3 load, moment;
-  };
-  const auto sums = [&](double s) {
-    const Contact contact = scene.query(pose_a(s), pose_b, 64);
-    return Sums{contact.load(), contact.moment({})};
-  };
-  const auto change = [](const Sums &x, const Sums &y) { return norm(x.load - y.load) + norm(x.moment - y.moment); };
-  struct Interval {
-    double change, begin;
-  };
-  std::vector<Interval> intervals;
-  Sums last = sums(0.0);
-  touches = norm(last.load) > 0.0;
-  for (int i = 1; i <= samples; ++i) {
-    const Sums next = sums(static_cast<double>(i) / samples);
-    intervals.push_back({change(last, next), static_cast<double>(i - 1) / samples});
-    touches = touches || norm(next.load) > 0.0;
-    last = next;
-  }
-  std::sort(intervals.begin(), intervals.end(), [](const auto &x, const auto &y) { return x.change > y.change; });
-  double largest = 0.0;
-  for (std::size_t k = 0; k < suspects; ++k) {
-    double begin = intervals[k].begin, end = begin + 1.0 / samples, jump = 0.0;
-    for (int halving = 0; halving < 32; ++halving) {
-      const double middle = 0.5 * (begin + end);
-      const Sums at_middle = sums(middle);
-      const double first = change(sums(begin), at_middle), second = change(at_middle, sums(end));
-      jump = std::fmax(first, second);
-      (first > second ? end : begin) = middle;
-    }
-    largest = std::fmax(largest, jump);
-  }
-  return largest;
-}
-
 class Continuity : public testing::TestWithParam<Path> {};
 
 TEST_P(Continuity, SumsHaveNoJumps) {
   const Path &path = GetParam();
-  bool touches = false;
-  EXPECT_LT(largest_jump(PairScene(path.a, path.b), path.pose_a, path.pose_b, 1500, 60, touches), 1e-5 * depth);
-  ASSERT_TRUE(touches);
-}
-
-std::string random_polytope(random_bodies::Random &random) {
-  std::string text;
-  if (random.uniform(0, 1) < 0.4) {
-    text = "cmb/1 box size=";
-    for (int k = 0; k < 3; ++k) text += digits(random.uniform(0.3, 1.0)) + (k < 2 ? "," : "");
-    return text;
-  }
-  text = "cmb/1 hull vertices=";
-  const int count = random.integer(4, 14);
-  for (int k = 0; k < count; ++k) {
-    const Vec3 p = random.direction();
-    text += digits(0.5 * p.x) + "," + digits(0.4 * p.y) + "," + digits(0.3 * p.z) + (k + 1 < count ? "," : "");
-  }
-  return text;
+  const PathSums sums = follow(PairScene(path.a, path.b), path.pose_a, path.pose_b, 1500, 60);
+  EXPECT_LT(sums.largest_jump, 1e-5 * depth);
+  EXPECT_GT(sums.largest_load, 0.0);
 }
 
 // Boxes and hulls, wedges among them, that turn over each other, up to an eighth of their size deep.
 TEST(RandomPolytopes, SumsHaveNoJumps) {
-  constexpr int pairs = 30, knots = 12;
+  const auto polytope = [](random_bodies::Random &random) {
+    return random.uniform(0, 1) < 0.4 ? random_box(random) : random_hull(random);
+  };
   for (const double deep : {0.004, 0.04}) {
-    for (int pair = 0; pair < pairs; ++pair) {
-      random_bodies::Random random(static_cast<std::uint64_t>(1000 + pair));
-      const std::string a = random_polytope(random), b = random_polytope(random);
+    for (std::uint64_t pair = 0; pair < 30; ++pair) {
+      random_bodies::Random random(1000 + pair);
+      const std::string a = polytope(random), b = polytope(random);
       const PairScene scene(a, b);
-      const Vec3 first = random.direction(), second = random.direction(), from = random.direction(),
-                 aside = random.direction();
-      const double fast = random.uniform(1, 4), slow = random.uniform(6, 24), drift = random.uniform(3, 15);
-      const auto rotation = [&](double s) {
-        return product(rotation_about(first, fast * s), rotation_about(second, 0.5 * std::sin(slow * s)));
-      };
-      // Between the knots, which are as deep as asked, A moves straight.
-      std::vector<Vec3> places;
-      for (int k = 0; k <= knots; ++k) {
-        const double s = static_cast<double>(k) / knots;
-        const Vec3 direction = normalized(from + (0.6 * std::sin(drift * s)) * aside);
-        BodyPose pose{1.5 * direction, rotation(s)};
-        for (int step = 0; step < 12; ++step) {
-          const double gap = scene.query(pose, {}, 4).distance + deep * (0.55 + 0.45 * std::sin(17.0 * s));
-          pose.position = pose.position - gap * direction;
-        }
-        places.push_back(pose.position);
-      }
-      const auto pose = [&](double s) {
-        const double place = s * knots;
-        const auto k = std::min<std::size_t>(knots - 1, static_cast<std::size_t>(place));
-        const double part = place - static_cast<double>(k);
-        return BodyPose{(1.0 - part) * places[k] + part * places[k + 1], rotation(s)};
-      };
-      bool touches = false;
-      EXPECT_LT(largest_jump(scene, pose, {}, 600, 15, touches), 1e-5 * deep) << a << " | " << b;
-      EXPECT_TRUE(touches);
+      const PathSums sums = follow(scene, random_path(scene, random, deep), {}, 600, 15);
+      EXPECT_LT(sums.largest_jump, 1e-5 * deep) << a << " | " << b;
+      EXPECT_GT(sums.largest_load, 0.0);
     }
   }
 }

@@ -11,99 +11,146 @@ namespace {
 
 using Station = AxisManifoldScratch::Station;
 
-// Stations nearer than this, relative to the axis' length, count as one.
-constexpr double station_spacing = 1e-7;
-// Faces put stations where the axis passes their borders: fully where their normal's cosine with the contact normal
-// is at least the second of these, not at all below the first.
-constexpr double faded_cosine = 0.5, supporting_cosine = 0.8;
-// Nor where the axis passes over less of the face than this part of its own length.
-constexpr double passed_part = 0.01;
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
+// Stations nearer than this, relative to the line's length, count as one.
+constexpr double station_spacing = 1e-9;
+constexpr double rounding = 1e-13;
+// Faces at right angles to the contact plane to this cosine are walls.
+constexpr double wall_cosine = 1e-12;
 // Sine of the inclination at which a cylinder or cone no longer lies on its side.
 constexpr double lying_sine = 0.25;
+// A polytope is thin at a line where it is thinner than this part of the depth.
+constexpr double sharp_part = 0.1;
 
-// The axis in world axes, and the radii of spheres about its ends that reach as far along the contact normal as the body.
-struct Axis {
-  Vec3 middle, direction;
-  double half = 0.0;
-  double lower_radius, upper_radius;
-  Vec3 aside;  // from such a sphere's contact to the body's line below it, in its radii
+using Slope = AxisManifoldScratch::Slope;
 
-  Axis(const Shape &shape, const Pose &pose, const Vec3 &normal)
-      : middle(pose.translation), direction(pose.rotation.column(2)), half(shape.body.half.z) {
-    const Vec3 outward = normal - dot(normal, direction) * direction;
-    const double across = norm(outward);
-    if (shape.kind != ShapeKind::capsule && across > 0.0) {
-      aside = (-1.0 / (across * across)) * outward + normal;
-    }
-    lower_radius = shape.kind == ShapeKind::capsule ? shape.body.radius : shape.body.half.x * across;
-    upper_radius = shape.kind == ShapeKind::cone ? 0.0 : lower_radius;
-  }
-  double radius(double along) const {
-    return lower_radius + (0.5 + 0.5 * along / half) * (upper_radius - lower_radius);
-  }
-  double place(const Vec3 &p) const { return std::clamp(dot(p - middle, direction), -half, half); }
-  Vec3 operator()(double along) const { return middle + along * direction; }
-};
-
-void add_station(double along, std::vector<Station> &stations) {
-  Station station;
-  station.along = along;
-  stations.push_back(station);
+const Slope &lowest(const std::vector<Slope> &roofs, double along) {
+  return *std::min_element(roofs.begin(), roofs.end(),
+                           [along](const Slope &x, const Slope &y) { return x.at(along) < y.at(along); });
 }
 
-// Stations where the axis, seen along `normal`, passes the borders of the faces it lies above. Where a face is about to
-// lose its say its stations drift to the axis' ends, so that none appears or vanishes elsewhere.
-void add_face_borders(const Axis &axis, const ContactPolytope &body, const Pose &pose, const Vec3 &normal,
-                      std::vector<Station> &stations) {
-  const convex::Polytope &geometry = body.geometry();
-  const Vec3 local_normal = transposed_times(pose.rotation, normal);
-  const Vec3 middle = transposed_times(pose.rotation, axis.middle - pose.translation);
-  const Vec3 direction = transposed_times(pose.rotation, axis.direction);
-  for (const convex::Polytope::Face &face : geometry.faces()) {
-    const double cosine = dot(face.normal, local_normal);
-    if (cosine <= faded_cosine) continue;
-    double begin = -axis.half, end = axis.half;
-    for (std::int32_t k = 0; k < face.count && begin < end; ++k) {
-      const Vec3 &from = geometry.vertices()[index(geometry.face_vertices()[index(face.first + k)])];
-      const Vec3 &to = geometry.vertices()[index(geometry.face_vertices()[index(face.first + (k + 1) % face.count)])];
-      const Vec3 outward = cross(to - from, face.normal);
-      const double rate = dot(outward, direction), height = dot(outward, middle - from);
-      if (rate > 0.0) end = std::min(end, -height / rate);
-      if (rate < 0.0) begin = std::max(begin, -height / rate);
-      if (rate == 0.0 && height > 0.0) end = begin;
+const Slope &highest(const std::vector<Slope> &floors, double along) {
+  return *std::max_element(floors.begin(), floors.end(),
+                           [along](const Slope &x, const Slope &y) { return x.at(along) < y.at(along); });
+}
+
+// From a place where no floor may be below the roofs, forward (sense +1) or backward (-1) to where one is, but not
+// beyond `last`: Newton's method, for the room between is a concave function.
+// Room to `slack` (m) counts.
+double enter(double along, double sense, double last, double slack, const std::vector<Slope> &roofs,
+             const std::vector<Slope> &floors) {
+  if (roofs.empty() || floors.empty()) return along;
+  for (std::size_t step = 0; step <= roofs.size() + floors.size() && sense * (last - along) > 0.0; ++step) {
+    const Slope &roof = lowest(roofs, along), &floor = highest(floors, along);
+    const double room = roof.at(along) - floor.at(along), growth = sense * (floor.rate - roof.rate);
+    if (room >= -slack) return along;
+    if (!(growth > 0.0)) return last;
+    along -= sense * room / growth;
+  }
+  return sense * (last - along) > 0.0 ? along : last;
+}
+
+void add_station(double along, double depth, const ContactLine &line, const Vec3 &normal, std::vector<Station> &stations) {
+  stations.push_back({along, depth, normal, line(along) + (0.5 * depth) * normal});
+}
+
+// The corners of the lowest roof from `begin` to `end`.
+void trace_roofs(const ContactLine &line, const Vec3 &normal, double begin, double end, const std::vector<Slope> &roofs,
+                 std::vector<Station> &stations) {
+  stations.clear();
+  double along = begin;
+  const Slope *roof = &lowest(roofs, along);
+  add_station(along, roof->at(along), line, normal, stations);
+  while (along < end) {
+    const Slope *next = nullptr;
+    double meeting = end;
+    for (const Slope &other : roofs) {
+      if (!(other.rate > roof->rate)) continue;
+      const double here = std::max(along, (other.height - roof->height) / (other.rate - roof->rate));
+      if (here < meeting || (here == meeting && next != nullptr && other.rate > next->rate)) meeting = here, next = &other;
     }
-    if (begin < end) {
-      // A narrow stretch may vanish, unless it does so into an end of the axis, where there is a station anyway.
-      const double narrow = axis.half * passed_part, width = std::min(1.0, 0.5 * (end - begin) / narrow);
-      const double within = std::min(1.0, std::min(begin + axis.half, axis.half - end) / narrow);
-      const double say = std::min(1.0, (cosine - faded_cosine) / (supporting_cosine - faded_cosine)) *
-                         (1.0 - within * (1.0 - width));
-      add_station(-axis.half + say * (begin + axis.half), stations);
-      add_station(axis.half - say * (axis.half - end), stations);
-    }
+    along = meeting;
+    add_station(along, roof->at(along), line, normal, stations);
+    if (next == nullptr) return;
+    roof = next;
   }
 }
 
-// Stations next to the body's vertices, for axes along edges: beside vertices that lie up to half the capsule's radius
-// below the body's top, and drifting to both of the axis' ends up to the whole radius.
-void add_vertices(const Axis &axis, double radius, const ContactPolytope &body, const Pose &pose, const Vec3 &normal,
-                  std::vector<Station> &stations) {
-  const std::vector<Vec3> &vertices = body.geometry().vertices();
-  const Vec3 up = transposed_times(pose.rotation, normal);
-  const double top = dot(up, vertices[index(body.geometry().support_vertex(up))]);
-  for (const Vec3 &vertex : vertices) {
-    const double say = std::min(1.0, 2.0 * (1.0 - (top - dot(up, vertex)) / radius));
-    if (!(say > 0.0)) continue;
-    const double place = axis.place(pose(vertex));
-    add_station(-axis.half + say * (place + axis.half), stations);
-    if (say < 1.0) add_station(axis.half - say * (axis.half - place), stations);
+// The centre of the part of the depth's graph above `level`; `otherwise` where it has no area.
+double center_above(double level, double otherwise, const std::vector<Station> &stations) {
+  double area = 0.0, moment = 0.0;
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    double t0 = stations[i].along, t1 = stations[i + 1].along, d0 = stations[i].depth - level, d1 = stations[i + 1].depth - level;
+    if (!(d0 > 0.0) && !(d1 > 0.0)) continue;
+    if (d0 < 0.0) t0 = t1 - (t1 - t0) * d1 / (d1 - d0), d0 = 0.0;
+    if (d1 < 0.0) t1 = t0 + (t1 - t0) * d0 / (d0 - d1), d1 = 0.0;
+    const double length = t1 - t0;
+    area += 0.5 * length * (d0 + d1);
+    moment += length * (t0 * (2.0 * d0 + d1) + t1 * (d0 + 2.0 * d1)) / 6.0;
+  }
+  return area > 0.0 ? moment / area : otherwise;
+}
+
+// Weights of the stations, which are in order, and their points.
+void add_points(const ContactLine &line, double sense, const std::vector<Station> &stations,
+                std::vector<ContactPoint> &points) {
+  double shallower = 1.0;  // share of the inclinations under which a station further on is the deepest
+  double load = 0.0, missing = 0.0;
+  const double length = norm(line.step()), spacing = station_spacing * line.half();
+  const std::size_t first_point = points.size();
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    // Between two stations the depth rises with the sine of the inclination at which both would be equally deep.
+    double further = 0.0;
+    if (i + 1 < stations.size()) {
+      const double apart = stations[i + 1].along - stations[i].along;
+      const double rise = stations[i + 1].depth - stations[i].depth;
+      if (apart <= spacing && std::fabs(rise) <= spacing) continue;  // the next one stands for both
+      const double sine = apart > 0.0 ? std::clamp(rise / (length * apart), -1.0, 1.0) : std::copysign(1.0, rise);
+      further = std::min(shallower, 0.5 * (1.0 + end_share_difference(sine)));
+      const double here = std::fmax(stations[i].depth, 0.0), next = std::fmax(stations[i + 1].depth, 0.0);
+      missing += 0.25 * end_share_slope(sine) * (next * next - here * here);
+    }
+    const double weight = shallower - further;
+    shallower = further;
+    if (stations[i].depth > 0.0 && weight > 0.0) {
+      points.push_back({stations[i].depth, weight, sense * stations[i].normal, stations[i].position});
+      load += weight * stations[i].depth;
+    }
+  }
+  if (!(load > 0.0)) return;
+  // Shares that change with the inclination alone ask for a torque; a shift along the line supplies it.
+  const Vec3 direction = (1.0 / length) * line.step();
+  for (std::size_t i = first_point; i < points.size(); ++i) {
+    const Vec3 tangential = direction - dot(direction, points[i].normal) * points[i].normal;
+    points[i].position = points[i].position + (missing / load) * tangential;
   }
 }
 
 }  // namespace
+
+ContactLine::ContactLine(const Shape &shape, const Pose &pose, const Vec3 &towards) {
+  const Vec3 axis = pose.rotation.column(2);
+  half_ = shape.body.half.z;
+  if (shape.kind == ShapeKind::capsule) {
+    radius_ = shape.body.radius;
+    middle_ = pose.translation + radius_ * towards;
+    step_ = axis;
+    return;
+  }
+  radius_ = shape.body.half.x;
+  const Vec3 outward = normalized(towards - dot(towards, axis) * axis, pose.rotation.column(0));
+  if (shape.kind == ShapeKind::cone) {
+    middle_ = pose.translation + (0.5 * radius_) * outward;
+    step_ = axis - (0.5 * radius_ / half_) * outward;
+    radius_ *= 0.5;
+  } else {
+    middle_ = pose.translation + radius_ * outward;
+    step_ = axis;
+  }
+}
+
+double ContactLine::place(const Vec3 &p) const {
+  return std::clamp(dot(p - middle_, step_) / norm2(step_), -half_, half_);
+}
 
 double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
   gradient = {};
@@ -125,67 +172,83 @@ double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
   return faded(inclination);
 }
 
-void line_contact(const Shape &shape, const Pose &pose, const Shape &other, const Pose &other_pose, const Vec3 &deepest,
-                  const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
-  const Axis axis(shape, pose, normal);
-  std::vector<Station> &stations = scratch.stations;
-  stations.clear();
-  add_station(-axis.half, stations);
-  add_station(axis.half, stations);
-  add_station(axis.place(deepest), stations);
-  const ContactPolytope *bounded = other.polytope ? other.polytope.get() : other.rim.get();
-  if (other.kind == ShapeKind::capsule) {
-    const Axis other_axis(other, other_pose, normal);
-    add_station(axis.place(other_axis(-other_axis.half)), stations);
-    add_station(axis.place(other_axis(other_axis.half)), stations);
-  } else if (bounded != nullptr) {
-    add_face_borders(axis, *bounded, other_pose, normal, stations);
-    add_vertices(axis, std::max(axis.lower_radius, axis.upper_radius), *bounded, other_pose, normal, stations);
+void line_on_polytope(const ContactLine &line, const convex::Polytope &other, const Pose &other_pose, const Vec3 &deepest,
+                      const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+  const Vec3 up = transposed_times(other_pose.rotation, normal);
+  const Vec3 middle = transposed_times(other_pose.rotation, line(0.0) - other_pose.translation);
+  const Vec3 step = transposed_times(other_pose.rotation, line.step());
+  std::vector<Slope> &roofs = scratch.roofs, &floors = scratch.floors;
+  roofs.clear(), floors.clear();
+  // The stretch over the polytope: what goes in through its lower side along the normal comes out through the upper.
+  double begin = -line.half(), end = line.half();
+  for (const convex::Polytope::Face &face : other.faces()) {
+    const double cosine = dot(face.normal, up), height = face.offset - dot(face.normal, middle), rate = dot(face.normal, step);
+    if (cosine > wall_cosine) {
+      roofs.push_back({height / cosine, rate / cosine});
+    } else if (cosine < -wall_cosine) {
+      floors.push_back({height / cosine, rate / cosine});
+    } else if (rate > 0.0) {
+      end = std::min(end, height / rate);
+    } else if (rate < 0.0) {
+      begin = std::max(begin, height / rate);
+    }
   }
-  std::sort(stations.begin(), stations.end(), [](const Station &x, const Station &y) { return x.along < y.along; });
-  const double spacing = station_spacing * axis.half;
-  stations.erase(std::unique(stations.begin(), stations.end(),
-                             [&](const Station &x, const Station &y) { return y.along - x.along <= spacing; }),
-                 stations.end());
+  const double place = line.place(deepest);
+  const double slack = rounding * (other.radius() + line.half());
+  begin = enter(std::min(begin, place), 1.0, place, slack, roofs, floors);
+  end = enter(std::max(end, place), -1.0, place, slack, roofs, floors);
+  trace_roofs(line, normal, begin, end, roofs, scratch.stations);
+  // Where the line leaves the polytope's shadow along a sharp edge, the stretch shrinks about its deepest part before it
+  // vanishes.
+  double deepest_depth = 0.0;
+  for (const Station &station : scratch.stations) deepest_depth = std::max(deepest_depth, station.depth);
+  const double along = center_above(0.0, place, scratch.stations);
+  if (!floors.empty() && deepest_depth > 0.0) {
+    const double room = lowest(roofs, along).at(along) - highest(floors, along).at(along);
+    const double part = std::clamp(room / (sharp_part * deepest_depth), 0.0, 1.0);
+    if (part < 1.0) {
+      const double center = center_above((1.0 - part) * deepest_depth, place, scratch.stations);
+      begin = center + part * (begin - center);
+      end = center + part * (end - center);
+      trace_roofs(line, normal, begin, end, roofs, scratch.stations);
+    }
+  }
+  add_points(line, sense, scratch.stations, points);
+}
 
-  Shape sphere;
-  sphere.kind = ShapeKind::sphere;
-  for (Station &station : stations) {
-    sphere.body = convex::make_sphere(axis.radius(station.along));
-    sphere.bound_radius = sphere.body.radius;
-    const ConvexAnswer answer =
-        *exact_distance(sphere, {{}, axis(station.along)}, other, other_pose, scratch.backend);
-    station.depth = -answer.distance;
-    station.normal = sense * answer.normal;
-    station.position = 0.5 * (answer.point_a + answer.point_b) + axis.radius(station.along) * axis.aside;
+void line_on_disc(const ContactLine &line, const Vec3 &center, const Vec3 &axis, double radius, const Vec3 &deepest,
+                  const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+  // Height of the disc's plane above the line, and the line's shadow on it from the disc's middle.
+  const double cosine = dot(axis, normal);
+  const Slope plane{dot(axis, center - line(0.0)) / cosine, dot(axis, line.step()) / cosine};
+  const Vec3 from = line(0.0) + plane.height * normal - center, along = line.step() - plane.rate * normal;
+  const double aa = norm2(along), ab = dot(along, from), bb = norm2(from) - radius * radius;
+  const double place = line.place(deepest), middle = -ab / aa, chord = std::sqrt(std::max(0.0, ab * ab - aa * bb)) / aa;
+  const double begin = std::min(place, std::max(-line.half(), middle - chord));
+  const double end = std::max(place, std::min(line.half(), middle + chord));
+  scratch.stations.clear();
+  add_station(begin, plane.at(begin), line, normal, scratch.stations);
+  add_station(end, plane.at(end), line, normal, scratch.stations);
+  add_points(line, sense, scratch.stations, points);
+}
+
+void line_on_line(const ContactLine &line, const ContactLine &other, const Vec3 &deepest, const Vec3 &normal, double sense,
+                  AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+  const Vec3 inward = line.radius() * normal, other_inward = -other.radius() * normal;
+  const double reach = line.radius() + other.radius();
+  double places[5] = {-line.half(), line.half(), line.place(deepest), line.place(other(-other.half())),
+                      line.place(other(other.half()))};
+  std::sort(places, places + 5);
+  scratch.stations.clear();
+  for (const double along : places) {
+    const Vec3 center = line(along) + inward;
+    const Vec3 apart = center - (other(other.place(center)) + other_inward);
+    const double distance = norm(apart);
+    const Vec3 direction = distance > 0.0 ? (1.0 / distance) * apart : normal;
+    const double depth = reach - distance;
+    scratch.stations.push_back({along, depth, direction, center - (line.radius() - 0.5 * depth) * direction});
   }
-  // Between two stations the depth rises with the sine of the inclination at which both would be equally deep.
-  double shallower = 1.0;  // share of the inclinations under which a station further on is the deepest
-  double load = 0.0, missing = 0.0;
-  const std::size_t first_point = points.size();
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    double further = 0.0;
-    if (i + 1 < stations.size()) {
-      const double sine = std::clamp((stations[i + 1].depth - stations[i].depth) /
-                                         (stations[i + 1].along - stations[i].along),
-                                     -1.0, 1.0);
-      further = std::min(shallower, 0.5 * (1.0 + end_share_difference(sine)));
-      const double here = std::fmax(stations[i].depth, 0.0), next = std::fmax(stations[i + 1].depth, 0.0);
-      missing += 0.25 * end_share_slope(sine) * (next * next - here * here);
-    }
-    const double weight = shallower - further;
-    shallower = further;
-    if (stations[i].depth > 0.0 && weight > 0.0) {
-      points.push_back({stations[i].depth, weight, stations[i].normal, stations[i].position});
-      load += weight * stations[i].depth;
-    }
-  }
-  if (!(load > 0.0)) return;
-  // Shares that change with the inclination alone ask for a torque; a shift along the axis supplies it.
-  for (std::size_t i = first_point; i < points.size(); ++i) {
-    const Vec3 tangential = axis.direction - dot(axis.direction, points[i].normal) * points[i].normal;
-    points[i].position = points[i].position + (missing / load) * tangential;
-  }
+  add_points(line, sense, scratch.stations, points);
 }
 
 }  // namespace cmb

@@ -3,21 +3,44 @@
 
 #include <vector>
 
-#include "backend/distance_backend.hpp"
 #include "manifold/contact_set.hpp"
+#include "scene/shape.hpp"
 
 namespace cmb {
 
-// Room that capsule contacts are made in; one for each thread.
+// The line of a capsule, cylinder or cone that is the farthest along a direction.
+class ContactLine {
+ public:
+  // `towards` (unit, world axes) points to the other shape.
+  ContactLine(const Shape &shape, const Pose &pose, const Vec3 &towards);
+
+  Vec3 operator()(double along) const { return middle_ + along * step_; }
+  double half() const { return half_; }      // `along` runs from -half() to half()
+  const Vec3 &step() const { return step_; }
+  double radius() const { return radius_; }  // of the shape about it, roughly
+  // Where along the line a point's foot is.
+  double place(const Vec3 &p) const;
+
+ private:
+  Vec3 middle_, step_;
+  double half_ = 0.0, radius_ = 0.0;
+};
+
+// Room that lines' contacts are made in; one for each thread.
 struct AxisManifoldScratch {
-  // A place on the axis and the contact of a sphere there.
+  // A corner of the depth's graph over the line.
   struct Station {
-    double along = 0.0;  // m, from the axis' middle
+    double along = 0.0;  // m
     double depth = 0.0;  // may be negative
     Vec3 normal, position;
   };
+  // A height above the line that changes evenly along it.
+  struct Slope {
+    double height, rate;
+    double at(double along) const { return height - rate * along; }
+  };
   std::vector<Station> stations;
-  BackendScratch backend;
+  std::vector<Slope> roofs, floors;
 };
 
 // How far a shape lies along a line on an obstacle in the direction `towards` (unit, in the shape's frame): 1 for a
@@ -25,12 +48,20 @@ struct AxisManifoldScratch {
 // sixth of a right angle; 0 for all others. `gradient` receives its derivative by `towards`.
 double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient);
 
-// Appends what `shape`, of some line part, carries in a contact with `other` on a line: `deepest` is a point of the
-// deepest place, `normal` the contact normal from `other` to `shape`; the points' normals are those times `sense`.
-//
-// Spheres at stations along the axis penetrate by depths that form a concave function of the place. A station's
-// weight is the part of all inclinations under which it would be the deepest; the weights sum to 1.
-void line_contact(const Shape &shape, const Pose &pose, const Shape &other, const Pose &other_pose, const Vec3 &deepest,
+// The following append what a line carries that lies, seen along the contact normal `normal` (unit, from the other shape to
+// the line's), over another shape: how deep it is in there is a concave function of the place, and a corner's weight
+// is the part of all inclinations under which it would be the deepest; the weights sum to 1. `deepest` is a
+// point of the line's shape at the deepest place. The points' normals are `normal` times `sense`.
+
+void line_on_polytope(const ContactLine &line, const convex::Polytope &other, const Pose &other_pose, const Vec3 &deepest,
+                      const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points);
+
+// `center`, `axis` (unit, outward) and `radius` are those of the other shape's flat end.
+void line_on_disc(const ContactLine &line, const Vec3 &center, const Vec3 &axis, double radius, const Vec3 &deepest,
                   const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points);
+
+// Depths are those of spheres along the line in a capsule along the other: both of the shapes' radii.
+void line_on_line(const ContactLine &line, const ContactLine &other, const Vec3 &deepest, const Vec3 &normal, double sense,
+                  AxisManifoldScratch &scratch, std::vector<ContactPoint> &points);
 
 }  // namespace cmb

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/distance_backend.hpp"
-#include "manifold/axis_manifold.hpp"
 #include "manifold/contact_set.hpp"
+#include "manifold/curved_manifold.hpp"
 #include "manifold/polytope_manifold.hpp"
 
 namespace cmb {
@@ -11,7 +11,7 @@ namespace cmb {
 // Room that manifolds are made in; one for each thread.
 struct ManifoldScratch {
   DepthGraph polytope;
-  AxisManifoldScratch axis;
+  CurvedManifoldScratch curved;
 };
 
 // Appends the contact of shapes A and B (no half-spaces), whose signed distance is `answer`. distance, normal and

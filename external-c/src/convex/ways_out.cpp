@@ -1,0 +1,198 @@
+#include "ways_out.hpp"
+
+#include <algorithm>
+
+#include "direction_refinement.hpp"
+#include "minkowski_difference.hpp"
+#include "nearby_surface.hpp"
+
+namespace cmb::convex {
+
+namespace {
+
+// Agreement of the ball's distance from the surface with its radius, relative to the bodies' size.
+constexpr double tolerance = 1e-10;
+constexpr double rounding = 1e-14;
+constexpr int most_cuts = 40, most_rounds = 8;
+
+// A supporting plane of the difference: direction . c <= height on it.
+struct Cut {
+  Vec3 direction;
+  double height = 0.0;
+  Vec3 a, b;
+  double pull = 0.0;  // on the ball's centre
+};
+
+// Whether a ball of the given radius that touches the body's surface from within at p, where the inward normal is
+// `inward`, lies in the body (all in the body's frame).
+bool holds_ball(const ConvexBody &body, const Vec3 &p, const Vec3 &inward, double radius, double slack) {
+  if (radius <= body.radius) return true;
+  const double own = radius - body.radius;  // of the ball in the core
+  const Vec3 c = p + radius * inward;
+  const Vec3 &h = body.half;
+  switch (body.core) {
+    case CoreShape::box:
+      return std::fabs(c.x) + own <= h.x + slack && std::fabs(c.y) + own <= h.y + slack &&
+             std::fabs(c.z) + own <= h.z + slack;
+    case CoreShape::polytope:
+      for (const Polytope::Face &face : body.polytope->faces()) {
+        if (dot(face.normal, c) + own > face.offset + slack) return false;
+      }
+      return true;
+    case CoreShape::ellipsoid: {
+      const double least = std::min({h.x, h.y, h.z}), most = std::max({h.x, h.y, h.z});
+      return own * most <= least * least;  // the least radius of curvature
+    }
+    case CoreShape::cylinder:
+      return std::sqrt(c.x * c.x + c.y * c.y) + own <= h.x + slack && std::fabs(c.z) + own <= h.z + slack;
+    case CoreShape::cone: {
+      const double slant = std::hypot(h.x, 2.0 * h.z), across = std::sqrt(c.x * c.x + c.y * c.y);
+      return own - c.z <= h.z + slack && (2.0 * h.z * across + h.x * (c.z - h.z)) / slant + own <= slack;
+    }
+    default: return false;
+  }
+}
+
+// The centre of the ball: the point nearest to the origin with direction . p <= height - radius for all cuts.
+class BallCentre {
+ public:
+  BallCentre(double radius, double slack) : radius_(radius), slack_(slack) {}
+
+  const Vec3 &value() const { return centre_; }
+
+  // Of at most four cuts; sets the pulls, and drops cuts without. False, and nothing changed, where there is no such point.
+  bool settle(Cut *cuts, int &count) {
+    best_excess_ = INFINITY;
+    for (int i = 0; i < count; ++i) {
+      const int one[] = {i};
+      const double alone[] = {lack(cuts[i])};
+      consider(cuts, count, one, alone, 1);
+      for (int j = 0; j < i; ++j) {
+        consider_two(cuts, count, i, j);
+        for (int k = 0; k < j; ++k) consider_three(cuts, count, i, j, k);
+      }
+    }
+    if (!(best_excess_ <= slack_)) return false;
+    centre_ = best_;
+    int kept = 0;
+    for (int k = 0; k < count; ++k) {
+      if (!(best_pull_[k] > 0.0)) continue;
+      cuts[kept] = cuts[k];
+      cuts[kept++].pull = best_pull_[k];
+    }
+    count = kept;
+    return count > 0;
+  }
+
+ private:
+  double lack(const Cut &cut) const { return radius_ - cut.height; }
+
+  // The centre that is pulled by these cuts alone.
+  void consider(const Cut *cuts, int count, const int *which, const double *pull, int pulling) {
+    Vec3 p;
+    for (int k = 0; k < pulling; ++k) {
+      if (pull[k] < 0.0) return;
+      p = p - pull[k] * cuts[which[k]].direction;
+    }
+    double excess = 0.0;
+    for (int k = 0; k < count; ++k) excess = std::max(excess, dot(cuts[k].direction, p) + lack(cuts[k]));
+    if (excess >= best_excess_) return;
+    best_excess_ = excess;
+    best_ = p;
+    std::fill_n(best_pull_, 4, 0.0);
+    for (int k = 0; k < pulling; ++k) best_pull_[which[k]] = pull[k];
+  }
+
+  void consider_two(const Cut *cuts, int count, int i, int j) {
+    const double cosine = dot(cuts[i].direction, cuts[j].direction), sine2 = 1.0 - cosine * cosine;
+    if (!(sine2 > 1e-20)) return;
+    const double lack_i = lack(cuts[i]), lack_j = lack(cuts[j]);
+    const int which[] = {i, j};
+    const double pull[] = {(lack_i - cosine * lack_j) / sine2, (lack_j - cosine * lack_i) / sine2};
+    consider(cuts, count, which, pull, 2);
+  }
+
+  void consider_three(const Cut *cuts, int count, int i, int j, int k) {
+    const Vec3 &u = cuts[i].direction, &v = cuts[j].direction, &m = cuts[k].direction;
+    const Vec3 vm = cross(v, m), mu = cross(m, u), uv = cross(u, v);
+    const double volume = dot(u, vm);
+    if (!(std::fabs(volume) > 1e-12)) return;
+    const Vec3 p = (-1.0 / volume) * (lack(cuts[i]) * vm + lack(cuts[j]) * mu + lack(cuts[k]) * uv);
+    const int which[] = {i, j, k};
+    const double pull[] = {-dot(p, vm) / volume, -dot(p, mu) / volume, -dot(p, uv) / volume};
+    consider(cuts, count, which, pull, 3);
+  }
+
+  double radius_, slack_, best_excess_ = INFINITY;
+  Vec3 centre_, best_;
+  double best_pull_[4] = {0, 0, 0, 0};
+};
+
+WaysOut single(const SignedDistance &nearest) {
+  WaysOut result;
+  result.count = 1;
+  result.way[0] = {nearest.normal, -nearest.distance, nearest.point_a, nearest.point_b, 1.0};
+  return result;
+}
+
+// As far as a way may turn about a place that the ball rests on (rad).
+constexpr double nearby = 1e-2;
+
+// The planes of the cuts where the ball rests on a curved surface are not yet those at its centre: Newton's method
+// moves them there. Afterwards the cuts' points are those that face each other. Returns the largest change of a height.
+double move_cuts(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const Vec3 &p, Cut *cuts, int count) {
+  const Pose moved{b_in_a.rotation, b_in_a.translation + p};
+  const MinkowskiDifference difference(a, b, moved);
+  double change = 0.0;
+  for (int k = 0; k < count; ++k) {
+    Cut &cut = cuts[k];
+    const RefinedDirection r = refine_direction(difference, cut.direction, cut.a - a.radius * cut.direction,
+                                                cut.b + p + b.radius * cut.direction);
+    if (!(dot(r.direction, cut.direction) > 1.0 - 0.5 * nearby * nearby)) continue;  // another place, as near
+    const double height = r.height + a.radius + b.radius, before = cut.height - dot(p, cut.direction);
+    change = std::max(change, std::fabs(height - before));
+    cut.direction = r.direction;
+    cut.height = height + dot(p, r.direction);
+    cut.a = r.a + a.radius * r.direction;
+    cut.b = r.b - b.radius * r.direction - p;
+  }
+  return change;
+}
+
+}  // namespace
+
+WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const SignedDistance &nearest, double size,
+                 DistanceScratch &scratch) {
+  const double depth = -nearest.distance, radius = surface_reach(depth, size), slack = tolerance * size;
+  // A ball in one of the bodies, at the place where they are deepest, is one in the difference.
+  if (holds_ball(a, nearest.point_a, nearest.normal, radius, slack)) return single(nearest);
+  const Vec3 in_b = transposed_times(b_in_a.rotation, nearest.point_b - b_in_a.translation);
+  if (holds_ball(b, in_b, -transposed_times(b_in_a.rotation, nearest.normal), radius, slack)) return single(nearest);
+
+  Cut cuts[4];
+  cuts[0] = {-nearest.normal, depth, nearest.point_a, nearest.point_b, 1.0};
+  int count = 1;
+  BallCentre centre(radius, slack);
+  if (!centre.settle(cuts, count)) return single(nearest);
+  for (int step = 0; step < most_cuts; ++step) {
+    for (int round = 0; step > 0 && round < most_rounds; ++round) {
+      const double change = move_cuts(a, b, b_in_a, centre.value(), cuts, count);
+      if (!centre.settle(cuts, count)) return single(nearest);
+      if (change <= rounding * size) break;
+    }
+    const Vec3 p = centre.value();
+    const SignedDistance there = signed_distance(a, b, {b_in_a.rotation, b_in_a.translation + p}, scratch);
+    if (-there.distance >= radius - slack) break;
+    cuts[count] = {-there.normal, -there.distance - dot(p, there.normal), there.point_a, there.point_b - p, 0.0};
+    ++count;
+    if (!centre.settle(cuts, count)) return single(nearest);
+  }
+  WaysOut result;
+  const double length = norm(centre.value());
+  for (int k = 0; k < count; ++k) {
+    result.way[result.count++] = {-cuts[k].direction, cuts[k].height, cuts[k].a, cuts[k].b, cuts[k].pull / length};
+  }
+  return result;
+}
+
+}  // namespace cmb::convex

@@ -1,0 +1,193 @@
+#include "manifold/curved_manifold.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "convex/ways_out.hpp"
+#include "geometry/pose_algebra.hpp"
+#include "manifold/axis_share.hpp"
+
+namespace cmb {
+
+namespace {
+
+// Sine of the inclination at which a disc no longer touches with its face.
+constexpr double flat_sine = 0.25;
+
+// How far a shape rests on a face in the direction `towards` (unit, in its frame): 1 for a polytope, whose corners know
+// themselves; for a cylinder or cone 1 with its flat end on the contact plane, fading to 0 where that is inclined by
+// more than a sixth of a right angle; 0 for all others. `gradient` receives its derivative by `towards`.
+double flat_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
+  gradient = {};
+  if (shape.polytope) return 1.0;
+  if (!shape.rim || (shape.kind == ShapeKind::cone && towards.z > 0.0)) return 0.0;
+  const double across = std::hypot(towards.x, towards.y), inclination = across / flat_sine;
+  if (across > 0.0) {
+    gradient = (faded_slope(inclination) / (flat_sine * across)) * Vec3{towards.x, towards.y, 0.0};
+  }
+  return faded(inclination);
+}
+
+// A shape's ways of touching.
+struct Ways {
+  double flat, line;
+  Vec3 flat_gradient, line_gradient;  // by the direction towards the other shape, in world axes
+  Ways(const Shape &shape, const Pose &pose, const Vec3 &world_towards) {
+    const Vec3 towards = transposed_times(pose.rotation, world_towards);
+    flat = flat_part(shape, towards, flat_gradient);
+    line = line_part(shape, towards, line_gradient);
+    flat_gradient = pose.rotation * flat_gradient;
+    line_gradient = pose.rotation * line_gradient;
+  }
+};
+
+// What the points [begin, end) store at exponent 1.
+double stored(const std::vector<ContactPoint> &points, std::size_t begin, std::size_t end) {
+  double sum = 0.0;
+  for (std::size_t k = begin; k < end; ++k) sum += 0.5 * points[k].weight * points[k].depth * points[k].depth;
+  return sum;
+}
+
+bool touches_at_a_point(const Shape &shape) {
+  return shape.kind == ShapeKind::sphere || shape.kind == ShapeKind::ellipsoid;
+}
+
+const ContactPolytope &corners_of(const Shape &shape) { return shape.polytope ? *shape.polytope : *shape.rim; }
+
+// The part of points[begin..] that counts, where the shapes are `depth` deep in each other: what is inscribed in them,
+// and hardly in each other at a rim, does not stand for them.
+double agreement(const std::vector<ContactPoint> &points, std::size_t begin, double depth) {
+  constexpr double none = 0.5, full = 0.9;
+  double deepest = 0.0;
+  for (std::size_t k = begin; k < points.size(); ++k) deepest = std::max(deepest, points[k].depth);
+  return faded(std::max(0.0, (full - deepest / depth) / (full - none)));
+}
+
+// Scales the weights of points[begin, end).
+void scale_weights(double part, std::size_t begin, std::size_t end, std::vector<ContactPoint> &points) {
+  for (std::size_t k = begin; k < end; ++k) points[k].weight *= part;
+}
+
+// The answer in A's frame.
+convex::SignedDistance in_frame_of_a(const ConvexAnswer &answer, const Pose &pose_a) {
+  convex::SignedDistance result;
+  result.distance = answer.distance;
+  result.normal = transposed_times(pose_a.rotation, answer.normal);
+  result.point_a = transposed_times(pose_a.rotation, answer.point_a - pose_a.translation);
+  result.point_b = transposed_times(pose_a.rotation, answer.point_b - pose_a.translation);
+  return result;
+}
+
+// The flat end of a cylinder or cone that is the nearer to `towards` (world axes).
+struct Disc {
+  Vec3 center, axis;
+  double radius;
+  Disc(const Shape &shape, const Pose &pose, const Vec3 &towards) {
+    const Vec3 upper = pose.rotation.column(2);
+    axis = shape.kind == ShapeKind::cone || dot(upper, towards) < 0.0 ? -upper : upper;
+    center = pose.translation + shape.body.half.z * axis;
+    radius = shape.body.half.x;
+  }
+};
+
+// What the line of one shape carries on the flat end, or the faces, of the other.
+void line_on_faces(const Shape &shape, const Pose &pose, const Shape &other, const Pose &other_pose, const Vec3 &deepest,
+                   const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+  const ContactLine line(shape, pose, -normal);
+  if (other.polytope) {
+    line_on_polytope(line, other.polytope->geometry(), other_pose, deepest, normal, sense, scratch, points);
+  } else {
+    const Disc disc(other, other_pose, normal);
+    line_on_disc(line, disc.center, disc.axis, disc.radius, deepest, normal, sense, scratch, points);
+  }
+}
+
+// Appends the contact along one way out: each shape touches with a flat end or its faces, on a line, or at a point, in parts.
+void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+                   CurvedManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+  const std::size_t begin = points.size();
+  const double depth = -answer.distance;
+  const Vec3 witness = 0.5 * (answer.point_a + answer.point_b), &normal = answer.normal;
+  if (touches_at_a_point(a) || touches_at_a_point(b)) {
+    points.push_back({depth, 1.0, normal, witness});
+    return;
+  }
+  const Ways of_a(a, pose_a, -normal), of_b(b, pose_b, normal);
+  // Each of the ways of touching: its part, and what it stores where it is all.
+  const double of_point = 0.5 * depth * depth;
+  double flats = of_a.flat * of_b.flat, rest = 1.0;
+  double more_flats = 0.0, more_a_on_b = 0.0, more_b_on_a = 0.0, more_lines = 0.0;
+  const auto close = [&](double part, std::size_t first) {
+    const double more = stored(points, first, points.size()) - of_point;
+    scale_weights(part, first, points.size(), points);
+    rest -= part;
+    return more;
+  };
+  if (flats > 0.0) {
+    polytope_contact(corners_of(a), pose_a, corners_of(b), pose_b, normal, witness, scratch.polytope, points);
+    const double agree = agreement(points, begin, depth);
+    more_flats = agree * close(flats * agree, begin);
+  }
+  if (of_a.line * of_b.flat > 0.0) {
+    const std::size_t first = points.size();
+    line_on_faces(a, pose_a, b, pose_b, answer.point_a, normal, 1.0, scratch.axis, points);
+    more_a_on_b = close(of_a.line * of_b.flat, first);
+  }
+  if (of_b.line * of_a.flat > 0.0) {
+    const std::size_t first = points.size();
+    line_on_faces(b, pose_b, a, pose_a, answer.point_b, -normal, -1.0, scratch.axis, points);
+    more_b_on_a = close(of_b.line * of_a.flat, first);
+  }
+  if (of_a.line * of_b.line > 0.0) {
+    const std::size_t first = points.size();
+    const ContactLine line_a(a, pose_a, -normal), line_b(b, pose_b, normal);
+    line_on_line(line_a, line_b, answer.point_a, normal, 1.0, scratch.axis, points);
+    line_on_line(line_b, line_a, answer.point_b, -normal, -1.0, scratch.axis, points);
+    scale_weights(0.5, first, points.size(), points);
+    more_lines = close(of_a.line * of_b.line, first);
+  }
+  if (rest > 1e-12) points.push_back({depth, rest, normal, witness});
+  points.erase(std::remove_if(points.begin() + static_cast<std::ptrdiff_t>(begin), points.end(),
+                              [](const ContactPoint &p) { return !(p.weight > 0.0); }),
+               points.end());
+  if (points.size() == begin) {
+    points.push_back({depth, 1.0, normal, witness});
+    return;
+  }
+  if (!a.rim && !b.rim) return;
+  // Energy that changes with the direction alone asks for a torque, as on a half-space. A shape's direction towards the
+  // other one turns with that where the other one has faces; else half of it.
+  const Vec3 of_direction_a = (of_b.flat * more_flats + of_b.line * more_b_on_a) * of_a.flat_gradient +
+                              (of_b.flat * more_a_on_b + of_b.line * more_lines) * of_a.line_gradient;
+  const Vec3 of_direction_b = (of_a.flat * more_flats + of_a.line * more_a_on_b) * of_b.flat_gradient +
+                              (of_a.flat * more_b_on_a + of_a.line * more_lines) * of_b.line_gradient;
+  const Vec3 missing = (b.polytope ? 1.0 : 0.5) * of_direction_a + (a.polytope ? 1.0 : 0.5) * of_direction_b;
+  const Vec3 shift = (1.0 / total_load(points, begin)) * (missing - dot(missing, normal) * normal);
+  for (std::size_t k = begin; k < points.size(); ++k) points[k].position = points[k].position + shift;
+}
+
+}  // namespace
+
+void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+                    CurvedManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+  const convex::SignedDistance nearest = in_frame_of_a(answer, pose_a);
+  const convex::WaysOut ways = convex::ways_out(a.body, b.body, relative_pose(pose_a, pose_b), nearest,
+                                                a.bound_radius + b.bound_radius, scratch.distance);
+  for (int k = 0; k < ways.count; ++k) {
+    const convex::WayOut &way = ways.way[k];
+    ConvexAnswer along = answer;
+    along.distance = -way.depth;
+    along.normal = along.mean_normal = pose_a.rotation * way.normal;
+    along.point_a = pose_a(way.point_a);
+    // The ball's centre may lie aside of the way through the origin: B is moved there, so that the deepest points face
+    // each other.
+    const Vec3 aside = pose_a.rotation * (way.point_a + way.depth * way.normal - way.point_b);
+    along.point_b = pose_a(way.point_b) + aside;
+    const std::size_t begin = points.size();
+    contact_along(a, pose_a, b, {pose_b.rotation, pose_b.translation + aside}, along, scratch, points);
+    scale_weights(way.share, begin, points.size(), points);
+    for (std::size_t i = begin; i < points.size(); ++i) points[i].position = points[i].position - 0.5 * aside;
+  }
+}
+
+}  // namespace cmb

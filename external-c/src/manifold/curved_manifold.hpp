@@ -1,0 +1,25 @@
+// Contact of two bounded convex shapes of which one at least is curved.
+#pragma once
+
+#include <vector>
+
+#include "backend/distance_backend.hpp"
+#include "manifold/axis_manifold.hpp"
+#include "manifold/contact_set.hpp"
+#include "manifold/polytope_manifold.hpp"
+
+namespace cmb {
+
+// Room that contacts are made in; one for each thread.
+struct CurvedManifoldScratch {
+  DepthGraph polytope;
+  AxisManifoldScratch axis;
+  convex::DistanceScratch distance;
+};
+
+// Appends the contact of shapes A and B that overlap; `answer` is their signed distance (< 0). The contact is the sum of
+// those along all ways out (convex/ways_out.hpp), each by its share.
+void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+                    CurvedManifoldScratch &scratch, std::vector<ContactPoint> &points);
+
+}  // namespace cmb

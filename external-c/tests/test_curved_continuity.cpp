@@ -1,0 +1,101 @@
+// Curved bodies turn over each other, over boxes and hulls, and off their borders, without jumps of load and moment.
+#include "path_sums.hpp"
+
+namespace {
+
+using namespace cmb::test;
+using random_bodies::Random;
+
+constexpr double pi = 3.14159265358979323846;
+
+std::string random_shape(const std::string &kind, Random &random) {
+  const auto length = [&](double low, double high) { return digits(random.uniform(low, high)); };
+  if (kind == "sphere") return "cmb/1 sphere radius=" + length(0.25, 0.5);
+  if (kind == "capsule") return "cmb/1 capsule radius=" + length(0.1, 0.3) + " length=" + length(0.2, 0.8);
+  if (kind == "cylinder") return "cmb/1 cylinder radius=" + length(0.2, 0.5) + " length=" + length(0.3, 1.0);
+  if (kind == "cone") return "cmb/1 cone radius=" + length(0.25, 0.5) + " length=" + length(0.4, 1.0);
+  if (kind == "ellipsoid") return "cmb/1 ellipsoid size=" + length(0.4, 1) + "," + length(0.4, 1) + "," + length(0.4, 1);
+  return kind == "box" ? random_box(random) : random_hull(random);
+}
+
+struct Kinds {
+  const char *a, *b;
+};
+
+void PrintTo(const Kinds &kinds, std::ostream *stream) { *stream << kinds.a << " on " << kinds.b; }
+
+class RandomCurved : public testing::TestWithParam<Kinds> {};
+
+// Between its knots a path is up to half a body deep.
+TEST_P(RandomCurved, SumsHaveNoJumps) {
+  for (const double deep : {0.004, 0.04}) {
+    for (std::uint64_t pair = 0; pair < 4; ++pair) {
+      Random random(1000 + pair);
+      const std::string a = random_shape(GetParam().a, random), b = random_shape(GetParam().b, random);
+      const PairScene scene(a, b);
+      const PathSums sums = follow(scene, random_path(scene, random, deep), {}, 600, 15);
+      EXPECT_LT(sums.largest_jump, 1e-5 * sums.largest_load) << a << " | " << b;
+      EXPECT_GT(sums.largest_load, 0.0);
+    }
+  }
+}
+
+std::vector<Kinds> all_kinds() {
+  const char *const curved[] = {"sphere", "capsule", "cylinder", "cone", "ellipsoid"};
+  std::vector<Kinds> pairs;
+  for (std::size_t i = 0; i < 5; ++i) {
+    for (std::size_t j = i; j < 5; ++j) pairs.push_back({curved[i], curved[j]});
+    for (const char *polytope : {"box", "hull"}) pairs.push_back({curved[i], polytope});
+  }
+  return pairs;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RandomCurved, testing::ValuesIn(all_kinds()));
+
+struct Path {
+  const char *name, *a, *b;
+  PosePath pose_a;
+};
+
+void PrintTo(const Path &path, std::ostream *stream) { *stream << path.name; }
+
+const char *const table = "cmb/1 box size=4,4,1", *const cylinder = "cmb/1 cylinder radius=0.3 length=0.5",
+                  *const cone = "cmb/1 cone radius=0.3 length=0.5", *const capsule = "cmb/1 capsule radius=0.1 length=0.8";
+
+const Path paths[] = {
+    {"cylinder slips off a border deeper than it overlaps", cylinder, table,
+     [](double s) { return BodyPose{{2.2 + 0.15 * s, 0.1, 0.75 - 0.05}, {}}; }},
+    {"tilted cylinder slips off a corner deeper than it overlaps", cylinder, table,
+     [](double s) { return BodyPose{{2.1 + 0.2 * s, 2.05 + 0.2 * s, 0.65}, rotation_about({0.6, 0.8, 0}, 0.2)}; }},
+    {"lying cylinder slips off a border deeper than it overlaps", cylinder, table,
+     [](double s) { return BodyPose{{2.0 + 0.4 * s, 0.1, 0.74}, rotation_about({1, 0, 0}, pi / 2)}; }},
+    {"cone slips off a border, tip first", cone, table,
+     [](double s) { return BodyPose{{1.9 + 0.2 * s, 0.1, 0.7}, rotation_about({1, 0, 0}, pi)}; }},
+    {"cone rolls on its mantle over a border", cone, table,
+     [](double s) {
+       return BodyPose{{1.8 + 0.4 * s, 0.1, 0.61},
+                       product(rotation_about({0, 0, 1}, 2 * pi * s), rotation_about({0, 1, 0}, pi / 2 + std::atan(0.6)))};
+     }},
+    {"capsule over a box's edge, its axis through it", capsule, table,
+     [](double s) { return BodyPose{{2.0, 0.1, 0.65 - 0.3 * s}, rotation_about({1, 0, 0}, pi / 2)}; }},
+    {"capsule turns about a box's corner", capsule, table,
+     [](double s) { return BodyPose{{2.05, 2.05, 0.52}, rotation_about(normalized(Vec3{1, 0.5, 0.2}), 2 * pi * s)}; }},
+    {"ellipsoid rolls over a hull", "cmb/1 ellipsoid size=0.9,0.6,0.4",
+     "cmb/1 hull vertices=-0.5,-0.4,-0.3,0.5,-0.5,-0.3,0.4,0.5,-0.3,-0.4,0.4,-0.3,-0.3,0,0.4,0.3,0.1,0.5",
+     [](double s) {
+       return BodyPose{{-0.7 + 1.4 * s, 0.1, 0.62}, rotation_about(normalized(Vec3{0.3, 1, 0.1}), 2 * pi * s)};
+     }},
+};
+
+class CurvedPaths : public testing::TestWithParam<Path> {};
+
+TEST_P(CurvedPaths, SumsHaveNoJumps) {
+  const Path &path = GetParam();
+  const PathSums sums = follow(PairScene(path.a, path.b), path.pose_a, {}, 1000, 40);
+  EXPECT_GT(sums.largest_load, 0.0);
+  EXPECT_LT(sums.largest_jump, 1e-5 * sums.largest_load);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CurvedPaths, testing::ValuesIn(paths));
+
+}  // namespace
