@@ -111,7 +111,8 @@ TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, con
       moved = nearest_of(tried.data(), tried_count);
     } else {
       const std::array<Difference, 4> corners{simplex[0], simplex[1], simplex[2], next};
-      if (holds_origin(corners.data())) return gap(0.0);
+      // Where a plane parts the two, a flat tetrahedron may seem to hold the origin by rounding.
+      if (!(lower > 0.0) && holds_origin(corners.data())) return gap(0.0);
       // The nearest face with the new corner; one corner goes.
       for (std::size_t k = 0; k < 3; ++k) {
         const std::array<Difference, 3> face{simplex[(k + 1) % 3], simplex[(k + 2) % 3], next};

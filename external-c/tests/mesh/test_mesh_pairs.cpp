@@ -1,6 +1,7 @@
 // Meshes and height fields against every other kind of shape, through the C interface.
 #include "../convex/random_bodies.hpp"
 #include "../scene_query.hpp"
+#include "../stress/solids.hpp"
 #include "mesh_text.hpp"
 
 namespace {
@@ -90,6 +91,19 @@ TEST(CapsuleOnMesh, WhoseAxisPassesThroughIsNotApart) {
     EXPECT_LE(plate.query({{0.23, 0.31, z}, {}}, {}).distance, 0.0);
     EXPECT_LE(sheet.query({{0.23, 0.31, flat_height + z}, {}}, {}).distance, 0.0);
   }
+}
+
+TEST(CylinderOnMesh, BesideFlatTetrahedraOfSupportsItIsApart) {
+  // Rounding made four nearly coplanar points seem to hold the origin.
+  const cmb::stress::Solid angle = cmb::stress::detail::angle_mesh(0.1, 2.0, 1.0);
+  const char *const cylinder = "cmb/1 cylinder radius=0.12061870293486787 length=2";
+  const PairScene on_mesh(cylinder, angle.text), on_parts(cylinder, angle.twin);
+  const BodyPose pose{{0x1.744360d1c983cp-4, 0x1.2baaec790c7f1p-1, 0x1.701cd8b18817p-4},
+                      {{{-0x1.7337b86fb244p-3, -0x1.b864535e8f7p-1, 0x1.e834c7f57965cp-2},
+                        {0x1.16175e45bb364p-1, 0x1.4430431a0a9c2p-2, 0x1.8e2a059f77afep-1},
+                        {-0x1.a3c1fcbd71dfep-1, 0x1.998254d7c2168p-2, 0x1.a3a215934f9c4p-2}}}};
+  EXPECT_NEAR(on_parts.query(pose, {}).distance, 0.0023732919686147557, 1e-12);
+  EXPECT_NEAR(on_mesh.query(pose, {}).distance, 0.0023732919686147557, 1e-9);
 }
 
 TEST(RoundBodiesOnMesh, RollWithoutBumps) {
