@@ -6,26 +6,29 @@ several columns; there are as many passes as it takes to give each state a direc
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
 from modelica2fmu import expression as ex
+from modelica2fmu.block_code import Factors
 from modelica2fmu.blocks import NonlinearBlock
-from modelica2fmu.c_expressions import (
-    LANES,
+from modelica2fmu.c_expressions import bare, number
+from modelica2fmu.c_functions import (
     Function,
+    Group,
     Statement,
-    WorkSpace,
     Write,
-    bare,
     functions_of,
-    lanes_at,
-    number,
+    numbers_of_lanes,
+    single_function,
 )
 from modelica2fmu.call_code import call_statement
 from modelica2fmu.expression import Node
+from modelica2fmu.lanes import LANES, lanes_at
+from modelica2fmu.model_file import function_calls
 from modelica2fmu.scalar_model import ExternalCall
+from modelica2fmu.symbol_places import PROLOGUE, SIGNATURE, SymbolPlaces, set_lanes
 from modelica2fmu.tangents import (
     CallTangent,
     SolvedTangent,
@@ -38,37 +41,8 @@ from modelica2fmu.tangents import (
 )
 
 _INPUT: Final = "$input["
+_NUMBERS: Final = "cmb_tangent_numbers"
 _RELATIVE_STEP: Final = 1.5e-8  # of difference quotients of external functions: the root of the rounding error
-
-
-@dataclass(frozen=True)
-class Factors:
-    """Offsets in the work arrays of a factorized matrix, the scales of its rows, and its pivots."""
-
-    matrix: int
-    scale: int
-    pivot: int
-
-
-@dataclass(frozen=True)
-class JacobianPlaces:
-    """What the code of the Jacobian shares with that of the model.
-
-    Attributes:
-        location: C lvalue of a symbol of the model.
-        work: the work arrays.
-        factors: of the linear systems, by their unknowns.
-        nominal: sizes of the states.
-        signature: parameters of a generated function.
-        prologue: its first lines.
-    """
-
-    location: Callable[[str], str]
-    work: WorkSpace
-    factors: Mapping[tuple[str, ...], Factors]
-    nominal: Sequence[float]
-    signature: str
-    prologue: Sequence[str]
 
 
 @dataclass(frozen=True)
@@ -80,7 +54,11 @@ class JacobianCode:
 
 
 def jacobian_code(
-    steps: Sequence[Tangent], states: Sequence[str], rates: Sequence[str], places: JacobianPlaces
+    steps: Sequence[Tangent],
+    states: Sequence[str],
+    rates: Sequence[str],
+    places: SymbolPlaces,
+    factors: Mapping[tuple[str, ...], Factors],
 ) -> JacobianCode:
     """The C that fills ``jacobian[i + j * states]`` after ``continuous`` was called.
 
@@ -88,74 +66,55 @@ def jacobian_code(
         steps: see :func:`modelica2fmu.tangents.tangents`.
         states: the columns.
         rates: the rows.
-        places: what is shared with the model.
+        places: where symbols live.
+        factors: what the solution of linear systems left, by their unknowns.
     """
-    return _Writer(steps, states, rates, places).run()
+    return _Writer(steps, states, rates, places, factors).run()
 
 
 class _Writer:
     def __init__(
-        self, steps: Sequence[Tangent], states: Sequence[str], rates: Sequence[str], places: JacobianPlaces
+        self,
+        steps: Sequence[Tangent],
+        states: Sequence[str],
+        rates: Sequence[str],
+        places: SymbolPlaces,
+        factors: Mapping[tuple[str, ...], Factors],
     ) -> None:
         self._steps = steps
         self._states = states
         self._rates = rates
         self._places = places
-        self._homes: dict[str, int] = {}
+        self._factors = factors
         self._step = places.work.real(LANES)
         self._functions: list[Function] = []
         self._probes: list[str] = []
         self._shifted: dict[int, str] = {}
 
     def run(self) -> JacobianCode:
-        statements: list[Statement] = []
-        for step in self._steps:
-            statements.extend(self._statements(step))
-        parts = self._functions_of("cmb_part_tangent", statements)
+        statements = [statement for step in self._steps for statement in self._statements(step)]
+        # What does not depend on the direction is computed once for all passes.
+        numbers = Statement(numbers_of_lanes(statements, is_tangent), lambda _: [], group=Group(_NUMBERS, 1))
+        parts = functions_of("cmb_part_tangent", [numbers, *statements], self._places.frame())
         self._functions.extend(parts)
-        return JacobianCode(tuple(self._functions), self._driver([part.name for part in parts]))
-
-    # --- places ---
-
-    def _home(self, name: str) -> int:
-        """Offset of a tangent in the work array."""
-        if name not in self._homes:
-            self._homes[name] = self._places.work.real(LANES)
-        return self._homes[name]
-
-    def _location(self, name: str) -> str:
-        return lanes_at(self._home(name)) if is_tangent(name) else self._places.location(name)
-
-    def _functions_of(self, prefix: str, statements: Sequence[Statement]) -> list[Function]:
-        places = self._places
-        return functions_of(
-            prefix, statements, self._location, places.work, places.signature, places.prologue,
-            is_lane_symbol=is_tangent,
-        )  # fmt: skip
+        return JacobianCode(tuple(self._functions), self._driver(parts))
 
     # --- steps ---
 
     def _statements(self, step: Tangent) -> list[Statement]:
         if isinstance(step, TangentAssignment):
-            return [self._set(self._home(step.target), step.value)]
+            return [set_lanes(self._places.tangent(step.target), step.value)]
         if isinstance(step, CallTangent):
             return [self._call(step)]
         return self._solved(step)
 
-    @staticmethod
-    def _set(offset: int, value: float | Node) -> Statement:
-        if not isinstance(value, Node):
-            return Statement((), lambda _: [f"{lanes_at(offset)} = (cmb_lanes){{0}};"])
-        return Statement((value,), lambda write: [f"{lanes_at(offset)} = {bare(write(value))};"])
-
     def _solved(self, step: SolvedTangent) -> list[Statement]:
         n = len(step.targets)
-        factors = self._places.factors.get(step.block.torn)
+        factors = self._factors.get(step.block.torn)
         if isinstance(step.block, NonlinearBlock) or factors is None:
             factors = self._probe(step, n)
-        offset = self._places.work.real(n * LANES)
-        self._homes.update({name: offset + k * LANES for k, name in enumerate(step.targets)})
-        statements = [self._set(offset + k * LANES, ex.negate(item)) for k, item in enumerate(step.residuals)]
+        offset = self._places.put_tangents(step.targets)
+        statements = [set_lanes(offset + k * LANES, ex.negate(item)) for k, item in enumerate(step.residuals)]
         text = (
             f"cmb_substitute_lanes({n}, w + {factors.matrix}, w + {factors.scale}, "
             f"v->integer_work + {factors.pivot}, w + {offset});"
@@ -168,16 +127,16 @@ class _Writer:
         factors = Factors(work.real(n * n), work.real(n), work.integer(n))
         inner = [statement for item in step.probe for statement in self._statements(item)]
         columns = [work.real(LANES) for _ in step.columns]
-        inner += [self._set(offset, value) for offset, value in zip(columns, step.columns, strict=True)]
+        inner += [set_lanes(offset, value) for offset, value in zip(columns, step.columns, strict=True)]
         name = f"cmb_probe_{len(self._probes) + 1}"
-        parts = self._functions_of(f"{name}_part", inner)
-        seeds = [self._home(probe_name(torn)) for torn in step.block.torn]
+        parts = functions_of(f"{name}_part", inner, self._places.frame())
+        seeds = [self._places.tangent(probe_name(torn)) for torn in step.block.torn]
         sizes = [f"fmax(fabs({self._places.location(torn)}), 1.0)" for torn in step.block.torn]
         text = _PROBE.format(
-            name=name, signature=self._places.signature, prologue="\n".join(self._places.prologue), n=n,
+            name=name, signature=SIGNATURE, prologue="\n".join(PROLOGUE), n=n,
             step=self._step, relative=number(_RELATIVE_STEP), seeds=_joined(seeds), sizes=", ".join(sizes),
             columns=_joined(columns), matrix=factors.matrix, scale=factors.scale, pivot=factors.pivot,
-            calls=_calls([part.name for part in parts], 4),
+            calls=_indented(function_calls(parts, f"{name}_part")),
         )  # fmt: skip
         self._functions.extend([*parts, Function(name, text, False, text.count("\n"))])
         self._probes.append(name)
@@ -189,6 +148,9 @@ class _Writer:
         function = self._shifted_call(step)
         inputs, outputs = step.inputs, step.outputs
 
+        def tangent(name: str) -> str:
+            return lanes_at(self._places.tangent(name))
+
         def lines(write: Write) -> list[str]:
             result = ["{"]
             result += [f"  const cmb_lanes d{k} = {bare(write(rate))};" for k, (_, rate) in enumerate(inputs)]
@@ -196,7 +158,7 @@ class _Writer:
             result += [
                 "  for (int lane = 0; lane < CMB_LANES; ++lane) {",
                 f"    const double step = w[{self._step} + lane];",
-                *(f"    {lanes_at(self._home(target))}[lane] = 0.0;" for _, target in outputs),
+                *(f"    {tangent(target)}[lane] = 0.0;" for _, target in outputs),
                 f"    if (!({moves})) continue;",
                 f"    double output[{len(outputs)}];",
                 f"    const double input[{len(inputs)}] = {{",
@@ -205,7 +167,7 @@ class _Writer:
                 f"    const int result = {function}(v, input, output);",
                 "    if (result != CMB_RESULT_OK) return result;",
                 *(
-                    f"    {lanes_at(self._home(target))}[lane] = (output[{k}] - {self._places.location(name)}) / step;"
+                    f"    {tangent(target)}[lane] = (output[{k}] - {self._places.location(name)}) / step;"
                     for k, (name, target) in enumerate(outputs)
                 ),
                 "  }",
@@ -228,31 +190,24 @@ class _Writer:
         def location(symbol: str) -> str:
             return f"input[{symbol[len(_INPUT) : -1]}]" if symbol.startswith(_INPUT) else self._places.location(symbol)
 
-        signature = f"{self._places.signature}, const double *input, double *output"
-        self._functions.extend(
-            functions_of(
-                name,
-                [call_statement(_with_inputs(step.call, shifted), store)],
-                location,
-                self._places.work,
-                signature,
-                (*self._places.prologue, "  (void)input; (void)output;"),
-                split=False,
-            )
-        )
+        frame = self._places.frame(", const double *input, double *output", ("  (void)input; (void)output;",))
+        call = call_statement(_with_inputs(step.call, shifted), store)
+        self._functions.append(single_function(name, [call], replace(frame, location=location)))
         self._shifted[key] = name
         return name
 
     # --- the whole ---
 
-    def _driver(self, parts: Sequence[str]) -> str:
+    def _driver(self, parts: Sequence[Function]) -> str:
         computed = {name for step in self._steps for name in tangent_targets(step)}
-        seeds = [self._home(tangent_name(name)) for name in self._states]
+        seeds = [self._places.tangent(tangent_name(name)) for name in self._states]
         computed |= {tangent_name(name) for name in self._states}
-        rates = [self._home(name) if (name := tangent_name(rate)) in computed else -1 for rate in self._rates]
+        rates = [self._places.tangent(name) if (name := tangent_name(rate)) in computed else -1 for rate in self._rates]
+        probes = "".join(_call(name) for name in self._probes)
         return _DRIVER.format(
             n=len(self._states), seeds=_joined(seeds), rates=_joined(rates), step=self._step,
-            relative=number(_RELATIVE_STEP), probes=_calls(self._probes, 2), calls=_calls(parts, 4),
+            relative=number(_RELATIVE_STEP), probes=probes, numbers=_call(_NUMBERS),
+            calls=_indented(function_calls(parts, "cmb_part_tangent")),
         )  # fmt: skip
 
 
@@ -275,9 +230,12 @@ def _joined(items: Sequence[int]) -> str:
     return ",\n    ".join(rows)
 
 
-def _calls(names: Sequence[str], indent: int) -> str:
-    blank = " " * indent
-    return "".join(f"{blank}if ((result = {name}(v)) != CMB_RESULT_OK) return (cmb_result)result;\n" for name in names)
+def _call(name: str) -> str:
+    return f"  if ((result = {name}(v)) != CMB_RESULT_OK) return (cmb_result)result;\n"
+
+
+def _indented(text: str) -> str:
+    return "".join(f"  {line}\n" for line in text.splitlines())
 
 
 _PROBE: Final = """int {name}({signature})
@@ -309,7 +267,7 @@ _DRIVER: Final = """static cmb_result jacobian(cmb_values *v, double *jacobian)
     {rates}}};
   double *const w = v->work;
   int result = CMB_RESULT_OK;
-{probes}  for (int first = 0; first < {n}; first += CMB_LANES) {{
+{numbers}{probes}  for (int first = 0; first < {n}; first += CMB_LANES) {{
     for (int j = 0; j < {n}; ++j) {{
       LANES(w, seed[j]) = (cmb_lanes){{0}};
       if (j < first || j >= first + CMB_LANES) continue;

@@ -118,3 +118,42 @@ def _selected(condition: float | Node, first: LinearForm, second: LinearForm) ->
         name: ex.select(condition, first.coefficients.get(name, 0), second.coefficients.get(name, 0)) for name in names
     }
     return LinearForm(ex.select(condition, first.constant, second.constant), coefficients)
+
+
+def solved_for(residual: float | Node, name: str) -> float | Node | None:
+    """``name`` from ``residual = 0``, if the residual is linear in it; ``None`` otherwise."""
+    if not isinstance(residual, Node):
+        return None
+    value = _isolated(residual, name)
+    if value is not None:
+        return value
+    form = LinearForms([name])(residual)
+    if form is None or name not in form.coefficients:
+        return None
+    return ex.negate(ex.divide(form.constant, form.coefficients[name]))
+
+
+def _isolated(residual: Node, name: str) -> float | Node | None:
+    """Unwraps the residual around the only occurrence of ``name``; keeps the form that the model has."""
+    right: float | Node = 0
+    node = residual
+    while not (node.op == "symbol" and node.name == name):
+        holders = [position for position, arg in enumerate(node.args) if name in ex.symbols(arg)]
+        if len(holders) != 1:
+            return None
+        position = holders[0]
+        other = ex.value_of(node.args[1 - position]) if len(node.args) == 2 else 0
+        if node.op == "neg":
+            right = ex.negate(right)
+        elif node.op == "add":
+            right = ex.subtract(right, other)
+        elif node.op == "sub":
+            right = ex.add(right, other) if position == 0 else ex.subtract(other, right)
+        elif node.op == "mul":
+            right = ex.divide(right, other)
+        elif node.op == "div" and position == 0:
+            right = ex.multiply(right, other)
+        else:
+            return None
+        node = node.args[position]
+    return right

@@ -10,13 +10,7 @@ from cmb_base.errors import Place, UnsupportedModelError
 from modelica2fmu import expression as ex
 from modelica2fmu import ir
 from modelica2fmu.alias import ReducedModel, substituted_call
-from modelica2fmu.blocks import (
-    Assignment,
-    Block,
-    Entry,
-    Residual,
-    solve_order,
-)
+from modelica2fmu.blocks import Assignment, Block, Entry, Residual
 from modelica2fmu.expression import Node
 from modelica2fmu.index_reduction import ReducedSystem, reduce_index
 from modelica2fmu.matching import Matching
@@ -31,6 +25,7 @@ from modelica2fmu.scalar_model import (
     start_name,
     unwrapped,
 )
+from modelica2fmu.sorting import solve_order
 from modelica2fmu.unit_states import with_unit_states
 from modelica2fmu.unit_vectors import unit_vectors
 

@@ -164,22 +164,27 @@ class _Builder:
                 self.steps.append(TangentAssignment(tangent_name(name), ex.node_of(ex.symbol(_held_name(name)))))
             return
         targets = tuple(tangent_name(name) for name in block.torn)
-        if isinstance(block, LinearBlock) and len(block.torn) == 1:
-            value = ex.node_of(ex.negate(ex.divide(residuals[0], block.matrix[0][0])))
+        if isinstance(block, LinearBlock) and len(block.torn) == 1 and block.system is not None:
+            value = ex.node_of(ex.negate(ex.divide(residuals[0], block.system.matrix[0][0])))
             self.steps.append(TangentAssignment(targets[0], value))
         elif isinstance(block, LinearBlock):
             self.steps.append(SolvedTangent(block, targets, residuals))
         else:
-            probe, columns = _probe(block)
-            self.steps.append(SolvedTangent(block, targets, residuals, probe, columns))
+            steps, columns = probe(block)
+            self.steps.append(SolvedTangent(block, targets, residuals, steps, columns))
         self._active.update(block.torn)
         for step in block.inner:
             if any(name in depends for name in _targets(step)):
                 self._explicit(step)
 
 
-def _probe(block: NonlinearBlock) -> tuple[tuple[TangentStep, ...], tuple[float | Node, ...]]:
-    """Derivatives of a block's residuals by its torn unknowns."""
+def probe(block: LinearBlock | NonlinearBlock) -> tuple[tuple[TangentStep, ...], tuple[float | Node, ...]]:
+    """Derivatives of a block's residuals by its torn unknowns.
+
+    Returns:
+        what computes ``probe(x)`` of what follows from the torn unknowns, from ``probe`` of these; and the residuals'
+        derivatives in these terms.
+    """
     active = set(block.torn)
     differentiate = ex.Differentiation(lambda name: ex.symbol(probe_name(name)) if name in active else 0)
     steps: list[TangentStep] = []

@@ -74,8 +74,19 @@ class Binding(ABC):
         raw: FMPy's object.
     """
 
-    def __init__(self, raw: Any) -> None:
-        self.raw = raw
+    def __init__(self, kind: type[Any], identity: Identity) -> None:
+        """Loads the binary; raises any exception if that fails.
+
+        Args:
+            kind: FMPy's class of instances for a version and a mode.
+            identity: what to load.
+        """
+        self.raw = kind(
+            guid=identity.token,
+            unzipDirectory=str(identity.folder),
+            modelIdentifier=identity.model_identifier,
+            instanceName=identity.name,
+        )
 
     @abstractmethod
     def instantiate(self, log: LogMessage, logging: bool) -> None:
@@ -86,9 +97,9 @@ class Binding(ABC):
             logging: whether debug messages are wanted too.
         """
 
-    @abstractmethod
     def free(self) -> None:
         """Frees instance and binary."""
+        self.raw.freeInstance()
 
     def unload(self) -> None:
         """Frees the binary of which no instance was made."""

@@ -28,16 +28,8 @@ class Fmi2Binding(Binding):
     """An instance of an FMU of FMI 2.0."""
 
     def __init__(self, identity: Identity, mode: Mode) -> None:
-        """Loads the binary; raises any exception if that fails."""
-        kind = fmpy.fmi2.FMU2Model if mode == "me" else fmpy.fmi2.FMU2Slave
-        super().__init__(
-            kind(
-                guid=identity.token,
-                unzipDirectory=str(identity.folder),
-                modelIdentifier=identity.model_identifier,
-                instanceName=identity.name,
-            )
-        )
+        """See Binding."""
+        super().__init__(fmpy.fmi2.FMU2Model if mode == "me" else fmpy.fmi2.FMU2Slave, identity)
 
     def instantiate(self, log: LogMessage, logging: bool) -> None:
         """See Binding."""
@@ -45,7 +37,7 @@ class Fmi2Binding(Binding):
 
     def free(self) -> None:
         """See Binding."""
-        self.raw.freeInstance()
+        super().free()
         _log_through(fmpy.fmi2.fmi2CallbackFunctions(logger=_FMPY_LOGGER))
 
     def set(self, data_type: str, reference: int, value: float | int | bool | str) -> None:

@@ -34,16 +34,8 @@ class Fmi3Binding(Binding):
     """An instance of an FMU of FMI 3.0; in co-simulation it handles its events itself."""
 
     def __init__(self, identity: Identity, mode: Mode) -> None:
-        """Loads the binary; raises any exception if that fails."""
-        kind = fmpy.fmi3.FMU3Model if mode == "me" else fmpy.fmi3.FMU3Slave
-        super().__init__(
-            kind(
-                guid=identity.token,
-                unzipDirectory=str(identity.folder),
-                modelIdentifier=identity.model_identifier,
-                instanceName=identity.name,
-            )
-        )
+        """See Binding."""
+        super().__init__(fmpy.fmi3.FMU3Model if mode == "me" else fmpy.fmi3.FMU3Slave, identity)
 
     def instantiate(self, log: LogMessage, logging: bool) -> None:
         """See Binding."""
@@ -52,10 +44,6 @@ class Fmi3Binding(Binding):
             log(status, (category or b"").decode("utf-8", "replace"), (text or b"").decode("utf-8", "replace"))
 
         self.raw.instantiate(loggingOn=logging, logMessage=message)
-
-    def free(self) -> None:
-        """See Binding."""
-        self.raw.freeInstance()
 
     def set(self, data_type: str, reference: int, value: float | int | bool | str) -> None:
         """See Binding."""

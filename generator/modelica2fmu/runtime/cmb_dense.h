@@ -1,14 +1,14 @@
-/* cmb_dense.h - dense linear solver for the integrator's Newton iteration.
+/* cmb_dense.h - linear solver for the integrator's Newton iteration, whose matrix is I - gamma J.
  *
- * Does what SUNLinSol_Dense does. Debian's static SUNDIALS library is compiled without optimization, so that its own
- * dense solver takes more time than the equations of a mechanism with 50 states. */
+ * Rows with few entries are eliminated first: the rate of a position is a speed, so a mechanism's matrix shrinks to
+ * half its size, and its factorization to an eighth. */
 #ifndef CMB_DENSE_H
 #define CMB_DENSE_H
 
 #include <sundials/sundials_linearsolver.h>
 
-/* A direct solver for SUNDenseMatrix of `size` rows, which Setup overwrites with its factors. NULL if there is no
- * memory. Free with SUNLinSolFree. */
+/* A direct solver for SUNDenseMatrix of `size` rows, which it leaves as they are. NULL if there is no memory. Free with
+ * SUNLinSolFree. */
 SUNLinearSolver cmb_dense_create(sunindextype size, SUNContext context);
 
 #endif

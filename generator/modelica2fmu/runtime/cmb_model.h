@@ -50,6 +50,22 @@ void cmb_substitute(int n, const double *a, const double *scale, const int *pivo
 enum { CMB_LANES = 4 };
 /* The same for CMB_LANES right-hand sides: b[i * CMB_LANES + lane]. */
 void cmb_substitute_lanes(int n, const double *a, const double *scale, const int *pivot, double *b);
+/* A linear system that is evaluated from the equations it stands for: they are linear in the unknowns. Offsets are in the
+ * work array; columns of several unknowns are found at once, in lanes. */
+typedef struct cmb_linear_system {
+  int size;
+  int matrix, scale, solution; /* column-major [size * size]; [size]; [size] */
+  int pivot;                   /* [size], in the array of integers */
+  int seeds;                   /* [size * CMB_LANES] derivatives of the unknowns by the unknowns of this pass */
+  int columns;                 /* [size * CMB_LANES] derivatives of the residuals by the unknowns of this pass */
+  int (*evaluate_inner)(cmb_values *values);     /* unknowns from `solution`, and what follows from them */
+  int (*evaluate_residuals)(cmb_values *values); /* after evaluate_inner: -residuals, to `solution` */
+  int (*evaluate_numbers)(cmb_values *values);   /* what the columns have in common */
+  int (*evaluate_columns)(cmb_values *values);   /* after evaluate_numbers: `columns` from `seeds` */
+  const char *singular;                          /* message */
+} cmb_linear_system;
+/* Solves it: `solution` and `evaluate_inner` have been done when it ends with CMB_RESULT_OK, and the factors are there. */
+cmb_result cmb_solve_linear(cmb_values *values, const cmb_linear_system *system);
 /* Damped Newton with finite-difference Jacobian for small nonlinear blocks, used by generated code:
  * residual(values, context, x, r) returns a cmb_result. x: start value in, solution out. nominal may be NULL.
  * work needs n*n + 7*n doubles, integer_work n ints. CMB_RESULT_DISCARD when it does not converge. */

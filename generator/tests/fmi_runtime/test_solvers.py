@@ -25,7 +25,8 @@ def pointer(array: NDArray[np.float64] | NDArray[np.int32]) -> ctypes.c_void_p:
 @pytest.fixture(scope="session")
 def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     target = tmp_path_factory.mktemp("solvers") / "solvers.so"
-    sources = [RUNTIME / "cmb_linear.c", RUNTIME / "cmb_nonlinear.c", models.FIXTURES / "systems.c"]
+    sources = [RUNTIME / f"cmb_{name}.c" for name in ("linear", "lu", "nonlinear")]
+    sources.append(models.FIXTURES / "systems.c")
     command = ["gcc", "-std=c11", "-O2", "-ffp-contract=off", "-shared", "-fPIC", f"-I{RUNTIME}", *map(str, sources)]
     subprocess.run([*command, "-lm", "-o", str(target)], check=True)
     loaded = ctypes.CDLL(str(target))

@@ -8,16 +8,9 @@ from cmb_base.errors import InputError, Place, UnsupportedModelError
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from modelica2fmu import expression as ex
-from modelica2fmu.blocks import (
-    Assignment,
-    LinearBlock,
-    NonlinearBlock,
-    Residual,
-    needed_blocks,
-    solve_order,
-    solved_for,
-)
-from modelica2fmu.linear_form import LinearForms
+from modelica2fmu.blocks import Assignment, LinearBlock, NonlinearBlock, Residual, needed_blocks
+from modelica2fmu.linear_form import LinearForms, solved_for
+from modelica2fmu.sorting import solve_order
 
 
 def nowhere(_span):
@@ -32,11 +25,31 @@ def execute(blocks, values):
             values[block.target] = ex.evaluate(block.value, values)
         else:
             assert isinstance(block, LinearBlock)
-            matrix = np.array([[ex.evaluate(item, values) for item in row] for row in block.matrix])
-            right = np.array([ex.evaluate(item, values) for item in block.right])
-            values.update(zip(block.torn, np.linalg.solve(matrix, right), strict=True))
-            for step in block.inner:
-                values[step.target] = ex.evaluate(step.value, values)
+            matrix, right = linear_system(block, values)
+            values = after_inner(block, values, np.linalg.solve(matrix, right))
+    return values
+
+
+def linear_system(block, values):
+    """Matrix and right-hand side, from the closed form or from the equations."""
+    if block.system is not None:
+        matrix = np.array([[ex.evaluate(item, values) for item in row] for row in block.system.matrix])
+        return matrix, np.array([ex.evaluate(item, values) for item in block.system.right])
+
+    def residuals(torn):
+        point = after_inner(block, values, torn)
+        return np.array([ex.evaluate(item, point) for item in block.residuals])
+
+    rest = residuals(np.zeros(len(block.torn)))
+    columns = [residuals(unit) - rest for unit in np.eye(len(block.torn))]
+    return np.array(columns).T, -rest
+
+
+def after_inner(block, values, torn):
+    """Values with the torn unknowns and what follows from them."""
+    values = {**values, **dict(zip(block.torn, torn, strict=True))}
+    for step in block.inner:
+        values[step.target] = ex.evaluate(step.value, values)
     return values
 
 
@@ -58,6 +71,26 @@ def test_torn_linear_systems_have_the_solution_of_the_whole(seed, size):
     blocks = solve_order(entries, names, [], nowhere)
     values = execute(blocks, {"p": 1.5})
     assert [values[name] for name in names] == pytest.approx(list(np.linalg.solve(matrix, 1.5 * right)), abs=1e-9)
+
+
+def test_long_chains_are_evaluated_from_their_equations_and_short_ones_in_closed_form():
+    # Masses in a row: accelerations a[k] = a[k - 1] + s[k], forces f[k] = f[k + 1] + a[k], p f[k] + s[k] = k + 1.
+    for count, closed in ((4, True), (40, False)):
+        s, a, f = ([ex.symbol(f"{kind}{k}") for k in range(count)] for kind in ("der(s)", "a", "f"))
+        entries = []
+        for k in range(count):
+            entries.append(Residual(ex.subtract(a[k], ex.add(a[k - 1] if k else 0, s[k]))))
+            entries.append(Residual(ex.subtract(f[k], ex.add(f[k + 1] if k + 1 < count else 0, a[k]))))
+            entries.append(Residual(ex.subtract(ex.add(ex.multiply(ex.symbol("p"), f[k]), s[k]), k + 1)))
+        names = [node.name for node in (*s, *a, *f)]
+        (block,) = solve_order(entries, names, [node.name for node in s], nowhere)
+        assert isinstance(block, LinearBlock)
+        assert len(block.torn) == count
+        assert (block.system is not None) == closed
+        values = execute([block], {"p": 2.0})
+        ones = np.tri(count)
+        expected = np.linalg.solve(2.0 * ones.T @ ones + np.eye(count), np.arange(1.0, count + 1.0))
+        assert [values[node.name] for node in s] == pytest.approx(list(expected))
 
 
 def test_tearing_assumes_the_preferred_unknown():

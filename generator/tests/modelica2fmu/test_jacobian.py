@@ -81,8 +81,10 @@ class Casadi:
             self._values[block.target] = self._expression(block.value)
             return
         assert isinstance(block, LinearBlock)
-        matrix = casadi.vertcat(*(casadi.horzcat(*(self._expression(item) for item in row)) for row in block.matrix))
-        solution = casadi.solve(matrix, casadi.vertcat(*(self._expression(item) for item in block.right)))
+        assert block.system is not None
+        rows = block.system.matrix
+        matrix = casadi.vertcat(*(casadi.horzcat(*(self._expression(item) for item in row)) for row in rows))
+        solution = casadi.solve(matrix, casadi.vertcat(*(self._expression(item) for item in block.system.right)))
         for position, name in enumerate(block.torn):
             self._values[name] = solution[position]
         for step in block.inner:

@@ -1,0 +1,346 @@
+"""C functions of bounded length that execute sequences of statements.
+
+Compilers need more than linear time for long functions. Within a function, a node that is used more than once is a
+local constant; a node that later functions use too is kept in the work array.
+
+Nodes below which certain symbols stand can be vectors of ``LANES`` numbers, for derivatives in as many directions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, field
+from itertools import groupby
+from typing import Final
+
+from modelica2fmu import expression as ex
+from modelica2fmu.c_expressions import bare, number, operation
+from modelica2fmu.expression import Node
+from modelica2fmu.lanes import LANES, lanes_at
+
+_STATEMENTS_PER_FUNCTION: Final = 1200
+_INLINE_LENGTH: Final = 160
+
+Write = Callable[["float | Node"], str]
+
+Lines = Callable[[Write], Sequence[str]]
+
+
+@dataclass(frozen=True)
+class Group:
+    """Statements that make up a function of its own, which a later statement calls, perhaps several times.
+
+    Attributes:
+        name: of the function.
+        executions: how often it is executed in one evaluation.
+    """
+
+    name: str
+    executions: int
+
+
+@dataclass(frozen=True)
+class Statement:
+    """Some lines of C and the expressions in them.
+
+    Attributes:
+        roots: expressions that the lines contain.
+        lines: the C, given a function from expression to C.
+        is_discrete: = true, if it is executed at events only.
+        group: the group that the statement is in; the statements of a group follow each other.
+        calls_model: = true, if the lines call functions that change the model's variables: it becomes a function of
+            its own, since the others take it for granted that only they do.
+    """
+
+    roots: tuple[float | Node, ...]
+    lines: Lines
+    is_discrete: bool = False
+    group: Group | None = None
+    calls_model: bool = False
+
+
+@dataclass
+class WorkSpace:
+    """Allocation of the work arrays."""
+
+    reals: int = 0
+    integers: int = 0
+
+    def real(self, count: int) -> int:
+        """Offset of ``count`` new doubles."""
+        offset = self.reals
+        self.reals += count
+        return offset
+
+    def integer(self, count: int) -> int:
+        """Offset of ``count`` new integers."""
+        offset = self.integers
+        self.integers += count
+        return offset
+
+
+@dataclass(frozen=True)
+class Function:
+    """A C function of the generated code.
+
+    Attributes:
+        name: of the function.
+        text: the C.
+        is_discrete: as for statements.
+        size: number of lines.
+        executions: how often it is executed in one evaluation.
+    """
+
+    name: str
+    text: str
+    is_discrete: bool
+    size: int
+    executions: int = 1
+
+
+@dataclass
+class _Chunk:
+    """What becomes a function."""
+
+    is_discrete: bool
+    group: Group | None
+    calls_model: bool
+    statements: list[Statement] = field(default_factory=list)
+    size: int = 0
+
+    def takes(self, statement: Statement, size: int) -> bool:
+        """Whether there is room for another statement."""
+        return (
+            not self.calls_model
+            and not statement.calls_model
+            and self.is_discrete == statement.is_discrete
+            and self.group == statement.group
+            and self.size + size <= _STATEMENTS_PER_FUNCTION
+        )
+
+
+@dataclass(frozen=True)
+class FunctionFrame:
+    """What all functions of a model have in common.
+
+    Attributes:
+        location: C lvalue of a symbol.
+        work: where intermediate results of several functions are kept.
+        signature: parameters of each function.
+        prologue: first lines of each body.
+        is_lane_symbol: true for symbols that are vectors.
+    """
+
+    location: Callable[[str], str]
+    work: WorkSpace
+    signature: str
+    prologue: tuple[str, ...]
+    is_lane_symbol: Callable[[str], bool]
+
+
+def single_function(name: str, statements: Sequence[Statement], frame: FunctionFrame) -> Function:
+    """One function that executes the statements in order, however many they are."""
+    chunk = _Chunk(False, None, False, list(statements))
+    return _functions([chunk], [name], frame)[0]
+
+
+def functions_of(prefix: str, statements: Sequence[Statement], frame: FunctionFrame) -> list[Function]:
+    """Functions that execute the statements in order when called one after the other.
+
+    Their names are ``prefix_1``, ``prefix_2``, ...; the functions of groups, which are called from inside, have others.
+
+    Args:
+        prefix: of the functions' names.
+        statements: in order; each symbol is assigned at most once and not read before.
+        frame: what the functions have in common.
+    """
+    chunks = _chunks(statements)
+    counts: dict[str, int] = {}
+    names = []
+    for chunk in chunks:
+        kind = prefix if chunk.group is None else f"{chunk.group.name}_part"
+        counts[kind] = counts.get(kind, 0) + 1
+        names.append(f"{kind}_{counts[kind]}")
+    functions = _functions(chunks, names, frame)
+    for group, members in groupby(zip(chunks, names, strict=True), key=lambda pair: pair[0].group):
+        if group is not None:
+            functions.append(_group_function(group, [name for _, name in members], frame.signature))
+    return functions
+
+
+def _group_function(group: Group, parts: Sequence[str], signature: str) -> Function:
+    calls = "".join(f"  if ((result = {name}(v)) != CMB_RESULT_OK) return result;\n" for name in parts)
+    text = f"int {group.name}({signature})\n{{\n  int result = CMB_RESULT_OK;\n{calls}  return result;\n}}\n"
+    return Function(group.name, text, False, len(parts), group.executions)
+
+
+def _functions(chunks: Sequence[_Chunk], names: Sequence[str], frame: FunctionFrame) -> list[Function]:
+    lane_nodes = _lane_nodes([statement for chunk in chunks for statement in chunk.statements], frame.is_lane_symbol)
+    homes = _homes(chunks, frame.work, lane_nodes)
+    result = []
+    for position, (chunk, name) in enumerate(zip(chunks, names, strict=True)):
+        body = _Body(chunk, position, homes, frame.location, lane_nodes).lines()
+        text = "\n".join(
+            [f"int {name}({frame.signature})", "{", *frame.prologue, *body, "  return CMB_RESULT_OK;", "}", ""]
+        )
+        executions = chunk.group.executions if chunk.group is not None else 1
+        result.append(Function(name, text, chunk.is_discrete, len(body), executions))
+    return result
+
+
+def _chunks(statements: Sequence[Statement]) -> list[_Chunk]:
+    chunks: list[_Chunk] = []
+    seen: set[Node] = set()
+    for statement in statements:
+        size = 1 + len(ex.topological(statement.roots, seen)) // 2
+        if not chunks or not chunks[-1].takes(statement, size):
+            chunks.append(_Chunk(statement.is_discrete, statement.group, statement.calls_model))
+        chunks[-1].statements.append(statement)
+        chunks[-1].size += size
+    return chunks or [_Chunk(False, None, False)]
+
+
+def numbers_of_lanes(statements: Sequence[Statement], is_lane_symbol: Callable[[str], bool]) -> tuple[Node, ...]:
+    """The expressions without vectors that the vectors of statements are computed from."""
+    lane_nodes = _lane_nodes(statements, is_lane_symbol)
+    found: dict[Node, None] = {}
+    roots = [root for statement in statements for root in statement.roots if isinstance(root, Node)]
+    for node in [*(arg for vector in lane_nodes for arg in vector.args), *roots]:
+        if node.args and node not in lane_nodes:
+            found[node] = None
+    return tuple(found)
+
+
+def _lane_nodes(statements: Sequence[Statement], is_lane_symbol: Callable[[str], bool]) -> dict[Node, None]:
+    """All nodes that are vectors, operands before what uses them."""
+    found: dict[Node, None] = {}
+    for node in ex.topological(root for statement in statements for root in statement.roots):
+        if (node.op == "symbol" and is_lane_symbol(node.name)) or any(arg in found for arg in node.args):
+            found[node] = None
+    return found
+
+
+def _homes(chunks: Sequence[_Chunk], work: WorkSpace, lane_nodes: Collection[Node]) -> dict[Node, tuple[int, int]]:
+    """Nodes that continuous chunks share with later ones: number of the first chunk, offset in the work array."""
+    first: dict[Node, int] = {}
+    shared: dict[Node, None] = {}
+    for position, chunk in enumerate(chunks):
+        mine: set[Node] = set()
+        for statement in chunk.statements:
+            stack = [root for root in statement.roots if isinstance(root, Node)]
+            while stack:
+                node = stack.pop()
+                if not node.args or node in mine:
+                    continue
+                mine.add(node)
+                owner = first.get(node)
+                if owner is not None and owner != position:
+                    shared[node] = None
+                    continue  # it is read from the work array, what is below is not needed here
+                if owner is None and not chunk.is_discrete:
+                    first[node] = position
+                stack.extend(node.args)
+    return {node: (first[node], work.real(LANES if node in lane_nodes else 1)) for node in shared}
+
+
+class _Body:
+    """Writes the lines of one chunk."""
+
+    def __init__(
+        self,
+        chunk: _Chunk,
+        position: int,
+        homes: dict[Node, tuple[int, int]],
+        location: Callable[[str], str],
+        lane_nodes: Collection[Node],
+    ) -> None:
+        self._lane_nodes = lane_nodes
+        self._chunk = chunk
+        self._position = position
+        self._homes = homes
+        self._location = location
+        self._names: dict[Node, str] = {}
+        self._lines: list[str] = []
+        self._uses: dict[Node, int] = {}
+        self._count_uses()
+
+    def _count_uses(self) -> None:
+        for statement in self._chunk.statements:
+            for root in statement.roots:
+                if isinstance(root, Node):
+                    self._use(root)
+
+    def _is_elsewhere(self, node: Node) -> bool:
+        home = self._homes.get(node)
+        return home is not None and home[0] != self._position and home[0] < self._position
+
+    def _use(self, root: Node) -> None:
+        stack = [root]
+        while stack:
+            node = stack.pop()
+            count = self._uses.get(node, 0)
+            self._uses[node] = count + 1
+            if count == 0 and not self._is_elsewhere(node):
+                stack.extend(node.args)
+
+    def lines(self) -> list[str]:
+        for statement in self._chunk.statements:
+            for root in statement.roots:
+                if isinstance(root, Node):
+                    self._prepare(root)
+            self._lines.extend(f"  {line}" for line in statement.lines(self._write))
+        return self._lines
+
+    def _write(self, root: float | Node) -> str:
+        if not isinstance(root, Node):
+            return number(root)
+        return self._names[root]
+
+    def _prepare(self, root: Node) -> None:
+        """Makes sure that ``root`` has a text, declaring constants for shared nodes."""
+        stack = [(root, False)]
+        while stack:
+            node, ready = stack.pop()
+            if node in self._names:
+                continue
+            if node.op == "symbol":
+                self._names[node] = self._location(node.name)
+                continue
+            if node.op == "constant":
+                self._names[node] = number(node.value)
+                continue
+            if self._is_elsewhere(node):
+                self._names[node] = self._home(node)
+                continue
+            if not ready:
+                stack.append((node, True))
+                stack.extend((arg, False) for arg in node.args if arg not in self._names)
+                continue
+            self._name(node)
+
+    def _home(self, node: Node) -> str:
+        offset = self._homes[node][1]
+        return lanes_at(offset) if node in self._lane_nodes else f"w[{offset}]"
+
+    def _name(self, node: Node) -> None:
+        text = self._text(node)
+        home = self._homes.get(node)
+        if home is None and self._uses[node] == 1 and len(text) <= _INLINE_LENGTH:
+            self._names[node] = text
+            return
+        name = f"n{len(self._names)}"
+        type_name = "cmb_lanes" if node in self._lane_nodes else "double"
+        self._lines.append(f"  const {type_name} {name} = {bare(text)};")
+        self._names[node] = name
+        if home is not None:
+            self._lines.append(f"  {self._home(node)} = {name};")
+
+    def _text(self, node: Node) -> str:
+        args = [self._names[arg] for arg in node.args]
+        if node.op == "select" and node in self._lane_nodes:
+            # A branch that is no vector is the number zero: derivatives are linear in the directions.
+            args[1:] = [
+                f"(cmb_lanes){text}" if arg in self._lane_nodes else "(cmb_lanes){0}"
+                for arg, text in zip(node.args[1:], args[1:], strict=True)
+            ]
+        return operation(node.op, args)
