@@ -20,7 +20,7 @@ from cad2modelica.spatial import (
     rotation_of_roll_pitch_yaw,
 )
 from cad2modelica.units import UnitSystem, to_si
-from cad2modelica.xml_document import line_of
+from cad2modelica.xml_document import line_of, nearest_name
 
 NAMESPACE = "urn:contactmultibody:assembly:1"
 ROTATION_TOLERANCE = 1e-4  # elements of a matrix in an export may be rounded that much
@@ -86,7 +86,7 @@ class ElementReader:
         """Where an element stands."""
         if element is None:
             return Place(file=self.file, component=component)
-        return Place(file=self.file, line=line_of(element), component=component or _name(element))
+        return Place(file=self.file, line=line_of(element), component=component or nearest_name(element))
 
     def unit(self, vector: Array, element: etree._Element, what: str) -> Array:
         """The unit vector along ``vector``; records a problem if that is zero."""
@@ -114,9 +114,6 @@ class ElementReader:
             f"There are: {', '.join(sorted(known)[:30]) or 'none'}.",
         )
 
-
-def _name(element: etree._Element) -> str | None:
-    return element.get("name")
 
 
 def child(element: etree._Element, tag: str) -> etree._Element:

@@ -21,7 +21,7 @@ def resolve_inside(folder: Path, reference: str, place: Place) -> Path:
             there is no such file.
     """
     path = PurePosixPath(reference)
-    remedy = f"Name a file in {folder} by a relative path with forward slashes."
+    remedy = f"Name a file in {folder.absolute()} by a relative path with forward slashes."
     if not reference or "\0" in reference or "\\" in reference:
         raise InputError(f"{reference!r} is not a file name", place=place, remedy=remedy)
     if path.is_absolute() or re.match(r"[A-Za-z][A-Za-z0-9+.\-]*:", reference):

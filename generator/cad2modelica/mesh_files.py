@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 from cmb_base.errors import InputError, Place
+from numpy.typing import NDArray
 
 from cad2modelica.collada_file import read_collada
 from cad2modelica.mesh import Indices
@@ -104,8 +105,19 @@ def _read_obj(data: bytes, file: Path) -> Surface:
             raise _wrong_line(file, number, "a face needs vertices that exist")
         if len(face) < 3:  # edges that some programs leave behind
             continue
-        triangles += [(face[a], face[b], face[c]) for a, b, c in triangulate(vertices[face])]
-    return vertices, np.array(triangles, dtype=np.int64).reshape(-1, 3)
+        if len(face) == 3:
+            triangles.append((face[0], face[1], face[2]))
+        else:
+            triangles += [(face[a], face[b], face[c]) for a, b, c in triangulate(vertices[face])]
+    indices = np.array(triangles, dtype=np.int64).reshape(-1, 3)
+    return vertices, indices[_with_area(vertices[indices])]
+
+
+def _with_area(corners: Array) -> NDArray[np.bool_]:
+    """Which triangles are none of points or lines; corners of shape (n, 3, 3)."""
+    sides = corners[:, 1:] - corners[:, :1]
+    doubled = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+    return np.asarray(doubled > 1e-14 * np.square(sides).sum(axis=2).max(axis=1, initial=0.0))
 
 
 def _obj_index(word: str, count: int, file: Path, line: int) -> int:

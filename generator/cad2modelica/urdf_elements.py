@@ -13,7 +13,7 @@ from lxml import etree
 
 from cad2modelica.problems import Problems
 from cad2modelica.spatial import Array, Pose, rotation_of_roll_pitch_yaw
-from cad2modelica.xml_document import line_of
+from cad2modelica.xml_document import line_of, nearest_name
 
 XACRO = "ros.org/wiki/xacro"
 EXPAND = "Expand the macros first: xacro robot.urdf.xacro > robot.urdf"
@@ -93,4 +93,4 @@ class UrdfElements:
         """Where an element stands."""
         if element is None:
             return Place(file=self.file, component=component)
-        return Place(file=self.file, line=line_of(element), component=component or element.get("name"))
+        return Place(file=self.file, line=line_of(element), component=component or nearest_name(element))

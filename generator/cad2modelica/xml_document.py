@@ -80,6 +80,17 @@ def line_of(element: etree._Element) -> int | None:
     return line if isinstance(line, int) else None
 
 
+def nearest_name(element: etree._Element) -> str | None:
+    """The attribute ``name`` of an element, or of the nearest one around it that has any."""
+    current: etree._Element | None = element
+    while current is not None and current.getparent() is not None:
+        name = current.get("name")
+        if name is not None:
+            return str(name)
+        current = current.getparent()
+    return None
+
+
 def _read_bytes(file: Path, maximum_bytes: int) -> bytes:
     try:
         with file.open("rb") as stream:

@@ -115,7 +115,7 @@ def obj(surface: tuple[np.ndarray, np.ndarray]) -> bytes:
 def test_edges_among_the_faces_of_an_obj_file(tmp_path: Path) -> None:
     (tmp_path / "a.obj").write_bytes(obj(box_surface(np.array([1.0, 2.0, 3.0]))) + b"\nf 1 2\nf 3\n")
     assert volume_integrals(*weld(*read_mesh(tmp_path / "a.obj"))).volume == pytest.approx(6.0)
-    (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\nf 1 2\n")
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2\nf 1 2 3\nf 1 2 1\n")
     with pytest.raises(InputError, match="holds no triangle"):
         read_mesh(tmp_path / "a.obj")
 
@@ -291,7 +291,7 @@ def test_wrong_collada(tmp_path: Path, old: str, new: str, words: str) -> None:
             "xacro ('macro')",
         ),
         ('<limit effort="1"/>', '<dynamics damping="-1"/>', "must not be negative"),
-        ('xyz="0 1 0"', 'xyz="0 0 0"', "zero vector"),
+        ('xyz="0 1 0"', 'xyz="0 0 0"', "r1: the axis is the zero vector"),
         ('xyz="0.25 0 0"', 'xyz="${length} 0 0"', "xacro"),
         ('xyz="0.25 0 0"', 'xyz="nan 0 0"', "finite"),
         ('link name="b2"', 'link name="b1"', "name of its own"),
