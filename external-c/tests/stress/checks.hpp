@@ -1,0 +1,27 @@
+// What is checked at one pose.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bodies.hpp"
+
+namespace cmb::stress {
+
+// One pose of two bodies, with what all checks need.
+struct Sample {
+  const Bodies &bodies;
+  bool unloaded = false;  // the surfaces cross, but nothing pushes: deep, or hardly by an edge (Bodies::range, late)
+  Pose a, b;
+  double slack;  // m, that rounding and the engine's own accuracy may take
+  Answer answer;
+};
+
+// What is wrong, if anything.
+using Fault = std::optional<std::string>;
+
+// Asks the engine and checks its answer; which of the dearer checks are made depends on the sample's number. Throws
+// std::string where the engine refuses to answer.
+Fault check(Sample &s, Random &random, long sample);
+
+}  // namespace cmb::stress
