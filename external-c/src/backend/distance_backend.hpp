@@ -33,6 +33,8 @@ using DistanceFunction = std::optional<ConvexAnswer> (*)(const Shape &a, const P
                                                          const Pose &pose_b, BackendScratch &scratch);
 
 // The engine's own exact path; answers everything.
+void find_exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, BackendScratch &scratch,
+                         ConvexAnswer &answer);
 std::optional<ConvexAnswer> exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                                            BackendScratch &scratch);
 // libccd's Minkowski portal refinement; answers overlapping shapes only.

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "backend/distance_backend.hpp"
 #include "interface/call_guard.hpp"
@@ -20,7 +21,7 @@ using cmb::Pose;
 using cmb::Scene;
 using cmb::Vec3;
 
-using cmb::check_body_pose;
+using cmb::read_body_pose;
 using cmb::fail;
 using cmb::guarded;
 
@@ -49,30 +50,16 @@ void write_vector(const Vec3 &v, double *target) {
 }
 
 cmb_status check_pair_query(cmb_scene handle, std::size_t pair, const double *position, const double *rotation,
-                            std::size_t body_count, std::size_t point_capacity, const Scene *&scene) {
+                            std::size_t body_count, std::size_t point_capacity, const Scene *&scene, Pose &pose_a,
+                            Pose &pose_b) {
   cmb_status status = check_query(handle, position, rotation, body_count, point_capacity, scene);
   if (status != CMB_OK) return status;
   if (pair >= scene->pairs.size()) {
     return fail(CMB_ERROR_ARGUMENT, "there is no pair " + std::to_string(pair) + "; the scene has " +
                                         std::to_string(scene->pairs.size()) + ", counted from 0");
   }
-  for (const std::size_t body : {scene->pairs[pair].first, scene->pairs[pair].second}) {
-    status = check_body_pose(body, position, rotation);
-    if (status != CMB_OK) return status;
-  }
-  return CMB_OK;
-}
-
-// The contact of one pair, in the scratch of this thread.
-ContactSet &contact_of(const Scene &scene, std::size_t pair, const double *position, const double *rotation,
-                       cmb::PairReport &report) {
-  cmb::QueryScratch &scratch = cmb::query_scratch();
-  const std::size_t first = scene.pairs[pair].first, second = scene.pairs[pair].second;
-  const Pose pose_a = cmb::body_pose(position + 3 * first, rotation + 9 * first);
-  const Pose pose_b = cmb::body_pose(position + 3 * second, rotation + 9 * second);
-  cmb::query_bodies(scene, scene.bodies[first], pose_a, scene.bodies[second], pose_b, scratch, scratch.contact,
-                    report);
-  return scratch.contact;
+  status = read_body_pose(scene->pairs[pair].first, position, rotation, pose_a);
+  return status != CMB_OK ? status : read_body_pose(scene->pairs[pair].second, position, rotation, pose_b);
 }
 
 // Where the arrays of one pair begin.
@@ -80,20 +67,27 @@ struct PairOutput {
   double *distance, *depth, *weight, *normal, *point;
 };
 
-void query_pair(const Scene &scene, std::size_t pair, const double *position, const double *rotation,
-                std::size_t point_capacity, const PairOutput &output) {
+void query_pair(const Scene &scene, std::size_t pair, const Pose &pose_a, const Pose &pose_b,
+                std::size_t point_capacity, cmb::QueryScratch &scratch, const PairOutput &output) {
   cmb::PairReport report;
-  ContactSet &contact = contact_of(scene, pair, position, rotation, report);
+  ContactSet &contact = scratch.contact;
+  cmb::query_bodies(scene, scene.bodies[scene.pairs[pair].first], pose_a, scene.bodies[scene.pairs[pair].second], pose_b,
+                    scratch, contact, report);
   cmb::merge_points(contact.points, point_capacity);
   *output.distance = contact.distance;
-  for (std::size_t k = 0; k < point_capacity; ++k) {
-    const bool used = k < contact.points.size();
-    const ContactPoint point =
-        used ? contact.points[k] : ContactPoint{0.0, 0.0, contact.normal, contact.witness};
+  const std::size_t used = contact.points.size();
+  for (std::size_t k = 0; k < used; ++k) {
+    const ContactPoint &point = contact.points[k];
     output.depth[k] = point.depth;
     output.weight[k] = point.weight;
     write_vector(point.normal, output.normal + 3 * k);
     write_vector(point.position, output.point + 3 * k);
+  }
+  for (std::size_t k = used; k < point_capacity; ++k) {
+    output.depth[k] = 0.0;
+    output.weight[k] = 0.0;
+    write_vector(contact.normal, output.normal + 3 * k);
+    write_vector(contact.witness, output.point + 3 * k);
   }
 }
 
@@ -162,13 +156,16 @@ cmb_status cmb_query_scene(cmb_scene scene, const double *position, const double
                            point == nullptr)) {
       return fail(CMB_ERROR_ARGUMENT, "an output array is NULL");
     }
+    cmb::QueryScratch &scratch = cmb::query_scratch();
+    std::vector<Pose> &poses = scratch.body_poses;
+    if (poses.size() < body_count) poses.resize(body_count);
     for (size_t body = 0; body < body_count; ++body) {
-      status = check_body_pose(body, position, rotation);
+      status = read_body_pose(body, position, rotation, poses[body]);
       if (status != CMB_OK) return status;
     }
     for (size_t pair = 0; pair < pair_count; ++pair) {
       const size_t slot = pair * point_capacity;
-      query_pair(*found, pair, position, rotation, point_capacity,
+      query_pair(*found, pair, poses[found->pairs[pair].first], poses[found->pairs[pair].second], point_capacity, scratch,
                  {distance + pair, depth + slot, weight + slot, normal + 3 * slot, point + 3 * slot});
     }
     return CMB_OK;
@@ -180,13 +177,14 @@ cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *position, 
                           double *weight, double *normal, double *point) {
   return guarded([&] {
     const Scene *found = nullptr;
+    Pose pose_a, pose_b;
     const cmb_status status =
-        check_pair_query(scene, pair, position, rotation, body_count, point_capacity, found);
+        check_pair_query(scene, pair, position, rotation, body_count, point_capacity, found, pose_a, pose_b);
     if (status != CMB_OK) return status;
     if (distance == nullptr || depth == nullptr || weight == nullptr || normal == nullptr || point == nullptr) {
       return fail(CMB_ERROR_ARGUMENT, "an output array is NULL");
     }
-    query_pair(*found, pair, position, rotation, point_capacity, {distance, depth, weight, normal, point});
+    query_pair(*found, pair, pose_a, pose_b, point_capacity, cmb::query_scratch(), {distance, depth, weight, normal, point});
     return CMB_OK;
   });
 }
@@ -195,11 +193,14 @@ cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const double *positio
                              size_t body_count, cmb_backend *backend) {
   return guarded([&] {
     const Scene *found = nullptr;
-    const cmb_status status = check_pair_query(scene, pair, position, rotation, body_count, 1, found);
+    Pose pose_a, pose_b;
+    const cmb_status status = check_pair_query(scene, pair, position, rotation, body_count, 1, found, pose_a, pose_b);
     if (status != CMB_OK) return status;
     if (backend == nullptr) return fail(CMB_ERROR_ARGUMENT, "backend is NULL");
     cmb::PairReport report;
-    contact_of(*found, pair, position, rotation, report);
+    cmb::QueryScratch &scratch = cmb::query_scratch();
+    cmb::query_bodies(*found, found->bodies[found->pairs[pair].first], pose_a,
+                      found->bodies[found->pairs[pair].second], pose_b, scratch, scratch.contact, report);
     *backend = report.backend;
     return CMB_OK;
   });
@@ -209,12 +210,12 @@ cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const double *positio
                              size_t body_count, cmb_overlap *overlap) {
   return guarded([&] {
     const Scene *found = nullptr;
-    const cmb_status status = check_pair_query(scene, pair, position, rotation, body_count, 1, found);
+    Pose pose_a, pose_b;
+    const cmb_status status = check_pair_query(scene, pair, position, rotation, body_count, 1, found, pose_a, pose_b);
     if (status != CMB_OK) return status;
     if (overlap == nullptr) return fail(CMB_ERROR_ARGUMENT, "overlap is NULL");
-    const std::size_t first = found->pairs[pair].first, second = found->pairs[pair].second;
-    *overlap = cmb::query_overlap(found->bodies[first], cmb::body_pose(position + 3 * first, rotation + 9 * first),
-                                  found->bodies[second], cmb::body_pose(position + 3 * second, rotation + 9 * second));
+    *overlap = cmb::query_overlap(found->bodies[found->pairs[pair].first], pose_a,
+                                  found->bodies[found->pairs[pair].second], pose_b);
     return CMB_OK;
   });
 }

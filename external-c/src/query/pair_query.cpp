@@ -21,25 +21,23 @@ Plane world_plane(const Pose &pose) {
 constexpr double library_tolerance = 1e-4;
 
 // Asks the scene's back end; the exact path answers where that has no answer, or one that does not hold.
-ConvexAnswer convex_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
-                           BackendScratch &scratch, cmb_backend &who) {
-  const ConvexAnswer exact = *exact_distance(a, pose_a, b, pose_b, scratch);
-  if (const DistanceLibrary *library = distance_library(scene.backend)) {
-    auto answer = library->distance(a, pose_a, b, pose_b, scratch);
-    const double slack = library_tolerance * (a.bound_radius + b.bound_radius);
-    const bool holds = answer && answer_holds(*answer, a, pose_a, b, pose_b, library_tolerance) &&
-                       std::fabs(answer->distance - exact.distance) <= slack &&
-                       (answer->distance < 0.0) == (exact.distance < 0.0);
-    (holds ? scene.answered : scene.refused).fetch_add(1, std::memory_order_relaxed);
-    if (holds) {
-      who = scene.backend;
-      // The mean of the ways out hardly depends on who found the shortest one.
-      answer->mean_normal = exact.mean_normal;
-      return *answer;
-    }
-  }
+void find_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                 BackendScratch &scratch, ConvexAnswer &answer, cmb_backend &who) {
+  find_exact_distance(a, pose_a, b, pose_b, scratch, answer);
   who = CMB_BACKEND_ANALYTIC;
-  return exact;
+  const DistanceLibrary *library = distance_library(scene.backend);
+  if (library == nullptr) return;
+  auto theirs = library->distance(a, pose_a, b, pose_b, scratch);
+  const double slack = library_tolerance * (a.bound_radius + b.bound_radius);
+  const bool holds = theirs && answer_holds(*theirs, a, pose_a, b, pose_b, library_tolerance) &&
+                     std::fabs(theirs->distance - answer.distance) <= slack &&
+                     (theirs->distance < 0.0) == (answer.distance < 0.0);
+  (holds ? scene.answered : scene.refused).fetch_add(1, std::memory_order_relaxed);
+  if (!holds) return;
+  who = scene.backend;
+  // The mean of the ways out hardly depends on who found the shortest one.
+  theirs->mean_normal = answer.mean_normal;
+  answer = *theirs;
 }
 
 // Lower bound of two shapes' distance.
@@ -58,9 +56,11 @@ bool is_identity(const Pose &pose) {
   return r.row[0].x == 1.0 && r.row[1].y == 1.0 && r.row[2].z == 1.0 && t.x == 0.0 && t.y == 0.0 && t.z == 0.0;
 }
 
-// Where a shape is whose body is at `body`.
-Pose shape_pose(const Pose &body, const Shape &shape) {
-  return is_identity(shape.in_body) ? body : compose(body, shape.in_body);
+// Where a shape is whose body is at `body`: that pose, or `placed`, which receives the shape's own.
+const Pose &shape_pose(const Pose &body, const Shape &shape, Pose &placed) {
+  if (is_identity(shape.in_body)) return body;
+  placed = compose(body, shape.in_body);
+  return placed;
 }
 
 }  // namespace
@@ -85,16 +85,9 @@ void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const 
     mesh_contact(a, pose_a, b, pose_b, scratch.mesh, result);
     return;
   }
-  const ConvexAnswer answer = convex_answer(scene, a, pose_a, b, pose_b, scratch.backend, who);
+  ConvexAnswer answer;
+  find_answer(scene, a, pose_a, b, pose_b, scratch.backend, answer, who);
   convex_contact(a, pose_a, b, pose_b, answer, scratch.manifold, result);
-}
-
-Pose body_pose(const double *position, const double *rotation) {
-  // `rotation` is world to body: its rows are the body's axes in the world. They are made orthonormal to rounding.
-  const Vec3 x = normalized(Vec3{rotation[0], rotation[1], rotation[2]});
-  const Vec3 second{rotation[3], rotation[4], rotation[5]};
-  const Vec3 y = normalized(second - dot(second, x) * x);
-  return {transposed(Mat3{{x, y, cross(x, y)}}), {position[0], position[1], position[2]}};
 }
 
 QueryScratch &query_scratch() {
@@ -111,14 +104,16 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
   report = {};
   if (a.size() == 1 && b.size() == 1) {
     if (a[0].kind == ShapeKind::halfspace && b[0].kind == ShapeKind::halfspace) return;
-    query_shapes(scene, a[0], shape_pose(pose_a, a[0]), b[0], shape_pose(pose_b, b[0]), scratch, result,
-                 report.backend);
+    Pose placed_a, placed_b;
+    query_shapes(scene, a[0], shape_pose(pose_a, a[0], placed_a), b[0], shape_pose(pose_b, b[0], placed_b), scratch,
+                 result, report.backend);
     return;
   }
   scratch.poses_a.clear();
   scratch.poses_b.clear();
-  for (const Shape &shape : a) scratch.poses_a.push_back(shape_pose(pose_a, shape));
-  for (const Shape &shape : b) scratch.poses_b.push_back(shape_pose(pose_b, shape));
+  Pose placed;
+  for (const Shape &shape : a) scratch.poses_a.push_back(shape_pose(pose_a, shape, placed));
+  for (const Shape &shape : b) scratch.poses_b.push_back(shape_pose(pose_b, shape, placed));
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
       const double bound = distance_bound(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);

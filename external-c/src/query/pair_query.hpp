@@ -5,15 +5,13 @@
 #include <vector>
 
 #include "backend/distance_backend.hpp"
+#include "geometry/body_pose.hpp"
 #include "manifold/contact_set.hpp"
 #include "manifold/convex_manifold.hpp"
 #include "query/mesh_query.hpp"
 #include "scene/scene.hpp"
 
 namespace cmb {
-
-// Where a body is: point_in_world = pose(point_in_body).
-Pose body_pose(const double *position, const double *rotation);
 
 // Room that queries work in; one for each thread.
 struct QueryScratch {
@@ -22,7 +20,8 @@ struct QueryScratch {
   MeshQueryScratch mesh;
   ContactSet contact;
   ContactSet shape_contact;
-  std::vector<Pose> poses_a, poses_b;
+  std::vector<Pose> body_poses;        // of a scene
+  std::vector<Pose> poses_a, poses_b;  // of the shapes of two compounds
 };
 
 // This thread's scratch.
