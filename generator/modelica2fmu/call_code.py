@@ -66,6 +66,9 @@ def _argument(
     texts = [_value(argument.type, value, write) for value in argument.values]
     if not argument.is_array:
         return f"({c_type}){texts[0]}" if argument.type != "String" else texts[0]
+    if argument.is_constant:
+        declarations.append(f"  static const {c_type} {name}[{len(texts)}] = {{{', '.join(texts)}}};")
+        return name
     if len(texts) > _LONGEST_INITIALIZER and argument.type != "String":
         declarations.append(f"  {c_type} {name}[{len(texts)}];")
         declarations.extend(f"  {line}" for line in rolled([f"{name}[{k}] = {text};" for k, text in enumerate(texts)]))

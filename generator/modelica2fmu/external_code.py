@@ -95,3 +95,17 @@ def resource_path(uri: str, roots: Sequence[Path]) -> Path | None:
         if (path := base / relative).exists():
             return path
     return None
+
+
+def named_file(name: str, roots: Sequence[Path], model_file: Path) -> Path:
+    """The file that a model means: a ``modelica://`` or ``file://`` name, or a path, relative to the model's folder.
+
+    Raises:
+        InputError: there is no such file.
+    """
+    if name.lower().startswith(_SCHEME):
+        found = resource_path(name, roots)
+        if found is None:
+            raise InputError(f"there is no file {name}", remedy="check the name of the package and of the file")
+        return found
+    return model_file.parent / name.removeprefix("file://")

@@ -129,12 +129,14 @@ class CallArgument:
         values: scalars of an input, row-major; symbols of an output.
         is_array: = true, if it is passed as a pointer to its elements.
         is_output: = true, if the function writes it.
+        is_constant: = true, if it is an array of numbers that the function only reads.
     """
 
     type: str
     values: tuple[float | str | Node, ...]
     is_array: bool
     is_output: bool
+    is_constant: bool = False
 
 
 @dataclass(frozen=True)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from cmb_base.errors import InputError, UnsupportedModelError
+from cmb_base.errors import InputError, Place, UnsupportedModelError
 
 from modelica2fmu import arrays, ir
 from modelica2fmu import expression as ex
@@ -34,19 +35,25 @@ from modelica2fmu.scalar_model import (
     unwrapped,
 )
 from modelica2fmu.source_map import SourceMap
+from modelica2fmu.tables import Tables, is_table_function
 
 _BASE_TYPES: Final = frozenset({"Real", "Integer", "Boolean", "String"})
 _KNOWN_KINDS: Final = frozenset({Kind.CONSTANT, Kind.PARAMETER})
 
 
-def scalarize(model: ir.FlatModel, source_map: SourceMap) -> ScalarModel:
+def scalarize(model: ir.FlatModel, source_map: SourceMap, files: Callable[[str], Path] = Path) -> ScalarModel:
     """The scalar form of ``model``.
+
+    Args:
+        model: what to expand.
+        source_map: for the places in error messages.
+        files: the file that a name in the model means.
 
     Raises:
         UnsupportedModelError: a construct that is not translated.
         InputError: the model is wrong (a parameter without value, operands that do not fit).
     """
-    return _Scalarizer(model, source_map).run()
+    return _Scalarizer(model, source_map, files).run()
 
 
 def element_names(name: str, shape: tuple[int, ...]) -> list[str]:
@@ -59,8 +66,9 @@ def element_names(name: str, shape: tuple[int, ...]) -> list[str]:
 class _Scalarizer:
     """Host of the interpreter and builder of the scalar model."""
 
-    def __init__(self, model: ir.FlatModel, source_map: SourceMap) -> None:
+    def __init__(self, model: ir.FlatModel, source_map: SourceMap, files: Callable[[str], Path]) -> None:
         self._model = model
+        self._files = files
         self._source_map = source_map
         self._interpreter = Interpreter(model, self, source_map)
         self._result = ScalarModel(model.name, model.description)
@@ -80,11 +88,12 @@ class _Scalarizer:
 
     def run(self) -> ScalarModel:
         model, result = self._model, self._result
-        for variable in model.variables.values():
+        variables = [variable for variable in model.variables.values() if not self._is_table(variable)]
+        for variable in variables:
             self._declare(variable)
-        for variable in model.variables.values():
+        for variable in variables:
             self._attributes(variable)
-        for variable in model.variables.values():
+        for variable in variables:
             if variable.binding is not None and variable.variability not in ("parameter", "constant"):
                 if variable.causality == "input" and variable.is_top_level and "." not in variable.name:
                     continue  # a default value of a top-level input
@@ -110,6 +119,12 @@ class _Scalarizer:
         return result
 
     # --- variables ---
+
+    def _is_table(self, variable: ir.Variable) -> bool:
+        """A table of the Standard Library, which is no variable of the equations."""
+        made = variable.binding
+        function = self._model.functions.get(made.name) if isinstance(made, ir.Call) else None
+        return function is not None and function.external is not None and is_table_function(function.external.name)
 
     def _targets_of_whens(self) -> set[str]:
         """Names (without subscripts) of the variables that when-clauses assign."""
@@ -261,6 +276,11 @@ class _Scalarizer:
             raise InputError(f"the binding of {name} depends on itself", place=self._source_map.place(declared.span))
         self._in_progress.add(name)
         try:
+            if self._is_table(declared):
+                assert declared.binding is not None
+                value = self._interpreter.evaluate(declared.binding, events=False)
+                self._values[name] = value
+                return value
             value = self._parameter(declared) if declared.variability in ("parameter", "constant") else None
         finally:
             self._in_progress.discard(name)
@@ -537,6 +557,8 @@ class _Scalarizer:
         """See :class:`interpreter.Host`; the outputs become symbols."""
         external = function.external
         assert external is not None
+        if is_table_function(external.name):
+            return self._table(function, args, span)
         for variable in (*function.inputs, *function.outputs):
             is_known = variable.type in _BASE_TYPES or variable.is_record or self._enumeration_candidates(variable.type)
             if not is_known and variable.type.rsplit(".", 1)[-1] not in _BASE_TYPES:
@@ -609,6 +631,45 @@ class _Scalarizer:
         value = tuple(outputs[variable.name] for variable in function.outputs)
         self._calls[key] = value
         return value
+
+    def _table(self, function: ir.Function, args: Mapping[str, Value], span: ir.Span | None) -> tuple[Value, ...]:
+        """A function of the Standard Library's tables."""
+
+        def number(value: Value) -> float:
+            return self.constant(value, span, "the data of a table") if isinstance(value, Node) else _as_float(value)
+
+        def lookup(symbol: str, arguments: Sequence[CallArgument]) -> Node:
+            return self._lookup(function.name, symbol, tuple(arguments), span)
+
+        assert function.external is not None
+        try:
+            return Tables(lookup, number, self._files).call(function.external.name, args)
+        except (InputError, UnsupportedModelError) as error:
+            if error.place != Place():
+                raise
+            raise type(error)(error.message, place=self._source_map.place(span or function.span)) from error
+
+    def _lookup(self, function: str, symbol: str, arguments: tuple[CallArgument, ...], span: ir.Span | None) -> Node:
+        """The result of a call of a function of the runtime."""
+        key = (symbol, arguments)
+        known = self._calls.get(key)
+        if known is not None:
+            (value,) = known
+            assert isinstance(value, Node)
+            return value
+        number = len(self._result.calls) + 1
+        result = ex.symbol(f"$call[{number}].y")
+        inputs = [item for argument in arguments for item in argument.values if isinstance(item, Node)]
+        kind = Kind.PARAMETER if all(self._only_parameters(item) for item in inputs) else Kind.CONTINUOUS
+        self._result.variables[result.name] = ScalarVariable(result.name, "Real", kind, value=result)
+        self._result.calls.append(
+            ExternalCall(number, function, symbol, arguments, (result.name, "Real"), (result.name,), True, span)
+        )
+        header = ("Include", ('#include "cmb_table.h"',))
+        if header not in self._result.external_annotations:
+            self._result.external_annotations.append(header)
+        self._calls[key] = (result,)
+        return result
 
     def _argument(
         self,

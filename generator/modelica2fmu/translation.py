@@ -16,7 +16,7 @@ from modelica2fmu.alias import ReducedModel, eliminate_aliases
 from modelica2fmu.code_generation import GeneratedModel, generate
 from modelica2fmu.description import ExternalCode, ModelDescription
 from modelica2fmu.experiment import read_experiment
-from modelica2fmu.external_code import find_external_code
+from modelica2fmu.external_code import find_external_code, named_file
 from modelica2fmu.front_end import load_flat_model
 from modelica2fmu.geometry_files import write_out_geometry
 from modelica2fmu.library_repairs import repaired_library
@@ -69,7 +69,7 @@ def translate(
             ex.new_graph()
             flat = load_flat_model(model, file, roots, source_map)
             clock.begin("expand")
-            scalar = scalarize(flat, source_map)
+            scalar = scalarize(flat, source_map, lambda name: named_file(name, roots, file))
             external = _with_real_paths(find_external_code(scalar.external_annotations, roots, model.split(".")[0]))
             scalar.calls[:] = write_out_geometry(scalar.calls, external.library_directories, roots)
         clock.begin("reduce")

@@ -34,6 +34,7 @@ static cmb_result dispatch(cmb_values *values, cmb_model_function function, void
       return cmb_model.indicators != NULL ? cmb_model.indicators(values, argument) : CMB_RESULT_OK;
     case CMB_CALL_DISCRETE: return cmb_model.discrete != NULL ? cmb_model.discrete(values, argument) : CMB_RESULT_OK;
     case CMB_CALL_JACOBIAN: return cmb_model.jacobian(values, argument);
+    case CMB_CALL_SETTLE: return cmb_model.settle(values);
   }
   return CMB_RESULT_ERROR;
 }

@@ -14,7 +14,8 @@ typedef enum cmb_model_function {
   CMB_CALL_CONTINUOUS,
   CMB_CALL_INDICATORS, /* argument: double [indicator_count] */
   CMB_CALL_DISCRETE,   /* argument: int *states_changed */
-  CMB_CALL_JACOBIAN    /* argument: double [state_count * state_count]; cmb_model.jacobian must be there */
+  CMB_CALL_JACOBIAN,   /* argument: double [state_count * state_count]; cmb_model.jacobian must be there */
+  CMB_CALL_SETTLE      /* cmb_model.settle must be there */
 } cmb_model_function;
 
 /* Calls one function of cmb_model. ModelicaError in it gives CMB_RESULT_DISCARD, as a failing assertion in

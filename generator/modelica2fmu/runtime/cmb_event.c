@@ -8,7 +8,7 @@
 #include "cmb_call.h"
 #include "cmb_evaluate.h"
 
-enum { MAXIMUM_EVENT_ITERATIONS = 100 };
+enum { MAXIMUM_EVENT_ITERATIONS = 100, MAXIMUM_SETTLING_ITERATIONS = 30 };
 
 static cmb_result compute_indicators(cmb_instance *instance) {
   cmb_result result = cmb_update_values(instance);
@@ -38,20 +38,44 @@ cmb_result cmb_event_indicators(cmb_instance *instance, double *shifted) {
   return CMB_RESULT_OK;
 }
 
+static int follows(const cmb_instance *instance, size_t i) {
+  const double shift = hysteresis(i);
+  return instance->values.relation[i] ? instance->indicator[i] > -shift : instance->indicator[i] >= shift;
+}
+
+static void change_relation(cmb_instance *instance, size_t i) {
+  const int relation = !instance->values.relation[i];
+  cmb_log(instance, CMB_LOG_DEBUG, CMB_LOG_EVENTS, "Time %.15g: event indicator %zu%s%s becomes %s",
+          instance->values.time, i + 1, cmb_model.indicator_text != NULL ? ", " : "",
+          cmb_model.indicator_text != NULL ? cmb_model.indicator_text[i] : "", relation ? "positive" : "negative");
+  instance->values.relation[i] = relation;
+  instance->situation.continuous_stale = 1;
+}
+
 /* Lets the relations follow the indicators; *changed is set to 1 if one did. */
 static cmb_result update_relations(cmb_instance *instance, int *changed) {
   const cmb_result result = compute_indicators(instance);
   if (result != CMB_RESULT_OK) return result;
   for (size_t i = 0; i < cmb_model.indicator_count; ++i) {
-    const double shift = hysteresis(i);
-    const int relation = instance->values.relation[i] ? instance->indicator[i] > -shift : instance->indicator[i] >= shift;
-    if (relation == instance->values.relation[i]) continue;
-    cmb_log(instance, CMB_LOG_DEBUG, CMB_LOG_EVENTS, "Time %.15g: event indicator %zu%s%s becomes %s",
-            instance->values.time, i + 1, cmb_model.indicator_text != NULL ? ", " : "",
-            cmb_model.indicator_text != NULL ? cmb_model.indicator_text[i] : "", relation ? "positive" : "negative");
-    instance->values.relation[i] = relation;
-    instance->situation.continuous_stale = 1;
+    if (follows(instance, i) == instance->values.relation[i]) continue;
+    change_relation(instance, i);
     *changed = 1;
+  }
+  return CMB_RESULT_OK;
+}
+
+/* The same for some of them: those that become false, or, where there is none, all; or only the first of all. */
+static cmb_result update_some_relations(cmb_instance *instance, int only_first, int *changed) {
+  const cmb_result result = compute_indicators(instance);
+  if (result != CMB_RESULT_OK) return result;
+  for (int value = 1; value >= 0 && (only_first || !*changed); --value) {
+    for (size_t i = 0; i < cmb_model.indicator_count; ++i) {
+      const int relation = instance->values.relation[i];
+      if (follows(instance, i) == relation || (!only_first && relation != value)) continue;
+      change_relation(instance, i);
+      *changed = 1;
+      if (only_first) return CMB_RESULT_OK;
+    }
   }
   return CMB_RESULT_OK;
 }
@@ -88,6 +112,25 @@ static void meet_time_event(cmb_values *values, cmb_situation *situation) {
   situation->continuous_stale = 1;
 }
 
+/* Lets relations and equations agree for the present pre() values: dry friction that may begin to slide has its
+ * acceleration, the relations about it and the Booleans of these in one loop. Relations that turn out false are taken
+ * back before others are made true: sliding in one direction is followed by sticking, not by sliding in the other. Where
+ * that goes round in circles, the first relation that disagrees is changed (least index: Murty 1974). Where they never
+ * agree, the next event iteration goes on with other pre() values. */
+static cmb_result settle(cmb_instance *instance) {
+  if (cmb_model.settle == NULL) return CMB_RESULT_OK;
+  for (int iteration = 0; iteration < MAXIMUM_SETTLING_ITERATIONS; ++iteration) {
+    int changed = 0;
+    cmb_result result = update_some_relations(instance, iteration > MAXIMUM_SETTLING_ITERATIONS / 2, &changed);
+    if (result == CMB_RESULT_OK && (changed || iteration == 0)) {
+      result = cmb_call_model(instance, CMB_CALL_SETTLE, NULL);
+      instance->situation.continuous_stale = 1;
+    }
+    if (result != CMB_RESULT_OK || (!changed && iteration > 0)) return result;
+  }
+  return CMB_RESULT_OK;
+}
+
 cmb_result cmb_iterate_events(cmb_instance *instance, int *states_changed) {
   cmb_values *values = &instance->values;
   values->initial = 0;
@@ -100,7 +143,8 @@ cmb_result cmb_iterate_events(cmb_instance *instance, int *states_changed) {
   const char *changing = NULL;
   for (int iteration = 0; iteration < MAXIMUM_EVENT_ITERATIONS; ++iteration) {
     int relations_changed = 0, reinitialized = 0;
-    result = update_relations(instance, &relations_changed);
+    result = settle(instance);
+    if (result == CMB_RESULT_OK) result = update_relations(instance, &relations_changed);
     if (result == CMB_RESULT_OK) result = cmb_update_continuous(instance);
     if (result == CMB_RESULT_OK) result = cmb_call_model(instance, CMB_CALL_DISCRETE, &reinitialized);
     if (result != CMB_RESULT_OK) return result;

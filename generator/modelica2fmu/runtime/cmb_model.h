@@ -111,6 +111,9 @@ typedef struct cmb_model_description {
   /* d(derivative)/d(state) at the values after `continuous`, relations and discrete variables held:
    * jacobian[i + j * state_count] is the derivative of derivative i by state j. */
   cmb_result (*jacobian)(cmb_values *values, double *jacobian);
+  /* The equations of `discrete`, without its actions: reinitializations, assertions, terminations, next_time_event. The
+   * runtime repeats it with the same pre() values until the relations agree with what it solves. */
+  cmb_result (*settle)(cmb_values *values);
 } cmb_model_description;
 
 extern const cmb_model_description cmb_model;
