@@ -30,6 +30,13 @@ def has_mass(link: etree._Element) -> bool:
         return True  # reported where the number is read
 
 
+def has_inertia_alone(link: etree._Element) -> bool:
+    """Whether a link without mass has moments or products of inertia, which no body has."""
+    inertia = link.find("inertial/inertia")
+    texts = [] if inertia is None or has_mass(link) else [inertia.get(key, "0") for key in _COMPONENTS]
+    return any(text.strip("-+ 0.eE") for text in texts)
+
+
 def read_mass_properties(inertial: etree._Element, elements: UrdfElements) -> MassProperties:
     """What the element ``inertial`` says, in the link's axes; kg, m, kg.m2."""
     origin = elements.origin(inertial)

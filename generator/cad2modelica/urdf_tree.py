@@ -10,7 +10,7 @@ from lxml import etree
 from cad2modelica.model import GROUND, JointType
 from cad2modelica.spatial import IDENTITY, Array, Pose
 from cad2modelica.urdf_elements import UrdfElements
-from cad2modelica.urdf_mass import has_mass
+from cad2modelica.urdf_mass import has_inertia_alone, has_mass
 
 TYPES = {
     "revolute": JointType.REVOLUTE,
@@ -103,6 +103,8 @@ class _TreeReader:
                     "Rename the link.",
                 )
             links[name] = Link(name, element)
+            if has_inertia_alone(element):
+                self._notes.append(f"link {name!r} has inertia without mass, which is left out")
         return links
 
     def joints(self, links: dict[str, Link]) -> list[UrdfJoint]:

@@ -461,6 +461,14 @@ def test_floating_joint_behind_a_body_moves_freely(tmp_path: Path) -> None:
     assert "enforceStates=true" in text
 
 
+def test_inertia_without_mass_is_noted(tmp_path: Path) -> None:
+    inertial = '<inertial><mass value="0"/><inertia ixx="1e-6" iyy="0" izz="0.000" ixy="0" ixz="0" iyz="0"/></inertial>'
+    assembly = changed(tmp_path, ('<link name="bracket">', f'<link name="bracket">{inertial}'))
+    assert "link 'bracket' has inertia without mass, which is left out" in assembly.notes
+    assembly = changed(tmp_path, ('<link name="bracket">', f'<link name="bracket">{inertial.replace("1e-6", "0.0")}'))
+    assert not any("without mass" in note for note in assembly.notes)
+
+
 def test_mimic_is_named(tmp_path: Path) -> None:
     assembly = changed(tmp_path, ('<limit effort="1"/>', '<mimic joint="r1" multiplier="2"/>'))
     assert any("'r2' is to follow joint 'r1'" in note for note in assembly.notes)
