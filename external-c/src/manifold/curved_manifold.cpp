@@ -173,8 +173,10 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   const convex::SignedDistance nearest = in_frame_of_a(answer, pose_a);
   const convex::WaysOut ways = convex::ways_out(a.body, b.body, relative_pose(pose_a, pose_b), nearest,
                                                 a.bound_radius + b.bound_radius, scratch.distance);
+  const std::size_t first = points.size();
   for (int k = 0; k < ways.count; ++k) {
     const convex::WayOut &way = ways.way[k];
+    if (!(way.depth > 0.0)) continue;  // within rounding of touching
     ConvexAnswer along = answer;
     along.distance = -way.depth;
     along.normal = along.mean_normal = pose_a.rotation * way.normal;
@@ -188,6 +190,7 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     scale_weights(way.share, begin, points.size(), points);
     for (std::size_t i = begin; i < points.size(); ++i) points[i].position = points[i].position - 0.5 * aside;
   }
+  if (points.size() == first) contact_along(a, pose_a, b, pose_b, answer, scratch, points);
 }
 
 }  // namespace cmb

@@ -149,6 +149,10 @@ Tally run(const Class &c, long first, long end, std::uint64_t seed, bool replay)
                   bodies.a.text.c_str(), bodies.b.text.c_str());
       print_pose("A", s.a);
       print_pose("B", s.b);
+      for (std::size_t i = 0; i < capacity; ++i) {
+        if (s.answer.depth[i] == 0.0 && s.answer.weight[i] == 0.0) continue;
+        std::printf("    point: depth %.17g weight %.17g\n", s.answer.depth[i], s.answer.weight[i]);
+      }
     }
   }
   alarm(0);
