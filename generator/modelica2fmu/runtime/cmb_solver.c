@@ -15,6 +15,7 @@
 #include "cmb_dense.h"
 #include "cmb_evaluate.h"
 #include "cmb_event.h"
+#include "cmb_vector.h"
 
 enum { MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
 
@@ -133,10 +134,16 @@ cmb_solver *cmb_solver_create(cmb_instance *instance) {
   solver->state = N_VNew_Serial(size, solver->context);
   solver->tolerance = N_VNew_Serial(size, solver->context);
   solver->memory = CVodeCreate(CV_BDF, solver->context);
-  if (solver->state != NULL) N_VConst(0.0, solver->state);
+  if (solver->state != NULL) {
+    cmb_speed_up_vector(solver->state);
+    N_VConst(0.0, solver->state);
+  }
   if (solver->state_count < KRYLOV_STATES) {
     solver->matrix = SUNDenseMatrix(size, size, solver->context);
-    if (solver->matrix != NULL) solver->linear = cmb_dense_create(size, solver->context);
+    if (solver->matrix != NULL) {
+      cmb_speed_up_matrix(solver->matrix);
+      solver->linear = cmb_dense_create(size, solver->context);
+    }
   } else if (solver->state != NULL) {
     solver->linear = SUNLinSol_SPGMR(solver->state, SUN_PREC_NONE, 0, solver->context);
   }
