@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from argparse import ArgumentParser
 
+from cad2modelica import Decomposer
+
 
 def add_collision_arguments(parser: ArgumentParser) -> None:
     """Adds what says how finely concave parts are decomposed."""
@@ -16,4 +18,12 @@ def add_collision_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--max-pieces", type=int, metavar="N", help="largest number of pieces of a concave part (16 if left out)"
+    )
+    parser.add_argument(
+        "--decomposer",
+        type=Decomposer,
+        choices=list(Decomposer),
+        metavar="{coacd,vhacd}",
+        help="what splits concave parts: coacd (along planes; if left out) or vhacd (by voxels; pieces with fewer "
+        "corners)",
     )

@@ -57,6 +57,7 @@ def generation_options(arguments: Namespace) -> GenerateOptions:
         actuators=arguments.actuators,
         collision_error=arguments.collision_error,
         max_pieces=arguments.max_pieces,
+        decomposer=arguments.decomposer,
         accept_structure=arguments.accept_structure,
         edited=arguments.mechatronics,
         assemble=arguments.assemble,

@@ -20,6 +20,7 @@ from cad2modelica.model import (
     Assembly,
     CollisionChoice,
     ContactSettings,
+    Decomposer,
     DecompositionLimits,
     MassProperties,
     Material,
@@ -244,9 +245,11 @@ class _Reader:
         if element is None:
             return DecompositionLimits()
         error, pieces = element.get(error_name), element.get("maxPieces")
+        decomposer = element.get("decomposer")
         return DecompositionLimits(
             float(error) * self._units.length if error is not None else None,
             int(pieces) if pieces is not None else None,
+            decomposer=Decomposer(decomposer) if decomposer is not None else None,
         )
 
     def _compare(self, properties: MassProperties, meshes: tuple[Mesh, ...], item: PartDescription) -> None:

@@ -6,12 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from cmb_base.errors import InputError
-from scipy.spatial import ConvexHull, QhullError, cKDTree
+from scipy.spatial import ConvexHull, cKDTree
 
 from cad2modelica.collision_shape import CollisionShape
 from cad2modelica.convex_decomposition import decompose
+from cad2modelica.convex_hull import convex_hull
 from cad2modelica.mesh import Indices, bodies, is_closed, join, volume_integrals, weld
-from cad2modelica.model import NO_LIMITS, CollisionChoice, DecompositionLimits, Part
+from cad2modelica.model import NO_LIMITS, CollisionChoice, Decomposer, DecompositionLimits, Part
 from cad2modelica.reach import Ball
 from cad2modelica.shape_recognition import RECOGNISERS, recognise
 from cad2modelica.solid_comparison import compare
@@ -25,7 +26,6 @@ SMALLEST_ERROR = 0.005  # likewise: what a decomposition can resolve
 SNAP = 2e-6  # distance below which a piece's corner is one of the body's, relative to the same
 DEFAULT_PIECES = 16
 MAXIMUM_PIECES = 256
-FLAT = 1e-9  # thickness over size below which points span no solid
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +72,7 @@ def collision_geometry(part: Part, limits: DecompositionLimits = NO_LIMITS) -> C
     refusal = _too_fine(part, len(triangles), limits)
     for number, body in enumerate(found, start=1):
         label = f"part {part.name!r}" + (f", body {number} of {len(found)}" if len(found) > 1 else "")
-        hull = _hull(body[0])
+        hull = convex_hull(body[0])
         if hull is None:
             notes.append(f"{label}: is flat and was left out of the contacts")
             continue
@@ -118,18 +118,20 @@ def _body_shapes(
 
 def _too_fine(part: Part, triangles: int, limits: DecompositionLimits) -> str:
     """Why bodies of a part are not decomposed unasked; empty if they are."""
-    asked = part.collision is not CollisionChoice.AUTO or limits.error is not None or limits.pieces is not None
+    asked = part.collision is not CollisionChoice.AUTO or any((limits.error, limits.pieces, limits.decomposer))
     if asked or limits.triangles is None or triangles <= limits.triangles:
         return ""
-    return f"{triangles} triangles in all, more than {limits.triangles}; --collision-error or --max-pieces ask for it"
+    options = "--decomposer, --collision-error or --max-pieces"
+    return f"{triangles} triangles in all, more than {limits.triangles}; {options} ask for it"
 
 
 def _pieces(vertices: Array, triangles: Indices, limits: DecompositionLimits) -> tuple[list[ConvexHull], str]:
     """Convex pieces of a concave body; none, and the reason, if it cannot be decomposed."""
     size = float(np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0)))
     error = max(limits.error if limits.error is not None else DEFAULT_ERROR * size, SMALLEST_ERROR * size)
-    done = decompose(vertices, triangles, error, limits.pieces if limits.pieces is not None else DEFAULT_PIECES)
-    hulls = [_hull(_snapped(piece, vertices, SNAP * size)) for piece in done.pieces]
+    most = limits.pieces if limits.pieces is not None else DEFAULT_PIECES
+    done = decompose(vertices, triangles, error, most, limits.decomposer or Decomposer.COACD)
+    hulls = [convex_hull(_snapped(piece, vertices, SNAP * size)) for piece in done.pieces]
     return [hull for hull in hulls if hull is not None], done.failure
 
 
@@ -155,16 +157,3 @@ def _accuracy(vertices: Array, triangles: Indices, pieces: list[ConvexHull]) -> 
 
 def _hull_shape(hull: ConvexHull) -> CollisionShape:
     return CollisionShape.hull(hull.points[hull.vertices])
-
-
-def _hull(vertices: Array) -> ConvexHull | None:
-    size = float(np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0)))
-    if len(vertices) < 4 or size == 0.0:
-        return None
-    singular = np.linalg.svd(vertices - vertices.mean(axis=0), compute_uv=False)
-    if singular[2] < FLAT * singular[0]:
-        return None
-    try:
-        return ConvexHull(vertices)
-    except QhullError:
-        return None

@@ -13,7 +13,7 @@ from cad2modelica.actuator_file import FILE_NAME, Assignment, named_joints, read
 from cad2modelica.actuators import place_actuators
 from cad2modelica.assembling import assembled, require_closed
 from cad2modelica.assembly_choices import with_grounded, with_stops
-from cad2modelica.collision_shapes import MAXIMUM_PIECES, collision_geometry
+from cad2modelica.collision_shapes import MAXIMUM_PIECES
 from cad2modelica.contact_pairs import contact_pairs, within_reach
 from cad2modelica.generation_notes import overlap_notes, unit_notes
 from cad2modelica.generation_report import ReportInput, report_html
@@ -21,10 +21,11 @@ from cad2modelica.graph_drawing import graph_svg
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import analyse_loops
 from cad2modelica.mechanism_view import RESERVED, mechanism_view
-from cad2modelica.model import Assembly, DecompositionLimits
+from cad2modelica.model import Assembly, Decomposer, DecompositionLimits
 from cad2modelica.modelica_names import NamePool
 from cad2modelica.own_files import GRAPH, ORDER, REPORT, SCENE, find_own_files
 from cad2modelica.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
+from cad2modelica.part_geometries import part_geometries
 from cad2modelica.reading import read_assembly
 from cad2modelica.regeneration import (
     MECHATRONICS_FILE,
@@ -60,6 +61,7 @@ class GenerateOptions:
         collision_error: concavity that a piece of a concave body may keep, in the assembly's unit of length (m for
             URDF); counts before the assembly's own ``collisionError``, but not before a part's.
         max_pieces: largest number of pieces of a concave body; counts likewise.
+        decomposer: what splits concave bodies; counts likewise.
         ground: names of parts that are held in the world where they stand.
         stops: whether joints have stops at their limits; None: as the format has it (XML: yes, URDF: no).
     """
@@ -68,6 +70,7 @@ class GenerateOptions:
     actuators: Path | None = None
     collision_error: float | None = None
     max_pieces: int | None = None
+    decomposer: Decomposer | None = None
     accept_structure: bool = False
     edited: Edited = Edited.ASK
     assemble: bool = False
@@ -133,12 +136,10 @@ def generate(
     given = DecompositionLimits(
         options.collision_error * assembly.length_unit if options.collision_error is not None else None,
         options.max_pieces,
+        decomposer=options.decomposer,
     )
     limits = given.or_else(assembly.contacts.decomposition)
-    geometries = {}
-    for number, part in enumerate(assembly.parts):
-        progress("collision shapes", number / len(assembly.parts), part.name)
-        geometries[part.name] = collision_geometry(part, limits)
+    geometries = part_geometries(assembly.parts, limits, progress)
     colliding = [part.name for part in assembly.parts if geometries[part.name].shapes]
     colliding += [plane.name for plane in assembly.planes]
     balls = {part.name: geometries[part.name].ball(part.pose) for part in assembly.parts}

@@ -70,19 +70,28 @@ class CollisionChoice(Enum):
     NONE = "none"
 
 
+class Decomposer(Enum):
+    """What splits concave bodies into convex pieces."""
+
+    COACD = "coacd"
+    VHACD = "vhacd"
+
+
 @dataclass(frozen=True)
 class DecompositionLimits:
-    """How finely concave bodies are decomposed; None where nothing is said.
+    """How concave bodies are decomposed; None where nothing is said.
 
     Attributes:
         error: concavity a piece may keep, m.
         pieces: largest number of pieces of a body; counts before the error.
         triangles: largest number of triangles of a part whose bodies are decomposed unless the user asks for it.
+        decomposer: what decomposes.
     """
 
     error: float | None = None
     pieces: int | None = None
     triangles: int | None = None
+    decomposer: Decomposer | None = None
 
     def or_else(self, other: DecompositionLimits) -> DecompositionLimits:
         """These limits, and the other's where these say nothing."""
@@ -90,6 +99,7 @@ class DecompositionLimits:
             self.error if self.error is not None else other.error,
             self.pieces if self.pieces is not None else other.pieces,
             self.triangles if self.triangles is not None else other.triangles,
+            self.decomposer if self.decomposer is not None else other.decomposer,
         )
 
 

@@ -14,7 +14,7 @@ from cad2modelica import GenerateOptions, decomposition_cache, generate, read_as
 from cad2modelica.collision_shapes import CollisionGeometry, collision_geometry
 from cad2modelica.convex_decomposition import MAXIMUM_CORNERS, decompose
 from cad2modelica.mesh import Indices, Mesh, is_closed, volume_integrals
-from cad2modelica.model import NO_LIMITS, CollisionChoice, DecompositionLimits, MassProperties, Part
+from cad2modelica.model import NO_LIMITS, CollisionChoice, Decomposer, DecompositionLimits, MassProperties, Part
 from cad2modelica.polygon import triangulate
 from cad2modelica.solid_comparison import compare
 from cad2modelica.spatial import IDENTITY
@@ -191,6 +191,34 @@ def test_cache_folder() -> None:
         assert user_cache("x", environment) == Path("/h/.cache/contactmultibody/x")
 
 
+def test_vhacd_keeps_the_error_and_the_number() -> None:
+    """The Hausdorff distance is within the error where the number allows it; the same input gives the same pieces."""
+    vertices, triangles = prism(L_OUTLINE, 1.0)
+    limits = DecompositionLimits(error=0.05, pieces=16, decomposer=Decomposer.VHACD)
+    geometry = shapes_of(vertices, triangles, limits=limits)
+    hulls = [ConvexHull(shape.vertices) for shape in geometry.shapes if shape.kind == "hull"]
+    difference = compare(vertices, triangles, hulls)
+    assert 2 <= len(hulls) <= 16
+    assert difference.distance <= 0.05
+    assert difference.foreign < 0.05
+    assert difference.missing < 0.02
+    few = shapes_of(vertices, triangles, limits=DecompositionLimits(error=1e-3, pieces=3, decomposer=Decomposer.VHACD))
+    assert len(few.shapes) <= 3
+    again = decompose(vertices, triangles, 0.05, 16, Decomposer.VHACD)
+    for entry in user_cache("decomposition").glob("*.json"):
+        entry.unlink()
+    fresh = decompose(vertices, triangles, 0.05, 16, Decomposer.VHACD)
+    assert [piece.tobytes() for piece in fresh.pieces] == [piece.tobytes() for piece in again.pieces]
+
+
+def test_decomposers_have_entries_of_their_own() -> None:
+    vertices, triangles = prism(L_OUTLINE, 1.0)
+    first = decompose(vertices, triangles, 0.2, 4)
+    second = decompose(vertices, triangles, 0.2, 4, Decomposer.VHACD)
+    assert len(list(user_cache("decomposition").glob("*.json"))) == 2
+    assert [p.tobytes() for p in first.pieces] != [p.tobytes() for p in second.pieces]
+
+
 def test_without_a_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     blocked = tmp_path / "file"
     blocked.write_text("")
@@ -239,6 +267,9 @@ def test_choices_in_the_file(pendulum: Path) -> None:
     assembly = read_assembly(pendulum)
     assert assembly.contacts.decomposition == DecompositionLimits(0.0025, 7)
     assert {part.collision for part in assembly.parts} == {CollisionChoice.HULL}
+    pendulum.write_text(contacts.replace('maxPieces="7"', 'decomposer="vhacd"'))
+    chosen = read_assembly(pendulum).contacts.decomposition
+    assert chosen == DecompositionLimits(0.0025, None, decomposer=Decomposer.VHACD)
     first = assembly.parts[0].name
     begin = contacts.index("/>", contacts.index("<geometry", contacts.index(f'name="{first}"'))) + 2
     pendulum.write_text(contacts[:begin] + '<collision shape="none" error="1"/>' + contacts[begin:])
