@@ -41,7 +41,7 @@ E (1 - &nu;)/((1 + &nu;)(1 - 2&nu;))/h if it cannot (K. L. Johnson, Contact Mech
 </ul>
 <h4>Limits</h4>
 <ul>
-<li>Known are boxes and hulls with each other and with half-spaces, spheres with each other and with half-spaces, and compounds of them. Other shapes end the simulation with an error that says so.</li>
+<li>Known are all shapes but meshes with half-spaces, boxes and hulls with each other, spheres with each other, and compounds of them. Other pairs end the simulation with an error that says so.</li>
 <li>A corner pushes with the third power of its depth: dropped on a corner a body goes deep before the floor stops it. Choose k so that this depth stays below the size of the bodies, or use the ContactManager.</li>
 <li>Damping and friction act at four points about the centroid that have the second moment of the area: as those of the face as a whole where all of it moves alike, else nearly so.</li>
 <li>Between polytopes the normal is that of the shortest way out, and the energy is exact where one side of the overlap is flat.</li>

@@ -13,6 +13,8 @@ namespace {
 // Agreement of the ball's distance from the surface with its radius, relative to the bodies' size.
 constexpr double tolerance = 1e-10;
 constexpr double rounding = 1e-14;
+// Overlaps less deep, relative to the size, have one way out: what the ball rests on would be lost in rounding.
+constexpr double shallow = 1e-7;
 constexpr int most_cuts = 40, most_rounds = 8;
 
 // A supporting plane of the difference: direction . c <= height on it.
@@ -164,6 +166,7 @@ double move_cuts(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
 WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const SignedDistance &nearest, double size,
                  DistanceScratch &scratch) {
   const double depth = -nearest.distance, radius = surface_reach(depth, size), slack = tolerance * size;
+  if (!(depth > shallow * size)) return single(nearest);
   // A ball in one of the bodies, at the place where they are deepest, is one in the difference.
   if (holds_ball(a, nearest.point_a, nearest.normal, radius, slack)) return single(nearest);
   const Vec3 in_b = transposed_times(b_in_a.rotation, nearest.point_b - b_in_a.translation);
@@ -187,7 +190,7 @@ WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
     ++count;
     if (!centre.settle(cuts, count)) return single(nearest);
   }
-  WaysOut result;
+  WaysOut result;  // the centre is at least radius - depth > 0 from the origin
   const double length = norm(centre.value());
   for (int k = 0; k < count; ++k) {
     result.way[result.count++] = {-cuts[k].direction, cuts[k].height, cuts[k].a, cuts[k].b, cuts[k].pull / length};

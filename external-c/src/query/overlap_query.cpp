@@ -6,6 +6,7 @@
 #include "backend/distance_backend.hpp"
 #include "convex/convex_overlap.hpp"
 #include "geometry/pose_algebra.hpp"
+#include "query/halfspace_overlap.hpp"
 
 namespace cmb {
 
@@ -97,6 +98,27 @@ ShapeOverlap sphere_and_halfspace(double radius, const Vec3 &center, const Pose 
   return overlap;
 }
 
+ShapeOverlap curved_and_halfspace(const Shape &shape, const Pose &pose, const Pose &plane) {
+  // Places from below the body's middle: sums of places far away would lose digits.
+  const Vec3 normal = plane.rotation.column(2);
+  const Vec3 origin = pose.translation - dot(normal, pose.translation - plane.translation) * normal;
+  const SolidBelowPlane solid = solid_below_plane(shape, pose, origin, normal);
+  ShapeOverlap overlap;
+  if (!(solid.volume > 0.0) || !(solid.shadow > 0.0)) return overlap;
+  overlap.volume = solid.volume;
+  overlap.centroid = origin + (1.0 / solid.volume) * solid.volume_moment;
+  overlap.patch_area = solid.shadow;
+  const Vec3 middle = (1.0 / solid.shadow) * solid.shadow_moment;
+  const double lower = solid.lower_height / solid.shadow, upper = lower + solid.volume / solid.shadow;
+  overlap.patch_centroid = origin + middle + (0.5 * (lower + upper)) * normal;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      overlap.patch_moment.row[i].set(j, solid.shadow_second[i][j] - solid.shadow * middle[i] * middle[j]);
+    }
+  }
+  return overlap;
+}
+
 ShapeOverlap spheres(double radius_a, const Vec3 &center_a, double radius_b, const Vec3 &center_b) {
   const Vec3 apart = center_b - center_a;
   const double distance = norm(apart);
@@ -137,7 +159,8 @@ std::optional<ShapeOverlap> shapes(const Shape &a, const Pose &pose_a, const Sha
   if (b.kind == ShapeKind::halfspace) {
     if (a.polytope) return polytope_and_halfspace(a, pose_a, pose_b);
     if (a.kind == ShapeKind::sphere) return sphere_and_halfspace(a.body.radius, pose_a.translation, pose_b);
-    return std::nullopt;
+    if (a.mesh) return std::nullopt;
+    return curved_and_halfspace(a, pose_a, pose_b);
   }
   if (a.mesh || b.mesh) return std::nullopt;
   if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::sphere) {
