@@ -7,9 +7,11 @@
 # make fuzz      fuzzes the engine (needs clang): make fuzz SECONDS=60
 # make stress    ten million random and adversarial poses of all pairs of bodies (POSES=...)
 # make promises  measures what the library promises into docs/promises.md
+# make large     lets a thousand spheres fill a box: builds and runs regression/cases/large, some minutes
+# make test-msl  passes the tests with the Standard Library's examples (MODELICAPATH; about fifteen minutes)
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: coverage fuzz stress bench-fmu contact-paths demo test setup setup-test lint bench clean release promises test-omc icons
+.PHONY: test-msl coverage fuzz stress bench-fmu contact-paths demo test setup setup-test lint bench clean release promises large test-omc icons
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -28,6 +30,12 @@ release: setup
 
 promises: setup
 	.venv/bin/python scripts/promises
+
+large: setup
+	.venv/bin/cmb regress regression/cases/large
+
+test-msl: setup-test
+	MSL_EXAMPLES=all .venv/bin/python -m pytest -n 2 generator/tests/modelica2fmu/test_msl_examples.py
 
 test-omc: setup
 	scripts/test-omc

@@ -70,6 +70,16 @@ REPAIRS: Final = (
         re.compile(r"(\bparameter\s+Real\s+\w+\s*=)((?:Internal\.)?getT\w+\(tableID\))"),
         r"\1 1*\2",
     ),
+    # A base class that is declared in the class itself and has bases of its own.
+    Repair(
+        (f"{_TRANSLATIONAL}/MassWithStopAndFriction.mo",),
+        re.compile(
+            r"\bextends\s+PartialFrictionWithStop\s*;(.*?)\bencapsulated\s+partial\s+model\s+PartialFrictionWithStop"
+            r"(\s*\"[^\"]*\")(.*?)(\bannotation\s*\(\s*Documentation\(info=\"<html>.*?\bend\s+PartialFrictionWithStop\s*;)",
+            re.DOTALL,
+        ),
+        r"\1/*\2*/\3/*\4*/",
+    ),
     # A return in a loop under a condition.
     Repair(
         ("Modelica/Math/BooleanVectors.mo",),

@@ -518,11 +518,25 @@ class _Scalarizer:
         for name in ex.symbols(value):
             numbers[name] = self._parameter_number(name, span)
         if purpose:
-            self._structural.update(numbers)
+            self._make_structural(numbers)
         result = ex.Substitution(numbers)(value)
         if isinstance(result, Node):
             raise InputError(f"no finite value: {result}", place=self._source_map.place(span))
         return result
+
+    def _make_structural(self, numbers: Mapping[str, float | Node]) -> None:
+        """Parameters that can no longer be changed; what is evaluated from now on has their numbers."""
+        for name, number in numbers.items():
+            if name in self._structural:
+                continue
+            self._structural.add(name)
+            declared = self._result.variables[name].declaration
+            value = self._values.get(declared.name) if declared is not None else None
+            if isinstance(value, Node):
+                self._values[name] = number
+            elif isinstance(value, np.ndarray) and declared is not None:
+                indices = name[len(declared.name) + 1 : -1].split(",")
+                value[tuple(int(index) - 1 for index in indices)] = number
 
     def _parameter_number(self, name: str, span: ir.Span | None) -> float:
         value = self._result.variables[name].value
