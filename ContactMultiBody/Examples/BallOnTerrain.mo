@@ -4,7 +4,7 @@ model BallOnTerrain "A ball comes to rest at the bottom of a hollow given by hei
   parameter Real slope(unit="1")=0.1 "Gradient of the ground from its middle to the next height";
   final parameter Modelica.Units.SI.Radius radius=0.1 "Radius of the ball";
   final parameter Modelica.Units.SI.Mass m=1 "Mass of the ball";
-  final parameter Real K=1e5 "Stiffness";
+  final parameter Real K(unit="N/m")=1e5 "Stiffness";
   final parameter Modelica.Units.SI.Position height[9, 9]={{0.25*slope*((i - 5)^2 + (j - 5)^2) for j in 1:9} for i in 1:9} "Heights over a grid of 0.25 m";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));

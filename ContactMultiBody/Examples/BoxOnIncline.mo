@@ -5,7 +5,7 @@ model BoxOnIncline "A box slides down an incline that is steeper than its fricti
   parameter Real mu(min=0, unit="1")=0.3 "Coefficient of friction";
   final parameter Modelica.Units.SI.Length size[3]={0.2,0.2,0.1} "Size of the box";
   final parameter Modelica.Units.SI.Mass m=2 "Mass of the box";
-  final parameter Real K=1e6 "Stiffness";
+  final parameter Real K(unit="N/m")=1e6 "Stiffness";
   final parameter Modelica.Units.SI.Length settled=m*world.g*cos(angle)/K "Depth at which the floor carries the box";
   final parameter Real normal[3](each unit="1")={sin(angle),0,cos(angle)} "Normal of the incline";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})

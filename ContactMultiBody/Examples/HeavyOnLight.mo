@@ -3,7 +3,7 @@ model HeavyOnLight "A body a thousand times heavier rests on a light one"
   extends Modelica.Icons.Example;
   final parameter Modelica.Units.SI.Length a=0.2 "Edge of the boxes";
   final parameter Modelica.Units.SI.Mass m[2]={1,1000} "Masses, the lower first";
-  final parameter Real K=1e8 "Stiffness";
+  final parameter Real K(unit="N/m")=1e8 "Stiffness";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
   Parts.Body light(

@@ -5,7 +5,7 @@ model RollingResistance "A rolling sphere is stopped by rolling friction"
   final parameter Modelica.Units.SI.Length lever=0.002 "Coefficient of rolling friction";
   final parameter Modelica.Units.SI.Radius radius=0.1 "Radius of the sphere";
   final parameter Modelica.Units.SI.Mass m=1 "Mass of the sphere";
-  final parameter Real K=1e6 "Stiffness";
+  final parameter Real K(unit="N/m")=1e6 "Stiffness";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
   Parts.Body sphere(

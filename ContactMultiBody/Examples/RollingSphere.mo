@@ -5,7 +5,7 @@ model RollingSphere "A sphere that slides first ends up rolling"
   parameter Modelica.Units.SI.Velocity v0=2 "Speed at the start, without turning";
   final parameter Modelica.Units.SI.Radius radius=0.1 "Radius of the sphere";
   final parameter Modelica.Units.SI.Mass m=1 "Mass of the sphere";
-  final parameter Real K=1e6 "Stiffness";
+  final parameter Real K(unit="N/m")=1e6 "Stiffness";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
   Parts.Body sphere(

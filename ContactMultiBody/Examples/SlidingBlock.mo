@@ -5,7 +5,7 @@ model SlidingBlock "A block slides over a floor until friction has used up its e
   parameter Modelica.Units.SI.Velocity v0=2 "Speed at the start";
   final parameter Modelica.Units.SI.Length size[3]={0.2,0.2,0.05} "Size of the block";
   final parameter Modelica.Units.SI.Mass m=1 "Mass of the block";
-  final parameter Real K=1e6 "Stiffness";
+  final parameter Real K(unit="N/m")=1e6 "Stiffness";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
   Parts.Body slider(

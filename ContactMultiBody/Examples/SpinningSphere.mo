@@ -5,7 +5,7 @@ model SpinningSphere "A sphere that spins on the spot is stopped by the friction
   final parameter Modelica.Units.SI.Radius radius=0.05 "Radius of the sphere";
   final parameter Modelica.Units.SI.Radius area=0.005 "Radius of the area of contact";
   final parameter Modelica.Units.SI.Mass m=0.5 "Mass of the sphere";
-  final parameter Real K=1e6 "Stiffness";
+  final parameter Real K(unit="N/m")=1e6 "Stiffness";
   final parameter Modelica.Units.SI.Time stop=0.4*m*radius^2*w0/(2/3*0.3*m*world.g*area) "Time after which the sphere stands";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));

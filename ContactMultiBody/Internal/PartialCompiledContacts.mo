@@ -63,7 +63,7 @@ partial model PartialCompiledContacts "Parameters of contacts that the engine co
 protected
   final parameter Integer choice[6]={Integer(normalLaw),if useRestitution then 1 else 0,if stiffnessChoice == Types.StiffnessChoice.Hertz
        then 1 else 0,Integer(restitutionRule),if useFriction then 1 else 0,Integer(frictionRule)} "Choices for the engine";
-  parameter Real number[9]={exponent,steadyRate,damping,dampingDepth,regularisationSpeed,stribeckSpeed,spinRadius,
+  final parameter Real number[9]={exponent,steadyRate,damping,dampingDepth,regularisationSpeed,stribeckSpeed,spinRadius,
       rollingLever,turningRegularisationSpeed} "Numbers of the laws for the engine";
   final parameter SI.Mass mass[n]=inertia.m "Mass of each body; 0: immovable";
   final parameter Integer broadphase=internBroadphase(
@@ -73,7 +73,7 @@ protected
       collidesWith,
       excluded) "Handle of the scene and its filter in the engine";
   SI.Position r_0[n, 3] "Origins of the bodies' frames";
-  Real T[n, 3, 3] "Rotations from world to the bodies' frames";
+  Real T[n, 3, 3](each unit="1") "Rotations from world to the bodies' frames";
   SI.Velocity v_0[n, 3] "Velocities of the origins";
   SI.AngularVelocity w_0[n, 3] "Angular velocities, in world axes";
   SI.Force bodyForce[n, 3] "Contact force on each body, in world axes";

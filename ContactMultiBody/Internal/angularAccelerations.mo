@@ -3,7 +3,7 @@ pure function angularAccelerations "Euler's equations of equal free bodies in th
   extends Modelica.Icons.Function;
   input Modelica.Units.SI.Inertia J[3] "Principal moments of inertia of each body";
   input Modelica.Units.SI.AngularVelocity w[:, 3] "Angular velocities, in the bodies' axes";
-  input Real T[size(w, 1), 3, 3] "Rotation from world to each body's frame";
+  input Real T[size(w, 1), 3, 3](each unit="1") "Rotation from world to each body's frame";
   input Modelica.Units.SI.Torque torque[:, 3] "Torques about the centres of mass, in world axes; further rows are not used";
   output Modelica.Units.SI.AngularAcceleration z[size(w, 1), 3] "Angular accelerations, in the bodies' axes";
 algorithm

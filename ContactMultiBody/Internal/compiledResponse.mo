@@ -3,7 +3,7 @@ pure function compiledResponse "Contact forces on all bodies of a scene, found a
   extends Modelica.Icons.Function;
   input Integer broadphase "Handle from internBroadphase";
   input Modelica.Units.SI.Position r_0[:, 3] "Origins of the bodies' frames, in world axes";
-  input Real T[size(r_0, 1), 3, 3] "Rotation from world to each body's frame";
+  input Real T[size(r_0, 1), 3, 3](each unit="1") "Rotation from world to each body's frame";
   input Modelica.Units.SI.Velocity v_0[size(r_0, 1), 3] "Velocities of the origins, in world axes";
   input Modelica.Units.SI.AngularVelocity w_0[size(r_0, 1), 3] "Angular velocities, in world axes";
   input Modelica.Units.SI.Mass m[size(r_0, 1)] "Masses";

@@ -2,7 +2,7 @@ within ContactMultiBody.Internal;
 pure function quaternionRotations "Rotation matrices of bodies from their quaternions"
   extends Modelica.Icons.Function;
   input Real Q[:, 4](each unit="1") "Quaternion of each body, not necessarily of length 1";
-  output Real T[size(Q, 1), 3, 3] "Rotation from world to each body's frame";
+  output Real T[size(Q, 1), 3, 3](each unit="1") "Rotation from world to each body's frame";
 protected
   Real s(unit="1") "2 by the square of a quaternion's length";
   Real x(unit="1") "First component";

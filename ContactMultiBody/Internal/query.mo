@@ -3,7 +3,7 @@ pure function query "Distances and contact points of all pairs of a scene"
   extends Modelica.Icons.Function;
   input Integer scene "Handle from intern";
   input Modelica.Units.SI.Position position[:, 3] "Origins of the bodies' frames, in world axes";
-  input Real rotation[size(position, 1), 3, 3] "Rotation from world to each body's frame";
+  input Real rotation[size(position, 1), 3, 3](each unit="1") "Rotation from world to each body's frame";
   input Integer pairCount "Number of pairs";
   input Integer pointCapacity "Largest number of points of a pair";
   output Modelica.Units.SI.Distance distance[pairCount] "Signed distance, negative when penetrating";

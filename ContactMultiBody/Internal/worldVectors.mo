@@ -1,7 +1,7 @@
 within ContactMultiBody.Internal;
 pure function worldVectors "Vectors of bodies' axes in world axes"
   extends Modelica.Icons.Function;
-  input Real T[:, 3, 3] "Rotation from world to each body's frame";
+  input Real T[:, 3, 3](each unit="1") "Rotation from world to each body's frame";
   input Real v[size(T, 1), 3] "Vector in each body's axes";
   output Real v_0[size(T, 1), 3] "The same vectors in world axes";
 algorithm

@@ -42,8 +42,10 @@ model FreeBodies "Many equal free rigid bodies that collide with each other and 
   Modelica.Units.SI.Energy kineticEnergy "Kinetic energy of all bodies";
   Modelica.Units.SI.Energy energy "Kinetic, potential and elastic energy of all bodies";
 protected
-  Real rotation[bodyCount, 3, 3] "Rotations from world to the bodies' frames";
+  Real rotation[bodyCount, 3, 3](each unit="1") "Rotations from world to the bodies' frames";
   Modelica.Units.SI.AngularVelocity wWorld[bodyCount, 3] "Angular velocities, in world axes";
+  Modelica.Units.SI.Energy bodyKineticEnergy[bodyCount] "Kinetic energy of each body";
+  Modelica.Units.SI.Energy bodyPotentialEnergy[bodyCount] "Potential energy of each body";
 equation
   rotation = Internal.quaternionRotations(Q);
   wWorld = Internal.worldVectors(rotation, w);
@@ -69,8 +71,10 @@ equation
   der(Q) = Internal.quaternionRates(Q, w);
   der(w) = Internal.angularAccelerations(bodyInertia, w, rotation, bodyTorque);
 
-  kineticEnergy = Internal.kineticEnergy(bodyMass, bodyInertia, v, w);
-  energy = kineticEnergy + elasticEnergy - bodyMass*sum(r*gravity);
+  bodyKineticEnergy = Internal.kineticEnergies(bodyMass, bodyInertia, v, w);
+  kineticEnergy = Internal.total(bodyKineticEnergy);
+  bodyPotentialEnergy = -bodyMass*(r*gravity);
+  energy = kineticEnergy + Internal.total(bodyPotentialEnergy) + elasticEnergy;
   annotation (
     defaultComponentName="bodies",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={

@@ -112,6 +112,47 @@ def test_the_rule_of_conditional_components_finds_what_breaks_it() -> None:
     assert reads_conditional_components(right) == set()
 
 
+BUILT_IN = (
+    "size",
+    "sum",
+    "min",
+    "max",
+    "edge",
+    "floor",
+    "ceil",
+    "product",
+    "ones",
+    "zeros",
+    "fill",
+    "cross",
+    "abs",
+    "sign",
+)
+
+
+DECLARED = re.compile(r"([A-Z][\w.]*(?:\[[^\]]*\])? )([a-z]\w*)\b\(?")
+
+
+def hides_what_it_calls(text: str) -> set[str]:
+    """Built-in functions that a class calls and has a component of the same name; lookup would find that."""
+    code = re.sub(r'"(?:[^"\\]|\\.)*"', '""', text)
+    declared = {name for _, name in DECLARED.findall(code)}
+    calls = DECLARED.sub(r"\1\2 ", code)
+    return {name for name in declared & set(BUILT_IN) if re.search(rf"(?<![\w.]){name}\(", calls)}
+
+
+@by_name
+def test_components_do_not_hide_functions_that_the_class_calls(file: ClassFile) -> None:
+    assert hides_what_it_calls(file.text) == set()
+
+
+def test_the_rule_of_hidden_functions_finds_what_breaks_it() -> None:
+    wrong = "function f\n  input Real size[2];\n  input Real h[:];\nalgorithm\n  n := size(h, 1);\nend f;\n"
+    right = "model A\n  Ground floor(r=1);\n  Real h[3];\nequation\n  x = size(h, 1);\nend A;\n"
+    assert hides_what_it_calls(wrong) == {"size"}
+    assert hides_what_it_calls(right) == set()
+
+
 def test_examples_have_one_experiment() -> None:
     for file in FILES:
         runs = file.is_model and "extends Modelica.Icons.Example" in file.text
