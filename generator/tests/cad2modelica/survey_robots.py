@@ -1,8 +1,8 @@
 """Generates packages from all robot descriptions below a folder and counts what came of it.
 
-Use ``python generator/tests/cad2modelica/survey_robots.py FOLDER [--seconds 60] [--without NAME]``: a Markdown table
-goes to the standard output, every file with its outcome to the standard error. Every robot is generated in a process of
-its own, which is stopped after the given time.
+Use ``python generator/tests/cad2modelica/survey_robots.py FOLDER [--seconds 60] [--without NAME]
+[--decomposer vhacd]``: a Markdown table goes to the standard output, every file with its outcome to the standard error.
+Every robot is generated in a process of its own, which is stopped after the given time.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from cad2modelica import generate
+from cad2modelica import Decomposer, GenerateOptions, generate
 from cmb_base.errors import CmbError
 
 REFUSED = 2
@@ -41,11 +41,12 @@ def descriptions(folder: Path, without: str) -> list[Path]:
     return [file for file in files if _ROBOT.search(file.read_bytes())]
 
 
-def outcome(file: Path, seconds: float) -> Outcome:
+def outcome(file: Path, seconds: float, decomposer: Decomposer) -> Outcome:
     """Generates one robot's package in a temporary folder."""
     begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="cmb-survey-") as output:
         command = [sys.executable, __file__, str(file), "--into", str(Path(output) / "package")]
+        command += ["--decomposer", decomposer.value]
         try:
             done = subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=False)
         except subprocess.TimeoutExpired:
@@ -55,10 +56,10 @@ def outcome(file: Path, seconds: float) -> Outcome:
     return Outcome(file, kind, time.monotonic() - begin, "" if kind == "generated" else last)
 
 
-def generate_one(file: Path, output: Path) -> int:
+def generate_one(file: Path, output: Path, decomposer: Decomposer) -> int:
     """Generates one package; the first problem goes to the standard error."""
     try:
-        generate(file, output)
+        generate(file, output, GenerateOptions(decomposer=decomposer))
     except CmbError as error:
         problems = [line for line in str(error).splitlines() if line.startswith("- ")]
         sys.stderr.write(" ".join((problems[0] if problems else str(error)).split()) + "\n")
@@ -74,13 +75,14 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=60.0)
     parser.add_argument("--without", default="", help="name of folders that are left out")
     parser.add_argument("--processes", type=int, default=2)
+    parser.add_argument("--decomposer", type=Decomposer, choices=list(Decomposer), default=Decomposer.COACD)
     arguments = parser.parse_args()
     if arguments.into is not None:
-        return generate_one(arguments.path, arguments.into)
+        return generate_one(arguments.path, arguments.into, arguments.decomposer)
     files = descriptions(arguments.path, arguments.without)
     outcomes = []
     with ThreadPoolExecutor(arguments.processes) as pool:
-        for found in pool.map(lambda file: outcome(file, arguments.seconds), files):
+        for found in pool.map(lambda file: outcome(file, arguments.seconds, arguments.decomposer), files):
             outcomes.append(found)
             name = found.file.relative_to(arguments.path)
             sys.stderr.write(f"{found.kind} {found.seconds:.1f} s: {name} {found.reason}\n")
