@@ -85,7 +85,20 @@ CMB_API cmb_status cmb_query_scene(cmb_scene scene, const double *position, cons
                            size_t pair_count, size_t point_capacity, double *distance, double *depth,
                            double *weight, double *normal, double *point);
 
-/* The same for one pair of a scene (0-based index into its pairs). */
+/* The same, cheaper for pairs that are far apart. exact_within is a length in m, > 0. With g, the gap between the bounding
+ * spheres of two shapes (or of a shape and a half-space), which is never more than their distance d, such a pair's
+ * distance counts as
+ *   d                     where g <= exact_within,
+ *   g                     where g >= 2 exact_within,
+ *   d + s (g - d)         between, s = 3 x^2 - 2 x^3 with x = g/exact_within - 1,
+ * and so do the normal and the point of unused slots. It is continuous, as smooth as d, never more than d, and its sign is
+ * that of d: contacts, and events at the crossing of zero, are those of cmb_query_scene. What it is not is a clearance to
+ * be read off. Infinity gives cmb_query_scene. */
+CMB_API cmb_status cmb_query_scene_within(cmb_scene scene, double exact_within, const double *position,
+                           const double *rotation, size_t body_count, size_t pair_count, size_t point_capacity,
+                           double *distance, double *depth, double *weight, double *normal, double *point);
+
+/* The same for one pair of a scene (0-based index into its pairs), as cmb_query_scene. */
 CMB_API cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *position, const double *rotation,
                           size_t body_count, size_t point_capacity, double *distance, double *depth,
                           double *weight, double *normal, double *point);

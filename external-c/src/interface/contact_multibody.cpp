@@ -1,5 +1,6 @@
 #include "contact_multibody.h"
 
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -68,11 +69,11 @@ struct PairOutput {
 };
 
 void query_pair(const Scene &scene, std::size_t pair, const Pose &pose_a, const Pose &pose_b,
-                std::size_t point_capacity, cmb::QueryScratch &scratch, const PairOutput &output) {
+                double exact_within, std::size_t point_capacity, cmb::QueryScratch &scratch, const PairOutput &output) {
   cmb::PairReport report;
   ContactSet &contact = scratch.contact;
   cmb::query_bodies(scene, scene.bodies[scene.pairs[pair].first], pose_a, scene.bodies[scene.pairs[pair].second], pose_b,
-                    scratch, contact, report);
+                    scratch, contact, report, exact_within);
   cmb::merge_points(contact.points, point_capacity);
   *output.distance = contact.distance;
   const std::size_t used = contact.points.size();
@@ -144,7 +145,15 @@ cmb_status cmb_inline_files(const char *geometry, const char *folder, char *text
 cmb_status cmb_query_scene(cmb_scene scene, const double *position, const double *rotation, size_t body_count,
                            size_t pair_count, size_t point_capacity, double *distance, double *depth,
                            double *weight, double *normal, double *point) {
+  return cmb_query_scene_within(scene, HUGE_VAL, position, rotation, body_count, pair_count, point_capacity, distance,
+                                depth, weight, normal, point);
+}
+
+cmb_status cmb_query_scene_within(cmb_scene scene, double exact_within, const double *position, const double *rotation,
+                                  size_t body_count, size_t pair_count, size_t point_capacity, double *distance,
+                                  double *depth, double *weight, double *normal, double *point) {
   return guarded([&] {
+    if (!(exact_within > 0.0)) return fail(CMB_ERROR_ARGUMENT, "exact_within is not positive; give a length in m");
     const Scene *found = nullptr;
     cmb_status status = check_query(scene, position, rotation, body_count, point_capacity, found);
     if (status != CMB_OK) return status;
@@ -165,7 +174,8 @@ cmb_status cmb_query_scene(cmb_scene scene, const double *position, const double
     }
     for (size_t pair = 0; pair < pair_count; ++pair) {
       const size_t slot = pair * point_capacity;
-      query_pair(*found, pair, poses[found->pairs[pair].first], poses[found->pairs[pair].second], point_capacity, scratch,
+      query_pair(*found, pair, poses[found->pairs[pair].first], poses[found->pairs[pair].second], exact_within,
+                 point_capacity, scratch,
                  {distance + pair, depth + slot, weight + slot, normal + 3 * slot, point + 3 * slot});
     }
     return CMB_OK;
@@ -184,7 +194,7 @@ cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *position, 
     if (distance == nullptr || depth == nullptr || weight == nullptr || normal == nullptr || point == nullptr) {
       return fail(CMB_ERROR_ARGUMENT, "an output array is NULL");
     }
-    query_pair(*found, pair, pose_a, pose_b, point_capacity, cmb::query_scratch(), {distance, depth, weight, normal, point});
+    query_pair(*found, pair, pose_a, pose_b, HUGE_VAL, point_capacity, cmb::query_scratch(), {distance, depth, weight, normal, point});
     return CMB_OK;
   });
 }

@@ -40,11 +40,41 @@ void find_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const S
   answer = *theirs;
 }
 
-// Lower bound of two shapes' distance.
-double distance_bound(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
-  if (a.kind == ShapeKind::halfspace && b.kind == ShapeKind::halfspace) return CMB_DISTANCE_NONE;
-  if (a.kind == ShapeKind::halfspace || b.kind == ShapeKind::halfspace) return -CMB_DISTANCE_NONE;
-  return norm(pose_a(a.bound_center) - pose_b(b.bound_center)) - a.bound_radius - b.bound_radius;
+// The gap between two shapes' bounding spheres, or between such a sphere and a half-space, not both: a lower bound of
+// their distance.
+struct BoundGap {
+  double distance;
+  Vec3 normal, witness;  // as of a contact
+};
+
+BoundGap gap_to_halfspace(const Shape &shape, const Pose &pose, const Plane &plane) {
+  const Vec3 center = pose(shape.bound_center);
+  const double height = dot(plane.normal, center) - plane.offset;
+  return {height - shape.bound_radius, plane.normal, center - (0.5 * (height + shape.bound_radius)) * plane.normal};
+}
+
+BoundGap bound_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
+  if (b.kind == ShapeKind::halfspace) return gap_to_halfspace(a, pose_a, world_plane(pose_b));
+  if (a.kind == ShapeKind::halfspace) {
+    BoundGap gap = gap_to_halfspace(b, pose_b, world_plane(pose_a));
+    gap.normal = -gap.normal;
+    return gap;
+  }
+  const Vec3 center_a = pose_a(a.bound_center), center_b = pose_b(b.bound_center), apart = center_a - center_b;
+  const double length = norm(apart);
+  const Vec3 normal = length > 0.0 ? (1.0 / length) * apart : Vec3{0, 0, 1};
+  return {length - a.bound_radius - b.bound_radius, normal,
+          0.5 * (center_a + center_b + (b.bound_radius - a.bound_radius) * normal)};
+}
+
+// From the exact answer to that of the bounding spheres.
+void fade_to_gap(const BoundGap &gap, double exact_within, ContactSet &result) {
+  const double x = gap.distance / exact_within - 1.0;
+  if (!(x > 0.0)) return;
+  const double part = x >= 1.0 ? 1.0 : x * x * (3.0 - 2.0 * x);
+  result.distance += part * (gap.distance - result.distance);
+  result.normal = normalized((1.0 - part) * result.normal + part * gap.normal, gap.normal);
+  result.witness = (1.0 - part) * result.witness + part * gap.witness;
 }
 
 // Of two shapes, the one with the higher rank is the second body.
@@ -95,20 +125,26 @@ QueryScratch &query_scratch() {
   return scratch;
 }
 
-void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b, const Pose &pose_b,
-                  QueryScratch &scratch, ContactSet &result, PairReport &report) {
-  result.points.clear();
-  result.distance = CMB_DISTANCE_NONE;
-  result.normal = {0.0, 0.0, 1.0};
-  result.witness = 0.5 * (pose_a.translation + pose_b.translation);
-  report = {};
-  if (a.size() == 1 && b.size() == 1) {
-    if (a[0].kind == ShapeKind::halfspace && b[0].kind == ShapeKind::halfspace) return;
-    Pose placed_a, placed_b;
-    query_shapes(scene, a[0], shape_pose(pose_a, a[0], placed_a), b[0], shape_pose(pose_b, b[0], placed_b), scratch,
-                 result, report.backend);
+namespace {
+
+// As query_shapes, but for shapes farther apart than `exact_within` (m).
+void query_shapes_within(double exact_within, const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b,
+                         const Pose &pose_b, QueryScratch &scratch, ContactSet &result, cmb_backend &who) {
+  const BoundGap gap = bound_gap(a, pose_a, b, pose_b);
+  if (gap.distance >= 2.0 * exact_within) {
+    result.distance = gap.distance;
+    result.normal = gap.normal;
+    result.witness = gap.witness;
+    who = CMB_BACKEND_ANALYTIC;
     return;
   }
+  query_shapes(scene, a, pose_a, b, pose_b, scratch, result, who);
+  fade_to_gap(gap, exact_within, result);
+}
+
+void query_compounds(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b,
+                     const Pose &pose_b, QueryScratch &scratch, ContactSet &result, PairReport &report,
+                     double exact_within) {
   scratch.poses_a.clear();
   scratch.poses_b.clear();
   Pose placed;
@@ -116,13 +152,15 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
   for (const Shape &shape : b) scratch.poses_b.push_back(shape_pose(pose_b, shape, placed));
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const double bound = distance_bound(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);
+      const bool halfspace_a = a[i].kind == ShapeKind::halfspace, halfspace_b = b[j].kind == ShapeKind::halfspace;
+      if (halfspace_a && halfspace_b) continue;
       // Shapes apart that cannot be the nearest have nothing to tell.
+      const double bound = bound_gap(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]).distance;
       if (bound > 0.0 && bound >= result.distance) continue;
       ContactSet &contact = scratch.shape_contact;
       contact.points.clear();
       cmb_backend who = CMB_BACKEND_AUTO;
-      query_shapes(scene, a[i], scratch.poses_a[i], b[j], scratch.poses_b[j], scratch, contact, who);
+      query_shapes_within(exact_within, scene, a[i], scratch.poses_a[i], b[j], scratch.poses_b[j], scratch, contact, who);
       result.points.insert(result.points.end(), contact.points.begin(), contact.points.end());
       if (contact.distance < result.distance) {
         result.distance = contact.distance;
@@ -132,6 +170,29 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
       }
     }
   }
+}
+
+}  // namespace
+
+void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b, const Pose &pose_b,
+                  QueryScratch &scratch, ContactSet &result, PairReport &report, double exact_within) {
+  result.points.clear();
+  report = {};
+  const bool single = a.size() == 1 && b.size() == 1;
+  if (single && !(a[0].kind == ShapeKind::halfspace && b[0].kind == ShapeKind::halfspace)) {
+    Pose placed_a, placed_b;
+    const Pose &at_a = shape_pose(pose_a, a[0], placed_a), &at_b = shape_pose(pose_b, b[0], placed_b);
+    if (exact_within == std::numeric_limits<double>::infinity()) {
+      query_shapes(scene, a[0], at_a, b[0], at_b, scratch, result, report.backend);
+    } else {
+      query_shapes_within(exact_within, scene, a[0], at_a, b[0], at_b, scratch, result, report.backend);
+    }
+    return;
+  }
+  result.distance = CMB_DISTANCE_NONE;
+  result.normal = {0.0, 0.0, 1.0};
+  result.witness = 0.5 * (pose_a.translation + pose_b.translation);
+  if (!single) query_compounds(scene, a, pose_a, b, pose_b, scratch, result, report, exact_within);
 }
 
 }  // namespace cmb
