@@ -274,6 +274,15 @@ TEST(MemorylessLaw, SolvesItsEquation) {
   }
 }
 
+TEST(ExactLaw, DeliversSmallRestitutionsToo) {
+  const auto delivered = [](double asked) {
+    const double d = cmb::damping_factor(CMB_LAW_EXACT, asked);
+    return (1 - std::exp(cmb::logarithm_at_separation(d))) / d;
+  };
+  for (const double e : {5e-4, 1e-3, 5e-3, 0.01, 0.02}) EXPECT_NEAR(delivered(e), e, 1e-9);
+  EXPECT_NEAR(delivered(0), 5e-4, 1e-9);  // no smaller one, which would need unbounded damping
+}
+
 // A body that meets the floor without gravity and friction: speed of the point `arm` (world axes, from the centre)
 // along the normal, after by before.
 double delivered_restitution(Bodies &bodies, const Mat3 &axes, double height, const Vec3 &arm, double speed) {

@@ -9,14 +9,16 @@ namespace cmb {
 
 namespace {
 
-constexpr double smallest_restitution = 0.01;  // less would need unbounded damping
+// Less would need unbounded damping; as in the library's NormalForce.exact, and in the published laws there.
+constexpr double smallest_exact = 5e-4;
+constexpr double smallest_restitution = 0.01;
 constexpr double smallest_damping = 1e-3;
 
 // The root d of (1 + d)/(1 - d e) = exp(d (1 + e)): by Newton's method for u = -ln(1 - d e), above e = 0.98, where
 // logarithms cancel, by the series of the equation.
 double exact(double restitution) {
   constexpr double series_from = 0.98;
-  const double e = std::clamp(restitution, smallest_restitution, 1.0);
+  const double e = std::clamp(restitution, smallest_exact, 1.0);
   if (e > series_from) {
     const double e2 = e * e, e3 = e2 * e, e4 = e3 * e, e5 = e4 * e, e6 = e5 * e, e7 = e6 * e;
     double d = 0.0;
