@@ -86,7 +86,7 @@ def test_loops_are_marked_in_the_drawing(tmp_path: Path) -> None:
     assert page.count('class="cut" d=') == 2
     drawn = dict(re.findall(r'<text class="joint closing"[^>]*>([^<]*?) \[([\d,]+)\]', page))
     assert list(drawn.values()) == ["1", "2"]
-    assert re.search(r">crank pin[^<]*\[1,2\]<", page)
+    assert re.search(r">crank pin<title>.*?</text>\n<text [^>]*>revolute \[1,2\]<", page)
     text = text_of(package.report)
     assert "closes a planar loop" in text
     assert "follows from the loops" in text
