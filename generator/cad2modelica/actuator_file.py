@@ -63,7 +63,8 @@ def read_assignments(file: Path, assembly: Assembly, loops: LoopAnalysis) -> tup
     problems = Problems(str(file))
     found: list[Assignment] = []
     joints = {joint.name: joint for joint in assembly.joints}
-    for entry in _entries(file, problems):
+    entries = _entries(file, problems)
+    for entry in entries:
         place = Place(file=file, component=f"actuator of joint {entry.get('joint')!r}")
         joint = joints.get(entry.get("joint", ""))
         if joint is None:
@@ -73,7 +74,7 @@ def read_assignments(file: Path, assembly: Assembly, loops: LoopAnalysis) -> tup
         assignment = _assignment(entry, joint, loops, problems, place)
         found += [assignment] if assignment is not None else []
     check_together(found, problems, file)
-    if not found:
+    if not entries:
         problems.add("names no actuator", Place(file=file), "Add a table [[actuator]], or remove the file.")
     problems.raise_if_any()
     return tuple(found)

@@ -41,12 +41,12 @@ def descriptions(folder: Path, without: str) -> list[Path]:
     return [file for file in files if _ROBOT.search(file.read_bytes())]
 
 
-def outcome(file: Path, seconds: float, decomposer: Decomposer) -> Outcome:
+def outcome(file: Path, seconds: float, decomposer: Decomposer | None) -> Outcome:
     """Generates one robot's package in a temporary folder."""
     begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="cmb-survey-") as output:
         command = [sys.executable, __file__, str(file), "--into", str(Path(output) / "package")]
-        command += ["--decomposer", decomposer.value]
+        command += ["--decomposer", decomposer.value] if decomposer is not None else []
         try:
             done = subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=False)
         except subprocess.TimeoutExpired:
@@ -56,7 +56,7 @@ def outcome(file: Path, seconds: float, decomposer: Decomposer) -> Outcome:
     return Outcome(file, kind, time.monotonic() - begin, "" if kind == "generated" else last)
 
 
-def generate_one(file: Path, output: Path, decomposer: Decomposer) -> int:
+def generate_one(file: Path, output: Path, decomposer: Decomposer | None) -> int:
     """Generates one package; the first problem goes to the standard error."""
     try:
         generate(file, output, GenerateOptions(decomposer=decomposer))
@@ -75,7 +75,7 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=60.0)
     parser.add_argument("--without", default="", help="name of folders that are left out")
     parser.add_argument("--processes", type=int, default=2)
-    parser.add_argument("--decomposer", type=Decomposer, choices=list(Decomposer), default=Decomposer.COACD)
+    parser.add_argument("--decomposer", type=Decomposer, choices=list(Decomposer))
     arguments = parser.parse_args()
     if arguments.into is not None:
         return generate_one(arguments.path, arguments.into, arguments.decomposer)
