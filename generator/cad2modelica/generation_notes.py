@@ -29,5 +29,6 @@ def overlap_notes(start: StartCheck) -> tuple[str, ...]:
         return (f"overlaps at the start were not checked: {start.reason}",)
     return tuple(
         f"{item.first!r} and {item.second!r} overlap at the start by {1000 * item.depth:.4g} mm"
+        + (f", {100 * item.share:.0f} % of the smaller one: contact throws them apart" if item.deep else "")
         for item in start.overlaps[:NOTED_OVERLAPS]
     )

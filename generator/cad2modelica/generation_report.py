@@ -75,6 +75,8 @@ def report_html(given: ReportInput) -> str:
             {
                 "pair": f"{item.first} and {item.second}",
                 "depth": f"{1000 * item.depth:.4g} mm",
+                "share": f"{100 * item.share:.2g} %",
+                "deep": item.deep,
                 "planes": item.first not in bodies or item.second not in bodies,
             }
             for item in given.start.overlaps[:LISTED_OVERLAPS]

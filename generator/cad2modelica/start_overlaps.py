@@ -22,17 +22,28 @@ LIBRARY = (
     / "libcontactmultibody.so"
 )
 TOLERANCE = 1e-6  # of the smaller body's size: what lies on another body touches, and does not overlap
+RESTING = 0.02  # share up to which an overlap may be that of bodies at rest
 _OWN_BACKEND = 1  # CMB_BACKEND_ANALYTIC
 _POINTS = 1
 
 
 @dataclass(frozen=True)
 class Overlap:
-    """Two bodies, by their names in the source, and how deep (m) one is in the other."""
+    """Two bodies, by their names in the source, and how deep (m) one is in the other.
+
+    Attributes:
+        share: the depth over the size of the smaller body.
+    """
 
     first: str
     second: str
     depth: float
+    share: float
+
+    @property
+    def deep(self) -> bool:
+        """Whether it is more than bodies that lie on each other have, so that contact throws them apart."""
+        return self.share > RESTING
 
 
 @dataclass(frozen=True)
@@ -74,7 +85,7 @@ def start_overlaps(
     for (first, second), distance in zip(near, distances, strict=True):
         sizes = [geometries[n].ball(assembly.part(n).pose).radius for n in (first, second) if n not in planes]
         if distance < -TOLERANCE * min(sizes):
-            found.append(Overlap(first, second, -float(distance)))
+            found.append(Overlap(first, second, -float(distance), -float(distance) / (2 * min(sizes))))
     found.sort(key=lambda overlap: (-overlap.depth, overlap.first, overlap.second))
     return StartCheck(tuple(found), len(pairs))
 

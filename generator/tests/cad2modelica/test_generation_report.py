@@ -46,7 +46,9 @@ needs_engine = pytest.mark.skipif(not LIBRARY.is_file(), reason="the contact eng
 @needs_engine
 def test_overlapping_boxes_are_reported_with_their_depth(tmp_path: Path) -> None:
     package = generate(boxes(tmp_path, "<position>90 20 1000</position>"), tmp_path / "out")
-    assert "'first' and 'second' overlap at the start by 10 mm" in package.notes
+    # Cubes of 100 mm: their balls have a diameter of 173 mm.
+    note = "'first' and 'second' overlap at the start by 10 mm, 6 % of the smaller one: contact throws them apart"
+    assert note in package.notes
     text = text_of(package.report)
     assert "1 of 1 pairs overlap" in text
     assert "first and second" in text
@@ -69,7 +71,16 @@ def test_overlap_with_a_tilted_plane(tmp_path: Path) -> None:
     wall = '<ground><plane name="wall" normal="1 0 0" position="-60 0 0"/></ground>'
     package = generate(boxes(tmp_path, turned, wall), tmp_path / "out")
     depth = 50 * 2**0.5 - 60
-    assert f"'second' and 'wall' overlap at the start by {depth:.4g} mm" in package.notes
+    assert f"'second' and 'wall' overlap at the start by {depth:.4g} mm, 6 % of the smaller one" in package.notes[0]
+
+
+@needs_engine
+def test_bodies_that_rest_on_each_other_are_told_from_those_that_are_thrown_apart(tmp_path: Path) -> None:
+    """0.1 mm of 173 mm: noted, but not called a mistake."""
+    package = generate(boxes(tmp_path, "<position>99.9 20 1000</position>"), tmp_path / "out")
+    assert "'first' and 'second' overlap at the start by 0.1 mm" in package.notes
+    assert "as bodies do that rest on each other" in text_of(package.report)
+    assert '<tr class="bad">' not in package.report.read_text()
 
 
 def test_without_the_engine_the_report_says_so(tmp_path: Path) -> None:
