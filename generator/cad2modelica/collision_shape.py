@@ -18,10 +18,10 @@ class CollisionShape:
     """One convex shape of a body.
 
     Attributes:
-        kind: "sphere", "box", "cylinder", "capsule" or "hull".
+        kind: "sphere", "box", "cylinder", "cone", "capsule" or "hull".
         pose: of the shape's frame in the body's.
-        radius: of spheres, cylinders and capsules, m.
-        length: of a cylinder or a capsule's segment, m.
+        radius: of spheres, cylinders, cones (of the base) and capsules, m.
+        length: of a cylinder, a cone or a capsule's segment, m.
         size: full lengths of a box, m.
         vertices: corners of a hull in the body's frame, shape (n, 3), m.
     """
@@ -56,19 +56,20 @@ class CollisionShape:
     def outline(self) -> tuple[Array, float]:
         """Points of the body's frame, shape (n, 3), whose convex hull, grown by a margin (m), holds the shape.
 
-        It is the shape, but for cylinders, about which it is a prism.
+        It is the shape, but for cylinders and cones, about which it is a prism or a pyramid.
         """
         if self.vertices is not None:
             return self.pose.point(self.vertices), 0.0
         if self.kind == "box":
             signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
             return self.pose.point(signs * np.array(self.size) / 2), 0.0
-        if self.kind == "cylinder":
+        if self.kind in ("cylinder", "cone"):
             angles = 2 * np.pi * np.arange(PRISM_SIDES) / PRISM_SIDES
             around = self.radius / np.cos(np.pi / PRISM_SIDES)
             ring = np.column_stack([around * np.cos(angles), around * np.sin(angles), np.zeros(PRISM_SIDES)])
             half = np.array([0.0, 0.0, self.length / 2])
-            return self.pose.point(np.concatenate([ring - half, ring + half])), 0.0
+            top = ring + half if self.kind == "cylinder" else half[None]
+            return self.pose.point(np.concatenate([ring - half, top])), 0.0
         return self.pose.point(np.array([[0, 0, -self.length / 2], [0, 0, self.length / 2]])), self.radius
 
     @property
@@ -81,7 +82,7 @@ class CollisionShape:
             words.append(f"vertices={_numbers(self.vertices.ravel())}")
         else:
             words.append(f"radius={_number(self.radius)}")
-        if self.kind in ("cylinder", "capsule"):
+        if self.kind in ("cylinder", "cone", "capsule"):
             words.append(f"length={_number(self.length)}")
         if self.pose.position.any():
             words.append(f"position={_numbers(self.pose.position)}")

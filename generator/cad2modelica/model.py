@@ -64,6 +64,7 @@ class CollisionChoice(Enum):
     BOX = "box"
     SPHERE = "sphere"
     CYLINDER = "cylinder"
+    CONE = "cone"
     CAPSULE = "capsule"
     HULL = "hull"
     DECOMPOSITION = "decomposition"

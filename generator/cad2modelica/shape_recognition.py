@@ -1,4 +1,4 @@
-"""Recognises boxes, spheres, cylinders and capsules by the corners of their convex hulls."""
+"""Recognises boxes, spheres, cylinders, cones and capsules by the corners of their convex hulls."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from cad2modelica.collision_shape import CollisionShape
 from cad2modelica.model import CollisionChoice
 from cad2modelica.spatial import Array, Pose
 
-FIT_TOLERANCE = 1e-6  # largest distance of a vertex from a recognised surface, relative to the size
+FIT_TOLERANCE = 1e-5  # largest distance of a vertex from a recognised surface, relative to the size: six digits
 ROUND_VOLUME = 0.85  # a tessellated round body fills at least this share of the exact one
 ROUND_PRISM = 0.95  # the same of cylinders: a prism of twelve sides does, one of ten may be meant as such
 CAPSULE_UNKNOWNS = 7
@@ -94,7 +94,7 @@ def _as_sphere(points: Array, hull: ConvexHull) -> CollisionShape | None:
 
 def _as_cylinder(points: Array, hull: ConvexHull) -> CollisionShape | None:
     """All corners in two parallel planes, on circles about one axis at right angles to them."""
-    for direction in _axis_candidates(points - points.mean(axis=0)):
+    for direction in [*_axis_candidates(points - points.mean(axis=0)), *_widest_faces(hull)]:
         axis = _snap(direction)
         along = points @ axis
         low, high = float(along.min()), float(along.max())
@@ -111,6 +111,35 @@ def _as_cylinder(points: Array, hull: ConvexHull) -> CollisionShape | None:
         center = middle + axis * ((low + high) / 2 - middle @ axis)
         pose = _tidy(Pose(center, _frame_along(_upward(axis))), radius + length)
         return CollisionShape("cylinder", pose, radius=_round(radius), length=_round(length))
+    return None
+
+
+def _as_cone(points: Array, hull: ConvexHull) -> CollisionShape | None:
+    """All corners but one in a plane, on a circle; the last one over its centre."""
+    for direction in [*_axis_candidates(points - points.mean(axis=0)), *_widest_faces(hull)]:
+        axis = _snap(direction)
+        along = points @ axis
+        if (along > along.mean()).sum() > (along < along.mean()).sum():
+            axis, along = -axis, -along
+        apex = int(np.argmax(along))
+        base = np.delete(points, apex, axis=0)
+        length = float(along[apex] - along.min())
+        # Opposite corners of the ring need not exist, so its centre is that of the circle by least squares.
+        flat = base - np.outer(base @ axis, axis)
+        matrix = np.column_stack([2 * flat, np.ones(len(flat))])
+        center = np.linalg.lstsq(matrix, (flat * flat).sum(axis=1), rcond=None)[0][:3]
+        center -= axis * (center @ axis)
+        distances = np.linalg.norm(flat - center, axis=1)
+        radius = float(distances.mean())
+        tolerance = FIT_TOLERANCE * (radius + length)
+        beside = points[apex] - center - axis * along[apex]
+        if (base @ axis - along.min()).max() > tolerance or np.abs(distances - radius).max() > tolerance:
+            continue
+        if np.linalg.norm(beside) > tolerance or hull.volume < ROUND_PRISM * np.pi * radius**2 * length / 3:
+            continue
+        middle = center + axis * (along.min() + length / 2)
+        pose = _tidy(Pose(middle, _frame_along(axis)), radius + length)
+        return CollisionShape("cone", pose, radius=_round(radius), length=_round(length))
     return None
 
 
@@ -145,6 +174,16 @@ def _as_capsule(points: Array, hull: ConvexHull) -> CollisionShape | None:
 def _axis_candidates(extent: Array) -> list[Array]:
     _, vectors = np.linalg.eigh(extent.T @ extent)
     return [vectors[:, 2], vectors[:, 0], *np.eye(3)]
+
+
+def _widest_faces(hull: ConvexHull) -> list[Array]:
+    """Normals of the faces with the largest areas; a body as long as wide has no direction else that stands out."""
+    corners = hull.points[hull.simplices]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    rounded, group = np.unique(hull.equations[:, :3].round(4), axis=0, return_inverse=True)
+    total = np.bincount(group.ravel(), areas, len(rounded))
+    widest = np.argsort(-total, kind="stable")[:2]
+    return [hull.equations[np.flatnonzero(group.ravel() == k)[0], :3] for k in widest]
 
 
 def _capsule_residuals(unknowns: Array, points: Array) -> Array:
@@ -197,5 +236,6 @@ RECOGNISERS: dict[CollisionChoice, Callable[[Array, ConvexHull], CollisionShape 
     CollisionChoice.BOX: _as_box,
     CollisionChoice.SPHERE: _as_sphere,
     CollisionChoice.CYLINDER: _as_cylinder,
+    CollisionChoice.CONE: _as_cone,
     CollisionChoice.CAPSULE: _as_capsule,
 }

@@ -190,3 +190,91 @@ def test_sample_shapes(hammer: Path) -> None:
     assert len(notes) == 1
     assert "'arm'" in notes[0]
     assert f"{len(found['arm'].shapes)} convex pieces" in notes[0]
+
+
+def cone(radius: float, length: float, sides: int) -> np.ndarray:
+    ring = prism(radius, length, sides)[:sides]
+    return np.concatenate([ring, [[0.0, 0.0, length / 2]]])
+
+
+def globe(radius: float, segments: int) -> np.ndarray:
+    """A sphere by meridians and parallels, as CAD systems and VRML browsers tessellate it."""
+    polar = np.pi * np.arange(1, segments // 2) / (segments // 2)
+    around = 2 * np.pi * np.arange(segments) / segments
+    rings = [
+        [radius * np.sin(p) * np.cos(a), radius * np.sin(p) * np.sin(a), radius * np.cos(p)]
+        for p in polar
+        for a in around
+    ]
+    return np.array([*rings, [0, 0, radius], [0, 0, -radius]])
+
+
+def pill(radius: float, length: float, segments: int) -> np.ndarray:
+    points = globe(radius, segments)
+    ends = [points[points[:, 2] >= -1e-12] + [0, 0, length / 2], points[points[:, 2] <= 1e-12] - [0, 0, length / 2]]
+    return np.concatenate(ends)
+
+
+@settings(max_examples=20, deadline=None)
+@given(sizes, st.floats(0.05, 20), st.integers(12, 64), vectors, vectors)
+def test_cone_anywhere(radius: float, slenderness: float, sides: int, turn: np.ndarray, shift: np.ndarray) -> None:
+    """The base is below, the apex above, as the engine's cone has them."""
+    length = radius * slenderness
+    rotation = Rotation.from_rotvec(turn)
+    (shape,) = shapes_of(rotation.apply(cone(radius, length, sides)) + shift * radius).shapes
+    assert shape.kind == "cone"
+    assert (shape.radius, shape.length) == pytest.approx((radius, length), rel=1e-6)
+    assert shape.pose.rotation[:, 2] @ rotation.apply([0, 0, 1]) == pytest.approx(1.0, abs=1e-9)
+    np.testing.assert_allclose(shape.pose.position, shift * radius, atol=1e-5 * (radius + length))
+    points, margin = shape.outline
+    apex = rotation.apply([0, 0, length / 2]) + shift * radius
+    assert margin == 0.0
+    assert np.linalg.norm(points - apex, axis=1).min() < 1e-5 * (radius + length)
+
+
+@pytest.mark.parametrize("segments", [8, 10, 12, 16, 24, 32, 48, 64])
+@pytest.mark.parametrize("digits", [6, 9, 17])
+def test_tessellations_from_coarse_to_fine(segments: int, digits: int) -> None:
+    """Somewhere in space, written with so many digits; too coarse ones are what they are, prisms and pyramids."""
+    turn, shift = Rotation.from_rotvec([0.5, -1.0, 0.3]), np.array([0.3, -0.2, 0.1])
+
+    def kind(points: np.ndarray) -> str:
+        placed = turn.apply(points) + shift
+        written = np.array([[float(f"{value:.{digits}g}") for value in point] for point in placed])
+        (shape,) = shapes_of(written).shapes
+        return shape.kind
+
+    round_enough = segments >= 12
+    assert kind(prism(0.4, 0.4 * 2**0.5, segments)) == ("cylinder" if round_enough else "hull")
+    assert kind(prism(0.4, 1.0, segments)) == ("cylinder" if round_enough else "hull")
+    assert kind(cone(0.4, 1.0, segments)) == ("cone" if round_enough else "hull")
+    assert kind(globe(0.5, segments)) == ("sphere" if round_enough else "hull")
+    assert kind(pill(0.3, 0.8, segments)) == (
+        "capsule" if segments % 4 == 0 else "hull"
+    )  # else it has no ring at its equator
+    assert kind(BOX) == "box"
+
+
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 1e3])
+def test_chamfers_and_tapers_beyond_the_tolerance_are_seen(scale: float) -> None:
+    ring = prism(1.0, 2.0, 32)
+    chamfered = np.concatenate([ring[:32], ring[32:] - [0, 0, 0.001], ring[32:] * [0.999, 0.999, 1.0]])
+    box = np.concatenate([BOX * [1, 1, 0.998], BOX * [0.998, 0.998, 1]])
+    blunt = np.concatenate([cone(1.0, 2.0, 32)[:32], prism(0.001, 2.0, 32)[32:]])
+    for points in (chamfered, box, blunt, cone(1.0, 2.0, 32) + np.outer(np.arange(33) == 32, [0.001, 0, 0])):
+        assert [shape.kind for shape in shapes_of(scale * points).shapes] == ["hull"]
+
+
+def test_missing_caps_are_noted_and_do_not_hide_the_cylinder() -> None:
+    sides = 24
+    points = prism(1.0, 2.0, sides)
+    quads = [(k, (k + 1) % sides, sides + (k + 1) % sides, sides + k) for k in range(sides)]
+    triangles = np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))], dtype=np.int64)
+    zero = np.zeros(3)
+    mesh = Mesh("m", points, triangles, (0.5, 0.5, 0.5))
+    properties = MassProperties(1.0, zero, np.eye(3))
+    geometry = collision_geometry(
+        Part("tube", None, IDENTITY, properties, (mesh,), CollisionChoice.AUTO, False, zero, zero, Place())
+    )
+    assert [shape.kind for shape in geometry.shapes] == ["cylinder"]
+    assert "not closed; collides as its cylinder" in geometry.notes[0]
