@@ -55,6 +55,8 @@ def _argument(
     copies: list[str],
 ) -> str:
     """C text of an argument; arrays are declared before the call, outputs copied after it."""
+    if argument.type == "Instance":
+        return "v"
     c_type = _c_type(argument.type)
     if argument.is_output:
         count = max(len(argument.values), 1)

@@ -62,6 +62,12 @@ class Host(Protocol):
         """The outputs of an external function."""
         ...
 
+    def delay(
+        self, value: float | Node, delay: float | Node, longest: float | Node, span: ir.Span | None
+    ) -> float | Node:
+        """``delay(value, delay, longest)``."""
+        ...
+
     def constant(self, value: Node, span: ir.Span | None, purpose: str) -> float:
         """The number that ``value`` has at translation; raises UnsupportedModelError if it can change."""
         ...
@@ -544,6 +550,11 @@ class Interpreter:
             return arrays.elementwise(lambda item: ex.not_equal(item, self._host.previous(item, span)), args[0])
         if name == "sample":
             return self._host.sample(_number(args[0]), _number(args[1]), span)
+        if name == "delay":
+            longest = _number(args[-1])  # the delay itself, if there are two arguments
+            return arrays.elementwise(
+                lambda item: self._host.delay(_number(item), _number(args[1]), longest, span), args[0]
+            )
         if name == "semiLinear":
             x = _number(args[0])
             positive = self._relation("ge", x, 0, span)

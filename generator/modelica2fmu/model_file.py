@@ -77,6 +77,7 @@ def model_file(parts: ModelParts) -> str:
     discrete = function_calls(functions, "cmb_part_simulate")
     discrete += function_calls(functions, "cmb_part_event", "v, states_changed")
     indicators = function_calls(functions, "cmb_part_indicators", "v, indicator")
+    settle = function_calls(functions, "cmb_part_simulate")
     return f"""#include "model_parts.h"
 
 static const unsigned state[] = {{{_wrapped(state)}}};
@@ -118,6 +119,12 @@ static cmb_result discrete(cmb_values *v, int *states_changed)
 {discrete}  return (cmb_result)result;
 }}
 
+static inline cmb_result settle(cmb_values *v)
+{{
+  int result = CMB_RESULT_OK;
+{settle}  return (cmb_result)result;
+}}
+
 {parts.jacobian}const cmb_model_description cmb_model = {{
   .name = {c_text(model.name)},
   .guid = "{GUID_PLACE}",
@@ -129,6 +136,7 @@ static cmb_result discrete(cmb_values *v, int *states_changed)
   .indicator_count = {len(model.relations)},
   .work_count = {parts.reals},
   .integer_work_count = {parts.integers},
+  .delay_count = {sum(call.symbol == "cmb_delay" for call in model.calls)},
   .state = state,
   .derivative = derivative,
   .state_nominal = state_nominal,
@@ -142,6 +150,7 @@ static cmb_result discrete(cmb_values *v, int *states_changed)
   .indicators = indicators,
   .discrete = discrete,
   .indicator_text = indicator_text,
+  .settle = {"settle" if model.relations else "NULL"},
   .jacobian = {"jacobian" if parts.jacobian else "NULL"},
 }};
 """

@@ -125,7 +125,7 @@ class CallArgument:
     """An argument of a C function.
 
     Attributes:
-        type: ``Real``, ``Integer``, ``Boolean``, ``String`` or ``size``.
+        type: ``Real``, ``Integer``, ``Boolean``, ``String``, ``size``, or ``Instance``: the values of the instance.
         values: scalars of an input, row-major; symbols of an output.
         is_array: = true, if it is passed as a pointer to its elements.
         is_output: = true, if the function writes it.

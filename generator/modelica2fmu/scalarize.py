@@ -80,6 +80,7 @@ class _Scalarizer:
         self._samples: dict[tuple[Any, Any], str] = {}
         self._time_relations: dict[Node, str] = {}
         self._steps: dict[tuple[str, Node], str] = {}
+        self._delays: dict[tuple[float | Node, ...], int] = {}
         self._assigned_in_when = self._targets_of_whens()
         self._enumeration_names = {literal.rsplit(".", 1)[0] for literal in model.enumeration_literals}
         self._structural: set[str] = set()
@@ -491,6 +492,25 @@ class _Scalarizer:
         changed = ex.not_equal(node, ex.symbol(previous_name(name)))
         return ex.logical_and(ex.logical_not(ex.symbol(INITIAL)), changed)
 
+    def delay(
+        self, value: float | Node, delay: float | Node, longest: float | Node, span: ir.Span | None
+    ) -> float | Node:
+        """See :class:`interpreter.Host`; a call of the runtime, which keeps the history."""
+        if not isinstance(value, Node) or self._only_parameters(value):
+            return value
+        if isinstance(longest, Node) and not self._is_fixed_while_simulating(longest):
+            raise UnsupportedModelError(
+                "delay() with a delay that changes and no longest one is not translated",
+                place=self._source_map.place(span),
+                remedy="give the longest delay as third argument",
+            )
+        key = (value, delay, longest)
+        number = self._delays.setdefault(key, len(self._delays))
+        reals = (CallArgument("Real", (item,), is_array=False, is_output=False) for item in key)
+        position = CallArgument("Integer", (number,), is_array=False, is_output=False)
+        instance = CallArgument("Instance", (), is_array=False, is_output=False)
+        return self._lookup("delay", "cmb_delay", (instance, position, *reals), span)
+
     def _is_fixed_while_simulating(self, node: Node) -> bool:
         """Parameters, also those that the initialization finds."""
         return all(
@@ -679,7 +699,7 @@ class _Scalarizer:
         self._result.calls.append(
             ExternalCall(number, function, symbol, arguments, (result.name, "Real"), (result.name,), True, span)
         )
-        header = ("Include", ('#include "cmb_table.h"',))
+        header = ("Include", (f'#include "{"cmb_delay.h" if symbol == "cmb_delay" else "cmb_table.h"}"',))
         if header not in self._result.external_annotations:
             self._result.external_annotations.append(header)
         self._calls[key] = (result,)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cmb_call.h"
+#include "cmb_delay.h"
 #include "cmb_evaluate.h"
 
 enum { MAXIMUM_EVENT_ITERATIONS = 100, MAXIMUM_SETTLING_ITERATIONS = 30 };
@@ -138,6 +139,7 @@ cmb_result cmb_iterate_events(cmb_instance *instance, int *states_changed) {
   cmb_result result = cmb_update_parameters(instance);
   if (result == CMB_RESULT_OK) result = cmb_update_continuous(instance);
   if (result != CMB_RESULT_OK) return result;
+  cmb_delay_close(values);
   copy_to_pre(values);
 
   const char *changing = NULL;
@@ -148,6 +150,7 @@ cmb_result cmb_iterate_events(cmb_instance *instance, int *states_changed) {
     if (result == CMB_RESULT_OK) result = cmb_update_continuous(instance);
     if (result == CMB_RESULT_OK) result = cmb_call_model(instance, CMB_CALL_DISCRETE, &reinitialized);
     if (result != CMB_RESULT_OK) return result;
+    cmb_delay_event(values);
     instance->situation.continuous_stale = 1;
     if (reinitialized) *states_changed = 1;
     if (values->terminate) instance->situation.terminate_requested = 1;

@@ -1,5 +1,6 @@
 /* cmb_instance.c - memory and start values of an instance, and its log. */
 #include "cmb_instance.h"
+#include "cmb_delay.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -33,7 +34,8 @@ static int *take_ints(int **next, size_t count) {
 /* One block for all doubles and one for all ints; calloc of at least one element never asks for size 0. */
 static int allocate_arrays(cmb_instance *instance) {
   const size_t reals = cmb_model.real_count, integers = cmb_model.integer_count, booleans = cmb_model.boolean_count;
-  instance->double_block_count = 4 * reals + cmb_model.work_count;
+  const size_t delays = cmb_model.delay_count * CMB_DELAY_SIZE;
+  instance->double_block_count = 4 * reals + cmb_model.work_count + delays;
   instance->int_block_count = 5 * integers + 5 * booleans + reals + cmb_model.indicator_count + cmb_model.integer_work_count;
   instance->double_block = calloc(instance->double_block_count + 1, sizeof(double));
   instance->int_block = calloc(instance->int_block_count + 1, sizeof(int));
@@ -54,6 +56,7 @@ static int allocate_arrays(cmb_instance *instance) {
   instance->start_real = take_doubles(&next_double, reals);
   instance->set_real = take_doubles(&next_double, reals);
   instance->values.work = take_doubles(&next_double, cmb_model.work_count);
+  instance->values.delay = take_doubles(&next_double, delays);
 
   int *next_int = instance->int_block;
   instance->values.integer = take_ints(&next_int, integers);

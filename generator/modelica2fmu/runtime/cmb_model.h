@@ -31,6 +31,7 @@ typedef struct cmb_values {
                             (1: indicator > 0) before it calls `discrete` */
   double *work;          /* [work_count] scratch and warm starts of the solved blocks */
   int *integer_work;     /* [integer_work_count] */
+  double *delay;         /* [delay_count * CMB_DELAY_SIZE]: what delay() remembers (cmb_delay.h) */
   int initial;           /* 1 while initial() is true */
   int terminal;          /* 1 while terminal() is true */
   double next_time_event; /* set by `discrete`: next time event, or HUGE_VAL */
@@ -82,6 +83,7 @@ typedef struct cmb_model_description {
   const char *guid;
   size_t real_count, integer_count, boolean_count, string_count;
   size_t state_count, indicator_count, work_count, integer_work_count;
+  size_t delay_count;           /* delay() operators */
   const unsigned *state;        /* [state_count] value references into real */
   const unsigned *derivative;   /* [state_count] */
   const double *state_nominal;  /* [state_count] */

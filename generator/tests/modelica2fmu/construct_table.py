@@ -302,10 +302,36 @@ equation
             "dependent parameters": ("y", lambda t: 4 * t),
         },
     ),
+    Covered(
+        "Delays",
+        """
+          discrete Real steps(start = 0, fixed = true);
+          Real smooth = delay(sin(3*time), 0.37);
+          Real jumping = delay(steps + time, 0.31);
+          Real varying = delay(time^2, 0.1 + 0.2*time, 1.0);
+          Real x(start = 1, fixed = true);
+        equation
+          when sample(0.5, 0.5) then
+            steps = pre(steps) + 1;
+          end when;
+          der(x) = -delay(x, 1.0);
+        """,
+        {
+            "`delay`": ("smooth", lambda t: np.where(t < 0.37, 0, np.sin(3 * (t - 0.37)))),
+            "`delay` of what jumps": (
+                "jumping",
+                lambda t: np.where(t < 0.31, 0, np.floor(2 * np.maximum(t - 0.31, 0)) + t - 0.31),
+            ),
+            "`delay` that changes": ("varying", lambda t: np.maximum(0.8 * t - 0.1, 0) ** 2),
+            "delay-differential equations": (
+                "x",
+                lambda t: np.where(t < 1, 1 - t, 1 - t + (t - 1) ** 2 / 2),
+            ),
+        },
+    ),
 )
 
 REFUSED = (
-    Refused("`delay`", "Real x = delay(time, 0.1);", "delay()"),
     Refused("String variables that change", 'String s = if time > 0.5 then "a" else "b";', "String"),
     Refused(
         "while-loops without a bound that is known at translation",
@@ -395,7 +421,7 @@ REFUSED = (
 """,
     ),
     Refused(
-        "external objects (tables: `CombiTimeTable`, `CombiTable1D`)",
+        "external objects other than the Standard Library's tables",
         "Table table = Table(1);",
         "",
         "front end",
