@@ -58,3 +58,7 @@ def test_the_reader_takes_what_annotations_are_made_of(drawing: ModuleType) -> N
     assert call.named["visible"] == "Types.x"
     with pytest.raises(ValueError, match="not closed"):
         drawing.Reader("Line(points={{0,0}}", 0).value()
+
+
+def test_components_with_matrices_are_drawn(drawing: ModuleType) -> None:
+    assert ">hammer</text>" in drawing.Drawings().diagram("Examples.HammerOnAnvil")
