@@ -11,8 +11,9 @@ written as literals or come from a generator:
 </p>
 <blockquote><pre>
 descriptor := shape { \";\" shape }
-shape      := \"cmb/1\" kind { key \"=\" numbers }
+shape      := \"cmb/1\" kind { key \"=\" ( numbers | name ) }
 numbers    := number { \",\" number }
+name       := of a file, in quotation marks where it holds blanks or \";\"
 </pre></blockquote>
 <p>
 All shapes take a position and a rotation in the frame of the body; <code>rotation</code> turns vectors from the body's

@@ -6,7 +6,7 @@ class ReleaseNotes "Release notes"
 <p>First version, for the Modelica Standard Library 4.0.0 and 4.1.0:</p>
 <ul>
 <li>ContactManager, VolumeContactManager and CompiledContactManager; bodies that stand in for those of MultiBody, CollisionShape, Ground.</li>
-<li>Shapes: half-space, sphere, box, capsule, cylinder, cone, ellipsoid, hull, compounds of them.</li>
+<li>Shapes: half-space, sphere, box, capsule, cylinder, cone, ellipsoid, hull, triangle mesh, height field, compounds of them.</li>
 <li>Ten laws of the normal force with events or without, volume law, stiffness by Hertz or given; friction regularised or anchored, of spin and of rolling.</li>
 <li>Twelve materials with their sources.</li>
 <li>Contacts of simple shapes in Modelica alone.</li>
