@@ -151,12 +151,16 @@ def _choice(before: Sequence[Array], blocks: Sequence[Array]) -> tuple[int, ...]
     """Rows of the blocks that are independent of those before, and of each other, most clearly in all positions."""
     wanted = len(independent_columns(np.vstack([before[0], blocks[0]]))) - len(independent_columns(before[0]))
 
+    grams = []
+    for known, block in zip(before, blocks, strict=True):
+        base = np.linalg.qr(known.T)[0] if len(known) else np.zeros((block.shape[1], 0))
+        rest = block - (block @ base) @ base.T  # what is not said already
+        grams.append(rest @ rest.T)
+    products = np.array(grams)
+
     def clearness(rows: tuple[int, ...]) -> float:
-        values = [
-            np.linalg.svd(np.vstack([known, block[list(rows)]]), compute_uv=False)[-1]
-            for known, block in zip(before, blocks, strict=True)
-        ]
-        return float(f"{min(values):.4g}")  # rounding must not decide between equals
+        least = np.linalg.eigvalsh(products[:, rows][:, :, rows])[:, 0].min()
+        return float(f"{max(least, 0.0):.4g}")  # rounding must not decide between equals
 
     return max(combinations(range(len(blocks[0])), wanted), key=clearness) if wanted else ()
 

@@ -117,10 +117,14 @@ class LoopMotion:
             away = (scaled_coordinates @ scaled_coordinates) / STEP**2 - 1.0
             return np.append(STEP * away, self._gaps(scaled_coordinates * self._unit))
 
+        def slope(scaled_coordinates: Array) -> Array:
+            here = self.position(scaled_coordinates * self._unit)
+            return np.vstack([2 * scaled_coordinates / STEP, self._equations(here)])
+
         found = []
         for direction in self._directions(begin):
             guess = direction * STEP / np.linalg.norm(direction)
-            solution = least_squares(residual, guess, xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=TRIALS)
+            solution = least_squares(residual, guess, slope, xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=TRIALS)
             if np.abs(solution.fun).max() < CROSSING:
                 found.append(self.position(solution.x * self._unit))
         return found
@@ -191,7 +195,8 @@ class LoopMotion:
         """Scaled coordinates that keep all loops closed, as orthonormal columns."""
         equations = self._equations(position)
         rank = len(independent_columns(equations))
-        return np.asarray(np.linalg.svd(equations)[2][rank:].T)
+        # The triangular factor has the same null space, and far fewer rows where loops are many.
+        return np.asarray(np.linalg.svd(np.linalg.qr(equations, mode="r"))[2][rank:].T)
 
 
 def displacement(twist: Array) -> Pose:
