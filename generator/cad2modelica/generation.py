@@ -20,6 +20,7 @@ from cad2modelica.generation_report import ReportInput, report_html
 from cad2modelica.graph_drawing import graph_svg
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import analyse_loops
+from cad2modelica.mechanism_pictures import mechanism_pictures
 from cad2modelica.mechanism_view import RESERVED, mechanism_view
 from cad2modelica.model import Assembly, Decomposer, DecompositionLimits
 from cad2modelica.modelica_names import NamePool
@@ -184,6 +185,7 @@ def generate(
             start,
             notes,
             drawing,
+            mechanism_pictures(assembly, geometries),
             structure.signature,
         )
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -28,6 +29,7 @@ class ReportInput:
 
     Attributes:
         drawing: the graph as SVG.
+        pictures: PNG of the parts and of what they collide as; None if there is nothing to see.
         structure: signature of the mechanics' structure.
     """
 
@@ -41,6 +43,7 @@ class ReportInput:
     start: StartCheck
     notes: Sequence[str]
     drawing: str
+    pictures: tuple[bytes, bytes] | None
     structure: str
 
 
@@ -62,6 +65,7 @@ def report_html(given: ReportInput) -> str:
         file=given.assembly.file.name,
         source=given.assembly.source,
         drawing=given.drawing,
+        pictures=[base64.b64encode(picture).decode() for picture in given.pictures or ()],
         structure=given.structure,
         freedoms=given.loops.freedoms,
         free=[branch.part.name for branch in given.tree.branches if branch.predecessor is None],

@@ -37,7 +37,13 @@ def test_same_geometry_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(module, "collision_geometry", counted)
     parts = [part(f"p{k}", k % 3, closed=k % 3 != 2) for k in range(9)] + [part("box", 0, CollisionChoice.AUTO)]
     told: list[float] = []
-    found = part_geometries(parts, NO_LIMITS, lambda phase, fraction, message="": told.append(fraction))
+
+    def tell(phase: str, fraction: float, message: str = "") -> None:
+        assert phase == "collision shapes"
+        assert message
+        told.append(fraction)
+
+    found = part_geometries(parts, NO_LIMITS, tell)
     assert sorted(looked_at) == ["box", "p0", "p1", "p2"]
     assert list(found) == [item.name for item in parts]
     for item in parts:
