@@ -133,7 +133,7 @@ class BallCentre {
 WaysOut single(const SignedDistance &nearest) {
   WaysOut result;
   result.count = 1;
-  result.way[0] = {nearest.normal, -nearest.distance, nearest.point_a, nearest.point_b, 1.0};
+  result.way[0] = {nearest.normal, -nearest.distance, nearest.point_a, nearest.point_b, {}, 1.0};
   return result;
 }
 
@@ -191,9 +191,12 @@ WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
     if (!centre.settle(cuts, count)) return single(nearest);
   }
   WaysOut result;  // the centre is at least radius - depth > 0 from the origin
-  const double length = norm(centre.value());
+  const Vec3 &p = centre.value();
+  const double length = norm(p);
   for (int k = 0; k < count; ++k) {
-    result.way[result.count++] = {-cuts[k].direction, cuts[k].height, cuts[k].a, cuts[k].b, cuts[k].pull / length};
+    const Cut &cut = cuts[k];
+    const Vec3 aside = p - dot(p, cut.direction) * cut.direction;
+    result.way[result.count++] = {-cut.direction, cut.height, cut.a, cut.b, aside, cut.pull / length};
   }
   return result;
 }

@@ -15,6 +15,7 @@ struct WayOut {
   Vec3 normal;            // unit, from B to A, in A's frame
   double depth = 0.0;     // m: how far B reaches beyond A's support along it
   Vec3 point_a, point_b;  // of both surfaces, in A's frame
+  Vec3 aside;             // at right angles to the normal: B moved by it, the points face each other
   double share = 1.0;     // >= 0; the sum of share * normal over all ways is a unit vector
 };
 

@@ -10,6 +10,9 @@ inline double end_share_difference(double sine) { return 0.5 * sine * (3.0 - sin
 // Its derivative by `sine`.
 inline double end_share_slope(double sine) { return 1.5 * (1.0 - sine * sine); }
 
+// Sine of the inclination at which a disc no longer touches with its face.
+constexpr double flat_sine = 0.25;
+
 // From 1 at x = 0 to 0 at x >= 1, level at both (x >= 0): how a way of touching fades as a body inclines.
 inline double faded(double x) { return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0; }
 

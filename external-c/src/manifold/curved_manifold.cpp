@@ -6,13 +6,11 @@
 #include "convex/ways_out.hpp"
 #include "geometry/pose_algebra.hpp"
 #include "manifold/axis_share.hpp"
+#include "manifold/disc_manifold.hpp"
 
 namespace cmb {
 
 namespace {
-
-// Sine of the inclination at which a disc no longer touches with its face.
-constexpr double flat_sine = 0.25;
 
 // How far a shape rests on a face in the direction `towards` (unit, in its frame): 1 for a polytope, whose corners know
 // themselves; for a cylinder or cone 1 with its flat end on the contact plane, fading to 0 where that is inclined by
@@ -54,13 +52,17 @@ bool touches_at_a_point(const Shape &shape) {
 
 const ContactPolytope &corners_of(const Shape &shape) { return shape.polytope ? *shape.polytope : *shape.rim; }
 
-// The part of points[begin..] that counts, where the shapes are `depth` deep in each other: what is inscribed in them,
-// and hardly in each other at a rim, does not stand for them.
-double agreement(const std::vector<ContactPoint> &points, std::size_t begin, double depth) {
+// The part that counts of a contact `found` deep, where the shapes are `depth` deep in each other: what stands for them, and
+// is hardly in each other, does not.
+double agreement(double found, double depth) {
   constexpr double none = 0.5, full = 0.9;
+  return faded(std::max(0.0, (full - found / depth) / (full - none)));
+}
+
+double greatest_depth(const std::vector<ContactPoint> &points, std::size_t begin) {
   double deepest = 0.0;
   for (std::size_t k = begin; k < points.size(); ++k) deepest = std::max(deepest, points[k].depth);
-  return faded(std::max(0.0, (full - deepest / depth) / (full - none)));
+  return deepest;
 }
 
 // Scales the weights of points[begin, end).
@@ -78,18 +80,6 @@ convex::SignedDistance in_frame_of_a(const ConvexAnswer &answer, const Pose &pos
   return result;
 }
 
-// The flat end of a cylinder or cone that is the nearer to `towards` (world axes).
-struct Disc {
-  Vec3 center, axis;
-  double radius;
-  Disc(const Shape &shape, const Pose &pose, const Vec3 &towards) {
-    const Vec3 upper = pose.rotation.column(2);
-    axis = shape.kind == ShapeKind::cone || dot(upper, towards) < 0.0 ? -upper : upper;
-    center = pose.translation + shape.body.half.z * axis;
-    radius = shape.body.half.x;
-  }
-};
-
 // What the line of one shape carries on the flat end, or the faces, of the other.
 void line_on_faces(const Shape &shape, const Pose &pose, const Shape &other, const Pose &other_pose, const Vec3 &deepest,
                    const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
@@ -100,6 +90,31 @@ void line_on_faces(const Shape &shape, const Pose &pose, const Shape &other, con
     const Disc disc(other, other_pose, normal);
     line_on_disc(line, disc.center, disc.axis, disc.radius, deepest, normal, sense, scratch, points);
   }
+}
+
+// What flat ends and faces carry on each other; returns the part of it that counts.
+double flat_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, double depth, const Vec3 &normal,
+                    const Vec3 &witness, DepthGraph &graph, std::vector<ContactPoint> &points) {
+  if (a.rim && b.rim) {
+    return agreement(disc_on_disc(Disc(a, pose_a, -normal), Disc(b, pose_b, normal), normal, 1.0, points), depth);
+  }
+  // On a box: its face, or all of it where that is at an angle.
+  const double face = a.rim ? face_part(b, pose_b, normal) : face_part(a, pose_a, normal);
+  double agree = 0.0;
+  if (face < 1.0 - 1e-12) {
+    const std::size_t begin = points.size();
+    polytope_contact(corners_of(a), pose_a, corners_of(b), pose_b, normal, witness, graph, points);
+    agree = (1.0 - face) * agreement(greatest_depth(points, begin), depth);
+    scale_weights(1.0 - face, begin, points.size(), points);
+  }
+  if (face > 0.0) {
+    const std::size_t begin = points.size();
+    const double deepest = a.rim ? disc_on_face(Disc(a, pose_a, -normal), b, pose_b, normal, 1.0, points)
+                                 : disc_on_face(Disc(b, pose_b, normal), a, pose_a, -normal, -1.0, points);
+    agree += face * agreement(deepest, depth);
+    scale_weights(face, begin, points.size(), points);
+  }
+  return agree;
 }
 
 // Appends the contact along one way out: each shape touches with a flat end or its faces, on a line, or at a point, in parts.
@@ -124,8 +139,7 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     return more;
   };
   if (flats > 0.0) {
-    polytope_contact(corners_of(a), pose_a, corners_of(b), pose_b, normal, witness, scratch.polytope, points);
-    const double agree = agreement(points, begin, depth);
+    const double agree = flat_contact(a, pose_a, b, pose_b, depth, normal, witness, scratch.polytope, points);
     more_flats = agree * close(flats * agree, begin);
   }
   if (of_a.line * of_b.flat > 0.0) {
@@ -181,10 +195,8 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     along.distance = -way.depth;
     along.normal = along.mean_normal = pose_a.rotation * way.normal;
     along.point_a = pose_a(way.point_a);
-    // The ball's centre may lie aside of the way through the origin: B is moved there, so that the deepest points face
-    // each other.
-    const Vec3 aside = pose_a.rotation * (way.point_a + way.depth * way.normal - way.point_b);
-    along.point_b = pose_a(way.point_b) + aside;
+    const Vec3 aside = pose_a.rotation * way.aside;
+    along.point_b = along.point_a + way.depth * along.normal;
     const std::size_t begin = points.size();
     contact_along(a, pose_a, b, {pose_b.rotation, pose_b.translation + aside}, along, scratch, points);
     scale_weights(way.share, begin, points.size(), points);

@@ -1,0 +1,201 @@
+#include "manifold/disc_manifold.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manifold/axis_share.hpp"
+
+namespace cmb {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// A rim, as far as another surface lies over it: by the angle t the depth is depth + cosine cos t + sine sin t, and the
+// middle between both surfaces likewise.
+struct Rim {
+  double depth, cosine, sine;
+  Vec3 middle, middle_cosine, middle_sine;
+
+  // Of the disc's rim, t counted from `u` to `v` in its plane (both its radius long); the other surface is the plane
+  // through `place` at right angles to `up`; the depth counts along `normal`.
+  Rim(const Vec3 &center, const Vec3 &u, const Vec3 &v, const Vec3 &place, const Vec3 &up, const Vec3 &normal) {
+    const double facing = 1.0 / dot(up, normal);
+    depth = facing * dot(up, place - center), cosine = -facing * dot(up, u), sine = -facing * dot(up, v);
+    middle = center + (0.5 * depth) * normal, middle_cosine = u + (0.5 * cosine) * normal, middle_sine = v + (0.5 * sine) * normal;
+  }
+};
+
+// Collects the points of an outline.
+class Outline {
+ public:
+  Outline(const Vec3 &normal, std::vector<ContactPoint> &points) : normal_(normal), points_(points) {}
+
+  // The greatest depth so far.
+  double deepest() const { return deepest_; }
+
+  // A corner that turns through an angle.
+  void corner(const Vec3 &position, double depth, double turn) {
+    deepest_ = std::max(deepest_, depth);
+    if (depth > 0.0 && turn > 0.0) points_.push_back({depth, turn / (2.0 * pi), normal_, position});
+  }
+  void corner(const Rim &rim, double angle, double turn) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    corner(rim.middle + c * rim.middle_cosine + s * rim.middle_sine, rim.depth + c * rim.cosine + s * rim.sine, turn);
+  }
+
+  // The arc of a rim from the angle `begin` to `end` (at most a whole turn).
+  void arc(const Rim &rim, double begin, double end) {
+    const double swing = std::hypot(rim.cosine, rim.sine);
+    if (!(end > begin) || rim.depth <= -swing) return;
+    // Deep around the angle `deepest`, within `half`.
+    double deepest = std::atan2(rim.sine, rim.cosine);
+    const auto first_from = [](double angle, double from) {
+      return angle + 2.0 * pi * std::ceil((from - angle) / (2.0 * pi));
+    };
+    if (first_from(deepest, begin) <= end) deepest_ = std::max(deepest_, rim.depth + swing);
+    if (rim.depth >= swing) return stretch(rim, begin, end);
+    const double half = std::acos(-rim.depth / swing);
+    for (deepest = first_from(deepest, begin - half); deepest - half < end; deepest += 2.0 * pi) {
+      stretch(rim, std::max(begin, deepest - half), std::min(end, deepest + half));
+    }
+  }
+
+ private:
+  void stretch(const Rim &rim, double begin, double end) {
+    const double length = end - begin;
+    if (!(length > shortest)) return;
+    const double c0 = std::cos(begin), c1 = std::cos(end), s0 = std::sin(begin), s1 = std::sin(end);
+    const double squares = 0.5 * (s1 * c1 - s0 * c0), mixed = 0.5 * (s1 * s1 - s0 * s0);
+    deepest_ = std::max({deepest_, rim.depth + c0 * rim.cosine + s0 * rim.sine, rim.depth + c1 * rim.cosine + s1 * rim.sine});
+    // Integrals of the depth, and of it times cosine, sine, and itself.
+    const double sum = rim.depth * length + rim.cosine * (s1 - s0) - rim.sine * (c1 - c0);
+    const double by_cosine = rim.depth * (s1 - s0) + rim.cosine * (0.5 * length + squares) + rim.sine * mixed;
+    const double by_sine = -rim.depth * (c1 - c0) + rim.cosine * mixed + rim.sine * (0.5 * length - squares);
+    const double square = rim.depth * sum + rim.cosine * by_cosine + rim.sine * by_sine;
+    if (!(sum > 0.0) || !(square > 0.0)) return;
+    points_.push_back({square / sum, sum * sum / (2.0 * pi * square), normal_,
+                       rim.middle + (by_cosine / sum) * rim.middle_cosine + (by_sine / sum) * rim.middle_sine});
+  }
+
+  static constexpr double shortest = 1e-12;  // rad
+  Vec3 normal_;
+  std::vector<ContactPoint> &points_;
+  double deepest_ = 0.0;
+};
+
+// An arc as four pieces, which keep a body from rocking on a single point.
+void add_arc(const Rim &rim, double begin, double end, Outline &outline) {
+  const double piece = 0.25 * (end - begin);
+  for (int k = 0; k < 4; ++k) outline.arc(rim, begin + k * piece, begin + (k + 1) * piece);
+}
+
+}  // namespace
+
+Disc::Disc(const Shape &shape, const Pose &pose, const Vec3 &towards) {
+  const Vec3 upper = pose.rotation.column(2);
+  axis = shape.kind == ShapeKind::cone || dot(upper, towards) < 0.0 ? -upper : upper;
+  center = pose.translation + shape.body.half.z * axis;
+  radius = shape.body.half.x;
+}
+
+double face_part(const Shape &box, const Pose &pose, const Vec3 &towards) {
+  if (box.kind != ShapeKind::box) return 0.0;
+  const Vec3 local = transposed_times(pose.rotation, towards);
+  const double facing = std::max({std::fabs(local.x), std::fabs(local.y), std::fabs(local.z)});
+  return faded(std::sqrt(std::max(0.0, 1.0 - facing * facing)) / flat_sine);
+}
+
+double disc_on_disc(const Disc &a, const Disc &b, const Vec3 &normal, double sense, std::vector<ContactPoint> &points) {
+  // Seen along the normal, the first axis from A's middle to B's.
+  const Vec3 between = b.center - a.center, level = between - dot(between, normal) * normal;
+  const double apart = norm(level);
+  if (apart >= a.radius + b.radius) return 0.0;
+  const Vec3 e1 = apart > 0.0 ? (1.0 / apart) * level : convex::any_perpendicular(normal), e2 = cross(normal, e1);
+  const auto in_plane = [&e1, &e2](const Disc &disc, Vec3 &u, Vec3 &v) {
+    u = disc.radius * normalized(e1 - dot(e1, disc.axis) * disc.axis);
+    v = cross(disc.axis, u);
+    if (dot(v, e2) < 0.0) v = -v;
+  };
+  Vec3 ua, va, ub, vb;
+  in_plane(a, ua, va);
+  in_plane(b, ub, vb);
+  const Rim rim_a(a.center, ua, va, b.center, b.axis, normal);
+  Rim rim_b(b.center, ub, vb, a.center, a.axis, -normal);  // B's depth counts the other way
+  Outline outline(sense * normal, points);
+  if (apart + a.radius <= b.radius) {
+    add_arc(rim_a, -pi, pi, outline);
+  } else if (apart + b.radius <= a.radius) {
+    add_arc(rim_b, -pi, pi, outline);
+  } else {
+    const double along = 0.5 * (apart + (a.radius - b.radius) * (a.radius + b.radius) / apart);
+    const double half_a = std::acos(std::clamp(along / a.radius, -1.0, 1.0));
+    const double half_b = std::acos(std::clamp((apart - along) / b.radius, -1.0, 1.0));
+    add_arc(rim_a, -half_a, half_a, outline);
+    add_arc(rim_b, pi - half_b, pi + half_b, outline);
+    for (const double side : {1.0, -1.0}) outline.corner(rim_a, side * half_a, pi - half_a - half_b);
+  }
+  return outline.deepest();
+}
+
+double disc_on_face(const Disc &disc, const Shape &box, const Pose &pose, const Vec3 &normal, double sense,
+                    std::vector<ContactPoint> &points) {
+  // The box' face that the normal leaves, and its axes.
+  const Vec3 local = transposed_times(pose.rotation, normal);
+  int facing = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (std::fabs(local[k]) > std::fabs(local[facing])) facing = k;
+  }
+  const int first = (facing + 1) % 3, second = (facing + 2) % 3;
+  const Vec3 up = std::copysign(1.0, local[facing]) * pose.rotation.column(facing);
+  const Vec3 e1 = pose.rotation.column(first), e2 = pose.rotation.column(second);
+  const double half1 = box.body.half[first], half2 = box.body.half[second];
+  const Vec3 face = pose.translation + box.body.half[facing] * up;
+  const Vec3 u = disc.radius * normalized(e1 - dot(e1, disc.axis) * disc.axis);
+  Vec3 v = cross(disc.axis, u);
+  if (dot(v, e2) < 0.0) v = -v;
+  const Rim rim(disc.center, u, v, face, up, normal);
+  Outline outline(sense * normal, points);
+
+  // The rim's shadow on the face, along the face's axes: x + swing cos(t - angle). Each side k of the face cuts off the arc
+  // within half[k] of angle[k].
+  const auto along = [&](const Vec3 &e, double &middle, double &swing, double &angle) {
+    const double lean = dot(e, normal);
+    const double c = dot(e, u) + rim.cosine * lean, s = dot(e, v) + rim.sine * lean;
+    middle = dot(e, disc.center - face) + rim.depth * lean;
+    swing = std::hypot(c, s);
+    angle = std::atan2(s, c);
+  };
+  double x, y, swing_x, swing_y, angle_x, angle_y;
+  along(e1, x, swing_x, angle_x);
+  along(e2, y, swing_y, angle_y);
+  const double angle[4] = {angle_x, angle_y, angle_x + pi, angle_y + pi};
+  const double room[4] = {(half1 - x) / swing_x, (half2 - y) / swing_y, (half1 + x) / swing_x, (half2 + y) / swing_y};
+  double half[4];
+  for (int k = 0; k < 4; ++k) {
+    if (room[k] <= -1.0) return 0.0;
+    half[k] = room[k] < 1.0 ? std::acos(room[k]) : 0.0;
+  }
+  const auto at = [&angle](int k) { return angle[(k + 4) % 4] + (k < 0 ? -2.0 * pi : k > 3 ? 2.0 * pi : 0.0); };
+  const auto within = [&half](int k) { return half[(k + 4) % 4]; };
+  for (int k = 0; k < 4; ++k) {
+    outline.arc(rim, std::max(at(k) + within(k), at(k - 1) + within(k - 1)),
+                std::min(at(k + 1) - within(k + 1), at(k + 2) - within(k + 2)));
+    // Where the rim goes in and out through this side.
+    for (const double way : {-1.0, 1.0}) {
+      if (!(half[k] > 0.0)) continue;
+      const double t = angle[k] + way * half[k];
+      const double aside = k % 2 == 0 ? (y + swing_y * std::cos(t - angle_y)) / half2 : (x + swing_x * std::cos(t - angle_x)) / half1;
+      if (std::fabs(aside) < 1.0) outline.corner(rim, t, half[k]);
+    }
+    // The face's corner between this side and the next, if it is under the disc.
+    const Vec3 corner = face + (k == 0 || k == 3 ? half1 : -half1) * e1 + (k < 2 ? half2 : -half2) * e2;
+    const double depth = dot(disc.axis, corner - disc.center) / dot(disc.axis, normal);
+    if (norm2(corner - depth * normal - disc.center) < disc.radius * disc.radius) {
+      outline.corner(corner - (0.5 * depth) * normal, depth, at(k + 1) - at(k));
+    }
+  }
+  return outline.deepest();
+}
+
+}  // namespace cmb
