@@ -11,8 +11,9 @@ from modelica2fmu import expression as ex
 from modelica2fmu import ir
 from modelica2fmu.alias import ReducedModel, substituted_call
 from modelica2fmu.blocks import Assignment, Block, Entry, Residual
+from modelica2fmu.continuous_system import ReducedSystem
 from modelica2fmu.expression import Node
-from modelica2fmu.index_reduction import ReducedSystem, reduce_index
+from modelica2fmu.index_reduction import reduce_index
 from modelica2fmu.matching import Matching
 from modelica2fmu.scalar_model import (
     INITIAL,

@@ -19,8 +19,8 @@ from typing import Final
 from modelica2fmu import expression as ex
 from modelica2fmu.blocks import Assignment, Block
 from modelica2fmu.expression import Node
-from modelica2fmu.index_reduction import STABILIZATION_RATE
 from modelica2fmu.scalar_model import ScalarModel, ScalarVariable, derivative_name
+from modelica2fmu.state_selection import STABILIZATION_RATE
 
 _ELEMENT: Final = re.compile(r"(.*?)(\[[\d,]+\])?$", re.DOTALL)
 
