@@ -1,6 +1,7 @@
 #include "polytope.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -15,23 +16,26 @@ bool fail(std::string *problem, std::string reason) {
   return false;
 }
 
-// Cell of a cube's surface that the direction d points to.
-int cube_cell(const Vec3 &d, int cells) {
+// Cell of a cube's surface that the direction d points to. Written to be compiled without branches.
+inline int cube_cell(const Vec3 &d, int cells) {
+  static constexpr int first[3] = {1, 0, 0}, second[3] = {2, 2, 1};
+  const double component[3] = {d.x, d.y, d.z};
   const double ax = std::fabs(d.x), ay = std::fabs(d.y), az = std::fabs(d.z);
-  double along, u, v;
-  int side;
-  if (ax >= ay && ax >= az) {
-    along = ax, u = d.y, v = d.z, side = d.x < 0.0 ? 0 : 1;
-  } else if (ay >= az) {
-    along = ay, u = d.x, v = d.z, side = d.y < 0.0 ? 2 : 3;
-  } else {
-    along = az, u = d.x, v = d.y, side = d.z < 0.0 ? 4 : 5;
-  }
+  const double higher = ax > ay ? ax : ay, along = higher > az ? higher : az;
   if (!(along > 0.0)) return 0;
+  int axis = ay > ax ? 1 : 0;
+  axis = az > higher ? 2 : axis;
   const double scale = 0.5 * cells / along;
-  const int i = std::clamp(static_cast<int>((u + along) * scale), 0, cells - 1);
-  const int j = std::clamp(static_cast<int>((v + along) * scale), 0, cells - 1);
-  return (side * cells + i) * cells + j;
+  const int i = static_cast<int>((component[first[axis]] + along) * scale);
+  const int j = static_cast<int>((component[second[axis]] + along) * scale);
+  const int side = 2 * axis + (component[axis] < 0.0 ? 0 : 1);
+  return (side * cells + std::min(i, cells - 1)) * cells + std::min(j, cells - 1);
+}
+
+// The direction to the place (u, v), within -1 and 1, on a side of the cube.
+Vec3 cube_direction(int side, double u, double v) {
+  const double w = side % 2 == 0 ? -1.0 : 1.0;
+  return side < 2 ? Vec3{w, u, v} : side < 4 ? Vec3{u, w, v} : Vec3{u, v, w};
 }
 
 }  // namespace
@@ -128,7 +132,7 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
       built.neighbour_edges_[index(slot)] = static_cast<std::int32_t>(e);
     }
   }
-  built.build_start_table();
+  built.build_support_table();
   result = std::move(built);
   return true;
 }
@@ -144,37 +148,70 @@ Polytope Polytope::box(const Vec3 &size) {
   return result;
 }
 
-void Polytope::build_start_table() {
-  for (int side = 0; side < 6; ++side) {
-    for (int i = 0; i < cells; ++i) {
-      for (int j = 0; j < cells; ++j) {
-        const double u = (2.0 * i + 1.0) / cells - 1.0, v = (2.0 * j + 1.0) / cells - 1.0;
-        const double w = side % 2 == 0 ? -1.0 : 1.0;
-        const Vec3 d = side < 2 ? Vec3{w, u, v} : side < 4 ? Vec3{u, w, v} : Vec3{u, v, w};
-        std::size_t best = 0;
-        for (std::size_t k = 1; k < vertices_.size(); ++k) {
-          if (dot(d, vertices_[k]) > dot(d, vertices_[best])) best = k;
-        }
-        start_[index((side * cells + i) * cells + j)] = static_cast<std::int32_t>(best);
+void Polytope::build_support_table() {
+  // About two cells for each vertex.
+  cells_ = std::clamp(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(vertices_.size()) / 3.0))), 2, 24);
+  const double slack = 1e-12 * radius_;
+  std::vector<std::int32_t> last_cell(vertices_.size(), -1), kept;
+  std::int32_t start = 0;
+  candidates_.clear();
+  cell_begin_.assign(1, 0);
+  for (std::int32_t cell = 0; cell < 6 * cells_ * cells_; ++cell) {
+    const int side = cell / (cells_ * cells_), i = cell / cells_ % cells_, j = cell % cells_;
+    Vec3 corner[4];
+    kept.clear();
+    for (int k = 0; k < 4; ++k) {
+      corner[k] = cube_direction(side, 2.0 * (i + (k & 1)) / cells_ - 1.0, 2.0 * (j + (k >> 1)) / cells_ - 1.0);
+      start = climb(corner[k], start);
+      if (last_cell[index(start)] != cell) kept.push_back(start);
+      last_cell[index(start)] = cell;
+    }
+    // A vertex that another one surpasses along all four corners is surpassed along all that lies between. Those that are
+    // not hang together along edges, as their normal cones do.
+    const auto surpassed = [&](const Vec3 &p) {
+      return std::any_of(kept.begin(), kept.end(), [&](std::int32_t other) {
+        const Vec3 lead = vertices_[index(other)] - p;
+        return std::all_of(corner, corner + 4, [&](const Vec3 &d) { return dot(d, lead) > slack; });
+      });
+    };
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+      for (std::int32_t slot = neighbour_begin(kept[k]); slot < neighbour_begin(kept[k] + 1); ++slot) {
+        const std::int32_t next = neighbours_[index(slot)];
+        if (last_cell[index(next)] == cell) continue;
+        last_cell[index(next)] = cell;
+        if (!surpassed(vertices_[index(next)])) kept.push_back(next);
       }
     }
+    for (const std::int32_t vertex : kept) candidates_.push_back({vertices_[index(vertex)], vertex});
+    cell_begin_.push_back(static_cast<std::int32_t>(candidates_.size()));
   }
 }
 
 std::int32_t Polytope::support_vertex(const Vec3 &d) const {
-  std::int32_t best = start_[index(cube_cell(d, cells))];
-  const Vec3 *const vertex = vertices_.data();
-  double height = dot(d, vertex[best]);
+  const int cell = cube_cell(d, cells_);
+  const Candidate *candidate = candidates_.data() + cell_begin_[index(cell)];
+  const Candidate *const end = candidates_.data() + cell_begin_[index(cell) + 1];
+  std::int32_t best = candidate->vertex;
+  double height = dot(d, candidate->at);
+  while (++candidate != end) {
+    const double here = dot(d, candidate->at);
+    best = here > height ? candidate->vertex : best;
+    height = here > height ? here : height;
+  }
+  return best;
+}
+
+std::int32_t Polytope::climb(const Vec3 &d, std::int32_t start) const {
+  std::int32_t best = start;
+  double height = dot(d, vertices_[index(best)]);
   for (;;) {  // heights rise strictly, so this ends
-    std::int32_t next = best;
-    const std::int32_t end = neighbour_begin_[index(best) + 1];
-    for (std::int32_t k = neighbour_begin_[index(best)]; k < end; ++k) {
+    const std::int32_t from = best;
+    for (std::int32_t k = neighbour_begin(from); k < neighbour_begin(from + 1); ++k) {
       const std::int32_t candidate = neighbours_[index(k)];
-      const double candidate_height = dot(d, vertex[candidate]);
-      if (candidate_height > height) height = candidate_height, next = candidate;
+      const double here = dot(d, vertices_[index(candidate)]);
+      if (here > height) height = here, best = candidate;
     }
-    if (next == best) return best;
-    best = next;
+    if (best == from) return best;
   }
 }
 

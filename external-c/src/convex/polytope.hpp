@@ -1,7 +1,6 @@
 // Convex polytopes: vertices, polygon faces and the adjacency that support queries walk on.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -54,14 +53,19 @@ class Polytope {
   // Mean of the vertices: an interior point.
   const Vec3 &center() const { return center_; }
 
-  // The vertex farthest along d (not necessarily unit, finite), by hill climbing from a tabulated
-  // start; the same for the same d whatever was asked before.
+  // The vertex farthest along d (not necessarily unit, finite), out of the few that a table names for directions like d;
+  // the same for the same d whatever was asked before.
   std::int32_t support_vertex(const Vec3 &d) const;
 
  private:
-  void build_start_table();
+  struct Candidate {
+    Vec3 at;
+    std::int32_t vertex;
+  };
+  void build_support_table();
+  // The same by hill climbing from a vertex.
+  std::int32_t climb(const Vec3 &d, std::int32_t start) const;
 
-  static constexpr int cells = 8;  // start table: cells x cells on each of a cube's six sides
   std::vector<Vec3> vertices_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
@@ -69,7 +73,11 @@ class Polytope {
   std::vector<std::int32_t> neighbours_;
   std::vector<std::int32_t> neighbour_edges_;
   std::vector<std::int32_t> neighbour_begin_;
-  std::array<std::int32_t, 6 * cells * cells> start_{};
+  // For each cell of a cube's surface (cells_ x cells_ on each side) the vertices that are farthest along some direction
+  // that leaves through the cell: candidates_[cell_begin_[cell] .. cell_begin_[cell + 1]).
+  int cells_ = 1;
+  std::vector<Candidate> candidates_;
+  std::vector<std::int32_t> cell_begin_;
   double radius_ = 0.0;
   Vec3 center_;
 };
