@@ -177,6 +177,9 @@ void query_compounds(const Scene &scene, const BodyShapes &a, const Pose &pose_a
 void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b, const Pose &pose_b,
                   QueryScratch &scratch, ContactSet &result, PairReport &report, double exact_within) {
   result.points.clear();
+  result.distance = CMB_DISTANCE_NONE;
+  result.normal = {0.0, 0.0, 1.0};
+  result.witness = 0.5 * (pose_a.translation + pose_b.translation);
   report = {};
   const bool single = a.size() == 1 && b.size() == 1;
   if (single && !(a[0].kind == ShapeKind::halfspace && b[0].kind == ShapeKind::halfspace)) {
@@ -189,9 +192,6 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
     }
     return;
   }
-  result.distance = CMB_DISTANCE_NONE;
-  result.normal = {0.0, 0.0, 1.0};
-  result.witness = 0.5 * (pose_a.translation + pose_b.translation);
   if (!single) query_compounds(scene, a, pose_a, b, pose_b, scratch, result, report, exact_within);
 }
 
