@@ -24,6 +24,11 @@ their forces by the same laws. For tens to a thousand equal free bodies there is
 v sqrt(m/K) you can accept. So does <code>regularisationSpeed</code>: the smaller, the stiffer friction is.
 </p>
 <p>
+<strong>Tolerance</strong>: where many bodies settle, contacts begin and end all the time, and each kink of the forces costs an integrator steps, the more the tighter the tolerance is. Such a scene is chaotic, so that a tight tolerance buys no
+trajectory, only the same statistics: 64 spheres that fall into a box take 5600 evaluations in 1.5 s at tolerance 1e-2, 10100 at 1e-3, 16700 at 1e-4 and 46400 at 1e-6, and all four lie still in the same way. 1e-3 is a good choice for heaps, 1e-6 for
+single impacts.
+</p>
+<p>
 <strong>Heaps creep</strong> under regularised friction: each contact slides at <code>regularisationSpeed</code> q/sqrt(1 - q<sup>2</sup>) under the share q of its largest friction force, and in a heap some contacts are always near
 theirs. So a heap flattens slowly and gives way now and then, however small that speed; smooth bodies that fill a container come to rest, as in SpheresInBox. What must stand is for the ContactManager with anchored friction.
 </p>

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from pathlib import Path
 
 import pymoca.parser  # type: ignore[import-untyped]
@@ -161,6 +162,15 @@ def test_examples_have_one_experiment() -> None:
         for experiment in file.experiments:
             assert "StopTime=" in experiment, file.full_name
             assert "Tolerance=" in experiment, file.full_name
+
+
+def test_every_example_is_run_by_a_regression_case() -> None:
+    cases = (REPOSITORY / "regression" / "cases").rglob("*.toml")
+    run = {tomllib.loads(path.read_text("utf-8"))["case"]["model"] for path in cases}
+    extended = {base for file in FILES if file.full_name in run for base in re.findall(r"extends ([\w.]+)", file.text)}
+    examples = {file.full_name for file in FILES if ".Examples." in file.full_name and file.is_model}
+    assert len(examples) > 20
+    assert sorted(examples - run - extended) == []
 
 
 @pytest.mark.parametrize("folder", sorted({file.path.parent for file in FILES}), ids=lambda f: f.name)
