@@ -114,7 +114,8 @@ def _joint(joint: Joint, given: ReportInput) -> dict[str, Any]:
     if joint.name in given.loops.planar_constraints:
         role = "closes a planar loop: planar loop constraint, no coordinate"
     elif joint.name in given.loops.closures:
-        role = "closes an overconstrained loop that moves, by a loop closure; keeps its coordinate"
+        empty = given.loops.closures[joint.name].is_empty
+        role = "left out: repeats what others hold" if empty else "closes an overconstrained loop, by a loop closure"
     elif cut:
         role = "closes a loop in space"
     else:
