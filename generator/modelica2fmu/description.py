@@ -168,6 +168,7 @@ class ModelDescription:
         resources: files for the ``resources`` folder.
         internal_parameters: Real slots that no variable shows and that parameters decide; the runtime keeps them
             over the initialization.
+        icon: the model's icon, a PNG; ``None`` if it has none.
     """
 
     name: str
@@ -184,3 +185,4 @@ class ModelDescription:
     external: ExternalCode = field(default_factory=ExternalCode)
     resources: tuple[Resource, ...] = ()
     internal_parameters: tuple[int, ...] = ()
+    icon: bytes | None = None

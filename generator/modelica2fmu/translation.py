@@ -19,6 +19,7 @@ from modelica2fmu.experiment import read_experiment
 from modelica2fmu.external_code import find_external_code, named_file
 from modelica2fmu.front_end import load_flat_model
 from modelica2fmu.geometry_files import write_out_geometry
+from modelica2fmu.icon_rendering import icon_png
 from modelica2fmu.library_repairs import repaired_library
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.scalar_model import ScalarModel, derivative_name
@@ -71,6 +72,7 @@ def translate(
             clock.begin("expand")
             scalar = scalarize(flat, source_map, lambda name: named_file(name, roots, file))
             external = _with_real_paths(find_external_code(scalar.external_annotations, roots, model.split(".")[0]))
+            icon = icon_png(model, [*sources, *roots])
             scalar.calls[:] = write_out_geometry(scalar.calls, external.library_directories, roots)
         clock.begin("reduce")
         reduced = eliminate_aliases(scalar, source_map)
@@ -95,6 +97,7 @@ def translate(
         experiment=read_experiment(model, sources),
         external=external,
         internal_parameters=internal_parameters(reduced, generated.slots),
+        icon=icon,
     )
     return Translation(scalar, reduced, systems, generated, description)
 

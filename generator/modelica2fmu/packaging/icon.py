@@ -1,4 +1,4 @@
-"""The FMU's icon: two bodies that touch, with the normal of their contact."""
+"""The icon of FMUs whose model has none: two bodies that touch, with the normal of their contact."""
 
 from __future__ import annotations
 
@@ -36,9 +36,13 @@ def model_icon() -> bytes:
     _paint(image, (np.abs(turned_y) < 1.6) & (np.abs(turned_x - 42.0) < 10.0), (197, 48, 48))
     _paint(image, (np.abs(turned_y) < 0.9 * (turned_x - 28.0)) & (turned_x < 35.0), (197, 48, 48))
     small = image.reshape(_SIZE, _OVERSAMPLING, _SIZE, _OVERSAMPLING, 4).mean(axis=(1, 3))
-    pixels = np.rint(small).astype(np.uint8)
+    return encode_png(np.rint(small).astype(np.uint8))
+
+
+def encode_png(pixels: NDArray[np.uint8]) -> bytes:
+    """A PNG of pixels with red, green, blue and opacity, rows by columns by 4 (PNG specification, 2025)."""
     rows = b"".join(b"\0" + row.tobytes() for row in pixels)
-    header = struct.pack(">IIBBBBB", _SIZE, _SIZE, 8, 6, 0, 0, 0)
+    header = struct.pack(">IIBBBBB", pixels.shape[1], pixels.shape[0], 8, 6, 0, 0, 0)
     return (
         b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", header) + _chunk(b"IDAT", zlib.compress(rows, 9)) + _chunk(b"IEND", b"")
     )

@@ -38,14 +38,14 @@ class Layout:
     complete: Callable[[ModelDescription, Path], None]
 
 
-def _complete_fmi2(_description: ModelDescription, folder: Path) -> None:
-    (folder / "model.png").write_bytes(model_icon())
+def _complete_fmi2(description: ModelDescription, folder: Path) -> None:
+    (folder / "model.png").write_bytes(description.icon or model_icon())
 
 
 def _complete_fmi3(description: ModelDescription, folder: Path) -> None:
     icons = folder / "terminalsAndIcons"
     icons.mkdir()
-    (icons / "icon.png").write_bytes(model_icon())
+    (icons / "icon.png").write_bytes(description.icon or model_icon())
     (icons / "terminalsAndIcons.xml").write_bytes(terminals_and_icons())
     sources = folder / "sources"
     names = sorted(path.name for path in sources.glob("*.c"))

@@ -77,7 +77,7 @@ RUNNING_TOO = [
     ),
     *names(
         ROTATIONAL,
-        "Friction LossyGearDemo2 LossyGearDemo3 OneWayClutch OneWayClutchDisengaged SimpleGearShift",
+        "Friction LossyGearDemo3 OneWayClutch OneWayClutchDisengaged SimpleGearShift",
     ),
     *names(TRANSLATIONAL, "Friction InitialConditions Oscillator PreLoad Sensors SignConvention WhyArrows"),
     *names(BLOCKS, "ShowLogicalSources RealNetwork1 CompareSincExpSine"),
