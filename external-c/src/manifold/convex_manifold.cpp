@@ -8,6 +8,10 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   result.normal = answer.normal;
   result.witness = 0.5 * (answer.point_a + answer.point_b);
   if (!(answer.distance < 0.0)) return;
+  if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::sphere) {
+    result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
+    return;
+  }
   if (!a.polytope || !b.polytope) {
     curved_contact(a, pose_a, b, pose_b, answer, scratch.curved, result.points);
     return;
