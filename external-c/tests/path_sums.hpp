@@ -101,4 +101,14 @@ inline std::string random_hull(random_bodies::Random &random) {
   return text;
 }
 
+// Corners on an ellipsoid.
+inline std::string fine_hull(random_bodies::Random &random, int corners) {
+  std::string text = "cmb/1 hull vertices=";
+  for (int k = 0; k < corners; ++k) {
+    const Vec3 p = random.direction();
+    text += digits(0.5 * p.x) + "," + digits(0.45 * p.y) + "," + digits(0.4 * p.z) + (k + 1 < corners ? "," : "");
+  }
+  return text;
+}
+
 }  // namespace cmb::test

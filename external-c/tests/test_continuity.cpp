@@ -204,6 +204,22 @@ TEST(RandomPolytopes, SumsHaveNoJumps) {
   }
 }
 
+// Finely tessellated bodies, of whose many corners the deepest carry, up to a tenth of their size deep: over each other, over
+// boxes and half-spaces.
+TEST(FineHulls, SumsHaveNoJumps) {
+  for (const double deep : {0.01, 0.1}) {
+    for (std::uint64_t pair = 0; pair < 6; ++pair) {
+      random_bodies::Random random(2000 + pair);
+      const std::string a = fine_hull(random, pair % 2 == 0 ? 100 : 300);
+      const std::string b = pair < 2 ? fine_hull(random, 60) : pair < 4 ? table : "cmb/1 halfspace";
+      const PairScene scene(a, b);
+      const PathSums sums = follow(scene, random_path(scene, random, deep), {}, 400, 10);
+      EXPECT_LT(sums.largest_jump, 1e-5 * deep) << a << " | " << b;
+      EXPECT_GT(sums.largest_load, 0.0);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Paths, Continuity, testing::ValuesIn(paths));
 
 TEST(SignedDistance, PassesZeroWithSlopeOne) {

@@ -2,6 +2,7 @@
 #include <random>
 #include <sstream>
 
+#include "convex/random_bodies.hpp"
 #include "scene_query.hpp"
 
 namespace {
@@ -234,6 +235,60 @@ TEST(Properties, BoxOnBoxEqualsBoxOnHalfspaceAwayFromTheBorder) {
     ASSERT_LT(norm(one.load() - other.load()), 1e-5 * norm(other.load())) << k;
     ASSERT_LT(norm(one.moment({}) - other.moment({})), 1e-5 * norm(other.load())) << k;
   }
+}
+
+// Their many corners push no harder than the smooth body's one point, and near where that would.
+TEST(Properties, FinelyTessellatedBallsPushAsBalls) {
+  for (const int corners : {100, 400}) {
+    for (const char *other : {"cmb/1 box size=4,4,1 position=0,0,-0.5", "cmb/1 halfspace"}) {
+      std::string ball = "cmb/1 hull vertices=";
+      random_bodies::Random directions(11);
+      for (int k = 0; k < corners; ++k) {
+        const Vec3 p = 0.5 * directions.direction();
+        ball += (k > 0 ? "," : "") + digits(p.x) + "," + digits(p.y) + "," + digits(p.z);
+      }
+      const PairScene scene(ball, other);
+      Random random(5);
+      for (const double depth : {0.1, 0.2}) {  // with enough corners in it
+        for (int k = 0; k < 40; ++k) {
+          BodyPose a{{random(-0.3, 0.3), random(-0.3, 0.3), 0.6}, random.rotation()};
+          a.position.z -= scene.query(a, {}, 8).distance + depth;
+          const Contact contact = scene.query(a, {}, 128);
+          const double load = norm(contact.load());
+          ASSERT_LE(load, depth * (1.0 + 1e-12)) << corners << " " << other;
+          ASSERT_GT(load, 0.99 * depth) << corners << " " << other;
+          const Vec3 arm = (1.0 / load) * contact.moment(a.position);  // of a load straight up at (x, y): (y, -x, 0)
+          ASSERT_LT(std::hypot(arm.x, arm.y), 0.1) << corners << " " << other;
+        }
+      }
+    }
+  }
+}
+
+// A hull of many corners on a wide box is one on a half-space: the same corners carry the same.
+TEST(Properties, FineHullOnBoxEqualsFineHullOnHalfspace) {
+  random_bodies::Random corners(3);
+  std::string hull = "cmb/1 hull vertices=";
+  for (int k = 0; k < 80; ++k) {
+    const Vec3 p = corners.direction();
+    hull += (k > 0 ? "," : "") + digits(0.5 * p.x) + "," + digits(0.4 * p.y) + "," + digits(0.3 * p.z);
+  }
+  const PairScene on_box(hull, "cmb/1 box size=9,9,2 position=0,0,-1"), on_plane(hull, "cmb/1 halfspace");
+  Random random(6);
+  int unlimited = 0;
+  for (int k = 0; k < 200; ++k) {
+    BodyPose a{{random(-1, 1), random(-1, 1), 0.9}, random.rotation()};
+    a.position.z -= on_plane.query(a, {}, 8).distance + random(0.0, 0.02);
+    const Contact one = on_box.query(a, {}, 128), other = on_plane.query(a, {}, 128);
+    ASSERT_NEAR(one.distance, other.distance, 1e-10);
+    double deepest = 0.0;
+    for (const Point &point : other.points) deepest = std::fmax(deepest, point.depth);
+    if (norm(other.load()) > deepest * (1.0 - 1e-9)) continue;  // limited by widths that the bodies' sizes have a part in
+    ++unlimited;
+    ASSERT_LT(norm(one.load() - other.load()), 1e-5 * norm(other.load())) << k;
+    ASSERT_LT(norm(one.moment({}) - other.moment({})), 1e-5 * norm(other.load())) << k;
+  }
+  EXPECT_GT(unlimited, 50);
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ TEST(Hull, PointsOnASphereAreAllKept) {
   ASSERT_TRUE(build_convex_hull(random_points(random, 1000, {1, 1, 1}, false), hull, nullptr, nullptr));
   EXPECT_EQ(hull.vertices().size(), 1000u);
   EXPECT_EQ(hull.faces().size(), 1996u);
-  for (int k = 0; k < 2000; ++k) {  // hill climbing against all vertices
+  for (int k = 0; k < 2000; ++k) {  // the table against all vertices
     const Vec3 d = random.direction();
     double best = -1;
     for (const Vec3 &v : hull.vertices()) best = std::max(best, dot(d, v));
