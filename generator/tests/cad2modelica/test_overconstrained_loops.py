@@ -163,6 +163,27 @@ def guided_ball() -> Mechanism:
     return parts, joints
 
 
+def slide(kind: str) -> Mechanism:
+    """A slide on two parallel guides."""
+    joints = [
+        joint("left guide", kind, "ground", "slide", axis=(1, 0, 0)),
+        joint("right guide", kind, "ground", "slide", origin=(0, 1, 0), axis=(1, 0, 0)),
+    ]
+    return [part("slide")], joints
+
+
+def spherical_linkage() -> Mechanism:
+    """Four axes through one point."""
+    axes = ((1, 0, 0.2), (0.3, 1, 0), (-1, 0.4, 0.5), (0.1, -0.8, 1))
+    joints = [
+        joint("s1", "revolute", "ground", "first", axis=axes[0]),
+        joint("s2", "revolute", "first", "second", axis=axes[1]),
+        joint("s3", "revolute", "second", "third", axis=axes[2]),
+        joint("s4", "revolute", "ground", "third", axis=axes[3]),
+    ]
+    return [part("first"), part("second"), part("third")], joints
+
+
 # ----- which loops are accepted, and with how many conditions -----
 
 
@@ -177,6 +198,9 @@ def guided_ball() -> Mechanism:
         (flap(), "far hinge", 1),
         (lid(), "lid ball", 0),
         (guided_ball(), "between", 1),
+        (slide("prismatic"), "right guide", 1),
+        (slide("cylindrical"), "right guide", 3),
+        (spherical_linkage(), "s4", 3),
     ],
 )
 def test_movable_loops_keep_as_many_conditions_as_are_independent(
