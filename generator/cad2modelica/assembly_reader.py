@@ -9,6 +9,7 @@ from cmb_base.errors import CmbError, InputError, Place
 from cmb_base.progress import Progress, silent
 from lxml import etree
 
+from cad2modelica.angle_units import angle_notes
 from cad2modelica.assembly_elements import NAMESPACE, ElementReader, child, numbers, optional, text
 from cad2modelica.assembly_joints import read_joint
 from cad2modelica.assembly_unfolding import PartDescription, Unfolded, Unfolder
@@ -74,7 +75,7 @@ class _Reader:
         self._problems = Problems(str(file))
         self._read = ElementReader(file, self._units, self._problems)
         self._geometry = GeometryReader(file.parent)
-        self._notes: list[str] = []
+        self._notes = [*angle_notes(root, units.get("angle", ""))]
 
     def read(self) -> Assembly:
         root = self._root

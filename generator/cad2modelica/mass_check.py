@@ -6,12 +6,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cad2modelica.mesh import Mesh, bodies, is_closed, join, volume_integrals, weld
+from cad2modelica.mesh import Mesh, VolumeIntegrals, bodies, is_closed, join, volume_integrals, weld
 from cad2modelica.model import MassProperties
 
 RELATIVE_TOLERANCE = 1e-6
 DENSITY_LIMITS = (0.05, 50_000.0)  # kg/m3: aerogel to twice osmium
+USUAL_DENSITIES = (20.0, 25_000.0)  # kg/m3: light foam to osmium, with some room
+COMMON_DENSITIES = (500.0, 20_000.0)  # kg/m3: wood to tungsten
 REMARK_TOLERANCE = 0.05
+# Ratios of units of length that files mix up.
+UNIT_RATIOS = {1000.0: "mm and m", 100.0: "cm and m", 10.0: "mm and cm", 25.4: "mm and inch", 1 / 0.0254: "inch and m"}
+RATIO_TOLERANCE = 1.2  # two of them differ by a factor of 1.55 at least
+GYRATION_OF_SIZE = 0.26  # a rod's or a plate's radius of gyration over its diagonal, 0.29; less of compact bodies
 LARGEST_GYRATION = 10.0  # of the mechanism's size, for parts whose own size is not known
 
 
@@ -86,26 +92,25 @@ def check_against_geometry(properties: MassProperties, meshes: tuple[Mesh, ...])
             )
         ]
     gyration = float(np.sqrt(np.linalg.eigvalsh(properties.inertia)[2] / properties.mass))
-    if gyration > 30 * diagonal or gyration < diagonal / 3000:
-        return [
-            MassFinding(
-                f"the radius of gyration is {gyration:.3g} m, the geometry {diagonal:.3g} m in size", remedy, True
-            )
-        ]
     pieces = bodies(vertices, triangles)
-    if not all(is_closed(piece[1]) for piece in pieces):
-        return []
-    integrals = [volume_integrals(*piece) for piece in pieces]
+    closed = all(is_closed(piece[1]) for piece in pieces)
+    integrals = [volume_integrals(*piece) for piece in pieces] if closed else []
     volume = sum(item.volume for item in integrals)
+    mixed = _mixed_units((_gyration(integrals) if volume > 0 else GYRATION_OF_SIZE * diagonal) / gyration)
+    if gyration > 30 * diagonal or gyration < diagonal / 3000:
+        message = f"the radius of gyration is {gyration:.3g} m, the geometry {diagonal:.3g} m in size{mixed}"
+        return [MassFinding(message, remedy, True)]
     if volume <= 0:
         return []
     density = properties.mass / volume
     if not DENSITY_LIMITS[0] <= density <= DENSITY_LIMITS[1]:
-        return [MassFinding(f"mass over volume is {density:.3g} kg/m3, which no solid has", remedy, True)]
+        return [MassFinding(f"mass over volume is {density:.3g} kg/m3, which no solid has{mixed}", remedy, True)]
     findings = []
+    if not USUAL_DENSITIES[0] <= density <= USUAL_DENSITIES[1]:
+        findings.append(MassFinding(_unusual(density) + (mixed or _other_mass(density)), remedy, False))
     if outside > 0:
         findings.append(MassFinding("the centre of mass lies outside the geometry's box", remedy, False))
-    if len(pieces) == 1 and not findings:
+    if len(pieces) == 1 and outside <= 0:
         expected = density * integrals[0].inertia
         offset = float(np.linalg.norm(integrals[0].center - properties.center_of_mass))
         difference = float(np.abs(expected - properties.inertia).max() / np.abs(expected).max())
@@ -119,3 +124,37 @@ def check_against_geometry(properties: MassProperties, meshes: tuple[Mesh, ...])
                 )
             )
     return findings
+
+
+def _gyration(integrals: list[VolumeIntegrals]) -> float:
+    """The largest radius of gyration of bodies of one density together."""
+    volume = sum(item.volume for item in integrals)
+    center = sum((item.volume * item.center for item in integrals), np.zeros(3)) / volume
+    inertia = np.zeros((3, 3))
+    for item in integrals:
+        arm = item.center - center
+        inertia += item.inertia + item.volume * (arm @ arm * np.eye(3) - np.outer(arm, arm))
+    return float(np.sqrt(np.linalg.eigvalsh(inertia)[2] / volume))
+
+
+def _mixed_units(ratio: float) -> str:
+    """What a geometry that is so many times too large says about units; empty if it says nothing."""
+    factor, way = (ratio, "large") if ratio > 1 else (1 / ratio, "small")
+    for known, units in UNIT_RATIOS.items():
+        if known / RATIO_TOLERANCE < factor < known * RATIO_TOLERANCE:
+            return f"; the geometry is {known:.4g} times too {way} for the inertia, as if {units} were mixed up"
+    return ""
+
+
+def _unusual(density: float) -> str:
+    side = "less" if density < USUAL_DENSITIES[0] else "more"
+    return f"mass over volume is {density:.3g} kg/m3, {side} than of any usual material"
+
+
+def _other_mass(density: float) -> str:
+    """What a density says about the unit of mass; empty if it says nothing."""
+    low = density < USUAL_DENSITIES[0]
+    other = density * (1000 if low else 1e-3)
+    if not COMMON_DENSITIES[0] <= other <= COMMON_DENSITIES[1]:
+        return ""
+    return f"; {other:.4g} kg/m3 if the unit of mass were {'kg instead of g' if low else 'g instead of kg'}"

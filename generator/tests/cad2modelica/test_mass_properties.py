@@ -141,3 +141,51 @@ def test_inertia_in_wrong_units_without_geometry_is_remarked(tmp_path: Path, ine
     found = [note for note in notes if "'arm'" in note and "lie within 0.5 m" in note]
     assert bool(found) is doubtful
     assert all("141 m" in note for note in found)
+
+
+def solid_steel(size: tuple[float, float, float], density: float = 7850.0) -> tuple[Mesh, MassProperties]:
+    mesh = box_mesh(size, (0.0, 0.0, 0.0))
+    integrals = volume_integrals(mesh.vertices, mesh.triangles)
+    return mesh, MassProperties(density * integrals.volume, integrals.center, density * integrals.inertia)
+
+
+@pytest.mark.parametrize(
+    ("factor", "words", "wrong"),
+    [
+        (1000.0, "1000 times too large for the inertia, as if mm and m were mixed up", True),
+        (1e-3, "1000 times too small for the inertia, as if mm and m were mixed up", True),
+        (0.01, "100 times too small for the inertia, as if cm and m were mixed up", True),
+        (25.4, "25.4 times too large for the inertia, as if mm and inch were mixed up", False),
+        (1 / 25.4, "25.4 times too small for the inertia, as if mm and inch were mixed up", True),
+        (10.0, "10 times too large for the inertia, as if mm and cm were mixed up", False),
+        (300.0, "which no solid has", True),  # no known mistake: nothing is claimed
+    ],
+)
+def test_units_of_length_that_were_mixed_up_are_named(factor: float, words: str, wrong: bool) -> None:
+    mesh, properties = solid_steel((0.2, 0.05, 0.03))
+    scaled = Mesh(mesh.name, factor * mesh.vertices, mesh.triangles, mesh.color)
+    finding = check_against_geometry(properties, (scaled,))[0]
+    assert finding.wrong is wrong
+    assert words in finding.message
+    assert ("mixed up" in finding.message) == ("mixed up" in words)
+
+
+@pytest.mark.parametrize(
+    ("density", "words"),
+    [
+        (7.85, "7850 kg/m3 if the unit of mass were kg instead of g"),
+        (0.5, "less than of any usual material"),
+        (30_000.0, "more than of any usual material"),
+    ],
+)
+def test_unusual_densities_are_noted_with_what_was_perhaps_meant(density: float, words: str) -> None:
+    mesh, properties = solid_steel((0.2, 0.05, 0.03), density)
+    (finding,) = check_against_geometry(properties, (mesh,))
+    assert not finding.wrong
+    assert words in finding.message
+
+
+@pytest.mark.parametrize("density", [25.0, 120.0, 1000.0, 7850.0, 22_590.0])
+def test_usual_densities_are_not_noted(density: float) -> None:
+    mesh, properties = solid_steel((0.2, 0.05, 0.03), density)
+    assert check_against_geometry(properties, (mesh,)) == []
