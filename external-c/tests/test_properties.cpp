@@ -243,9 +243,9 @@ TEST(Properties, FinelyTessellatedBallsPushAsBalls) {
     const double spacing = 0.5 * std::sqrt(4.0 * 3.14159265358979324 / corners);  // of the corners
     for (const char *other : {"cmb/1 box size=4,4,1 position=0,0,-0.5", "cmb/1 halfspace"}) {
       std::string ball = "cmb/1 hull vertices=";
-      random_bodies::Random directions(11);
-      for (int k = 0; k < corners; ++k) {
-        const Vec3 p = 0.5 * directions.direction();
+      for (int k = 0; k < corners; ++k) {  // evenly spread: Fibonacci's lattice
+        const double z = 1.0 - (2.0 * k + 1.0) / corners, across = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * k;
+        const Vec3 p{0.5 * across * std::cos(turn), 0.5 * across * std::sin(turn), 0.5 * z};
         ball += (k > 0 ? "," : "") + digits(p.x) + "," + digits(p.y) + "," + digits(p.z);
       }
       const PairScene scene(ball, other);
