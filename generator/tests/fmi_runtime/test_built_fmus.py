@@ -19,6 +19,7 @@ import fmpy
 import numpy as np
 import pytest
 from fmpy import extract, read_model_description, simulate_fmu
+from fmpy.build import build_platform_binary
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.validation import validate_fmu
@@ -270,6 +271,35 @@ def test_the_sources_build_the_same_binary_again(ball_on_floor: Path, unpacked: 
         done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment, timeout=120)
         assert done.returncode == 0, done.stdout + done.stderr
     shutil.copyfile(tmp_path / "build" / f"{identifier}.so", binary)
+
+    def heights(fmu: Path) -> Any:
+        result = simulate_fmu(str(fmu), fmi_type="CoSimulation", stop_time=1.0, output=["ball.r_0[3]"])
+        return result["ball.r_0[3]"]
+
+    assert np.allclose(heights(folder), heights(ball_on_floor), rtol=0.0, atol=1e-9)
+
+
+def test_fmpy_builds_the_sources_of_fmi_3(ball_on_floor: Path, unpacked: Unpacked, tmp_path: Path) -> None:
+    """As docs/fmu.md says: FMPy reads the files from buildDescription.xml, folders and libraries must be named."""
+    if unpacked.two:
+        pytest.skip("FMI 2.0 has no description of the build")
+    if shutil.which("cmake") is None:
+        pytest.skip("CMake is not installed")
+    folder = tmp_path / "fmu"
+    shutil.copytree(unpacked.folder, folder)
+    (binary,) = folder.glob(f"binaries/*/{unpacked.description.coSimulation.modelIdentifier}.so")
+    binary.unlink()
+    listed = etree.parse(str(folder / "sources" / "buildDescription.xml"))
+    names = [str(library.get("name")) for library in listed.iter("Library")]
+    folders = [find_sundials().archive.parent, *(LIBRARY / "Resources" / "Library").iterdir()]
+    libraries = [*(f"-L{path}" for path in folders), *(f"-l{name}" for name in names), "-lm", "-Wl,-rpath,$ORIGIN"]
+    build_platform_binary(
+        folder,
+        cmake_options={
+            "FMI_INCLUDE_DIRS:STRING": f"{folder}/sources;{folder}/sources/external",
+            "CMAKE_C_STANDARD_LIBRARIES:STRING": " ".join(libraries),
+        },
+    )
 
     def heights(fmu: Path) -> Any:
         result = simulate_fmu(str(fmu), fmi_type="CoSimulation", stop_time=1.0, output=["ball.r_0[3]"])
