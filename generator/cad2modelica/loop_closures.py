@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -23,6 +23,7 @@ from cad2modelica.planar_loops import Loop
 from cad2modelica.spatial import Array
 
 LEAST_TOLERANCE = 1e-6  # rad, or part of the mechanism's length, that a closed loop may show when simulated
+STILL = 1e-6  # rad or m: a coordinate that changes less does not move
 MARGIN = 10.0  # of the same over what the positions looked at leave open
 AXES = ("x", "y", "z")
 
@@ -94,7 +95,20 @@ def movable_closures(
             chosen = _choice(before, blocks)
             before = [np.vstack([rows, block[list(chosen)]]) for rows, block in zip(before, blocks, strict=True)]
             found[loop.joint.name] = _closure(loop, chosen, gap, length, len(positions))
+    blocked = _blocked(columns, positions)
+    if blocked:
+        last = list(found)[-1]
+        found[last] = replace(found[last], note=f"{found[last].note}. In these loops cannot move: {blocked}")
     return found
+
+
+def _blocked(columns: Sequence[Column], positions: Sequence[Position]) -> str:
+    """Names of joints that stayed where they are in all positions; empty if nothing can move at all."""
+    if len(positions) == 1:
+        return ""
+    moving = np.abs([position.coordinates for position in positions]).max(axis=0) > STILL
+    names = {joint.name for (joint, _), moves in zip(columns, moving, strict=True) if moves}
+    return ", ".join(repr(name) for name in dict.fromkeys(joint.name for joint, _ in columns) if name not in names)
 
 
 def _reached(motion: LoopMotion, rank: int, count: int) -> list[Position]:

@@ -244,6 +244,22 @@ def test_part_that_is_welded_twice(tmp_path: Path) -> None:
     assert text.count("b.frame_a") == 1  # met once, by the first weld
 
 
+def test_joints_that_cannot_move_are_named(tmp_path: Path) -> None:
+    """A four-bar linkage with one inclined axis stands still; the rod of balls on it still spins about its line."""
+    corners = {"a": (0, 0, 0), "b": (0, 0, 1), "c": (1.5, 0, 1.3), "d": (2, 0, 0)}
+    axes = {"a": ACROSS, "b": ACROSS, "c": ACROSS, "d": (0.1, 1, 0)}
+    ends = {"a": ("ground", "one"), "b": ("one", "two"), "c": ("two", "three"), "d": ("ground", "three")}
+    joints = [joint(key, "revolute", *ends[key], origin=corners[key], axis=axes[key]) for key in corners]
+    joints += [
+        joint("near ball", "spherical", "one", "rod", origin=(0, 0.5, 1)),
+        joint("far ball", "spherical", "two", "rod", origin=(1.5, 0.5, 1.5)),
+    ]
+    parts = [part(name) for name in ("one", "two", "three", "rod")]
+    loops = analysed(parts, joints, tmp_path)
+    (note,) = [note for note in loops.notes if "cannot move" in note]
+    assert note.endswith("In these loops cannot move: 'd', 'c', 'b', 'a'")
+
+
 # ----- what does not move -----
 
 
