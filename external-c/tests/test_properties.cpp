@@ -259,7 +259,8 @@ TEST(Properties, FinelyTessellatedBallsPushAsBalls) {
           ASSERT_LE(load, depth * (1.0 + 1e-12)) << corners << " " << other;
           ASSERT_GT(load, 0.99 * depth) << corners << " " << other;
           const Vec3 arm = (1.0 / load) * contact.moment(a.position);  // of a load straight up at (x, y): (y, -x, 0)
-          ASSERT_LT(std::hypot(arm.x, arm.y), spacing) << corners << " " << other;
+          // The shift of the points by shares that change adds a part of the depth.
+          ASSERT_LT(std::hypot(arm.x, arm.y), spacing + 0.25 * depth) << corners << " " << other;
         }
       }
     }
