@@ -83,9 +83,7 @@ end Endless;
         translated(text)
 
 
-def test_while_loop_on_variables_is_refused_with_its_function(translated):
-    text = """model Halving
-  function halve
+HALVE = """  function halve
     input Real x;
     output Integer n = 0;
   protected
@@ -96,7 +94,12 @@ def test_while_loop_on_variables_is_refused_with_its_function(translated):
       n := n + 1;
     end while;
   end halve;
-  Integer n = halve(time);
+"""
+
+
+def test_while_loop_on_variables_is_refused_with_its_function(translated):
+    text = f"""model Halving
+{HALVE}  Integer n = halve(time);
 end Halving;
 """
     with pytest.raises(InputError, match=r"while-loop|halve") as caught:
@@ -106,19 +109,8 @@ end Halving;
 
 
 def test_while_loop_on_numbers_is_run(translated):
-    text = """model Halved
-  function halve
-    input Real x;
-    output Integer n = 0;
-  protected
-    Real y = x;
-  algorithm
-    while y > 1 loop
-      y := y/2;
-      n := n + 1;
-    end while;
-  end halve;
-  constant Integer n = halve(9.0);
+    text = f"""model Halved
+{HALVE}  constant Integer n = halve(9.0);
   Real x = n*time;
 end Halved;
 """
