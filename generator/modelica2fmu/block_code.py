@@ -10,11 +10,12 @@ from modelica2fmu import expression as ex
 from modelica2fmu import ir
 from modelica2fmu.blocks import Assignment, Block, LinearBlock, LinearSystem, NonlinearBlock
 from modelica2fmu.c_expressions import bare, c_text, number
-from modelica2fmu.c_functions import Function, Group, Lines, Statement, Write, numbers_of_lanes, single_function
+from modelica2fmu.c_functions import Function, numbers_of_lanes, single_function
 from modelica2fmu.call_code import call_statement
 from modelica2fmu.expression import Node
 from modelica2fmu.lanes import LANES, lane_passes
 from modelica2fmu.scalar_model import ExternalCall, ScalarVariable
+from modelica2fmu.statements import Group, Lines, Statement, Write
 from modelica2fmu.symbol_places import SymbolPlaces, set_lanes, set_work
 from modelica2fmu.systems import PlaceOf
 from modelica2fmu.tangents import TangentAssignment, is_tangent, probe, probe_name

@@ -1,7 +1,6 @@
 """C functions of bounded length that execute sequences of statements.
 
-Compilers need more than linear time for long functions. Within a function, a node that is used more than once is a
-local constant; a node that later functions use too is kept in the work array.
+Compilers need more than linear time for long functions. A node that several functions use is kept in the work array.
 
 Nodes below which certain symbols stand can be vectors of ``LANES`` numbers, for derivatives in as many directions.
 """
@@ -14,69 +13,12 @@ from itertools import groupby
 from typing import Final
 
 from modelica2fmu import expression as ex
-from modelica2fmu.c_expressions import bare, number, operation
 from modelica2fmu.expression import Node
-from modelica2fmu.lanes import LANES, lanes_at
+from modelica2fmu.function_body import FunctionBody
+from modelica2fmu.lanes import LANES
+from modelica2fmu.statements import Group, Statement, WorkSpace
 
 _STATEMENTS_PER_FUNCTION: Final = 1200
-_INLINE_LENGTH: Final = 160
-
-Write = Callable[["float | Node"], str]
-
-Lines = Callable[[Write], Sequence[str]]
-
-
-@dataclass(frozen=True)
-class Group:
-    """Statements that make up a function of its own, which a later statement calls, perhaps several times.
-
-    Attributes:
-        name: of the function.
-        executions: how often it is executed in one evaluation.
-    """
-
-    name: str
-    executions: int
-
-
-@dataclass(frozen=True)
-class Statement:
-    """Some lines of C and the expressions in them.
-
-    Attributes:
-        roots: expressions that the lines contain.
-        lines: the C, given a function from expression to C.
-        is_discrete: = true, if it is executed at events only.
-        group: the group that the statement is in; the statements of a group follow each other.
-        calls_model: = true, if the lines call functions that change the model's variables: it becomes a function of
-            its own, since the others take it for granted that only they do.
-    """
-
-    roots: tuple[float | Node, ...]
-    lines: Lines
-    is_discrete: bool = False
-    group: Group | None = None
-    calls_model: bool = False
-
-
-@dataclass
-class WorkSpace:
-    """Allocation of the work arrays."""
-
-    reals: int = 0
-    integers: int = 0
-
-    def real(self, count: int) -> int:
-        """Offset of ``count`` new doubles."""
-        offset = self.reals
-        self.reals += count
-        return offset
-
-    def integer(self, count: int) -> int:
-        """Offset of ``count`` new integers."""
-        offset = self.integers
-        self.integers += count
-        return offset
 
 
 @dataclass(frozen=True)
@@ -179,7 +121,7 @@ def _functions(chunks: Sequence[_Chunk], names: Sequence[str], frame: FunctionFr
     homes = _homes(chunks, frame.work, lane_nodes)
     result = []
     for position, (chunk, name) in enumerate(zip(chunks, names, strict=True)):
-        body = _Body(chunk, position, homes, frame.location, lane_nodes).lines()
+        body = FunctionBody(chunk.statements, position, homes, frame.location, lane_nodes).lines()
         text = "\n".join(
             [f"int {name}({frame.signature})", "{", *frame.prologue, *body, "  return CMB_RESULT_OK;", "}", ""]
         )
@@ -241,106 +183,3 @@ def _homes(chunks: Sequence[_Chunk], work: WorkSpace, lane_nodes: Collection[Nod
                     first[node] = position
                 stack.extend(node.args)
     return {node: (first[node], work.real(LANES if node in lane_nodes else 1)) for node in shared}
-
-
-class _Body:
-    """Writes the lines of one chunk."""
-
-    def __init__(
-        self,
-        chunk: _Chunk,
-        position: int,
-        homes: dict[Node, tuple[int, int]],
-        location: Callable[[str], str],
-        lane_nodes: Collection[Node],
-    ) -> None:
-        self._lane_nodes = lane_nodes
-        self._chunk = chunk
-        self._position = position
-        self._homes = homes
-        self._location = location
-        self._names: dict[Node, str] = {}
-        self._lines: list[str] = []
-        self._uses: dict[Node, int] = {}
-        self._count_uses()
-
-    def _count_uses(self) -> None:
-        for statement in self._chunk.statements:
-            for root in statement.roots:
-                if isinstance(root, Node):
-                    self._use(root)
-
-    def _is_elsewhere(self, node: Node) -> bool:
-        home = self._homes.get(node)
-        return home is not None and home[0] != self._position and home[0] < self._position
-
-    def _use(self, root: Node) -> None:
-        stack = [root]
-        while stack:
-            node = stack.pop()
-            count = self._uses.get(node, 0)
-            self._uses[node] = count + 1
-            if count == 0 and not self._is_elsewhere(node):
-                stack.extend(node.args)
-
-    def lines(self) -> list[str]:
-        for statement in self._chunk.statements:
-            for root in statement.roots:
-                if isinstance(root, Node):
-                    self._prepare(root)
-            self._lines.extend(f"  {line}" for line in statement.lines(self._write))
-        return self._lines
-
-    def _write(self, root: float | Node) -> str:
-        if not isinstance(root, Node):
-            return number(root)
-        return self._names[root]
-
-    def _prepare(self, root: Node) -> None:
-        """Makes sure that ``root`` has a text, declaring constants for shared nodes."""
-        stack = [(root, False)]
-        while stack:
-            node, ready = stack.pop()
-            if node in self._names:
-                continue
-            if node.op == "symbol":
-                self._names[node] = self._location(node.name)
-                continue
-            if node.op == "constant":
-                self._names[node] = number(node.value)
-                continue
-            if self._is_elsewhere(node):
-                self._names[node] = self._home(node)
-                continue
-            if not ready:
-                stack.append((node, True))
-                stack.extend((arg, False) for arg in node.args if arg not in self._names)
-                continue
-            self._name(node)
-
-    def _home(self, node: Node) -> str:
-        offset = self._homes[node][1]
-        return lanes_at(offset) if node in self._lane_nodes else f"w[{offset}]"
-
-    def _name(self, node: Node) -> None:
-        text = self._text(node)
-        home = self._homes.get(node)
-        if home is None and self._uses[node] == 1 and len(text) <= _INLINE_LENGTH:
-            self._names[node] = text
-            return
-        name = f"n{len(self._names)}"
-        type_name = "cmb_lanes" if node in self._lane_nodes else "double"
-        self._lines.append(f"  const {type_name} {name} = {bare(text)};")
-        self._names[node] = name
-        if home is not None:
-            self._lines.append(f"  {self._home(node)} = {name};")
-
-    def _text(self, node: Node) -> str:
-        args = [self._names[arg] for arg in node.args]
-        if node.op == "select" and node in self._lane_nodes:
-            # A branch that is no vector is the number zero: derivatives are linear in the directions.
-            args[1:] = [
-                f"(cmb_lanes){text}" if arg in self._lane_nodes else "(cmb_lanes){0}"
-                for arg, text in zip(node.args[1:], args[1:], strict=True)
-            ]
-        return operation(node.op, args)

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from typing import Final
 
 from modelica2fmu.c_expressions import c_text
-from modelica2fmu.c_functions import Statement, Write
 from modelica2fmu.expression import Node
 from modelica2fmu.rolled_code import rolled
 from modelica2fmu.scalar_model import CallArgument, ExternalCall
+from modelica2fmu.statements import Statement, Write
 
 _LONGEST_INITIALIZER: Final = 64
 

@@ -11,7 +11,7 @@ from modelica2fmu import expression as ex
 from modelica2fmu.alias import ReducedModel
 from modelica2fmu.block_code import BlockCode
 from modelica2fmu.blocks import Assignment, Block, block_roots, block_targets, needed_blocks
-from modelica2fmu.c_functions import Function, FunctionFrame, Statement, WorkSpace, functions_of
+from modelica2fmu.c_functions import Function, FunctionFrame, functions_of
 from modelica2fmu.event_code import (
     assert_statement,
     event_statements,
@@ -26,6 +26,7 @@ from modelica2fmu.packaging import GeneratedSource
 from modelica2fmu.scalar_model import ExternalCall, Kind, derivative_name, start_name, unwrapped
 from modelica2fmu.slots import Slots, assign_slots
 from modelica2fmu.sorting import solve_order
+from modelica2fmu.statements import Statement, WorkSpace
 from modelica2fmu.symbol_places import SymbolPlaces
 from modelica2fmu.systems import PlaceOf, Systems
 from modelica2fmu.tangents import tangents

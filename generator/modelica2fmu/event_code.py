@@ -7,9 +7,9 @@ from dataclasses import replace
 from modelica2fmu import expression as ex
 from modelica2fmu.arrays import Text
 from modelica2fmu.c_expressions import bare, c_text
-from modelica2fmu.c_functions import Lines, Statement, Write
 from modelica2fmu.expression import Node
 from modelica2fmu.scalar_model import INITIAL, TIME, ScalarAssert, ScalarModel
+from modelica2fmu.statements import Lines, Statement, Write
 from modelica2fmu.symbol_places import SymbolPlaces, set_work
 
 

@@ -14,20 +14,13 @@ from modelica2fmu import expression as ex
 from modelica2fmu.block_code import Factors
 from modelica2fmu.blocks import NonlinearBlock
 from modelica2fmu.c_expressions import bare, number
-from modelica2fmu.c_functions import (
-    Function,
-    Group,
-    Statement,
-    Write,
-    functions_of,
-    numbers_of_lanes,
-    single_function,
-)
+from modelica2fmu.c_functions import Function, functions_of, numbers_of_lanes, single_function
 from modelica2fmu.call_code import call_statement
 from modelica2fmu.expression import Node
 from modelica2fmu.lanes import LANES, lanes_at
 from modelica2fmu.model_file import function_calls
 from modelica2fmu.scalar_model import ExternalCall
+from modelica2fmu.statements import Group, Statement, Write
 from modelica2fmu.symbol_places import PROLOGUE, SIGNATURE, SymbolPlaces, set_lanes
 from modelica2fmu.tangents import (
     CallTangent,

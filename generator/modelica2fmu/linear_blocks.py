@@ -22,7 +22,7 @@ from modelica2fmu.lanes import lane_passes
 from modelica2fmu.linear_form import LinearForm, LinearForms, solved_for
 
 # So many times the length of the equations, the closed form takes longer to compile than it saves when it runs: a chain
-# of 8 pendulums (5 times) runs 15 % faster with it, of 64 (40 times) 3 times slower. For the legs of a hexapod it is 7.
+# of 8 pendulums (5 times) runs 15 % faster with it, of 64 (40 times) slower by half. For the legs of a hexapod it is 7.
 _LONGEST_FORM: Final = 10.0
 
 

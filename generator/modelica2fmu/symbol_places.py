@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Final
 
 from modelica2fmu.c_expressions import bare
-from modelica2fmu.c_functions import FunctionFrame, Statement, WorkSpace
+from modelica2fmu.c_functions import FunctionFrame
 from modelica2fmu.expression import Node
 from modelica2fmu.lanes import LANES, lanes_at
 from modelica2fmu.scalar_model import INITIAL, TERMINAL, TIME, unwrapped
 from modelica2fmu.slots import Slots, Store
+from modelica2fmu.statements import Statement, WorkSpace
 from modelica2fmu.tangents import is_tangent
 
 SIGNATURE: Final = "cmb_values *v"
