@@ -88,6 +88,16 @@ const Path paths[] = {
     {"standing cylinder slides over the border of a drum", "cmb/1 cylinder radius=0.3 length=0.5",
      "cmb/1 cylinder radius=1 length=1",
      [](double s) { return Place{{0.6 + 0.6 * s, 0.1, 0.75 - depth}, {}}; }},
+    {"tilted cylinder slips off a corner deeper than it overlaps", "cmb/1 cylinder radius=0.3 length=0.5", table,
+     [](double s) { return Place{{2.1 + 0.2 * s, 2.05 + 0.2 * s, 0.65}, rotation_about({0.6, 0.8, 0}, 0.2)}; }},
+    {"cone slips off a border with its tip down", "cmb/1 cone radius=0.3 length=0.5", table,
+     [](double s) { return Place{{1.9 + 0.2 * s, 0.1, 0.7}, rotation_about({1, 0, 0}, pi)}; }},
+    {"lying capsule sinks past a box's edge which its axis crosses", "cmb/1 capsule radius=0.1 length=0.8", table,
+     [](double s) { return Place{{2.0, 0.1, 0.65 - 0.3 * s}, rotation_about({1, 0, 0}, pi / 2)}; }},
+    {"ellipsoid rolls over a hull", "cmb/1 ellipsoid size=0.9,0.6,0.4", wedge,
+     [](double s) {
+       return Place{{-0.7 + 1.4 * s, 0.1, 0.62}, rotation_about(normalized(Vec3{0.3, 1, 0.1}), 2 * pi * s)};
+     }},
 };
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(VolumeLaw, NothingIsPushedWhereBodiesAreApart) {
     for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(apart.point[3 * k + axis], apart.point[axis]);
   }
   // Apart, it does not matter that the overlap would not be known.
-  EXPECT_GT(VolumePoints("cmb/1 cone radius=1 length=1", "cmb/1 halfspace", {0, 0, 9}).distance, 0.0);
+  EXPECT_GT(VolumePoints("cmb/1 cone radius=1 length=1", "cmb/1 box size=1,1,1", {0, 0, 9}).distance, 0.0);
 }
 
 TEST(VolumeLaw, VolumesTooSmallForANumberPushNothing) {
@@ -103,7 +103,7 @@ TEST(VolumeLaw, VolumesTooSmallForANumberPushNothing) {
 }
 
 TEST(VolumeLaw, UnknownOverlapsAndBadPosesAreErrors) {
-  EXPECT_THROW(VolumePoints("cmb/1 capsule radius=0.1 length=1", "cmb/1 halfspace", {0, 0, 0.05}), ModelicaError);
+  EXPECT_THROW(VolumePoints("cmb/1 capsule radius=0.1 length=1", "cmb/1 box size=1,1,1", {0, 0, 0.05}), ModelicaError);
   const double reflected[] = {-1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   EXPECT_THROW(VolumePoints("cmb/1 sphere radius=1", "cmb/1 halfspace", {}, reflected), ModelicaError);
 }

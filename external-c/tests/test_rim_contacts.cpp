@@ -66,6 +66,71 @@ TEST(RimContacts, TiltedDiscIsRightedByTheRimsSecondMoment) {
   EXPECT_NEAR(contact.moment(middle).y / (-0.5 * 0.09 * tilt), 1.0, 0.02);
 }
 
+// The depth's mean over the outline of what two flat faces have in common, by the angle it turns through; here
+// summed.
+struct OutlineSums {
+  double load = 0.0;
+  Vec3 first;  // of the place
+};
+
+// A place of the outline and the angle it turns through there.
+struct Turn {
+  double x, y, angle;
+};
+
+OutlineSums sum_outline(const std::vector<Turn> &turns) {
+  OutlineSums sums;
+  for (const Turn &turn : turns) {
+    const double part = turn.angle / (2 * pi) * depth;
+    sums.load += part;
+    sums.first = sums.first + part * Vec3{turn.x, turn.y, 0};
+  }
+  return sums;
+}
+
+void expect_outline(const Contact &contact, const OutlineSums &sums, double bound) {
+  Vec3 first;
+  for (const Point &p : contact.points) first = first + p.weight * p.depth * p.position;
+  EXPECT_NEAR(contact.load().z, sums.load, bound);
+  EXPECT_NEAR(first.x, sums.first.x, bound);
+  EXPECT_NEAR(first.y, sums.first.y, bound);
+}
+
+TEST(RimContacts, DiscOverAFacesCornerCarriesByItsOutline) {
+  // A disc of radius 0.3 about (1.9, 1.95) on a face that ends at 2 and 2: the corner is under the disc.
+  const PairScene scene(cylinder, "cmb/1 box size=4,4,1");
+  const Contact contact = scene.query({{1.9, 1.95, 0.75 - depth}, yaw}, {}, 64);
+  std::vector<Turn> turns;
+  constexpr int count = 200000;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * pi * (k + 0.5) / count, x = 1.9 + 0.3 * std::cos(angle), y = 1.95 + 0.3 * std::sin(angle);
+    if (x < 2 && y < 2) turns.push_back({x, y, 2 * pi / count});
+  }
+  // The rim leaves through x = 2 below the corner, and through y = 2 beside it.
+  const double across_x = std::sqrt(0.09 - 0.01), across_y = std::sqrt(0.09 - 0.0025);
+  turns.push_back({2.0, 1.95 - across_x, std::acos(0.1 / 0.3)});
+  turns.push_back({1.9 - across_y, 2.0, std::acos(0.05 / 0.3)});
+  turns.push_back({2.0, 2.0, pi / 2});
+  expect_outline(contact, sum_outline(turns), 1e-7);
+  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-12);
+}
+
+TEST(RimContacts, DiscsThatOverlapInPartCarryByTheirLens) {
+  const PairScene scene(cylinder, "cmb/1 cylinder radius=0.4 length=1");
+  const Contact contact = scene.query({{0.5, 0, 0.75 - depth}, yaw}, {}, 64);
+  const double along = 0.5 * (0.5 + (0.16 - 0.09) / 0.5), lower = std::acos(along / 0.4), upper = std::acos((0.5 - along) / 0.3);
+  std::vector<Turn> turns;
+  constexpr int count = 100000;
+  for (int k = 0; k < count; ++k) {
+    const double part = (2.0 * (k + 0.5) / count - 1.0);
+    turns.push_back({0.4 * std::cos(part * lower), 0.4 * std::sin(part * lower), 2 * lower / count});
+    turns.push_back({0.5 - 0.3 * std::cos(part * upper), 0.3 * std::sin(part * upper), 2 * upper / count});
+  }
+  for (const double side : {1.0, -1.0}) turns.push_back({along, side * 0.4 * std::sin(lower), pi - lower - upper});
+  expect_outline(contact, sum_outline(turns), 1e-9);
+  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-12);
+}
+
 TEST(RimContacts, BoxStandsOnACylinder) {
   const PairScene scene("cmb/1 box size=0.5,0.4,0.3", "cmb/1 cylinder radius=1 length=1");
   const Contact contact = scene.query({{0.1, 0.2, 0.65 - depth}, yaw}, {}, 64);

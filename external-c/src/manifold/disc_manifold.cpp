@@ -121,7 +121,7 @@ double disc_on_disc(const Disc &a, const Disc &b, const Vec3 &normal, double sen
   in_plane(a, ua, va);
   in_plane(b, ub, vb);
   const Rim rim_a(a.center, ua, va, b.center, b.axis, normal);
-  Rim rim_b(b.center, ub, vb, a.center, a.axis, -normal);  // B's depth counts the other way
+  const Rim rim_b(b.center, ub, vb, a.center, a.axis, -normal);  // B's depth counts the other way
   Outline outline(sense * normal, points);
   if (apart + a.radius <= b.radius) {
     add_arc(rim_a, -pi, pi, outline);
@@ -133,7 +133,10 @@ double disc_on_disc(const Disc &a, const Disc &b, const Vec3 &normal, double sen
     const double half_b = std::acos(std::clamp((apart - along) / b.radius, -1.0, 1.0));
     add_arc(rim_a, -half_a, half_a, outline);
     add_arc(rim_b, pi - half_b, pi + half_b, outline);
-    for (const double side : {1.0, -1.0}) outline.corner(rim_a, side * half_a, pi - half_a - half_b);
+    for (const double side : {1.0, -1.0}) {  // where the rims cross, seen along the normal: in halves on each
+      outline.corner(rim_a, side * half_a, 0.5 * (pi - half_a - half_b));
+      outline.corner(rim_b, pi - side * half_b, 0.5 * (pi - half_a - half_b));
+    }
   }
   return outline.deepest();
 }
