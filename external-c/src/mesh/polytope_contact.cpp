@@ -18,7 +18,7 @@ class PolytopeQuery {
  public:
   PolytopeQuery(const convex::Polytope &body, const Pose &body_in_mesh, const TriangleMesh &mesh, const Pose &pose,
                 MeshContactScratch &scratch, ContactSet &result)
-      : body_(body), mesh_(mesh), pose_(pose), scratch_(scratch), result_(result) {
+      : body_(body), place_(body_in_mesh), mesh_(mesh), pose_(pose), scratch_(scratch), result_(result) {
     scratch.body_vertices.clear();
     scratch.body_normals.clear();
     for (const Vec3 &v : body.vertices()) scratch.body_vertices.push_back(body_in_mesh(v));
@@ -35,7 +35,8 @@ class PolytopeQuery {
       load.finish(result_);
     } else {
       apart();
-      swallowed_contact(0.5 * (box_.low + box_.high), mesh_, pose_, result_);
+      // A place within the body, which the middle of its box need not be.
+      swallowed_contact(place_(body_.center()), mesh_, pose_, result_);
     }
   }
 
@@ -85,6 +86,7 @@ class PolytopeQuery {
   }
 
   const convex::Polytope &body_;
+  const Pose &place_;
   const TriangleMesh &mesh_;
   const Pose &pose_;
   MeshContactScratch &scratch_;
@@ -97,7 +99,8 @@ class PolytopeQuery {
 
 void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                       MeshContactScratch &scratch, ContactSet &result) {
-  PolytopeQuery(body, relative_pose(pose, body_pose), mesh, pose, scratch, result).run();
+  const Pose body_in_mesh = relative_pose(pose, body_pose);
+  PolytopeQuery(body, body_in_mesh, mesh, pose, scratch, result).run();
 }
 
 }  // namespace cmb::mesh

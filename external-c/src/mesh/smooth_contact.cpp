@@ -42,7 +42,8 @@ class SmoothQuery {
       load.finish(result_);
     } else {
       apart();
-      swallowed_contact(center, mesh_, pose_, result_);
+      // A place within the body, which the middle of its box need not be.
+      swallowed_contact(place_(convex::core_center(body_)), mesh_, pose_, result_);
     }
   }
 

@@ -106,6 +106,16 @@ TEST(CylinderOnMesh, BesideFlatTetrahedraOfSupportsItIsApart) {
   EXPECT_NEAR(on_mesh.query(pose, {}).distance, 0.0023732919686147557, 1e-9);
 }
 
+TEST(HullBesideMesh, WithTheMiddleOfItsBoxInTheMeshIsApart) {
+  // A sliver along x + y + z = 1 beside the corner of a cube: the middle of its box lies in the cube, the sliver does not.
+  const char *const sliver = "cmb/1 hull vertices=1,0,0,0,1,0,0,0,1,0.2,0.2,0.2";
+  const PairScene scene(sliver, mesh_text(mesh_samples::box_mesh({1.4, 1.4, 1.4})));
+  const BodyPose cube{{1.06, 1.06, 1.06}, {}};
+  const Contact contact = scene.query({}, cube);
+  EXPECT_NEAR(contact.distance, 0.08 / std::sqrt(3.0), 1e-12);
+  EXPECT_TRUE(contact.points.empty());
+}
+
 TEST(RoundBodiesOnMesh, RollWithoutBumps) {
   for (const char *body : {"cmb/1 cylinder radius=0.3 length=0.5", "cmb/1 cone radius=0.3 length=0.5"}) {
     const PairScene scene(body, flat_field());
