@@ -179,4 +179,43 @@ TEST(BodiesWithoutShape, NeverTouch) {
   EXPECT_EQ(planes.query(origin, origin).distance, CMB_DISTANCE_NONE);
 }
 
+// Of ellipsoids with one middle and the same axes, h(m) = |A m| + |B m|: both terms are concave functions of the squares of
+// m's components, which sum to 1, so that the least of them is at an axis, and the depth the least sum of semi-axes.
+TEST(Ellipsoids, ConcentricOnesAreAsDeepAsTheLeastSumOfSemiAxes) {
+  const struct {
+    double a[3], b[3];
+  } pairs[] = {{{0.3, 0.3, 0.5}, {0.4, 0.4, 0.2}}, {{0.3, 0.4, 0.5}, {0.5, 0.35, 0.2}}, {{0.5, 0.5, 0.2}, {0.3, 0.3, 0.4}}};
+  for (const auto &pair : pairs) {
+    std::string text[2];
+    double least = 1e9;
+    for (int k = 0; k < 3; ++k) least = std::fmin(least, pair.a[k] + pair.b[k]);
+    for (int body = 0; body < 2; ++body) {
+      const double *half = body == 0 ? pair.a : pair.b;
+      text[body] = "cmb/1 ellipsoid size=" + digits(2 * half[0]) + "," + digits(2 * half[1]) + "," + digits(2 * half[2]);
+    }
+    const Mat3 turned = rotation_about(normalized(Vec3{1, 2, 3}), 0.8);
+    for (const Mat3 &rotation : {Mat3{}, turned}) {
+      // A whole circle of directions is as deep where two sums are equal: the search may end beside it, by 7e-8 in 0.7.
+      EXPECT_NEAR(PairScene(text[0], text[1]).query({{}, rotation}, {{}, rotation}).distance, -least, 1e-6);
+    }
+  }
+}
+
+// Of revolution about one axis, and apart along it: all directions of a cone about it are equally deep, and one angle tells.
+TEST(Ellipsoids, CoaxialOnesAreAsDeepAsTheBestInclination) {
+  const double a[2] = {0.3, 0.5}, b[2] = {0.45, 0.2};  // radius, half length
+  const PairScene scene("cmb/1 ellipsoid size=0.6,0.6,1", "cmb/1 ellipsoid size=0.9,0.9,0.4");
+  const Mat3 turned = rotation_about(normalized(Vec3{1, 2, 3}), 0.8);
+  for (const double apart : {0.01, 0.05, 0.1, 0.3, 0.5, 0.69}) {
+    double least = 1e9;
+    for (int k = 0; k <= 400000; ++k) {
+      const double angle = pi * k / 400000, c = std::cos(angle), s = std::sin(angle);
+      least = std::fmin(least, std::hypot(a[0] * s, a[1] * c) + std::hypot(b[0] * s, b[1] * c) + apart * c);
+    }
+    for (const Mat3 &rotation : {Mat3{}, turned}) {
+      EXPECT_NEAR(scene.query({rotation * Vec3{0, 0, apart}, rotation}, {{}, rotation}).distance, -least, 1e-9) << apart;
+    }
+  }
+}
+
 }  // namespace
