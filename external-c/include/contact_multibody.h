@@ -117,8 +117,8 @@ CMB_API cmb_status cmb_backend_counts(cmb_scene scene, unsigned long long *answe
 /* The overlap of a pair as a solid. Parts of compounds are added up. */
 typedef struct cmb_overlap {
   int known;                /* 1, or 0 where a pair of shapes overlaps whose overlap the engine cannot compute: known are
-                               boxes and hulls with each other and with half-spaces, spheres with each other and with
-                               half-spaces. Everything is 0 then, and where nothing overlaps. */
+                               all shapes but meshes with half-spaces, boxes and hulls with each other, spheres with
+                               each other. Everything is 0 then, and where nothing overlaps. */
   double volume;            /* m3 */
   double centroid[3];       /* m, world axes */
   double patch_area;        /* m2, of the overlap seen along the contact normal */
