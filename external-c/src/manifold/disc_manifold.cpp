@@ -22,7 +22,8 @@ struct Rim {
   Rim(const Vec3 &center, const Vec3 &u, const Vec3 &v, const Vec3 &place, const Vec3 &up, const Vec3 &normal) {
     const double facing = 1.0 / dot(up, normal);
     depth = facing * dot(up, place - center), cosine = -facing * dot(up, u), sine = -facing * dot(up, v);
-    middle = center + (0.5 * depth) * normal, middle_cosine = u + (0.5 * cosine) * normal, middle_sine = v + (0.5 * sine) * normal;
+    middle = center + (0.5 * depth) * normal;
+    middle_cosine = u + (0.5 * cosine) * normal, middle_sine = v + (0.5 * sine) * normal;
   }
 };
 
@@ -188,7 +189,8 @@ double disc_on_face(const Disc &disc, const Shape &box, const Pose &pose, const 
     for (const double way : {-1.0, 1.0}) {
       if (!(half[k] > 0.0)) continue;
       const double t = angle[k] + way * half[k];
-      const double aside = k % 2 == 0 ? (y + swing_y * std::cos(t - angle_y)) / half2 : (x + swing_x * std::cos(t - angle_x)) / half1;
+      const double aside = k % 2 == 0 ? (y + swing_y * std::cos(t - angle_y)) / half2
+                                      : (x + swing_x * std::cos(t - angle_x)) / half1;
       if (std::fabs(aside) < 1.0) outline.corner(rim, t, half[k]);
     }
     // The face's corner between this side and the next, if it is under the disc.

@@ -15,7 +15,8 @@ struct Disc {
   Disc(const Shape &shape, const Pose &pose, const Vec3 &towards);
 };
 
-// How nearly a box faces `towards` (unit, world axes) with one of its faces: 1 where it does, fading to 0 as a disc's part does.
+// How nearly a box faces `towards` (unit, world axes) with one of its faces: 1 where it does, fading to 0 as a disc's part
+// does.
 double face_part(const Shape &box, const Pose &pose, const Vec3 &towards);
 
 // The following append what two flat pieces carry that lie in each other, as seen along the contact normal `normal` (unit,
