@@ -2,43 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
-from cmb_base.errors import InputError, Place, UnsupportedModelError
+from cmb_base.errors import InputError, UnsupportedModelError
 
 from modelica2fmu import arrays, ir
 from modelica2fmu import expression as ex
 from modelica2fmu.arrays import Record, Scalar, Text, Value
+from modelica2fmu.call_expansion import CallExpansion
 from modelica2fmu.expression import Node
-from modelica2fmu.interpreter import Interpreter, relation
+from modelica2fmu.interpreter import Interpreter
 from modelica2fmu.scalar_model import (
     INITIAL,
     TERMINAL,
     TIME,
     CallArgument,
-    ExternalCall,
     Kind,
-    Reinitialization,
     Relation,
     SampleCounter,
     ScalarAssert,
     ScalarEquation,
     ScalarModel,
     ScalarVariable,
-    Termination,
     derivative_name,
     previous_name,
-    relation_name,
     unwrapped,
 )
+from modelica2fmu.scalar_values import (
+    BASE_TYPES,
+    KNOWN_KINDS,
+    as_number,
+    element_names,
+    only_parameters,
+    text_of,
+)
 from modelica2fmu.source_map import SourceMap
-from modelica2fmu.tables import Tables, is_table_function
-
-_BASE_TYPES: Final = frozenset({"Real", "Integer", "Boolean", "String"})
-_KNOWN_KINDS: Final = frozenset({Kind.CONSTANT, Kind.PARAMETER})
+from modelica2fmu.tables import is_table_function
+from modelica2fmu.value_functions import relation
+from modelica2fmu.when_expansion import WhenExpansion
 
 
 def scalarize(model: ir.FlatModel, source_map: SourceMap, files: Callable[[str], Path] = Path) -> ScalarModel:
@@ -56,27 +60,17 @@ def scalarize(model: ir.FlatModel, source_map: SourceMap, files: Callable[[str],
     return _Scalarizer(model, source_map, files).run()
 
 
-def element_names(name: str, shape: tuple[int, ...]) -> list[str]:
-    """Names of the elements of a variable, row-major."""
-    if not shape:
-        return [name]
-    return [f"{name}[{','.join(str(number + 1) for number in index)}]" for index in np.ndindex(*shape)]
-
-
 class _Scalarizer:
     """Host of the interpreter and builder of the scalar model."""
 
     def __init__(self, model: ir.FlatModel, source_map: SourceMap, files: Callable[[str], Path]) -> None:
         self._model = model
-        self._files = files
         self._source_map = source_map
         self._interpreter = Interpreter(model, self, source_map)
         self._result = ScalarModel(model.name, model.description)
         self._values: dict[str, Value] = {}
         self._in_progress: set[str] = set()
         self._relations: dict[Node, Relation] = {}
-        self._calls: dict[tuple[Any, ...], tuple[Value, ...]] = {}
-        self._call_outputs: dict[str, ExternalCall] = {}
         self._samples: dict[tuple[Any, Any], str] = {}
         self._time_relations: dict[Node, str] = {}
         self._steps: dict[tuple[str, Node], str] = {}
@@ -84,6 +78,15 @@ class _Scalarizer:
         self._assigned_in_when = self._targets_of_whens()
         self._enumeration_names = {literal.rsplit(".", 1)[0] for literal in model.enumeration_literals}
         self._structural: set[str] = set()
+        self._external_calls = CallExpansion(
+            self._result,
+            self._interpreter,
+            source_map,
+            files,
+            self.constant,
+            lambda name: bool(self._enumeration_candidates(name)),
+        )
+        self._whens = WhenExpansion(model, self._result, self._interpreter, source_map)
 
     # --- run ---
 
@@ -102,13 +105,13 @@ class _Scalarizer:
         for equation in model.equations:
             result.equations.extend(self._equation(equation))
         for algorithm in model.algorithms:
-            self._algorithm(algorithm)
+            self._whens.algorithm(algorithm)
         for position, when in enumerate(model.whens):
-            self._when([(branch.condition, branch.body) for branch in when.branches], f"$when[{position + 1}]")
+            self._whens.when([(branch.condition, branch.body) for branch in when.branches], f"$when[{position + 1}]")
         for equation in model.initial_equations:
             result.initial_equations.extend(self._equation(equation, events=False))
         for algorithm in model.initial_algorithms:
-            self._initial_algorithm(algorithm)
+            self._whens.initial_algorithm(algorithm)
         for item in (*model.asserts, *model.initial_asserts):
             self._assert(item)
         for name in self._structural:
@@ -182,7 +185,7 @@ class _Scalarizer:
                 orientation = (variable.orientation, position // 3, position % 3)
             self._result.variables[name] = ScalarVariable(
                 name=name,
-                type=variable.type if variable.type in _BASE_TYPES else self._enumeration(variable.type),
+                type=variable.type if variable.type in BASE_TYPES else self._enumeration(variable.type),
                 kind=kind,
                 fixed=fixed[position] if len(fixed) == len(names) else fixed[0],
                 state_select=variable.state_select,
@@ -202,14 +205,14 @@ class _Scalarizer:
         return max(candidates, key=lambda full: (len(full), full)) if candidates else "Integer"
 
     def enumeration_type(self, name: str) -> str | None:
-        """See :class:`interpreter.Host`."""
+        """See :class:`interpreter_host.Host`."""
         variable = self._model.variables.get(name)
-        if variable is None or variable.type in _BASE_TYPES:
+        if variable is None or variable.type in BASE_TYPES:
             return None
         return self._enumeration(variable.type)
 
     def _enumerations(self) -> dict[str, tuple[str, ...]]:
-        used = {variable.type for variable in self._result.variables.values()} - _BASE_TYPES
+        used = {variable.type for variable in self._result.variables.values()} - BASE_TYPES
         result: dict[str, tuple[str, ...]] = {}
         for name in sorted(used):
             literals = {
@@ -261,7 +264,7 @@ class _Scalarizer:
     # --- Host ---
 
     def variable(self, name: str) -> Value | None:
-        """See :class:`interpreter.Host`."""
+        """See :class:`interpreter_host.Host`."""
         value = self._values.get(name)
         if value is not None:
             return value
@@ -352,7 +355,7 @@ class _Scalarizer:
         return result
 
     def derivative(self, value: float | Node, span: ir.Span | None) -> float | Node:
-        """See :class:`interpreter.Host`."""
+        """See :class:`interpreter_host.Host`."""
 
         def rate(name: str) -> float | Node:
             if name == TIME:
@@ -369,17 +372,17 @@ class _Scalarizer:
         return ex.Differentiation(rate)(value)
 
     def previous(self, value: float | Node, span: ir.Span | None) -> float | Node:
-        """See :class:`interpreter.Host`."""
+        """See :class:`interpreter_host.Host`."""
         del span
         mapping: dict[str, float | Node] = {}
         for name in ex.symbols(value):
             variable = self._result.variables.get(name)
-            if variable is not None and variable.kind not in _KNOWN_KINDS:
+            if variable is not None and variable.kind not in KNOWN_KINDS:
                 mapping[name] = ex.symbol(previous_name(name))
         return ex.Substitution(mapping)(value)
 
     def relation(self, op: str, left: float | Node, right: float | Node) -> bool | Node:
-        """See :class:`interpreter.Host`."""
+        """See :class:`interpreter_host.Host`."""
         plain = relation(op, left, right)
         if not isinstance(plain, Node) or self._is_discrete(plain):
             return plain
@@ -446,7 +449,7 @@ class _Scalarizer:
         return True
 
     def step(self, op: str, value: float | Node) -> float | Node:
-        """See :class:`interpreter.Host`; a discrete variable with an event where it has to change."""
+        """See :class:`interpreter_host.Host`; a discrete variable with an event where it has to change."""
         if not isinstance(value, Node) or self._is_discrete(value):
             return ex.unary("floor", value) if op == "floor" else ex.binary("quotient", value, 1)
         name = self._steps.get((op, value))
@@ -468,7 +471,7 @@ class _Scalarizer:
         return ex.symbol(name)
 
     def sample(self, start: float | Node, interval: float | Node, span: ir.Span | None) -> bool | Node:
-        """See :class:`interpreter.Host`; true in the event iteration in which the count of samples rises."""
+        """See :class:`interpreter_host.Host`; true in the event iteration in which the count of samples rises."""
         for value in (start, interval):
             if isinstance(value, Node) and not self._is_fixed_while_simulating(value):
                 raise UnsupportedModelError(
@@ -495,8 +498,8 @@ class _Scalarizer:
     def delay(
         self, value: float | Node, delay: float | Node, longest: float | Node, span: ir.Span | None
     ) -> float | Node:
-        """See :class:`interpreter.Host`; a call of the runtime, which keeps the history."""
-        if not isinstance(value, Node) or self._only_parameters(value):
+        """See :class:`interpreter_host.Host`; a call of the runtime, which keeps the history."""
+        if not isinstance(value, Node) or only_parameters(self._result, value):
             return value
         if isinstance(longest, Node) and not self._is_fixed_while_simulating(longest):
             raise UnsupportedModelError(
@@ -509,28 +512,22 @@ class _Scalarizer:
         reals = (CallArgument("Real", (item,), is_array=False, is_output=False) for item in key)
         position = CallArgument("Integer", (number,), is_array=False, is_output=False)
         instance = CallArgument("Instance", (), is_array=False, is_output=False)
-        return self._lookup("delay", "cmb_delay", (instance, position, *reals), span)
+        return self._external_calls.lookup("delay", "cmb_delay", (instance, position, *reals), span)
 
     def _is_fixed_while_simulating(self, node: Node) -> bool:
         """Parameters, also those that the initialization finds."""
         return all(
             (variable := self._result.variables.get(name)) is not None
-            and variable.kind in (*_KNOWN_KINDS, Kind.FREE_PARAMETER)
-            for name in ex.symbols(node)
-        )
-
-    def _only_parameters(self, node: Node) -> bool:
-        return all(
-            (variable := self._result.variables.get(name)) is not None and variable.kind in _KNOWN_KINDS
+            and variable.kind in (*KNOWN_KINDS, Kind.FREE_PARAMETER)
             for name in ex.symbols(node)
         )
 
     def constant(self, value: Node, span: ir.Span | None, purpose: str) -> float:
-        """See :class:`interpreter.Host`; the parameters it depends on can no longer be changed."""
+        """See :class:`interpreter_host.Host`; the parameters it depends on can no longer be changed."""
         numbers: dict[str, float | Node] = {}
         for name in ex.symbols(value):
             variable = self._result.variables.get(name)
-            if variable is None or variable.kind not in _KNOWN_KINDS:
+            if variable is None or variable.kind not in KNOWN_KINDS:
                 raise UnsupportedModelError(
                     f"{purpose or 'a value'} that depends on the variable {name} is not translated",
                     place=self._source_map.place(span),
@@ -572,177 +569,22 @@ class _Scalarizer:
         raise UnsupportedModelError(f"the parameter {name} has no value at translation")
 
     def function_assert(self, condition: Scalar, message: Scalar, is_warning: bool) -> None:
-        """See :class:`interpreter.Host`."""
+        """See :class:`interpreter_host.Host`."""
         if isinstance(condition, str | Text) or not isinstance(message, str | Text):
             return
         if isinstance(condition, Node):
             # Checked when it depends on parameters alone; an assertion of an inlined function on variables may
             # stand in a branch that is not taken, so it cannot be lifted out of it.
-            if self._only_parameters(condition):
-                self._result.asserts.append(ScalarAssert(condition, _text(message), is_warning))
+            if only_parameters(self._result, condition):
+                self._result.asserts.append(ScalarAssert(condition, text_of(message), is_warning))
         elif not condition and not is_warning:
             raise InputError(
                 f"an assertion of the model fails: {message if isinstance(message, str) else message.parts}"
             )
 
-    # --- external functions ---
-
     def external(self, function: ir.Function, args: Mapping[str, Value], span: ir.Span | None) -> tuple[Value, ...]:
-        """See :class:`interpreter.Host`; the outputs become symbols."""
-        external = function.external
-        assert external is not None
-        if is_table_function(external.name):
-            return self._table(function, args, span)
-        for variable in (*function.inputs, *function.outputs):
-            is_known = variable.type in _BASE_TYPES or variable.is_record or self._enumeration_candidates(variable.type)
-            if not is_known and variable.type.rsplit(".", 1)[-1] not in _BASE_TYPES:
-                # Neither a number nor an enumeration: a pointer that the equations cannot carry.
-                raise UnsupportedModelError(
-                    f"the external object {variable.type} of the function {function.name} is not translated",
-                    place=self._source_map.place(span or function.span),
-                    remedy="use a function of arrays, as tables can be written, or blocks without external objects",
-                )
-        key = (
-            function.name,
-            *(
-                (name.name, tuple(_hashable(item) for item in arrays.scalars(args[name.name])))
-                for name in function.inputs
-            ),
-        )
-        known = self._calls.get(key)
-        if known is not None:
-            return known
-        number = len(self._result.calls) + 1
-        outputs: dict[str, Value] = {}
-        for variable in function.outputs:
-            shape = self._interpreter.function_shape(variable, args)
-            names = element_names(f"$call[{number}].{variable.name}", shape)
-            outputs[variable.name] = (
-                arrays.stack([ex.symbol(name) for name in names]).reshape(shape) if shape else ex.symbol(names[0])
-            )
-            if variable.type == "String":
-                raise UnsupportedModelError(
-                    f"the String output {variable.name} of the external function {function.name} is not translated",
-                    place=self._source_map.place(function.span),
-                )
-        arguments = tuple(self._argument(function, argument, args, outputs) for argument in external.args)
-        inputs = [
-            item for argument in arguments if not argument.is_output for item in argument.values
-            if isinstance(item, Node)
-        ]  # fmt: skip
-        of_parameters = all(self._only_parameters(item) for item in inputs)
-        is_whole = {variable.name: variable.type != "Real" for variable in function.outputs}
-        for variable in function.outputs:
-            for item in arrays.scalars(outputs[variable.name]):
-                assert isinstance(item, Node)
-                if of_parameters:
-                    kind = Kind.PARAMETER
-                else:
-                    kind = Kind.DISCRETE if is_whole[variable.name] else Kind.CONTINUOUS
-                type_name = variable.type if variable.type in _BASE_TYPES else "Integer"
-                self._result.variables[item.name] = ScalarVariable(item.name, type_name, kind, value=item)
-        result = None
-        if external.result is not None:
-            (node,) = arrays.scalars(outputs[external.result])
-            assert isinstance(node, Node)
-            result = (node.name, self._result.variables[node.name].type)
-        call = ExternalCall(
-            number=number,
-            function=function.name,
-            symbol=external.name,
-            args=arguments,
-            result=result,
-            outputs=tuple(
-                item.name for value in outputs.values() for item in arrays.scalars(value) if isinstance(item, Node)
-            ),
-            has_prototype=any(name == "Include" for name, _ in external.annotations),
-            span=span,
-        )
-        self._result.calls.append(call)
-        for annotation in external.annotations:
-            if annotation not in self._result.external_annotations:
-                self._result.external_annotations.append(annotation)
-        value = tuple(outputs[variable.name] for variable in function.outputs)
-        self._calls[key] = value
-        return value
-
-    def _table(self, function: ir.Function, args: Mapping[str, Value], span: ir.Span | None) -> tuple[Value, ...]:
-        """A function of the Standard Library's tables."""
-
-        def number(value: Value) -> float:
-            return self.constant(value, span, "the data of a table") if isinstance(value, Node) else _as_float(value)
-
-        def lookup(symbol: str, arguments: Sequence[CallArgument]) -> Node:
-            return self._lookup(function.name, symbol, tuple(arguments), span)
-
-        assert function.external is not None
-        try:
-            return Tables(lookup, number, self._files).call(function.external.name, args)
-        except (InputError, UnsupportedModelError) as error:
-            if error.place != Place():
-                raise
-            raise type(error)(error.message, place=self._source_map.place(span or function.span)) from error
-
-    def _lookup(self, function: str, symbol: str, arguments: tuple[CallArgument, ...], span: ir.Span | None) -> Node:
-        """The result of a call of a function of the runtime."""
-        key = (symbol, arguments)
-        known = self._calls.get(key)
-        if known is not None:
-            (value,) = known
-            assert isinstance(value, Node)
-            return value
-        number = len(self._result.calls) + 1
-        result = ex.symbol(f"$call[{number}].y")
-        inputs = [item for argument in arguments for item in argument.values if isinstance(item, Node)]
-        kind = Kind.PARAMETER if all(self._only_parameters(item) for item in inputs) else Kind.CONTINUOUS
-        self._result.variables[result.name] = ScalarVariable(result.name, "Real", kind, value=result)
-        self._result.calls.append(
-            ExternalCall(number, function, symbol, arguments, (result.name, "Real"), (result.name,), True, span)
-        )
-        header = ("Include", (f'#include "{"cmb_delay.h" if symbol == "cmb_delay" else "cmb_table.h"}"',))
-        if header not in self._result.external_annotations:
-            self._result.external_annotations.append(header)
-        self._calls[key] = (result,)
-        return result
-
-    def _argument(
-        self,
-        function: ir.Function,
-        expression: ir.Expression,
-        args: Mapping[str, Value],
-        outputs: Mapping[str, Value],
-    ) -> CallArgument:
-        if isinstance(expression, ir.Builtin) and expression.name == "size":
-            size = self._interpreter.evaluate_in_function(expression, {**args, **outputs})
-            return CallArgument("size", (int(_as_float(size)),), is_array=False, is_output=False)
-        types = {variable.name: variable for variable in (*function.inputs, *function.outputs, *function.locals)}
-        name = expression.name if isinstance(expression, ir.Reference) and not expression.subscripts else ""
-        if name in outputs:
-            value = outputs[name]
-            names = tuple(item for item in arrays.scalars(value) if isinstance(item, Node))
-            return CallArgument(_c_type(types[name].type), names, isinstance(value, np.ndarray), is_output=True)
-        value = args[name] if name in args else self._interpreter.evaluate_in_function(expression, args)
-        if isinstance(value, Record | tuple):
-            raise UnsupportedModelError(
-                f"a record as argument of the external function {function.name} is not translated",
-                place=self._source_map.place(function.span),
-            )
-        items = arrays.scalars(value)
-        if name in types:
-            type_name = _c_type(types[name].type)
-        else:
-            type_name = "String" if any(isinstance(item, str) for item in items) else "Real"
-            if all(isinstance(item, int) for item in items):
-                type_name = "Integer"
-        values = []
-        for item in items:
-            if isinstance(item, Text):
-                raise UnsupportedModelError(
-                    f"a String that depends on variables as argument of {function.name} is not translated",
-                    place=self._source_map.place(function.span),
-                )
-            values.append(item)
-        return CallArgument(type_name, tuple(values), isinstance(value, np.ndarray), is_output=False)
+        """See :class:`interpreter_host.Host`."""
+        return self._external_calls.external(function, args, span)
 
     # --- equations ---
 
@@ -761,7 +603,7 @@ class _Scalarizer:
                 self._result.variables[name].value = item
             return
         for name, item in zip(names, self._broadcast_events(variable.binding, names), strict=True):
-            self._result.equations.append(ScalarEquation(ex.symbol(name), _as_number(item), variable.span))
+            self._result.equations.append(ScalarEquation(ex.symbol(name), as_number(item), variable.span))
 
     def _broadcast_events(self, expression: ir.Expression, names: list[str]) -> list[Scalar]:
         items = arrays.scalars(self._interpreter.evaluate(expression))
@@ -794,7 +636,7 @@ class _Scalarizer:
                 raise UnsupportedModelError(
                     "an equation between Strings is not translated", place=self._source_map.place(equation.span)
                 )
-            result.append(ScalarEquation(_as_number(a), _as_number(b), equation.span))
+            result.append(ScalarEquation(as_number(a), as_number(b), equation.span))
         return result
 
     def _outputs(
@@ -820,226 +662,9 @@ class _Scalarizer:
         """Scalars of one side of an equation."""
         return list(arrays.scalars(self._interpreter.evaluate(expression, events=events)))
 
-    # --- when, algorithms ---
-
-    def _triggers(self, condition: ir.Expression, label: str) -> float | Node:
-        """True in the event iteration in which a when-clause is active."""
-        if isinstance(condition, ir.ArrayConstructor):
-            elements = condition.elements
-        else:
-            value = self._interpreter.evaluate(condition)
-            if isinstance(value, np.ndarray):
-                return self._trigger_of_values(list(value.reshape(-1)), label, condition.span)
-            elements = (condition,)
-        values = [self._interpreter.evaluate(element) for element in elements]
-        return self._trigger_of_values(values, label, condition.span)
-
-    def _trigger_of_values(self, values: list[Any], label: str, span: ir.Span | None) -> float | Node:
-        trigger: float | Node = False
-        for position, value in enumerate(values):
-            if isinstance(value, Node) and value.op == "symbol" and value.name == INITIAL:
-                trigger = ex.logical_or(trigger, value)
-                continue
-            name = f"{label}.condition[{position + 1}]"
-            self._result.variables[name] = ScalarVariable(name, "Boolean", Kind.DISCRETE, start=False, span=span)
-            self._result.equations.append(ScalarEquation(ex.symbol(name), value, span, target=name))
-            rising = ex.logical_and(ex.symbol(name), ex.logical_not(ex.symbol(previous_name(name))))
-            trigger = ex.logical_or(trigger, ex.logical_and(ex.logical_not(ex.symbol(INITIAL)), rising))
-        return trigger
-
-    def _when(
-        self,
-        branches: list[tuple[ir.Expression, tuple[ir.Statement, ...]]],
-        label: str,
-        values: dict[str, Value | None] | None = None,
-    ) -> None:
-        """Expands a when-clause: every variable that it assigns gets one equation, reinit and the like actions.
-
-        With ``values``, the clause stands in an algorithm and works on these.
-        """
-        assigned: dict[str, float | Node] = {}
-        blocked: float | Node = False
-        updates: list[tuple[float | Node, dict[str, float | Node]]] = []
-        for position, (condition, body) in enumerate(branches):
-            trigger = self._triggers(condition, f"{label}.{position + 1}" if len(branches) > 1 else label)
-            active = ex.logical_and(trigger, ex.logical_not(blocked))
-            blocked = ex.logical_or(blocked, trigger)
-            update: dict[str, float | Node] = {}
-            self._when_body(body, active, update, values)
-            updates.append((active, update))
-        for _, update in updates:
-            for name in update:
-                assigned.setdefault(name, self._unassigned(name, values))
-        for chosen, update in reversed(updates):
-            for name in assigned:
-                if name in update:
-                    assigned[name] = ex.select(chosen, update[name], assigned[name])
-        for name, value in assigned.items():
-            if values is None:
-                self._result.equations.append(ScalarEquation(ex.symbol(name), value, target=name))
-            else:
-                values[name] = value
-
-    def _unassigned(self, name: str, values: dict[str, Value | None] | None) -> float | Node:
-        if values is not None and isinstance(values.get(name), float | int | Node):
-            value = values[name]
-            assert isinstance(value, float | int | Node)
-            return value
-        return ex.symbol(previous_name(name))
-
-    def _when_body(
-        self,
-        body: tuple[ir.Statement, ...],
-        active: float | Node,
-        update: dict[str, float | Node],
-        values: dict[str, Value | None] | None,
-    ) -> None:
-        for statement in body:
-            match statement:
-                case ir.Assignment(target=target, value=expression):
-                    names = self._target_names(target)
-                    items = arrays.scalars(self._evaluate_local(expression, update, values))
-                    self._update(update, names, items, statement.span)
-                case ir.CallAssignment(targets=targets, call=call):
-                    outputs = self._evaluate_local(call, update, values)
-                    outputs = outputs if isinstance(outputs, tuple) else (outputs,)
-                    for reference, output in zip(targets, outputs, strict=False):
-                        if reference is not None:
-                            self._update(update, self._target_names(reference), arrays.scalars(output), statement.span)
-                case ir.IfStatement(branches=branches, otherwise=otherwise):
-                    self._when_if(branches, otherwise, active, update, values)
-                case ir.Reinit(state=state, value=expression):
-                    items = arrays.scalars(self._evaluate_local(expression, update, values))
-                    for name, item in zip(self._target_names(state), items, strict=True):
-                        self._result.reinitializations.append(
-                            Reinitialization(active, name, _as_number(item), statement.span)
-                        )
-                case ir.Assert(condition=condition, message=message, is_warning=is_warning):
-                    checked = self._evaluate_local(condition, update, values)
-                    text = _text(self._interpreter.evaluate(message, events=False))
-                    self._result.asserts.append(ScalarAssert(_as_number(checked), text, is_warning, active))
-                case ir.Terminate(message=message):
-                    text = _text(self._interpreter.evaluate(message, events=False))
-                    self._result.terminations.append(Termination(active, text))
-                case _:
-                    raise self._interpreter.unsupported(f"{type(statement).__name__} in a when-clause", statement.span)
-
-    def _when_if(
-        self,
-        branches: tuple[tuple[ir.Expression, tuple[ir.Statement, ...]], ...],
-        otherwise: tuple[ir.Statement, ...],
-        active: float | Node,
-        update: dict[str, float | Node],
-        values: dict[str, Value | None] | None,
-    ) -> None:
-        remaining: float | Node = active
-        parts: list[tuple[float | Node, dict[str, float | Node]]] = []
-        for condition, body in branches:
-            chosen = _as_number(self._evaluate_local(condition, update, values))
-            part = dict(update)
-            self._when_body(body, ex.logical_and(remaining, chosen), part, values)
-            remaining = ex.logical_and(remaining, ex.logical_not(chosen))
-            parts.append((chosen, part))
-        rest = dict(update)
-        self._when_body(otherwise, remaining, rest, values)
-        for name in {name: None for part in (*(part for _, part in parts), rest) for name in part}:
-            value = rest.get(name, self._unassigned(name, values))
-            for chosen, part in reversed(parts):
-                value = ex.select(chosen, part.get(name, self._unassigned(name, values)), value)
-            update[name] = value
-
-    def _evaluate_local(
-        self, expression: ir.Expression, update: dict[str, float | Node], values: dict[str, Value | None] | None
-    ) -> Value:
-        value = self._interpreter.evaluate(expression, events=False)
-        if values is None:
-            return value  # equations: what stands on the right is the solution, not the last assignment
-        local: dict[str, float | Node] = {
-            name: item for name, item in values.items() if isinstance(item, float | int | Node)
-        }
-        local.update(update)
-        substitution = ex.Substitution(local)
-        return arrays.elementwise(lambda item: substitution(item) if isinstance(item, Node) else item, value)
-
-    def _update(
-        self, update: dict[str, float | Node], names: list[str], items: list[Scalar], span: ir.Span | None
-    ) -> None:
-        if len(items) == 1 and len(names) > 1:
-            items = items * len(names)
-        if len(items) != len(names):
-            raise InputError("the sides of an assignment do not fit", place=self._source_map.place(span))
-        for name, item in zip(names, items, strict=True):
-            update[name] = _as_number(item)
-
-    def _target_names(self, target: ir.Reference) -> list[str]:
-        value = self._interpreter.evaluate(target, events=False)
-        return [item.name for item in arrays.scalars(value) if isinstance(item, Node)]
-
-    def _algorithm(self, algorithm: ir.Algorithm) -> None:
-        """An algorithm becomes one equation for each variable that it assigns."""
-        values: dict[str, Value | None] = {}
-        outputs: dict[str, None] = {}
-        for name in algorithm.outputs:
-            declared = self._model.variables.get(name)
-            names = element_names(name, declared.shape) if declared is not None else [name]
-            outputs.update(dict.fromkeys(names))
-        for name in outputs:
-            variable = self._result.variables[name]
-            values[name] = (
-                ex.symbol(previous_name(name)) if variable.kind is Kind.DISCRETE else _as_number(variable.start or 0)
-            )
-        label = f"$algorithm[{self._model.algorithms.index(algorithm) + 1}]"
-        for position, statement in enumerate(algorithm.statements):
-            if isinstance(statement, ir.WhenStatement):
-                self._when(list(statement.branches), f"{label}.when[{position + 1}]", values)
-            else:
-                values = self._run_statement(statement, values)
-        for name in outputs:
-            value = values[name]
-            assert isinstance(value, float | int | Node)
-            self._result.equations.append(ScalarEquation(ex.symbol(name), value, algorithm.span, target=name))
-
-    def _run_statement(self, statement: ir.Statement, values: dict[str, Value | None]) -> dict[str, Value | None]:
-        grouped = dict(values)
-        shaped: dict[str, list[str]] = {}
-        for declared in self._model.variables.values():
-            if declared.shape:
-                names = element_names(declared.name, declared.shape)
-                if names and all(name in values for name in names):
-                    shaped[declared.name] = names
-                    array: arrays.Array = np.empty(declared.shape, dtype=object)
-                    flat = array.reshape(-1)
-                    for position, name in enumerate(names):
-                        flat[position] = grouped.pop(name)
-                    grouped[declared.name] = array
-        after = self._interpreter.execute_algorithm((statement,), grouped, events=True)
-        result: dict[str, Value | None] = {}
-        for name, value in after.items():
-            if name in shaped:
-                assert isinstance(value, np.ndarray)
-                result.update(zip(shaped[name], value.reshape(-1), strict=True))
-            else:
-                result[name] = value
-        return result
-
-    def _initial_algorithm(self, algorithm: ir.Algorithm) -> None:
-        values: dict[str, Value | None] = {}
-        outputs: dict[str, None] = {}
-        for name in algorithm.outputs:
-            declared = self._model.variables.get(name)
-            outputs.update(dict.fromkeys(element_names(name, declared.shape) if declared is not None else [name]))
-        for name in outputs:
-            values[name] = _as_number(self._result.variables[name].start or 0)
-        for statement in algorithm.statements:
-            values = self._run_statement(statement, values)
-        for name in outputs:
-            value = values[name]
-            assert isinstance(value, float | int | Node)
-            self._result.initial_equations.append(ScalarEquation(ex.symbol(name), value, algorithm.span))
-
     def _assert(self, item: ir.Assert) -> None:
-        condition = _as_number(self._interpreter.evaluate(item.condition, events=False))
-        message = _text(self._interpreter.evaluate(item.message, events=False))
+        condition = as_number(self._interpreter.evaluate(item.condition, events=False))
+        message = text_of(self._interpreter.evaluate(item.message, events=False))
         if isinstance(condition, Node):
             self._result.asserts.append(ScalarAssert(condition, message, item.is_warning))
         elif not condition and not item.is_warning:
@@ -1047,34 +672,3 @@ class _Scalarizer:
                 "an assertion of the model fails: " + "".join(str(part) for part in message.parts),
                 place=self._source_map.place(item.span),
             )
-
-
-def _as_number(value: Any) -> float | Node:
-    if isinstance(value, float | int | Node):
-        return value
-    if isinstance(value, np.ndarray) and value.size == 1:
-        return _as_number(value.reshape(-1)[0])
-    raise arrays.ShapeError(f"a scalar number is needed here, not {type(value).__name__}")
-
-
-def _as_float(value: Value) -> float:
-    number = _as_number(value)
-    assert not isinstance(number, Node)
-    return number
-
-
-def _text(value: Value) -> Text:
-    if isinstance(value, Text):
-        return value
-    return Text((str(value),))
-
-
-def _hashable(value: Scalar) -> object:
-    return value
-
-
-def _c_type(name: str) -> str:
-    return name if name in _BASE_TYPES else "Integer"
-
-
-__all__ = ["element_names", "relation_name", "scalarize"]

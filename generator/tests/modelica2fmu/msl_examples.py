@@ -95,7 +95,8 @@ def attempt(model: str, library: Path, folder: Path) -> Outcome:
     except CmbError as error:
         by = "front end" if isinstance(error.__cause__, rumoca.RumocaError) else "builder"
         return Outcome(model, by, f"{error.message.splitlines()[0]}")
-    states = [name for name in report.states if not name.startswith("der(")]
+    # What is integrated for a quaternion is the builder's own; the quaternion is the model's.
+    states = [name.replace("_integrated", "") for name in report.states if not name.startswith("der(")]
     experiment = read_model_description(str(fmu)).defaultExperiment
     stop = float(experiment.stopTime) if experiment is not None and experiment.stopTime else 1.0
     compared = min(stop, COMPARED)
