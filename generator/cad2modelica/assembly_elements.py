@@ -115,7 +115,6 @@ class ElementReader:
         )
 
 
-
 def child(element: etree._Element, tag: str) -> etree._Element:
     """The child element that the schema guarantees."""
     found = element.find(f"{{{NAMESPACE}}}{tag}")

@@ -28,8 +28,12 @@ void expect_optimal(const SharedLoad &shared) {
     for (std::size_t j = 0; j < shared.size(); ++j) {
       slope -= (i == j ? 1.0 : (1.0 - 1e-6) * dot(contact.normal, shared[j].normal)) * shared[j].load;
     }
-    if (contact.load < limit - slack) EXPECT_LE(slope, slack) << "contact " << i << " of " << shared.size();
-    if (contact.load > slack) EXPECT_GE(slope, -slack) << "contact " << i << " of " << shared.size();
+    if (contact.load < limit - slack) {
+      EXPECT_LE(slope, slack) << "contact " << i << " of " << shared.size();
+    }
+    if (contact.load > slack) {
+      EXPECT_GE(slope, -slack) << "contact " << i << " of " << shared.size();
+    }
   }
 }
 
