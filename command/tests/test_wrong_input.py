@@ -72,18 +72,20 @@ def test_wrong_assembly(case: str, cmb: Cmb, tmp_path: Path) -> None:
 
 
 def test_model_the_builder_cannot_translate(cmb: Cmb, tmp_path: Path) -> None:
-    (tmp_path / "Delayed.mo").write_text(
-        'model Delayed "Uses delay"\n'
+    (tmp_path / "Conveyed.mo").write_text(
+        'model Conveyed "Uses spatialDistribution"\n'
         "  Real x(start=1, fixed=true);\n"
+        "  Real y, z;\n"
         "equation\n"
-        "  der(x) = -delay(x, 0.5);\n"
-        "end Delayed;\n"
+        "  der(x) = -x;\n"
+        "  (z, y) = spatialDistribution(x, 0, x, true, {0.0, 1.0}, {0.0, 0.0});\n"
+        "end Conveyed;\n"
     )
-    done = cmb("fmu", "Delayed", "--source", "Delayed.mo", "--output", "delayed.fmu", cwd=tmp_path)
+    done = cmb("fmu", "Conveyed", "--source", "Conveyed.mo", "--output", "conveyed.fmu", cwd=tmp_path)
     assert done.returncode == 2, done.stderr
-    assert "delay" in done.stderr
-    assert "Delayed.mo:4" in done.stderr
-    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["Delayed.mo"]
+    assert "spatialDistribution" in done.stderr
+    assert "Conveyed.mo:6" in done.stderr
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["Conveyed.mo"]
 
 
 @pytest.mark.parametrize(

@@ -25,6 +25,11 @@ class ClassText:
     plain: str
 
 
+def without_comments_and_strings(text: str) -> str:
+    """The text with comments and strings blanked: all else keeps its line and column."""
+    return _COMMENTS_AND_STRINGS.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+
+
 def class_texts(name: str, sources: Sequence[Path]) -> Iterator[ClassText]:
     """Texts that may be that of the class: its own file in a folder structure first, then those of enclosing packages.
 
@@ -35,7 +40,7 @@ def class_texts(name: str, sources: Sequence[Path]) -> Iterator[ClassText]:
     last = name.rsplit(".", 1)[-1]
     for file in _candidates(name, sources):
         text = file.read_text(encoding="utf-8", errors="replace")
-        plain = _COMMENTS_AND_STRINGS.sub(lambda match: " " * len(match[0]), text)
+        plain = without_comments_and_strings(text)
         head = re.search(rf"{_CLASS}{re.escape(last)}\b", plain)
         if head is None:
             continue

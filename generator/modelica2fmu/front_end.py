@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,6 +12,7 @@ from cmb_base.errors import BuildError, InputError, Place
 
 from modelica2fmu import ir
 from modelica2fmu.flat_reader import read_flat_model
+from modelica2fmu.front_end_errors import front_end_error
 from modelica2fmu.lone_files import LoneFiles, apart
 from modelica2fmu.source_map import SourceMap
 
@@ -49,7 +49,7 @@ def load_flat_model(model: str, file: Path, roots: Sequence[Path], source_map: S
                 session = rumoca.Session([str(root) for root in given.roots])
                 flat: dict[str, Any] = _compile(session, model, file, given).to_dict("flat")
         except rumoca.RumocaError as error:
-            raise _input_error(rumoca, given.restored(str(error)), model, file) from error
+            raise front_end_error(rumoca, given.restored(str(error)), model, file) from error
         except BaseException as error:
             # A panic of rumoca derives from BaseException alone.
             if not isinstance(error, OSError | RuntimeError | ValueError) and type(error).__name__ != "PanicException":
@@ -96,34 +96,3 @@ def _without_modelicapath() -> Iterator[None]:
     finally:
         if path is not None:
             os.environ["MODELICAPATH"] = path
-
-
-def _input_error(rumoca: Any, message: str, model: str, file: Path) -> InputError:
-    """The front end's message with the best place that can be found for it."""
-    place = Place(file=file, component=model)
-    try:
-        diagnostics = rumoca.validate(str(file), model=model)
-    except Exception:  # the message at hand must not be lost to a second failure
-        diagnostics = []
-    text = "\n".join(str(diagnostic.message) for diagnostic in diagnostics) + "\n" + message
-    located = re.search(r"\[([^\[\]\s]+\.mo):(\d+):\d+\]", text)
-    if located:
-        place = Place(file=Path(located[1]), line=int(located[2]), component=model)
-    else:
-        line = _line_of_quoted_name(message, file)
-        if line is not None:
-            place = Place(file=file, line=line, component=model)
-    first = message.strip().split("\nRelated failures")[0]
-    return InputError(first or "the model cannot be compiled", place=place)
-
-
-def _line_of_quoted_name(message: str, file: Path) -> int | None:
-    """Line of the first mention of a name that the message quotes, where it gives no place itself."""
-    quoted = re.search(r"['`]([A-Za-z_][\w.]*)['`]", message)
-    if quoted is None or not file.is_file():
-        return None
-    pattern = re.compile(rf"(?<![\w.]){re.escape(quoted[1])}(?!\w)")
-    for number, line in enumerate(file.read_text(encoding="utf-8", errors="replace").splitlines(), start=1):
-        if pattern.search(line):
-            return number
-    return None

@@ -376,7 +376,7 @@ REFUSED = (
     Refused(
         "outputs left out in equations: `(, b) = f(x)`",
         "Real b;\nequation\n  (, b) = two(time);",
-        "",
+        "left out",
         "front end",
         classes="""
   function two

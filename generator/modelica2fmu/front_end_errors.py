@@ -1,0 +1,61 @@
+"""What the front end refuses, with the place in the model's text."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any, Final
+
+from cmb_base.errors import InputError, Place
+
+from modelica2fmu.class_text import without_comments_and_strings
+
+# rumoca's whole message where an equation leaves out outputs of a function.
+_NAMELESS: Final = "missing source scope for imports"
+_OUTPUTS_LEFT_OUT: Final = re.compile(r"^\s*\((?:\s*,[^=()]*|[^=()]*,\s*(?:,[^=()]*)?)\)\s*=")
+
+
+def front_end_error(rumoca: Any, message: str, model: str, file: Path) -> InputError:
+    """The front end's message with the best place that can be found for it.
+
+    Args:
+        rumoca: the module.
+        message: that of its exception.
+        model: name of the model that was to be compiled.
+        file: the file that holds it.
+    """
+    place = Place(file=file, component=model)
+    try:
+        diagnostics = rumoca.validate(str(file), model=model)
+    except Exception:  # the message at hand must not be lost to a second failure
+        diagnostics = []
+    text = "\n".join(str(diagnostic.message) for diagnostic in diagnostics) + "\n" + message
+    located = re.search(r"\[([^\[\]\s]+\.mo):(\d+):\d+\]", text)
+    if located:
+        place = Place(file=Path(located[1]), line=int(located[2]), component=model)
+    else:
+        line = _line_of_quoted_name(message, file)
+        if line is not None:
+            place = Place(file=file, line=line, component=model)
+    left_out = _line_of(_OUTPUTS_LEFT_OUT, file) if _NAMELESS in message else None
+    if left_out is not None:
+        return InputError(
+            "outputs of a function are left out, which is not covered: give each a variable",
+            place=Place(file=file, line=left_out, component=model),
+        )
+    first = message.strip().split("\nRelated failures")[0]
+    return InputError(first or "the model cannot be compiled", place=place)
+
+
+def _line_of_quoted_name(message: str, file: Path) -> int | None:
+    """Line of the first mention of a name that the message quotes, where it gives no place itself."""
+    quoted = re.search(r"['`]([A-Za-z_][\w.]*)['`]", message)
+    return None if quoted is None else _line_of(re.compile(rf"(?<![\w.]){re.escape(quoted[1])}(?!\w)"), file)
+
+
+def _line_of(pattern: re.Pattern[str], file: Path) -> int | None:
+    """First line of the file's code in which the pattern is found."""
+    if not file.is_file():
+        return None
+    code = without_comments_and_strings(file.read_text(encoding="utf-8", errors="replace"))
+    return next((number for number, line in enumerate(code.splitlines(), start=1) if pattern.search(line)), None)
