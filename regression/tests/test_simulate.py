@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import faulthandler
 import math
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -106,6 +109,17 @@ def test_a_call_that_does_not_return_is_stopped(bouncing_mass: Path, mode: Mode)
         simulate(bouncing_mass, parameters={"fails_at": -1, "failure": 101}, mode=mode, time_limit=0.1)
 
 
+@pytest.fixture
+def no_dump() -> Iterator[None]:
+    """A process that crashes on purpose does not write its traceback between the tests' dots."""
+    was_enabled = faulthandler.is_enabled()
+    faulthandler.disable()
+    yield
+    if was_enabled:
+        faulthandler.enable(file=sys.__stderr__)
+
+
+@pytest.mark.usefixtures("no_dump")
 def test_a_crash_of_the_fmu_is_an_error(bouncing_mass: Path) -> None:
     with pytest.raises(SimulationError, match="crashed: signal SIGABRT"):
         simulate(bouncing_mass, parameters={"fails_at": 0.3, "failure": 100}, mode="cs", time_limit=60)
