@@ -15,7 +15,7 @@ from modelica2fmu.arrays import Record, Text, Value
 from modelica2fmu.expression import Node
 from modelica2fmu.interpreter import Interpreter
 from modelica2fmu.scalar_model import CallArgument, ExternalCall, Kind, ScalarModel, ScalarVariable
-from modelica2fmu.scalar_values import BASE_TYPES, as_float, element_names, only_parameters
+from modelica2fmu.scalar_values import BASE_TYPES, as_float, element_names, is_fixed_while_simulating, only_parameters
 from modelica2fmu.source_map import SourceMap
 from modelica2fmu.tables import Tables, is_table_function
 
@@ -48,6 +48,7 @@ class CallExpansion:
         self._constant = constant
         self._is_enumeration = is_enumeration
         self._calls: dict[tuple[Any, ...], tuple[Value, ...]] = {}
+        self._delays: dict[tuple[float | Node, ...], int] = {}
 
     def external(self, function: ir.Function, args: Mapping[str, Value], span: ir.Span | None) -> tuple[Value, ...]:
         """The outputs of an external function, as symbols; see :class:`interpreter_host.Host`."""
@@ -163,6 +164,25 @@ class CallExpansion:
             self._result.external_annotations.append(header)
         self._calls[key] = (result,)
         return result
+
+    def delay(
+        self, value: float | Node, delay: float | Node, longest: float | Node, span: ir.Span | None
+    ) -> float | Node:
+        """See :class:`interpreter_host.Host`; a call of the runtime, which keeps the history."""
+        if not isinstance(value, Node) or only_parameters(self._result, value):
+            return value
+        if isinstance(longest, Node) and not is_fixed_while_simulating(self._result, longest):
+            raise UnsupportedModelError(
+                "delay() with a delay that changes and no longest one is not translated",
+                place=self._source_map.place(span),
+                remedy="give the longest delay as third argument",
+            )
+        key = (value, delay, longest)
+        number = self._delays.setdefault(key, len(self._delays))
+        reals = (CallArgument("Real", (item,), is_array=False, is_output=False) for item in key)
+        position = CallArgument("Integer", (number,), is_array=False, is_output=False)
+        instance = CallArgument("Instance", (), is_array=False, is_output=False)
+        return self.lookup("delay", "cmb_delay", (instance, position, *reals), span)
 
     def _argument(
         self,

@@ -31,6 +31,14 @@ def only_parameters(model: ScalarModel, node: Node) -> bool:
     )
 
 
+def is_fixed_while_simulating(model: ScalarModel, node: Node) -> bool:
+    """True for an expression of parameters, also of those that the initialization finds."""
+    return all(
+        (variable := model.variables.get(name)) is not None and variable.kind in (*KNOWN_KINDS, Kind.FREE_PARAMETER)
+        for name in ex.symbols(node)
+    )
+
+
 def as_number(value: Any) -> float | Node:
     """A number or node; raises ShapeError for anything else, but for arrays of one element."""
     if isinstance(value, float | int | Node):

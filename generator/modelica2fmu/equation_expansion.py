@@ -1,0 +1,138 @@
+"""Expands equations and assertions of a flat model to scalar ones."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from cmb_base.errors import InputError, UnsupportedModelError
+
+from modelica2fmu import arrays, ir
+from modelica2fmu import expression as ex
+from modelica2fmu.arrays import Scalar, Text
+from modelica2fmu.expression import Node
+from modelica2fmu.interpreter import Interpreter
+from modelica2fmu.scalar_model import Kind, ScalarAssert, ScalarEquation, ScalarModel
+from modelica2fmu.scalar_values import as_number, element_names, only_parameters, text_of
+from modelica2fmu.source_map import SourceMap
+from modelica2fmu.variable_values import VariableValues
+
+
+class EquationExpansion:
+    """Makes scalar equations and assertions of those of a flat model.
+
+    Args:
+        result: the model that is made; its variables are declared.
+        interpreter: evaluates expressions.
+        values: of the variables.
+        source_map: for the places in error messages.
+    """
+
+    def __init__(
+        self, result: ScalarModel, interpreter: Interpreter, values: VariableValues, source_map: SourceMap
+    ) -> None:
+        self._result = result
+        self._interpreter = interpreter
+        self._values = values
+        self._source_map = source_map
+
+    def binding(self, variable: ir.Variable) -> None:
+        """The binding of a variable becomes equations of its elements."""
+        assert variable.binding is not None
+        names = element_names(variable.name, variable.shape)
+        if variable.type == "String":
+            items = self._values.broadcast(variable.binding, names)
+            for name, item in zip(names, items, strict=True):
+                if not isinstance(item, str):
+                    raise UnsupportedModelError(
+                        f"the String variable {name} changes, which is not translated",
+                        place=self._source_map.place(variable.span),
+                    )
+                self._result.variables[name].kind = Kind.CONSTANT
+                self._result.variables[name].value = item
+            return
+        for name, item in zip(names, self._broadcast_events(variable.binding, names), strict=True):
+            self._result.equations.append(ScalarEquation(ex.symbol(name), as_number(item), variable.span))
+
+    def _broadcast_events(self, expression: ir.Expression, names: list[str]) -> list[Scalar]:
+        items = arrays.scalars(self._interpreter.evaluate(expression))
+        return items * len(names) if len(items) == 1 else items
+
+    def equation(self, equation: ir.Equation, events: bool = True) -> list[ScalarEquation]:
+        """The scalar equations of an equation; with ``events`` false, its relations generate none."""
+        residual = equation.residual
+        if isinstance(residual, ir.Binary) and isinstance(residual.left, ir.TupleExpression):
+            left, right = self._outputs(residual.left, residual.right, events, equation.span)
+        elif isinstance(residual, ir.Binary) and residual.op in ("Sub", "SubElem"):
+            left = self._sides(residual.left, events)
+            right = self._sides(residual.right, events)
+            if len(left) == 1 and len(right) > 1 and isinstance(residual.left, ir.Literal):
+                left = left * len(right)
+            if len(right) == 1 and len(left) > 1:
+                right = right * len(left)
+        else:
+            left = self._sides(residual, events)
+            right = [0] * len(left)
+        if len(left) != len(right):
+            raise InputError(
+                f"the sides of an equation have {len(left)} and {len(right)} elements",
+                place=self._source_map.place(equation.span),
+            )
+        result = []
+        for a, b in zip(left, right, strict=True):
+            if isinstance(a, str | Text) or isinstance(b, str | Text):
+                if a == b:
+                    continue
+                raise UnsupportedModelError(
+                    "an equation between Strings is not translated", place=self._source_map.place(equation.span)
+                )
+            result.append(ScalarEquation(as_number(a), as_number(b), equation.span))
+        return result
+
+    def _outputs(
+        self, targets: ir.TupleExpression, call: ir.Expression, events: bool, span: ir.Span | None
+    ) -> tuple[list[Any], list[Any]]:
+        """Scalars of the outputs of a call and of what they are equal to; outputs may be left out."""
+        outputs = self._interpreter.evaluate(call, events=events)
+        values = outputs if isinstance(outputs, tuple) else (outputs,)
+        if len(targets.elements) > len(values):
+            raise InputError(
+                f"a call with {len(values)} outputs is given {len(targets.elements)} targets",
+                place=self._source_map.place(span),
+            )
+        left: list[Any] = []
+        right: list[Any] = []
+        for target, value in zip(targets.elements, values, strict=False):
+            if target is not None:
+                left.extend(arrays.scalars(self._interpreter.evaluate(target, events=events)))
+                right.extend(arrays.scalars(value))
+        return left, right
+
+    def _sides(self, expression: ir.Expression, events: bool) -> list[Any]:
+        """Scalars of one side of an equation."""
+        return list(arrays.scalars(self._interpreter.evaluate(expression, events=events)))
+
+    def assertion(self, item: ir.Assert) -> None:
+        """An assertion of the model; raises InputError if it fails at translation."""
+        condition = as_number(self._interpreter.evaluate(item.condition, events=False))
+        message = text_of(self._interpreter.evaluate(item.message, events=False))
+        if isinstance(condition, Node):
+            self._result.asserts.append(ScalarAssert(condition, message, item.is_warning))
+        elif not condition and not item.is_warning:
+            raise InputError(
+                "an assertion of the model fails: " + "".join(str(part) for part in message.parts),
+                place=self._source_map.place(item.span),
+            )
+
+    def function_assert(self, condition: Scalar, message: Scalar, is_warning: bool) -> None:
+        """See :class:`interpreter_host.Host`."""
+        if isinstance(condition, str | Text) or not isinstance(message, str | Text):
+            return
+        if isinstance(condition, Node):
+            # Checked when it depends on parameters alone; an assertion of an inlined function on variables may
+            # stand in a branch that is not taken, so it cannot be lifted out of it.
+            if only_parameters(self._result, condition):
+                self._result.asserts.append(ScalarAssert(condition, text_of(message), is_warning))
+        elif not condition and not is_warning:
+            raise InputError(
+                f"an assertion of the model fails: {message if isinstance(message, str) else message.parts}"
+            )
