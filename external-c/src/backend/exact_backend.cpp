@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <utility>
 
 #include "backend/distance_backend.hpp"
+#include "convex/closed_distance.hpp"
 #include "geometry/pose_algebra.hpp"
 
 namespace cmb {
@@ -27,6 +29,36 @@ Vec3 nearest_on_axis(const Shape &capsule, const Pose &pose, const Vec3 &p) {
   return pose.translation + std::clamp(dot(axis, p - pose.translation), -half, half) * axis;
 }
 
+// What was found in the frame of A, which is at `frame`.
+void set_answer(const convex::SignedDistance &found, const Pose &frame, ConvexAnswer &answer) {
+  answer.distance = found.distance;
+  answer.normal = frame.rotation * found.normal;
+  answer.point_a = frame(found.point_a);
+  answer.point_b = frame(found.point_b);
+  answer.proven = found.proven;
+  answer.mean_normal = answer.normal;
+}
+
+void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer) {
+  const Vec3 half_b = b.body.half.z * transposed_times(pose_a.rotation, pose_b.rotation.column(2));
+  const Vec3 apart = transposed_times(pose_a.rotation, pose_b.translation - pose_a.translation);
+  set_answer(convex::swept_distance(convex::distance_of_segments(a.body.half, half_b, apart), a.body.radius, b.body.radius),
+             pose_a, answer);
+}
+
+// Of a shape that has_point_formula, A, and a ball, B.
+void to_ball(const Shape &a, const Pose &pose_a, double radius_b, const Vec3 &center_b, ConvexAnswer &answer) {
+  const Vec3 center = transposed_times(pose_a.rotation, center_b - pose_a.translation);
+  set_answer(convex::swept_distance(convex::distance_of_point(a.body, center), a.body.radius, radius_b), pose_a, answer);
+}
+
+// Turns the answer of (B, A) into that of (A, B).
+void exchange(ConvexAnswer &answer) {
+  answer.normal = -answer.normal;
+  answer.mean_normal = -answer.mean_normal;
+  std::swap(answer.point_a, answer.point_b);
+}
+
 }  // namespace
 
 void find_exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, BackendScratch &scratch,
@@ -46,15 +78,24 @@ void find_exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, con
                     pose_a.rotation.column(0), answer);
     return;
   }
+  if (a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule) {
+    between_capsules(a, pose_a, b, pose_b, answer);
+    return;
+  }
+  if (b.kind == ShapeKind::sphere && convex::has_point_formula(a.body.core)) {
+    to_ball(a, pose_a, b.body.radius, center_b, answer);
+    return;
+  }
+  if (a.kind == ShapeKind::sphere && convex::has_point_formula(b.body.core)) {
+    to_ball(b, pose_b, a.body.radius, center_a, answer);
+    exchange(answer);
+    return;
+  }
   const bool polytopes = a.polytope && b.polytope;
   const convex::SignedDistance found =
       convex::signed_distance(a.body, b.body, relative_pose(pose_a, pose_b), scratch.distance, polytopes);
-  answer.distance = found.distance;
-  answer.normal = pose_a.rotation * found.normal;
-  answer.point_a = pose_a(found.point_a);
-  answer.point_b = pose_a(found.point_b);
-  answer.proven = found.proven;
-  answer.mean_normal = polytopes ? pose_a.rotation * found.mean_normal : answer.normal;
+  set_answer(found, pose_a, answer);
+  if (polytopes) answer.mean_normal = pose_a.rotation * found.mean_normal;
 }
 
 std::optional<ConvexAnswer> exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "box_axes.hpp"
+#include "closed_distance.hpp"
 #include "direction_refinement.hpp"
 #include "feature_enumeration.hpp"
 #include "gjk.hpp"
@@ -12,119 +13,10 @@ namespace cmb::convex {
 
 namespace {
 
-// Signed distance of the cores; `direction` is unit, from A to B.
-struct CoreDistance {
-  double distance;
-  Vec3 direction, a, b;
-  DistanceMethod method;
-  bool proven;
-  Vec3 mean_outward = {};
-};
-
-CoreDistance from_gap(const Vec3 &a, const Vec3 &b, const Vec3 &if_zero, DistanceMethod method) {
-  const double distance = norm(b - a);
-  return {distance, distance > 0.0 ? (1.0 / distance) * (b - a) : if_zero, a, b, method, true};
-}
-
-// Two cores that are points or segments: their difference has no interior.
-CoreDistance point_or_segment_pair(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose) {
-  const Vec3 half_a = body_a.half, half_b = pose.rotation * body_b.half, &t = pose.translation;
-  const double aa = norm2(half_a), bb = norm2(half_b), ab = dot(half_a, half_b);
-  const double at = dot(half_a, t), bt = dot(half_b, t);
-  const double denominator = aa * bb - ab * ab;
-  // Minimise |s half_a - t - r half_b| over s, r in [-1, 1].
-  double s = 0.0, r = 0.0;
-  if (denominator > 1e-14 * aa * bb) {
-    s = std::clamp((at * bb - ab * bt) / denominator, -1.0, 1.0);
-  } else if (aa > 0.0 && bb > 0.0) {
-    // Parallel: the middle of the common stretch.
-    const double middle = at / aa, reach = std::fabs(ab) / aa;
-    const double low = std::max(-1.0, middle - reach), high = std::min(1.0, middle + reach);
-    s = std::clamp(0.5 * (low + high), -1.0, 1.0);
-  }
-  if (bb > 0.0) {
-    r = (s * ab - bt) / bb;
-    r = std::clamp(r, -1.0, 1.0);
-  }
-  if (aa > 0.0) s = std::clamp((at + r * ab) / aa, -1.0, 1.0);
-  if (bb > 0.0) r = std::clamp((s * ab - bt) / bb, -1.0, 1.0);
-  const Vec3 a = s * half_a, b = t + r * half_b;
-  Vec3 across = cross(half_a, half_b);
-  if (!(norm2(across) > 1e-24 * aa * bb)) across = any_perpendicular(normalized(aa > bb ? half_a : half_b));
-  return from_gap(a, b, normalized(across), DistanceMethod::closed_form);
-}
-
-// A point against a box centred at the origin.
-CoreDistance box_and_point(const Vec3 &half, const Vec3 &p) {
-  Vec3 nearest;
-  int shallow = 0;
-  double depth = INFINITY;
-  bool inside = true;
-  for (int k = 0; k < 3; ++k) {
-    nearest.set(k, std::clamp(p[k], -half[k], half[k]));
-    inside = inside && std::fabs(p[k]) <= half[k];
-    if (half[k] - std::fabs(p[k]) < depth) depth = half[k] - std::fabs(p[k]), shallow = k;
-  }
-  if (!inside) return from_gap(nearest, p, {0, 0, 1}, DistanceMethod::closed_form);
-  CoreDistance result{-depth, {}, p, p, DistanceMethod::closed_form, true};
-  result.direction.set(shallow, std::copysign(1.0, p[shallow]));
-  result.a.set(shallow, std::copysign(half[shallow], p[shallow]));
-  return result;
-}
-
-// A point against a cylinder or cone: in the half plane of the point and the axis, the body is a
-// rectangle or a triangle.
-CoreDistance revolved_and_point(const ConvexBody &body, const Vec3 &p) {
-  const double across = std::sqrt(p.x * p.x + p.y * p.y);
-  const Vec3 outward = across > 0.0 ? Vec3{p.x / across, p.y / across, 0.0} : Vec3{1, 0, 0};
-  const double r = body.half.x, h = body.half.z;
-  // Profile from the base's rim to the top: a straight line; then the top's disc and the base's.
-  struct Line {
-    double x0, z0, x1, z1;
-  };
-  const double top = body.core == CoreShape::cone ? 0.0 : r;
-  const Line lines[3] = {{r, -h, top, h}, {top, h, 0.0, h}, {0.0, -h, r, -h}};
-  double deepest = -INFINITY, nearest2 = INFINITY;
-  Vec3 inside_normal, foot_inside, foot_outside;
-  bool over_face = false;
-  for (const Line &line : lines) {
-    const double dx = line.x1 - line.x0, dz = line.z1 - line.z0, length2 = dx * dx + dz * dz;
-    if (!(length2 > 0.0)) continue;  // a cone has no top disc
-    const double length = std::sqrt(length2), nx = dz / length, nz = -dx / length;
-    const double height = nx * (across - line.x0) + nz * (p.z - line.z0);
-    if (height > deepest) {
-      deepest = height;
-      inside_normal = nx * outward + Vec3{0, 0, nz};
-      foot_inside = p - height * inside_normal;
-    }
-    const double t = std::clamp(((across - line.x0) * dx + (p.z - line.z0) * dz) / length2, 0.0, 1.0);
-    const double x = line.x0 + t * dx, z = line.z0 + t * dz;
-    const double distance2 = (across - x) * (across - x) + (p.z - z) * (p.z - z);
-    if (distance2 < nearest2) {
-      nearest2 = distance2;
-      foot_outside = x * outward + Vec3{0, 0, z};
-      over_face = t > 0.0 && t < 1.0;
-    }
-  }
-  // Over a face the distance is the height, and the direction known better than from the gap.
-  if (deepest > 0.0 && !over_face) return from_gap(foot_outside, p, inside_normal, DistanceMethod::closed_form);
-  return {deepest, inside_normal, foot_inside, p, DistanceMethod::closed_form, true};
-}
-
 CoreDistance exchanged(const CoreDistance &d, const Pose &pose) {
   // Computed in B's frame with the roles exchanged.
   return {d.distance, -(pose.rotation * d.direction), pose(d.b), pose(d.a), d.method, d.proven, {}};
 }
-
-bool has_point_formula(CoreShape core) {
-  return core == CoreShape::box || core == CoreShape::cylinder || core == CoreShape::cone;
-}
-
-CoreDistance body_and_point(const ConvexBody &body, const Vec3 &p) {
-  return body.core == CoreShape::box ? box_and_point(body.half, p) : revolved_and_point(body, p);
-}
-
-bool lies_on_line(CoreShape core) { return core == CoreShape::point || core == CoreShape::segment; }
 
 // How far the witness points of an overlap are from lying opposite each other.
 double witness_error(const CoreDistance &d) { return norm(d.a - d.b + d.distance * d.direction); }
@@ -275,10 +167,12 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
 
 CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose &pose, DistanceScratch &scratch,
                            bool with_mean) {
-  if (lies_on_line(a.core) && lies_on_line(b.core)) return point_or_segment_pair(a, b, pose);
-  if (b.core == CoreShape::point && has_point_formula(a.core)) return body_and_point(a, pose.translation);
+  if (lies_on_line(a.core) && lies_on_line(b.core)) {
+    return distance_of_segments(a.half, pose.rotation * b.half, pose.translation);
+  }
+  if (b.core == CoreShape::point && has_point_formula(a.core)) return distance_of_point(a, pose.translation);
   if (a.core == CoreShape::point && has_point_formula(b.core)) {
-    return exchanged(body_and_point(b, pose.inverse().translation), pose);
+    return exchanged(distance_of_point(b, pose.inverse().translation), pose);
   }
   Vec3 first = core_center(a) - pose(core_center(b));
   const double reach = core_radius(a) + core_radius(b);
@@ -343,14 +237,7 @@ SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const P
     const Vec3 shrunk = (1.0 / largest) * t;
     core = {std::fmin(norm(shrunk) * largest, 1.7e308), normalized(shrunk), {}, t, DistanceMethod::closed_form, false, {}};
   }
-  result.distance = core.distance - a.radius - b.radius;
-  result.normal = -core.direction;
-  result.mean_normal = -normalized(core.mean_outward, core.direction);
-  result.point_a = core.a + a.radius * core.direction;
-  result.point_b = core.b - b.radius * core.direction;
-  result.method = core.method;
-  result.proven = core.proven;
-  return result;
+  return swept_distance(core, a.radius, b.radius);
 }
 
 }  // namespace cmb::convex

@@ -163,6 +163,10 @@ double move_cuts(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
 
 }  // namespace
 
+bool one_way_out(const ConvexBody &a, const ConvexBody &b, double depth, double size) {
+  return surface_reach(depth, size) <= std::max(a.radius, b.radius);
+}
+
 WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const SignedDistance &nearest, double size,
                  DistanceScratch &scratch) {
   const double depth = -nearest.distance, radius = surface_reach(depth, size), slack = tolerance * size;

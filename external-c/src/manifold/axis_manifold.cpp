@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "manifold/axis_share.hpp"
 
@@ -103,10 +104,12 @@ void add_points(const ContactLine &line, double sense, const std::vector<Station
     if (i + 1 < stations.size()) {
       const double apart = stations[i + 1].along - stations[i].along;
       const double rise = stations[i + 1].depth - stations[i].depth;
+      // Neither carries, and the depth being concave, one further on that does has a lesser share beyond it.
+      if (stations[i].depth <= 0.0 && stations[i + 1].depth <= 0.0) continue;
       if (apart <= spacing && std::fabs(rise) <= spacing) continue;  // the next one stands for both
       const double sine = apart > 0.0 ? std::clamp(rise / (length * apart), -1.0, 1.0) : std::copysign(1.0, rise);
       further = std::min(shallower, 0.5 * (1.0 + end_share_difference(sine)));
-      const double here = std::fmax(stations[i].depth, 0.0), next = std::fmax(stations[i + 1].depth, 0.0);
+      const double here = std::max(stations[i].depth, 0.0), next = std::max(stations[i + 1].depth, 0.0);
       missing += 0.25 * end_share_slope(sine) * (next * next - here * here);
     }
     const double weight = shallower - further;
@@ -134,6 +137,7 @@ ContactLine::ContactLine(const Shape &shape, const Pose &pose, const Vec3 &towar
     radius_ = shape.body.radius;
     middle_ = pose.translation + radius_ * towards;
     step_ = axis;
+    per_step2_ = 1.0 / norm2(step_);
     return;
   }
   radius_ = shape.body.half.x;
@@ -146,10 +150,11 @@ ContactLine::ContactLine(const Shape &shape, const Pose &pose, const Vec3 &towar
     middle_ = pose.translation + radius_ * outward;
     step_ = axis;
   }
+  per_step2_ = 1.0 / norm2(step_);
 }
 
 double ContactLine::place(const Vec3 &p) const {
-  return std::clamp(dot(p - middle_, step_) / norm2(step_), -half_, half_);
+  return std::clamp(per_step2_ * dot(p - middle_, step_), -half_, half_);
 }
 
 double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
@@ -236,17 +241,25 @@ void line_on_line(const ContactLine &line, const ContactLine &other, const Vec3 
                   AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
   const Vec3 inward = line.radius() * normal, other_inward = -other.radius() * normal;
   const double reach = line.radius() + other.radius();
-  double places[5] = {-line.half(), line.half(), line.place(deepest), line.place(other(-other.half())),
-                      line.place(other(other.half()))};
-  std::sort(places, places + 5);
+  double places[5] = {-line.half(), line.place(deepest), line.place(other(-other.half())),
+                      line.place(other(other.half())), line.half()};
+  // In order: those between the ends.
+  if (places[2] < places[1]) std::swap(places[1], places[2]);
+  if (places[3] < places[2]) std::swap(places[2], places[3]);
+  if (places[2] < places[1]) std::swap(places[1], places[2]);
   scratch.stations.clear();
-  for (const double along : places) {
+  for (int k = 0; k < 5; ++k) {
+    const double along = places[k];
+    if (k > 0 && along == places[k - 1]) continue;  // many feet are at the ends
     const Vec3 center = line(along) + inward;
     const Vec3 apart = center - (other(other.place(center)) + other_inward);
-    const double distance = norm(apart);
-    const Vec3 direction = distance > 0.0 ? (1.0 / distance) * apart : normal;
-    const double depth = reach - distance;
-    scratch.stations.push_back({along, depth, direction, center - (line.radius() - 0.5 * depth) * direction});
+    const double distance = norm(apart), depth = reach - distance;
+    Station &station = scratch.stations.emplace_back();
+    station.along = along;
+    station.depth = depth;
+    if (!(depth > 0.0)) continue;  // has a say in the others' shares alone
+    station.normal = distance > 0.0 ? (1.0 / distance) * apart : normal;
+    station.position = center - (line.radius() - 0.5 * depth) * station.normal;
   }
   add_points(line, sense, scratch.stations, points);
 }

@@ -24,6 +24,7 @@ class ContactLine {
  private:
   Vec3 middle_, step_;
   double half_ = 0.0, radius_ = 0.0;
+  double per_step2_ = 1.0;  // 1 / |step|^2
 };
 
 // Room that lines' contacts are made in; one for each thread.
@@ -32,7 +33,7 @@ struct AxisManifoldScratch {
   struct Station {
     double along = 0.0;  // m
     double depth = 0.0;  // may be negative
-    Vec3 normal, position;
+    Vec3 normal, position;  // where depth > 0
   };
   // A height above the line that changes evenly along it.
   struct Slope {

@@ -3,7 +3,7 @@
 namespace cmb {
 
 void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
-                    ManifoldScratch &scratch, ContactSet &result) {
+                    convex::DistanceScratch &distance, ManifoldScratch &scratch, ContactSet &result) {
   result.distance = answer.distance;
   result.normal = answer.normal;
   result.witness = 0.5 * (answer.point_a + answer.point_b);
@@ -13,7 +13,7 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     return;
   }
   if (!a.polytope || !b.polytope) {
-    curved_contact(a, pose_a, b, pose_b, answer, scratch.curved, result.points);
+    curved_contact(a, pose_a, b, pose_b, answer, distance, scratch.curved, result.points);
     return;
   }
   const std::size_t begin = result.points.size();

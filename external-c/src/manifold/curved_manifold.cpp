@@ -117,6 +117,16 @@ double flat_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   return agree;
 }
 
+// What the lines of two shapes carry on each other: half of it each.
+void line_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+                  AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+  const std::size_t begin = points.size();
+  const ContactLine line_a(a, pose_a, -answer.normal), line_b(b, pose_b, answer.normal);
+  line_on_line(line_a, line_b, answer.point_a, answer.normal, 1.0, scratch, points);
+  line_on_line(line_b, line_a, answer.point_b, -answer.normal, -1.0, scratch, points);
+  scale_weights(0.5, begin, points.size(), points);
+}
+
 // Appends the contact along one way out: each shape touches with a flat end or its faces, on a line, or at a point, in parts.
 void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
                    CurvedManifoldScratch &scratch, std::vector<ContactPoint> &points) {
@@ -125,6 +135,11 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
   const Vec3 witness = 0.5 * (answer.point_a + answer.point_b), &normal = answer.normal;
   if (touches_at_a_point(a) || touches_at_a_point(b)) {
     points.push_back({depth, 1.0, normal, witness});
+    return;
+  }
+  if (a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule) {
+    line_contact(a, pose_a, b, pose_b, answer, scratch.axis, points);
+    if (points.size() == begin) points.push_back({depth, 1.0, normal, witness});
     return;
   }
   const Ways of_a(a, pose_a, -normal), of_b(b, pose_b, normal);
@@ -154,10 +169,7 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
   }
   if (of_a.line * of_b.line > 0.0) {
     const std::size_t first = points.size();
-    const ContactLine line_a(a, pose_a, -normal), line_b(b, pose_b, normal);
-    line_on_line(line_a, line_b, answer.point_a, normal, 1.0, scratch.axis, points);
-    line_on_line(line_b, line_a, answer.point_b, -normal, -1.0, scratch.axis, points);
-    scale_weights(0.5, first, points.size(), points);
+    line_contact(a, pose_a, b, pose_b, answer, scratch.axis, points);
     more_lines = close(of_a.line * of_b.line, first);
   }
   if (rest > 1e-12) points.push_back({depth, rest, normal, witness});
@@ -183,10 +195,15 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
 }  // namespace
 
 void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
-                    CurvedManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+                    convex::DistanceScratch &distance, CurvedManifoldScratch &scratch,
+                    std::vector<ContactPoint> &points) {
+  const double size = a.bound_radius + b.bound_radius;
+  if (convex::one_way_out(a.body, b.body, -answer.distance, size)) {
+    contact_along(a, pose_a, b, pose_b, answer, scratch, points);
+    return;
+  }
   const convex::SignedDistance nearest = in_frame_of_a(answer, pose_a);
-  const convex::WaysOut ways = convex::ways_out(a.body, b.body, relative_pose(pose_a, pose_b), nearest,
-                                                a.bound_radius + b.bound_radius, scratch.distance);
+  const convex::WaysOut ways = convex::ways_out(a.body, b.body, relative_pose(pose_a, pose_b), nearest, size, distance);
   const std::size_t first = points.size();
   for (int k = 0; k < ways.count; ++k) {
     const convex::WayOut &way = ways.way[k];

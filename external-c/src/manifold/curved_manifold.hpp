@@ -14,12 +14,12 @@ namespace cmb {
 struct CurvedManifoldScratch {
   DepthGraph polytope;
   AxisManifoldScratch axis;
-  convex::DistanceScratch distance;
 };
 
 // Appends the contact of shapes A and B that overlap; `answer` is their signed distance (< 0). The contact is the sum of
-// those along all ways out (convex/ways_out.hpp), each by its share.
+// those along all ways out (convex/ways_out.hpp), each by its share. Further distances are found in `distance`.
 void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
-                    CurvedManifoldScratch &scratch, std::vector<ContactPoint> &points);
+                    convex::DistanceScratch &distance, CurvedManifoldScratch &scratch,
+                    std::vector<ContactPoint> &points);
 
 }  // namespace cmb

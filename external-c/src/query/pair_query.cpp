@@ -117,7 +117,7 @@ void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const 
   }
   ConvexAnswer answer;
   find_answer(scene, a, pose_a, b, pose_b, scratch.backend, answer, who);
-  convex_contact(a, pose_a, b, pose_b, answer, scratch.manifold, result);
+  convex_contact(a, pose_a, b, pose_b, answer, scratch.backend.distance, scratch.manifold, result);
 }
 
 QueryScratch &query_scratch() {

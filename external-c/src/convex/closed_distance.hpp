@@ -1,0 +1,43 @@
+// Signed distances of cores in closed form.
+#pragma once
+
+#include "convex_distance.hpp"
+
+namespace cmb::convex {
+
+// Signed distance of the cores; `direction` is unit, from A to B.
+struct CoreDistance {
+  double distance;
+  Vec3 direction, a, b;
+  DistanceMethod method;
+  bool proven;
+  Vec3 mean_outward = {};
+};
+
+// Of segments (points where half lengths are zero) with the half lengths half_a, half_b as vectors; A's middle is the
+// origin, B's is t. Parallel ones touch in the middle of their common stretch.
+CoreDistance distance_of_segments(const Vec3 &half_a, const Vec3 &half_b, const Vec3 &t);
+
+// Whether distance_of_point knows a core: box, cylinder, cone.
+bool has_point_formula(CoreShape core);
+
+// Of a body's core, A, and a point of its frame, B.
+CoreDistance distance_of_point(const ConvexBody &body, const Vec3 &p);
+
+// Whether a core is a point or a segment.
+inline bool lies_on_line(CoreShape core) { return core == CoreShape::point || core == CoreShape::segment; }
+
+// That of the bodies, whose cores are swept by spheres.
+inline SignedDistance swept_distance(const CoreDistance &core, double radius_a, double radius_b) {
+  SignedDistance result;
+  result.distance = core.distance - radius_a - radius_b;
+  result.normal = -core.direction;
+  result.mean_normal = -normalized(core.mean_outward, core.direction);
+  result.point_a = core.a + radius_a * core.direction;
+  result.point_b = core.b - radius_b * core.direction;
+  result.method = core.method;
+  result.proven = core.proven;
+  return result;
+}
+
+}  // namespace cmb::convex
