@@ -124,7 +124,9 @@ class Interpreter(ExpressionInterpreter):
         """The shape of an output of an external function for given inputs."""
         local = Scope()
         local.values.update(values)
-        return tuple(self.integer(self._subscript_value(subscript, local), None) for subscript in variable.shape)
+        return tuple(
+            self.integer(self._references.subscript_value(subscript, local), None) for subscript in variable.shape
+        )
 
     def evaluate_in_function(self, expression: ir.Expression, values: Mapping[str, Value]) -> Value:
         """The value of an expression inside a function with the given local variables."""

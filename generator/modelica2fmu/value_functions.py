@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -53,6 +54,18 @@ def concatenated(left: Value, right: Value) -> Value:
     if all(isinstance(part, str) for part in parts):
         return "".join(part for part in parts if isinstance(part, str))
     return Text(tuple(parts))
+
+
+def dynamic_element(value: arrays.Array, index: Node, dimension: int) -> Value:
+    """An element whose index changes at run time."""
+    size = value.shape[dimension]
+    if size == 0:
+        raise ShapeError("an element of an empty array")
+    result: Value = np.take(value, size - 1, axis=dimension)
+    for number in range(size - 1, 0, -1):
+        item = np.take(value, number - 1, axis=dimension)
+        result = arrays.elementwise(partial(ex.select, ex.equal(index, number)), item, result)
+    return result
 
 
 RELATIONS: Final = {"Lt": "lt", "Le": "le", "Gt": "gt", "Ge": "ge", "Eq": "eq", "Neq": "ne", "Ne": "ne"}

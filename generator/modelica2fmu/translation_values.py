@@ -1,0 +1,72 @@
+"""Values that a model must have at translation, and the errors where it has none."""
+
+from __future__ import annotations
+
+from cmb_base.errors import InputError, UnsupportedModelError
+
+from modelica2fmu import ir
+from modelica2fmu.arrays import Value
+from modelica2fmu.expression import Node
+from modelica2fmu.interpreter_host import Host
+from modelica2fmu.source_map import SourceMap
+
+
+class TranslationValues:
+    """Asks for values that are needed at translation; errors name their place.
+
+    Args:
+        host: see :class:`Host`.
+        source_map: for the places in error messages.
+    """
+
+    def __init__(self, host: Host, source_map: SourceMap) -> None:
+        self._host = host
+        self._source_map = source_map
+
+    def unsupported(self, construct: str, span: ir.Span | None) -> UnsupportedModelError:
+        """The error for a construct that is not translated."""
+        return UnsupportedModelError(
+            f"{construct} is not translated",
+            place=self._source_map.place(span),
+            remedy="see docs/fmu-builder.md for the constructs that are, and rewrite the model with those",
+        )
+
+    def wrong(self, message: str, span: ir.Span | None) -> InputError:
+        """The error for a model that is wrong."""
+        return InputError(message, place=self._source_map.place(span))
+
+    def integer(self, value: Value, span: ir.Span | None) -> int:
+        """A whole number that is needed at translation."""
+        if isinstance(value, Node):
+            value = self._host.constant(value, span, "an array size, index or loop bound")
+        if isinstance(value, float | int) and float(value).is_integer():
+            return int(value)
+        raise self.wrong(f"a whole number is needed here, not {value!r}", span)
+
+    def number(self, value: Value, span: ir.Span | None, purpose: str) -> float:
+        """A number that is needed at translation, for ``purpose``."""
+        if isinstance(value, Node):
+            value = self._host.constant(value, span, purpose)
+        if isinstance(value, float | int):
+            return value
+        raise self.wrong(f"a number is needed here, not {value!r}", span)
+
+    def is_known(self, value: Node, span: ir.Span | None, purpose: str) -> bool:
+        """True for what parameters decide; with a ``purpose`` these can no longer be changed."""
+        try:
+            self._host.constant(value, span, purpose)
+        except UnsupportedModelError:
+            return False
+        return True
+
+    def text(self, value: Value, span: ir.Span | None) -> str:
+        """A String that is needed at translation."""
+        if isinstance(value, str):
+            return value
+        raise self.unsupported("a String that depends on variables", span)
+
+    def checked(self, index: int, size: int, span: ir.Span | None) -> int:
+        """An index counted from 0; raises InputError outside of the array."""
+        if not 1 <= index <= size:
+            raise self.wrong(f"index {index} is outside of 1 to {size}", span)
+        return index - 1
