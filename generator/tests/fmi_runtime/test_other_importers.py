@@ -61,7 +61,7 @@ execution.add_manipulator(manipulator)
 for reference, value in eval(sys.argv[4]).items():
     manipulator.slave_real_values(slave, [reference], [value])
 assert execution.simulate_until(target_time=int(sys.argv[3]))
-print(*observer.last_real_values(slave, eval(sys.argv[2])))
+print("numbers", *observer.last_real_values(slave, eval(sys.argv[2])))
 """
 
 ECOS = """
@@ -76,13 +76,15 @@ with EcosSimulationStructure() as structure:
         for name, value in eval(sys.argv[4]).items():
             simulation.set_real("driven::" + name, value)
         simulation.step(round(128 * float(sys.argv[3])))
-        print(*(simulation.get_real("driven::" + name) for name in eval(sys.argv[2])))
+        print("numbers", *(simulation.get_real("driven::" + name) for name in eval(sys.argv[2])))
         simulation.terminate()
 """
 
 
-def last_numbers(output: str) -> list[float]:
-    return [float(number) for number in output.splitlines()[-1].split()]
+def printed_numbers(output: str) -> list[float]:
+    # Ecos writes lines of its own, where and when its buffers are emptied.
+    (line,) = (line for line in output.splitlines() if line.startswith("numbers "))
+    return [float(number) for number in line.split()[1:]]
 
 
 @pytest.fixture
@@ -94,7 +96,7 @@ def libcosim() -> Importer:
         references = {variable.name: variable.value_reference for variable in models.by_file_name(fmu.stem).variables}
         reals = [references[name] for name in signals]
         set_reals = {references[name]: value for name, value in inputs.items()}
-        return last_numbers(
+        return printed_numbers(
             run([sys.executable, "-c", LIBCOSIM, fmu, repr(reals), str(round(stop * 1e9)), repr(set_reals)])
         )
 
@@ -112,7 +114,7 @@ def ecos() -> Importer:
         # The wheel of Intel's TBB, which Ecos needs, puts its libraries where no loader looks.
         libraries = os.pathsep.join([str(Path(sys.prefix) / "lib"), os.environ.get("LD_LIBRARY_PATH", "")])
         command = [sys.executable, "-c", ECOS, fmu, repr(list(signals)), repr(stop), repr(dict(inputs))]
-        return last_numbers(run(command, LD_LIBRARY_PATH=libraries))
+        return printed_numbers(run(command, LD_LIBRARY_PATH=libraries))
 
     return simulate
 
