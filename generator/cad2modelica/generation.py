@@ -20,8 +20,9 @@ from cad2modelica.generation_report import ReportInput, report_html
 from cad2modelica.graph_drawing import graph_svg
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import analyse_loops
+from cad2modelica.mechanism_building import mechanism_view
+from cad2modelica.mechanism_draft import RESERVED
 from cad2modelica.mechanism_pictures import mechanism_pictures
-from cad2modelica.mechanism_view import RESERVED, mechanism_view
 from cad2modelica.model import Assembly, Decomposer, DecompositionLimits
 from cad2modelica.modelica_names import NamePool
 from cad2modelica.own_files import GRAPH, ORDER, REPORT, SCENE, find_own_files
