@@ -111,4 +111,19 @@ CoreDistance distance_of_point(const ConvexBody &body, const Vec3 &p) {
   return body.core == CoreShape::box ? box_and_point(body.half, p) : revolved_and_point(body, p);
 }
 
+double outside(const ConvexBody &body, const Vec3 &p) {
+  const Vec3 &h = body.half;
+  switch (body.core) {
+    case CoreShape::point: return norm(p);
+    case CoreShape::segment: return norm(p - Vec3{0, 0, std::clamp(p.z, -h.z, h.z)});
+    case CoreShape::ellipsoid: {
+      // Shrunk to the surface, the point moves by this.
+      const double over = norm(Vec3{p.x / h.x, p.y / h.y, p.z / h.z});
+      return over > 1.0 ? norm(p) * (1.0 - 1.0 / over) : 0.0;
+    }
+    case CoreShape::polytope: return INFINITY;
+    default: return std::max(0.0, distance_of_point(body, p).distance);
+  }
+}
+
 }  // namespace cmb::convex

@@ -15,7 +15,8 @@ struct CoreDistance {
 };
 
 // Of segments (points where half lengths are zero) with the half lengths half_a, half_b as vectors; A's middle is the
-// origin, B's is t. Parallel ones touch in the middle of their common stretch.
+// origin, B's is t. Those parallel to 1e-7 rad touch in the middle of their common stretch,
+// where the distance may be that angle times the stretch greater than the least.
 CoreDistance distance_of_segments(const Vec3 &half_a, const Vec3 &half_b, const Vec3 &t);
 
 // Whether distance_of_point knows a core: box, cylinder, cone.
@@ -23,6 +24,10 @@ bool has_point_formula(CoreShape core);
 
 // Of a body's core, A, and a point of its frame, B.
 CoreDistance distance_of_point(const ConvexBody &body, const Vec3 &p);
+
+// An upper bound, exact to rounding near the surface, of how far a point of a core's frame is outside it; infinite for
+// polytopes.
+double outside(const ConvexBody &body, const Vec3 &p);
 
 // Whether a core is a point or a segment.
 inline bool lies_on_line(CoreShape core) { return core == CoreShape::point || core == CoreShape::segment; }

@@ -96,7 +96,7 @@ inline SupportPoint core_support(const ConvexBody &body, const Vec3 &d) {
       return {{h.x * scaled.x / length, h.y * scaled.y / length, h.z * scaled.z / length}, -1};
     }
     case CoreShape::cylinder: {
-      const double across = std::hypot(d.x, d.y);
+      const double across = std::sqrt(d.x * d.x + d.y * d.y);
       const double scale = across > 0.0 ? h.x / across : 0.0;
       return {{scale * d.x, scale * d.y, d.z < 0.0 ? -h.z : h.z}, -1};
     }

@@ -109,6 +109,9 @@ bool coaxial_way_out(const MinkowskiDifference &difference, Vec3 &direction, dou
   return depth > 0.0;
 }
 
+// The gap between the bounds of a distance, relative to it, from which Newton's method goes on.
+constexpr double rough_gap = 1e-4;
+
 CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, const Vec3 &first,
                       DistanceScratch &scratch, bool with_mean) {
   const MinkowskiDifference difference(body_a, body_b, pose);
@@ -121,7 +124,9 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
     const RefinedDirection r = refine_direction(difference, coaxial_direction, start.a, start.b);
     return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, r.height >= coaxial_depth - tolerance, {}};
   }
-  const GjkResult gjk = gjk_distance(difference, first, tolerance);
+  // A rough answer is the start of Newton's method, whose witness points prove it; else the search goes on.
+  const bool checkable = !polyhedral && body_a.core != CoreShape::polytope && body_b.core != CoreShape::polytope;
+  GjkResult gjk = gjk_distance(difference, first, tolerance, checkable ? rough_gap : 0.0);
   const auto gjk_answer = [&] {
     CoreDistance result{norm(gjk.closest), gjk.direction, {}, {}, DistanceMethod::gjk, true};
     for (int k = 0; k < gjk.count; ++k) {
@@ -137,6 +142,15 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
     if (!proven) ++scratch.counters.unproven;
     return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, proven};
   };
+  if (checkable && gjk.status == GjkResult::Status::apart && norm(gjk.closest) - gjk.lower > tolerance) {
+    const CoreDistance rough = gjk_answer();
+    const RefinedDirection r = refine_direction(difference, rough.direction, rough.a, rough.b);
+    // The height is a lower bound of the distance; points of the bodies as far from each other are an upper one.
+    const Vec3 b_local = transposed_times(pose.rotation, r.b - pose.translation);
+    const double missing = outside(body_a, r.a) + outside(body_b, b_local);
+    if (missing <= tolerance) return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, true, {}};
+    gjk = gjk_distance(difference, -rough.direction, tolerance);
+  }
   const bool apart = gjk.status == GjkResult::Status::apart ||
                      (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0);
   if (apart && !polyhedral) return refined(gjk_answer(), norm(gjk.closest));

@@ -89,7 +89,7 @@ GjkResult &settle(GjkResult &result, double distance, double slack) {
 
 }  // namespace
 
-GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first, double tolerance) {
+GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first, double tolerance, double enough) {
   GjkResult result;
   result.simplex[0] = difference.support(-first);
   result.count = 1;
@@ -107,6 +107,10 @@ GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first,
     if (height > result.lower || result.steps == 1) {
       result.lower = std::max(0.0, height);
       result.direction = (-1.0 / distance) * result.closest;
+    }
+    if (result.lower > 0.0 && distance - result.lower <= enough * distance) {
+      result.status = GjkResult::Status::apart;
+      return result;
     }
     bool repeated = false;
     for (int k = 0; k < result.count; ++k) repeated = repeated || same_vertices(candidate, result.simplex[k]);

@@ -21,7 +21,8 @@ struct GjkResult {
 };
 
 // `first` is any direction (a guess from B to A makes it fast); `tolerance` the gap between upper and
-// lower bound, in metres, that ends the search. Ends after at most 100 steps.
-GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first, double tolerance);
+// lower bound, in metres, that ends the search; so does, where both are positive, a gap of `enough` times the
+// upper. Ends after at most 100 steps.
+GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first, double tolerance, double enough = 0.0);
 
 }  // namespace cmb::convex
