@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Final
 
-from modelica2fmu.expression_nodes import Node, value_of
+from modelica2fmu.expression_nodes import Node, arguments_first, value_of
 from modelica2fmu.expression_operations import (
     add,
     divide,
@@ -39,21 +39,10 @@ class Differentiation:
         if not isinstance(root, Node):
             return 0
         memo = self._memo
-        stack = [root]
-        while stack:
-            node = stack[-1]
-            if node in memo:
-                stack.pop()
-                continue
+        for node in arguments_first(root, memo):
             if node.op == "symbol":
                 memo[node] = self._rate(node.name)
-                stack.pop()
                 continue
-            pending = [arg for arg in node.args if arg not in memo]
-            if pending:
-                stack.extend(pending)
-                continue
-            stack.pop()
             rates = [memo[arg] for arg in node.args]
             if node.op != "select" and all(not isinstance(rate, Node) and rate == 0 for rate in rates):
                 memo[node] = 0

@@ -15,6 +15,7 @@ from modelica2fmu.expression_nodes import (
     BINARY,
     UNARY,
     Node,
+    arguments_first,
     new_graph,
     node_of,
     symbol,
@@ -93,27 +94,13 @@ class Substitution:
         if not isinstance(root, Node):
             return root
         memo = self._memo
-        if root in memo:
-            return memo[root]
-        stack = [root]
-        while stack:
-            node = stack[-1]
-            if node in memo:
-                stack.pop()
-                continue
+        for node in arguments_first(root, memo):
             if node.op == "symbol":
                 memo[node] = self._mapping.get(node.name, node)
-                stack.pop()
                 continue
             if node.op == "constant":
                 memo[node] = node.value
-                stack.pop()
                 continue
-            pending = [arg for arg in node.args if arg not in memo]
-            if pending:
-                stack.extend(pending)
-                continue
-            stack.pop()
             args = [memo[arg] for arg in node.args]
             if all(new is old or (old.op == "constant") for new, old in zip(args, node.args, strict=True)):
                 memo[node] = node

@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import math
 import threading
-from collections.abc import Iterable
+from collections.abc import Container, Iterable, Iterator
 from typing import Final
 
 
@@ -113,19 +113,11 @@ def topological(roots: Iterable[float | Node], seen: set[Node] | None = None) ->
     order: list[Node] = []
     seen = set() if seen is None else seen
     for root in roots:
-        if not isinstance(root, Node) or root in seen:
+        if not isinstance(root, Node):
             continue
-        stack: list[tuple[Node, bool]] = [(root, False)]
-        while stack:
-            node, done = stack.pop()
-            if done:
-                order.append(node)
-                continue
-            if node in seen:
-                continue
+        for node in arguments_first(root, seen):
             seen.add(node)
-            stack.append((node, True))
-            stack.extend((arg, False) for arg in reversed(node.args) if arg not in seen)
+            order.append(node)
     return order
 
 
@@ -154,3 +146,24 @@ def to_text(root: float | Node) -> str:
     if root.op == "select":
         return f"(if {args[0]} then {args[1]} else {args[2]})"
     return f"{'-' if root.op == 'neg' else root.op}({', '.join(args)})"
+
+
+def arguments_first(root: Node, done: Container[Node]) -> Iterator[Node]:
+    """The nodes of ``root`` that are not in ``done``, each after its arguments.
+
+    Args:
+        root: where the graph begins.
+        done: what is known already; the caller adds each node before it asks for the next.
+    """
+    stack = [root]
+    while stack:
+        node = stack[-1]
+        if node in done:
+            stack.pop()
+            continue
+        pending = [arg for arg in node.args if arg not in done]
+        if pending:
+            stack.extend(reversed(pending))
+            continue
+        stack.pop()
+        yield node

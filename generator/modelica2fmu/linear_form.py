@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from modelica2fmu import expression as ex
 from modelica2fmu.expression import Node
+from modelica2fmu.expression_nodes import arguments_first
 
 
 @dataclass(frozen=True)
@@ -61,17 +62,7 @@ class LinearForms:
         if not isinstance(root, Node):
             return LinearForm(root)
         memo = self._memo
-        stack = [root]
-        while stack:
-            node = stack[-1]
-            if node in memo:
-                stack.pop()
-                continue
-            pending = [arg for arg in node.args if arg not in memo]
-            if pending:
-                stack.extend(pending)
-                continue
-            stack.pop()
+        for node in arguments_first(root, memo):
             memo[node] = self._form(node)
         return memo[root]
 
