@@ -1,7 +1,7 @@
 // Times the contact of one pair in one run: the engine, through its C interface and with its manifold, beside libccd's
 // portal refinement, FCL's collide and coal's collide without and with contact patch.
 //
-//   bench [poses a row]
+//   bench [poses a row [part of the rows' names]]
 //
 // A row is a kind of pair at one distance (relative to the sizes of about 1 m); every query has another pose. The
 // contestants take turns, sweep after sweep over all poses, so that what else the machine does hits them alike.
@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
@@ -233,6 +234,8 @@ int main(int argc, char **argv) {
   std::printf("%-32s %7s | %-21s | %-21s | %-21s | %-21s | %-21s | ratio of engine to\n", "pair", "m apart",
               "engine with manifold", "coal with patch", "coal", "libccd MPR", "FCL collide");
   std::printf("%-32s %7s | %21s | %21s | %21s | %21s | %21s | %6s %6s\n", "", "", "", "", "", "", "", "patch", "MPR");
-  for (const Row &row : rows) run(row, poses);
+  for (const Row &row : rows) {
+    if (argc <= 2 || std::strstr(row.name, argv[2]) != nullptr) run(row, poses);
+  }
   return 0;
 }

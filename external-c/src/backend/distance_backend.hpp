@@ -19,6 +19,8 @@ struct ConvexAnswer {
   // Of boxes and hulls that overlap, from the exact path: the mean normal of the difference's surface, which does not
   // jump (convex/nearby_surface.hpp). Else the normal.
   Vec3 mean_normal;
+  // From the exact path, where the shapes overlap: a ball of this radius in A - B touches its surface there (m; 0: none known).
+  double ball = 0.0;
 };
 
 // Room that back ends work in; one for each thread.

@@ -20,6 +20,7 @@ void between_spheres(double radius_a, const Vec3 &center_a, double radius_b, con
   answer.point_b = center_b + radius_b * answer.normal;
   answer.mean_normal = answer.normal;
   answer.proven = true;
+  answer.ball = radius_a + radius_b;
 }
 
 // The place of a capsule's axis nearest to p.
@@ -36,6 +37,7 @@ void set_answer(const convex::SignedDistance &found, const Pose &frame, ConvexAn
   answer.point_a = frame(found.point_a);
   answer.point_b = frame(found.point_b);
   answer.proven = found.proven;
+  answer.ball = found.ball;
   answer.mean_normal = answer.normal;
 }
 

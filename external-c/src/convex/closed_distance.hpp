@@ -12,6 +12,7 @@ struct CoreDistance {
   DistanceMethod method;
   bool proven;
   Vec3 mean_outward = {};
+  double ball = 0.0;  // as SignedDistance's, of the cores
 };
 
 // Of segments (points where half lengths are zero) with the half lengths half_a, half_b as vectors; A's middle is the
@@ -42,6 +43,7 @@ inline SignedDistance swept_distance(const CoreDistance &core, double radius_a, 
   result.point_b = core.b - radius_b * core.direction;
   result.method = core.method;
   result.proven = core.proven;
+  result.ball = core.ball + radius_a + radius_b;
   return result;
 }
 

@@ -7,7 +7,9 @@
 #include "direction_refinement.hpp"
 #include "feature_enumeration.hpp"
 #include "gjk.hpp"
+#include "inner_ball.hpp"
 #include "minkowski_difference.hpp"
+#include "touching_direction.hpp"
 
 namespace cmb::convex {
 
@@ -111,6 +113,11 @@ bool coaxial_way_out(const MinkowskiDifference &difference, Vec3 &direction, dou
 
 // The gap between the bounds of a distance, relative to it, from which Newton's method goes on.
 constexpr double rough_gap = 1e-4;
+// The gap between the bounds of a depth, relative to the bodies, from which it goes on, and the most points of the search.
+constexpr double rough_depth = 1e-3;
+constexpr std::int32_t rough_points = 40;
+// The ways out ask for balls of up to so many depths.
+constexpr double ways_reach = 1.5;
 
 CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, const Vec3 &first,
                       DistanceScratch &scratch, bool with_mean) {
@@ -155,6 +162,17 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
                      (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0);
   if (apart && !polyhedral) return refined(gjk_answer(), norm(gjk.closest));
   if (apart) return gjk.status == GjkResult::Status::apart ? gjk_answer() : enumerated(difference, scratch);
+  if (!polyhedral) {
+    // A ball that proves a minimum found from rough bounds spares the search for the others.
+    const PenetrationResult rough =
+        scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, rough_depth * difference.scale, rough_points);
+    RefinedDirection r;
+    if (touching_direction(difference, rough.direction, rough.a, rough.b, r) && r.height > 0.0) {
+      const double enough = ways_reach * (r.height + body_a.radius + body_b.radius) - body_a.radius - body_b.radius;
+      const double ball = inner_ball(body_a, body_b, pose, r.direction, r.a, r.b, enough, tolerance);
+      if (ball >= r.height) return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, true, {}, ball};
+    }
+  }
   const PenetrationResult inside =
       polyhedral ? scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, tolerance, 1024,
                                                   with_mean ? core_radius(body_a) + core_radius(body_b) : 0.0)

@@ -44,6 +44,8 @@ struct SignedDistance {
   // Where asked for: the mean normal of the difference's surface near the origin (nearby_surface.hpp), unit, from B to A;
   // else the normal.
   Vec3 mean_normal{0, 0, 1};
+  // Where the bodies overlap: a ball of this radius in the difference is known to touch its surface there (m; 0: none known).
+  double ball = 0.0;
   bool proven = true;  // the answer lies between bounds that agree to the tolerance; else the best found
 };
 

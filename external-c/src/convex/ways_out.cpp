@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "direction_refinement.hpp"
+#include "inner_ball.hpp"
 #include "minkowski_difference.hpp"
 #include "nearby_surface.hpp"
 
@@ -24,36 +25,6 @@ struct Cut {
   Vec3 a, b;
   double pull = 0.0;  // on the ball's centre
 };
-
-// Whether a ball of the given radius that touches the body's surface from within at p, where the inward normal is
-// `inward`, lies in the body (all in the body's frame).
-bool holds_ball(const ConvexBody &body, const Vec3 &p, const Vec3 &inward, double radius, double slack) {
-  if (radius <= body.radius) return true;
-  const double own = radius - body.radius;  // of the ball in the core
-  const Vec3 c = p + radius * inward;
-  const Vec3 &h = body.half;
-  switch (body.core) {
-    case CoreShape::box:
-      return std::fabs(c.x) + own <= h.x + slack && std::fabs(c.y) + own <= h.y + slack &&
-             std::fabs(c.z) + own <= h.z + slack;
-    case CoreShape::polytope:
-      for (const Polytope::Face &face : body.polytope->faces()) {
-        if (dot(face.normal, c) + own > face.offset + slack) return false;
-      }
-      return true;
-    case CoreShape::ellipsoid: {
-      const double least = std::min({h.x, h.y, h.z}), most = std::max({h.x, h.y, h.z});
-      return own * most <= least * least;  // the least radius of curvature
-    }
-    case CoreShape::cylinder:
-      return std::sqrt(c.x * c.x + c.y * c.y) + own <= h.x + slack && std::fabs(c.z) + own <= h.z + slack;
-    case CoreShape::cone: {
-      const double slant = std::hypot(h.x, 2.0 * h.z), across = std::sqrt(c.x * c.x + c.y * c.y);
-      return own - c.z <= h.z + slack && (2.0 * h.z * across + h.x * (c.z - h.z)) / slant + own <= slack;
-    }
-    default: return false;
-  }
-}
 
 // The centre of the ball: the point nearest to the origin with direction . p <= height - radius for all cuts.
 class BallCentre {
@@ -130,6 +101,15 @@ class BallCentre {
   double best_pull_[4] = {0, 0, 0, 0};
 };
 
+// The ball that is known to touch the surface at the shortest way out.
+double ball_at(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const SignedDistance &nearest, double enough,
+               double slack) {
+  const Vec3 outward = -nearest.normal;
+  const double swept = a.radius + b.radius;
+  return swept + inner_ball(a, b, b_in_a, outward, nearest.point_a - a.radius * outward, nearest.point_b + b.radius * outward,
+                            enough - swept, slack);
+}
+
 WaysOut single(const SignedDistance &nearest) {
   WaysOut result;
   result.count = 1;
@@ -163,18 +143,12 @@ double move_cuts(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
 
 }  // namespace
 
-bool one_way_out(const ConvexBody &a, const ConvexBody &b, double depth, double size) {
-  return surface_reach(depth, size) <= std::max(a.radius, b.radius);
-}
-
 WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const SignedDistance &nearest, double size,
                  DistanceScratch &scratch) {
   const double depth = -nearest.distance, radius = surface_reach(depth, size), slack = tolerance * size;
   if (!(depth > shallow * size)) return single(nearest);
-  // A ball in one of the bodies, at the place where they are deepest, is one in the difference.
-  if (holds_ball(a, nearest.point_a, nearest.normal, radius, slack)) return single(nearest);
-  const Vec3 in_b = transposed_times(b_in_a.rotation, nearest.point_b - b_in_a.translation);
-  if (holds_ball(b, in_b, -transposed_times(b_in_a.rotation, nearest.normal), radius, slack)) return single(nearest);
+  const double known = std::max(nearest.ball, ball_at(a, b, b_in_a, nearest, radius, slack));
+  if (known >= radius) return single(nearest);
 
   Cut cuts[4];
   cuts[0] = {-nearest.normal, depth, nearest.point_a, nearest.point_b, 1.0};

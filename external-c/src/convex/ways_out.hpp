@@ -25,9 +25,6 @@ struct WaysOut {
   int count = 0;
 };
 
-// Whether one of the bodies is rounded so much that an overlap of this depth has its shortest way out alone.
-bool one_way_out(const ConvexBody &a, const ConvexBody &b, double depth, double size);
-
 // The ways out of an overlap whose shortest way is `nearest` (distance < 0), for bodies of `size`. Where the bodies are
 // so deep in each other that no such ball fits, the shortest alone.
 WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const SignedDistance &nearest, double size,

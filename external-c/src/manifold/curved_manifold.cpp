@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convex/nearby_surface.hpp"
 #include "convex/ways_out.hpp"
 #include "geometry/pose_algebra.hpp"
 #include "manifold/axis_share.hpp"
@@ -77,6 +78,7 @@ convex::SignedDistance in_frame_of_a(const ConvexAnswer &answer, const Pose &pos
   result.normal = transposed_times(pose_a.rotation, answer.normal);
   result.point_a = transposed_times(pose_a.rotation, answer.point_a - pose_a.translation);
   result.point_b = transposed_times(pose_a.rotation, answer.point_b - pose_a.translation);
+  result.ball = answer.ball;
   return result;
 }
 
@@ -198,7 +200,7 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
                     convex::DistanceScratch &distance, CurvedManifoldScratch &scratch,
                     std::vector<ContactPoint> &points) {
   const double size = a.bound_radius + b.bound_radius;
-  if (convex::one_way_out(a.body, b.body, -answer.distance, size)) {
+  if (answer.ball >= convex::surface_reach(-answer.distance, size)) {  // no other way is near
     contact_along(a, pose_a, b, pose_b, answer, scratch, points);
     return;
   }
