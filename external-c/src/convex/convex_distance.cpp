@@ -111,6 +111,8 @@ bool coaxial_way_out(const MinkowskiDifference &difference, Vec3 &direction, dou
   return depth > 0.0;
 }
 
+bool has_facets(CoreShape core) { return core == CoreShape::box || core == CoreShape::polytope; }
+
 // The gap between the bounds of a distance, relative to it, from which Newton's method goes on.
 constexpr double rough_gap = 1e-4;
 // The gap between the bounds of a depth, relative to the bodies, from which it goes on, and the most points of the search.
@@ -119,11 +121,22 @@ constexpr std::int32_t rough_points = 40;
 // The ways out ask for balls of up to so many depths.
 constexpr double ways_reach = 1.5;
 
-CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, const Vec3 &first,
+CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, Vec3 first,
                       DistanceScratch &scratch, bool with_mean) {
   const MinkowskiDifference difference(body_a, body_b, pose);
   const bool polyhedral = is_polyhedral(body_a.core) && is_polyhedral(body_b.core);
   const double tolerance = (polyhedral ? 1e-14 : 1e-11) * difference.scale;
+  const double size = core_radius(body_a) + core_radius(body_b);
+  if (has_facets(body_a.core) && has_facets(body_b.core) && norm2(pose.translation) <= size * size) {
+    SurfaceWalk::Result walked;
+    const SurfaceWalk::Outcome outcome = scratch.surface_walk.way_out(difference, -first, with_mean ? size : 0.0, walked);
+    if (outcome == SurfaceWalk::Outcome::found) {
+      ++scratch.counters.walks;
+      return with_checked_witness(difference, {-walked.depth, walked.direction, walked.a, walked.b,
+                                               DistanceMethod::surface_walk, true, walked.mean_outward});
+    }
+    if (outcome == SurfaceWalk::Outcome::apart) first = -walked.direction;
+  }
   Vec3 coaxial_direction;
   double coaxial_depth;
   if (!polyhedral && coaxial_way_out(difference, coaxial_direction, coaxial_depth)) {
@@ -175,7 +188,7 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
   }
   const PenetrationResult inside =
       polyhedral ? scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, tolerance, 1024,
-                                                  with_mean ? core_radius(body_a) + core_radius(body_b) : 0.0)
+                                                  with_mean ? size : 0.0)
                  : scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, 1e-9 * difference.scale, 160);
   CoreDistance result{-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope,
                       inside.proven, inside.mean_outward};

@@ -13,6 +13,7 @@
 
 #include "convex_body.hpp"
 #include "expanding_polytope.hpp"
+#include "surface_walk.hpp"
 #include "vector3.hpp"
 
 namespace cmb::convex {
@@ -30,6 +31,7 @@ enum class DistanceMethod : std::uint8_t {
   closed_form,
   separating_axes,
   gjk,
+  surface_walk,
   expanding_polytope,
   refined,
   brute_force
@@ -52,8 +54,10 @@ struct SignedDistance {
 // Room that queries work in and what they count; about 1 MB. One for each thread.
 struct DistanceScratch {
   ExpandingPolytope expanding_polytope;
+  SurfaceWalk surface_walk;
   struct Counters {
     std::uint64_t queries = 0;
+    std::uint64_t walks = 0;        // overlaps of polytopes that a walk over the facets answered
     std::uint64_t brute_force = 0;  // polyhedral queries that only the last resort could answer
     std::uint64_t unproven = 0;     // smooth queries answered without proof
   } counters;

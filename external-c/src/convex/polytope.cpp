@@ -98,6 +98,7 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
       if (twin != directed.end()) {
         built.edges_[index(twin->second.second)].face[1] = face_index;
         directed[{a, b}] = {face_index, twin->second.second};
+        built.face_edges_.push_back(twin->second.second);
         continue;
       }
       Edge edge;
@@ -107,6 +108,7 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
       edge.face[1] = -1;
       edge.direction = normalized(vertices[index(b)] - vertices[index(a)]);
       directed[{a, b}] = {face_index, static_cast<std::int32_t>(built.edges_.size())};
+      built.face_edges_.push_back(static_cast<std::int32_t>(built.edges_.size()));
       built.edges_.push_back(edge);
     }
   }
@@ -125,10 +127,13 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
   built.neighbour_begin_ = degree;
   built.neighbours_.resize(2 * built.edges_.size());
   built.neighbour_edges_.resize(2 * built.edges_.size());
+  built.neighbour_ways_.resize(2 * built.edges_.size());
   for (std::size_t e = 0; e < built.edges_.size(); ++e) {
     for (int side = 0; side < 2; ++side) {
       const std::int32_t slot = degree[index(built.edges_[e].vertex[side])]++;
-      built.neighbours_[index(slot)] = built.edges_[e].vertex[1 - side];
+      const std::int32_t neighbour = built.edges_[e].vertex[1 - side];
+      built.neighbours_[index(slot)] = neighbour;
+      built.neighbour_ways_[index(slot)] = vertices[index(neighbour)] - vertices[index(built.edges_[e].vertex[side])];
       built.neighbour_edges_[index(slot)] = static_cast<std::int32_t>(e);
     }
   }

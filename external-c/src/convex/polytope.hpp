@@ -41,12 +41,16 @@ class Polytope {
   const std::vector<Face> &faces() const { return faces_; }
   const std::vector<Edge> &edges() const { return edges_; }
   const std::vector<std::int32_t> &face_vertices() const { return face_vertices_; }
+  // In step with face_vertices(): the edge from each corner to the next one.
+  const std::vector<std::int32_t> &face_edges() const { return face_edges_; }
 
   // Neighbouring vertices of vertex v: neighbours()[neighbour_begin(v) .. neighbour_begin(v + 1)).
   const std::vector<std::int32_t> &neighbours() const { return neighbours_; }
   std::int32_t neighbour_begin(std::int32_t v) const { return neighbour_begin_[static_cast<std::size_t>(v)]; }
   // The edges of vertex v, in step with its neighbours.
   const std::vector<std::int32_t> &neighbour_edges() const { return neighbour_edges_; }
+  // The ways from a vertex to its neighbours, in step with these.
+  const std::vector<Vec3> &neighbour_ways() const { return neighbour_ways_; }
 
   // Largest distance of a vertex from the origin of the polytope's frame.
   double radius() const { return radius_; }
@@ -70,8 +74,10 @@ class Polytope {
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
   std::vector<std::int32_t> face_vertices_;
+  std::vector<std::int32_t> face_edges_;
   std::vector<std::int32_t> neighbours_;
   std::vector<std::int32_t> neighbour_edges_;
+  std::vector<Vec3> neighbour_ways_;
   std::vector<std::int32_t> neighbour_begin_;
   // For each cell of a cube's surface (cells_ x cells_ on each side) the vertices that are farthest along some direction
   // that leaves through the cell: candidates_[cell_begin_[cell] .. cell_begin_[cell + 1]).

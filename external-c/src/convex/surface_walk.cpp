@@ -1,0 +1,324 @@
+#include "surface_walk.hpp"
+
+#include <algorithm>
+
+#include "nearby_surface.hpp"
+
+namespace cmb::convex {
+
+namespace {
+
+constexpr std::size_t most_facets = 400, most_corners = 4000, mark_count = 8192;
+constexpr int most_descents = 200;
+// Edges at a smaller angle (its sine) count as parallel.
+constexpr double parallel_sine = 1e-5;
+// Bodies less deep in each other than this, times the scale, are left to others.
+constexpr double touching = 1e-10;
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+const Polytope &unit_box() {
+  static const Polytope box = Polytope::box({2, 2, 2});
+  return box;
+}
+
+Vec3 scaled(const Vec3 &scale, const Vec3 &v) { return {scale.x * v.x, scale.y * v.y, scale.z * v.z}; }
+
+}  // namespace
+
+SurfaceWalk::SurfaceWalk() : marks_(mark_count, Mark{0, 0, 0}) {
+  corners_.reserve(most_corners);
+  facets_.reserve(most_facets);
+  sides_.reserve(most_corners);
+  unit_box();  // not in a query
+}
+
+Vec3 SurfaceWalk::Body::vertex(std::int32_t v) const {
+  return rotation * scaled(scale, polytope->vertices()[index(v)]) + shift;
+}
+
+Vec3 SurfaceWalk::Body::normal(std::int32_t face) const { return rotation * polytope->faces()[index(face)].normal; }
+
+Vec3 SurfaceWalk::Body::local(const Vec3 &d) const { return scaled(scale, transposed_times(rotation, d)); }
+
+bool SurfaceWalk::add_corner(std::int32_t vertex_a, std::int32_t vertex_b, std::int32_t body, std::int32_t edge,
+                             bool forward) {
+  if (corners_.size() == most_corners) return false;
+  corners_.emplace_back();
+  Corner &corner = corners_.back();
+  corner.at = body_[0].vertex(vertex_a) + body_[1].vertex(vertex_b);
+  corner.vertex[0] = vertex_a, corner.vertex[1] = vertex_b;
+  corner.body = body, corner.edge = edge, corner.forward = forward;
+  return true;
+}
+
+bool SurfaceWalk::facet_of_face(std::int32_t body, std::int32_t face, std::int32_t other_vertex, Facet &facet) {
+  const Body &owner = body_[body];
+  const Polytope &polytope = *owner.polytope;
+  const Polytope::Face &whole = polytope.faces()[index(face)];
+  facet.normal = owner.normal(face);
+  facet.first = static_cast<std::int32_t>(corners_.size());
+  facet.count = whole.count;
+  for (std::int32_t k = 0; k < whole.count; ++k) {
+    // A mirrored body's corners come in the opposite turn.
+    const std::int32_t at = whole.first + (owner.mirrored ? whole.count - 1 - k : k);
+    const std::int32_t side = !owner.mirrored ? at : at > whole.first ? at - 1 : whole.first + whole.count - 1;
+    const std::int32_t vertex = polytope.face_vertices()[index(at)], edge = polytope.face_edges()[index(side)];
+    const bool forward = polytope.edges()[index(edge)].vertex[0] == vertex;
+    if (!add_corner(body == 0 ? vertex : other_vertex, body == 0 ? other_vertex : vertex, body, edge, forward)) return false;
+  }
+  facet.height = dot(facet.normal, corners_[index(facet.first)].at);
+  return true;
+}
+
+// `about` is a direction near the facet's normal.
+bool SurfaceWalk::facet_of_edges(std::int32_t edge_a, std::int32_t edge_b, const Vec3 &about, Facet &facet) {
+  const std::int32_t *const a = body_[0].polytope->edges()[index(edge_a)].vertex;
+  const std::int32_t *const b = body_[1].polytope->edges()[index(edge_b)].vertex;
+  facet.first = static_cast<std::int32_t>(corners_.size());
+  facet.count = 4;
+  if (corners_.size() + 4 > most_corners) return false;
+  const Vec3 a0 = body_[0].vertex(a[0]), a1 = body_[0].vertex(a[1]), b0 = body_[1].vertex(b[0]), b1 = body_[1].vertex(b[1]);
+  const Vec3 along_a = a1 - a0, along_b = b1 - b0;
+  const Vec3 across = cross(along_a, along_b);
+  const double length2 = norm2(across);
+  if (!(length2 > parallel_sine * parallel_sine * norm2(along_a) * norm2(along_b))) return false;
+  const bool turned = dot(across, about) < 0.0;
+  facet.normal = ((turned ? -1.0 : 1.0) / std::sqrt(length2)) * across;
+  corners_.resize(corners_.size() + 4);
+  Corner *const corner = corners_.data() + facet.first;
+  const auto set = [&](int k, const Vec3 &at, int i, int j, std::int32_t body, bool forward) {
+    corner[k].at = at;
+    corner[k].vertex[0] = a[i], corner[k].vertex[1] = b[j];
+    corner[k].body = body, corner[k].edge = body == 0 ? edge_a : edge_b, corner[k].forward = forward;
+  };
+  set(0, a0 + b0, 0, 0, turned ? 1 : 0, true);
+  if (turned) {
+    set(1, a0 + b1, 0, 1, 0, true);
+    set(2, a1 + b1, 1, 1, 1, false);
+    set(3, a1 + b0, 1, 0, 0, false);
+  } else {
+    set(1, a1 + b0, 1, 0, 1, true);
+    set(2, a1 + b1, 1, 1, 0, false);
+    set(3, a0 + b1, 0, 1, 1, false);
+  }
+  facet.height = dot(facet.normal, corner[0].at);
+  return true;
+}
+
+// The facet that is met first on the arc of an edge's directions from `from`, one of the other body's vertex, to that of a
+// face of the edge.
+bool SurfaceWalk::next_on_arc(std::int32_t body, std::int32_t edge, std::int32_t face, std::int32_t other_vertex,
+                              const Vec3 &from, Facet &facet) {
+  const Body &other = body_[1 - body];
+  const Polytope &polytope = *other.polytope;
+  const Vec3 to = body_[body].normal(face);
+  const Vec3 local_from = other.local(from), local_to = other.local(to);
+  const std::int32_t end = polytope.neighbour_begin(other_vertex + 1);
+  double first = 2.0;
+  std::int32_t leaving = -1;
+  for (std::int32_t slot = polytope.neighbour_begin(other_vertex); slot < end; ++slot) {
+    const Vec3 &way = polytope.neighbour_ways()[index(slot)];
+    const double before = dot(local_from, way), after = dot(local_to, way);
+    const double part = before / (before - after);
+    const bool sooner = after > 0.0 && part < first;
+    first = sooner ? part : first;
+    leaving = sooner ? slot : leaving;
+  }
+  if (leaving < 0) return facet_of_face(body, face, other_vertex, facet);
+  const std::int32_t crossed = polytope.neighbour_edges()[index(leaving)];
+  const Vec3 about = (1.0 - first) * from + first * to;
+  return body == 0 ? facet_of_edges(edge, crossed, about, facet) : facet_of_edges(crossed, edge, about, facet);
+}
+
+bool SurfaceWalk::cross_side(const Facet &facet, const Corner &side, Facet &next) {
+  // Seen from outside the facet lies to the left of its side, and beyond the side the edge's face to the right.
+  const Polytope::Edge &edge = body_[side.body].polytope->edges()[index(side.edge)];
+  const std::int32_t face = edge.face[side.forward != body_[side.body].mirrored ? 1 : 0];
+  return next_on_arc(side.body, side.edge, face, side.vertex[1 - side.body], facet.normal, next);
+}
+
+// A facet at the vertex of C that is farthest along `first`, in the direction in which the support function falls. False
+// where there is none, or the bodies are apart along `first`, which `apart` tells then.
+bool SurfaceWalk::start(const Vec3 &first, Facet &facet, Vec3 &apart) {
+  std::int32_t vertex[2];
+  for (int k = 0; k < 2; ++k) vertex[k] = body_[k].polytope->support_vertex(body_[k].local(first));
+  const Vec3 top = body_[0].vertex(vertex[0]) + body_[1].vertex(vertex[1]);
+  const double height = dot(first, top), length2 = norm2(first);
+  if (!(height > 0.0)) {
+    apart = first;
+    return false;
+  }
+  Vec3 turn = (height / length2) * first - top;
+  if (!(norm2(turn) > 1e-12 * norm2(top))) turn = norm(top) * any_perpendicular((1.0 / std::sqrt(length2)) * first);
+  double soonest = HUGE_VAL;
+  std::int32_t body = 0, leaving = -1;
+  for (int k = 0; k < 2; ++k) {
+    const Polytope &polytope = *body_[k].polytope;
+    const Vec3 local_first = body_[k].local(first), local_turn = body_[k].local(turn);
+    const std::int32_t end = polytope.neighbour_begin(vertex[k] + 1);
+    for (std::int32_t slot = polytope.neighbour_begin(vertex[k]); slot < end; ++slot) {
+      const Vec3 &way = polytope.neighbour_ways()[index(slot)];
+      const double rate = dot(local_turn, way), at = -dot(local_first, way) / rate;
+      if (rate > 0.0 && at < soonest) soonest = at, body = k, leaving = slot;
+    }
+  }
+  if (leaving < 0) return false;
+  const std::int32_t number = body_[body].polytope->neighbour_edges()[index(leaving)];
+  const Polytope::Edge &edge = body_[body].polytope->edges()[index(number)];
+  // Of the edge's faces the nearer one.
+  const bool second = dot(body_[body].normal(edge.face[1]), top) < dot(body_[body].normal(edge.face[0]), top);
+  return next_on_arc(body, number, edge.face[second ? 1 : 0], vertex[1 - body], first + soonest * turn, facet);
+}
+
+// Goes on to nearer facets until one holds the origin's foot.
+bool SurfaceWalk::descend(Facet &facet) {
+  for (int step = 0; step < most_descents && facet.height > 0.0; ++step) {
+    const Corner *const corner = corners_of(facet);
+    double farthest = 0.0;
+    std::int32_t beyond = -1;
+    for (std::int32_t k = 0; k < facet.count; ++k) {
+      const Vec3 &p = corner[k].at, &q = corner[k + 1 == facet.count ? 0 : k + 1].at;
+      const double area = dot(facet.normal, cross(p, q));
+      if (area < farthest) farthest = area, beyond = k;
+    }
+    if (beyond < 0) return true;
+    Facet next;
+    const Corner side = corner[beyond];
+    corners_.clear();
+    if (!cross_side(facet, side, next) || !(next.height < facet.height)) return false;
+    facet = next;
+  }
+  return false;
+}
+
+// Each side belongs to two facets, which run along it in opposite directions.
+bool SurfaceWalk::add_sides(const Facet &facet, std::int32_t number) {
+  for (std::int32_t k = 0; k < facet.count; ++k) {
+    const Corner &corner = corners_[index(facet.first + k)];
+    const std::uint64_t key = static_cast<std::uint64_t>(corner.body) << 62 |
+                              static_cast<std::uint64_t>(static_cast<std::uint32_t>(corner.edge)) << 31 |
+                              static_cast<std::uint64_t>(static_cast<std::uint32_t>(corner.vertex[1 - corner.body]));
+    std::size_t at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 51);
+    while (marks_[at].growth == growth_ && marks_[at].key != key) at = (at + 1) % mark_count;
+    if (marks_[at].growth != growth_) {
+      marks_[at] = {key, growth_, static_cast<std::int32_t>(sides_.size())};
+      sides_.push_back({number, facet.first + k, false});
+      continue;
+    }
+    Side &known = sides_[index(marks_[at].side)];
+    if (known.inner || corners_[index(known.corner)].forward == corner.forward) return false;
+    known.inner = true;
+  }
+  return true;
+}
+
+// Adds facets round the lowest one until no other can be within the ball. `lowest` is exchanged, and the growth to be done
+// again, where the outcome is `apart`.
+SurfaceWalk::Outcome SurfaceWalk::grow(const MinkowskiDifference &difference, double size, Facet &lowest) {
+  const double radius = size > 0.0 ? surface_reach(lowest.height, size) : lowest.height;
+  const Vec3 far = difference.support(-lowest.normal).w;
+  const double slack = 1e-15 * difference.scale;
+  if (++growth_ == 0) {
+    std::fill(marks_.begin(), marks_.end(), Mark{0, 0, 0});
+    growth_ = 1;
+  }
+  facets_.clear();
+  sides_.clear();
+  facets_.push_back(lowest);
+  if (!add_sides(lowest, 0)) return Outcome::undecided;
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    if (sides_[k].inner) continue;
+    const Facet facet = facets_[index(sides_[k].facet)];
+    const std::int32_t number = sides_[k].corner;
+    const Corner corner = corners_[index(number)];
+    const Vec3 &p = corner.at, &q = corners_[index(number + 1 == facet.first + facet.count ? facet.first : number + 1)].at;
+    // Seen from outside the cone's side has q, p and the far point in counter-clockwise turn.
+    const Vec3 across = cross(q - far, p - far);
+    const double offset = dot(across, far);
+    if (offset > 0.0 && offset * offset >= radius * radius * norm2(across)) continue;
+    if (facets_.size() == most_facets) return Outcome::undecided;
+    Facet next;
+    if (!cross_side(facet, corner, next) || !(next.height > 0.0)) return Outcome::undecided;
+    if (next.height < lowest.height - slack) {
+      lowest = next;
+      return Outcome::apart;
+    }
+    facets_.push_back(next);
+    if (!add_sides(next, static_cast<std::int32_t>(facets_.size()) - 1)) return Outcome::undecided;
+  }
+  return Outcome::found;
+}
+
+void SurfaceWalk::find_witness(const Facet &facet, Result &result) const {
+  const Corner *const corner = corners_of(facet);
+  const Vec3 gap = facet.height * facet.normal;
+  if (corner[0].body == corner[1].body) {
+    const std::int32_t owner = corner[0].body;
+    const Vec3 at = body_[1 - owner].vertex(corner[0].vertex[1 - owner]);
+    result.b = owner == 0 ? -at : at - gap;
+    result.a = result.b + gap;
+    return;
+  }
+  // Where the edges come nearest to each other.
+  const std::int32_t edge_a = corner[corner[0].body == 0 ? 0 : 1].edge, edge_b = corner[corner[0].body == 0 ? 1 : 0].edge;
+  const std::int32_t *const a = body_[0].polytope->edges()[index(edge_a)].vertex;
+  const std::int32_t *const b = body_[1].polytope->edges()[index(edge_b)].vertex;
+  const Vec3 a0 = body_[0].vertex(a[0]), along_a = body_[0].vertex(a[1]) - a0;
+  const Vec3 b0 = -body_[1].vertex(b[0]), along_b = -body_[1].vertex(b[1]) - b0;
+  const Vec3 side = cross(along_b, facet.normal);
+  result.a = a0 + std::clamp(dot(b0 - a0, side) / dot(along_a, side), 0.0, 1.0) * along_a;
+  result.b = result.a - gap;
+}
+
+void SurfaceWalk::find_mean(const Facet &lowest, double radius, Result &result) const {
+  std::int32_t count = 0;
+  for (const Facet &facet : facets_) count += facet.height < radius && norm2(facet.normal - lowest.normal) > same_normal2;
+  result.mean_outward = lowest.normal;
+  if (count == 0) return;
+  result.mean_outward = {};
+  for (const Facet &facet : facets_) {
+    if (!(facet.height < radius)) continue;
+    FacetIntegral integral(facet.normal, facet.height, radius);
+    const Corner *const corner = corners_of(facet);
+    for (std::int32_t k = 0; k < facet.count; ++k) {
+      integral.add_edge(corner[k].at, corner[k + 1 == facet.count ? 0 : k + 1].at);
+    }
+    result.mean_outward = result.mean_outward + integral.value() * facet.normal;
+  }
+}
+
+SurfaceWalk::Outcome SurfaceWalk::way_out(const MinkowskiDifference &difference, const Vec3 &first, double size,
+                                          Result &result) {
+  const auto polytope = [](const ConvexBody &body) { return body.core == CoreShape::box ? &unit_box() : body.polytope; };
+  const auto scale = [](const ConvexBody &body) { return body.core == CoreShape::box ? body.half : Vec3{1, 1, 1}; };
+  const Pose &pose = difference.b_in_a;
+  const Mat3 turned{{-pose.rotation.row[0], -pose.rotation.row[1], -pose.rotation.row[2]}};
+  body_[0] = {polytope(difference.body_a), scale(difference.body_a), Mat3{}, {}, false};
+  body_[1] = {polytope(difference.body_b), scale(difference.body_b), turned, -pose.translation, true};
+  corners_.clear();
+  Facet lowest;
+  if (!start(first, lowest, result.direction)) {
+    return norm2(result.direction) > 0.0 ? Outcome::apart : Outcome::undecided;
+  }
+  for (int growths = 0; growths < 20; ++growths) {
+    if (!descend(lowest)) {
+      if (lowest.height > 0.0) return Outcome::undecided;
+      result.direction = lowest.normal;
+      return Outcome::apart;
+    }
+    if (!(lowest.height > touching * difference.scale)) return Outcome::undecided;
+    const Outcome outcome = grow(difference, size, lowest);
+    if (outcome == Outcome::undecided) return outcome;
+    if (outcome == Outcome::apart) continue;
+    result.direction = lowest.normal;
+    result.depth = dot(difference.support(lowest.normal).w, lowest.normal);
+    if (!(result.depth <= lowest.height + 1e-14 * difference.scale)) return Outcome::undecided;
+    find_witness(lowest, result);
+    if (size > 0.0) find_mean(lowest, surface_reach(lowest.height, size), result);
+    return outcome;
+  }
+  return Outcome::undecided;
+}
+
+}  // namespace cmb::convex
