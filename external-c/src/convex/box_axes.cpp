@@ -117,7 +117,8 @@ BoxAxes box_axes(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a) {
     if (s > best + favour) best = s, best_axis = 3 + j, best_sign = std::copysign(1.0, t_in_b[j]);
   }
   Vec3 edge_axis;
-  for (int i = 0; i < 3; ++i) {
+  // Where a face parts the boxes, edges need not be looked at.
+  for (int i = 0; i < 3 && best <= 0.0; ++i) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     for (int j = 0; j < 3; ++j) {
       const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;

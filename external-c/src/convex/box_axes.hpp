@@ -6,7 +6,7 @@
 namespace cmb::convex {
 
 struct BoxAxes {
-  double separation;  // largest over the axes; the exact signed distance where negative
+  double separation;  // the exact signed distance where negative; else along some axis that parts the boxes
   Vec3 axis;          // unit, from A to B, in A's frame
   Vec3 a, b;          // witness points of the overlap, valid where separation <= 0
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "box_axes.hpp"
+#include "boxes_apart.hpp"
 #include "closed_distance.hpp"
 #include "direction_refinement.hpp"
 #include "feature_enumeration.hpp"
@@ -113,6 +114,9 @@ bool coaxial_way_out(const MinkowskiDifference &difference, Vec3 &direction, dou
 
 bool has_facets(CoreShape core) { return core == CoreShape::box || core == CoreShape::polytope; }
 
+// That of bodies with corners only, relative to their size and distance.
+constexpr double polyhedral_tolerance = 1e-14;
+
 // The gap between the bounds of a distance, relative to it, from which Newton's method goes on.
 constexpr double rough_gap = 1e-4;
 // The gap between the bounds of a depth, relative to the bodies, from which it goes on, and the most points of the search.
@@ -125,7 +129,7 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
                       DistanceScratch &scratch, bool with_mean) {
   const MinkowskiDifference difference(body_a, body_b, pose);
   const bool polyhedral = is_polyhedral(body_a.core) && is_polyhedral(body_b.core);
-  const double tolerance = (polyhedral ? 1e-14 : 1e-11) * difference.scale;
+  const double tolerance = (polyhedral ? polyhedral_tolerance : 1e-11) * difference.scale;
   const double size = core_radius(body_a) + core_radius(body_b);
   if (has_facets(body_a.core) && has_facets(body_b.core) && norm2(pose.translation) <= size * size) {
     SurfaceWalk::Result walked;
@@ -225,6 +229,11 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
     const BoxAxes axes = box_axes(a.half, b.half, pose);
     if (axes.separation <= 0.0) return overlapping_boxes(a, b, pose, axes, with_mean);
     first = -axes.axis;
+  }
+  if (is_box_like(a.core) && is_box_like(b.core)) {
+    const double tolerance = polyhedral_tolerance * (reach + norm(pose.translation));
+    CoreDistance apart;
+    if (distance_of_boxes_apart(a.half, b.half, pose, tolerance, apart)) return apart;
   }
   if (norm2(first) == 0.0) first = {1, 0, 0};
   return iterated(a, b, pose, first, scratch, with_mean);

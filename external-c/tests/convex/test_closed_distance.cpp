@@ -1,7 +1,11 @@
-// Distances of cores in closed form: segments beside a search, how far points are outside bodies by steps off their
-// surface.
+// Distances of cores in closed form: segments beside a search, boxes by the bounds from both sides, how far points are
+// outside bodies by steps off their surface.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "convex/box_axes.hpp"
+#include "convex/boxes_apart.hpp"
 #include "convex/closed_distance.hpp"
 #include "random_bodies.hpp"
 
@@ -58,6 +62,56 @@ TEST(Segments, APointIsASegmentWithoutLength) {
   EXPECT_EQ(norm(found.b - Vec3{3, 0, 1}), 0.0);
   EXPECT_EQ(distance_of_segments({}, {0, 0, 2}, {3, 0, 1}).distance, 3.0);
   EXPECT_EQ(distance_of_segments({}, {}, {3, 0, 4}).distance, 5.0);
+}
+
+// Boxes in all attitudes, also with parallel and nearly parallel edges and faces, segments and points among them.
+TEST(BoxesApart, PointsInBothAreAsFarFromEachOtherAsTheirExtents) {
+  Random random(11);
+  int apart = 0, overlapping = 0;
+  for (int k = 0; k < 60000; ++k) {
+    Vec3 half[2];
+    for (Vec3 &h : half) {
+      for (int i = 0; i < 3; ++i) h.set(i, random.integer(0, 9) == 0 ? 0.0 : random.log_uniform(1e-2, 1.0));
+    }
+    Pose pose{random_bodies::random_rotation(random), {}};
+    if (k % 3 == 1) pose.rotation = random_bodies::rotation_about(random.direction(), random.log_uniform(1e-15, 1e-2));
+    if (k % 3 == 2) {
+      Vec3 axis;
+      axis.set(random.integer(0, 2), 1.0);
+      pose.rotation = random_bodies::rotation_about(axis, 0.785398163397448309616 * random.integer(0, 8));
+    }
+    pose.translation = random.log_uniform(1e-1, 20.0) * random.direction();
+    if (k % 2 == 1) {
+      for (int i = 0; i < 3; ++i) pose.translation.set(i, 0.25 * random.integer(-8, 8));  // flush sides
+    }
+    const double scale = norm(half[0]) + norm(half[1]) + norm(pose.translation), tolerance = 1e-14 * scale;
+    CoreDistance found;
+    if (!distance_of_boxes_apart(half[0], half[1], pose, tolerance, found)) {
+      // Then no direction parts them: of boxes with an inside, by their fifteen axes.
+      const bool solid = std::min({half[0].x, half[0].y, half[0].z, half[1].x, half[1].y, half[1].z}) > 0.0;
+      if (solid) {
+        EXPECT_LE(box_axes(half[0], half[1], pose).separation, 1e-13 * scale) << "sample " << k;
+      }
+      ++overlapping;
+      continue;
+    }
+    ++apart;
+    EXPECT_GT(found.distance, 0.0);
+    EXPECT_NEAR(norm(found.direction), 1.0, 1e-14);
+    EXPECT_LE(norm(found.b - found.a - found.distance * found.direction), 2e-14 * scale);
+    const Vec3 b_local = transposed_times(pose.rotation, found.b - pose.translation);
+    const Vec3 in_b = transposed_times(pose.rotation, found.direction);
+    double between = dot(found.direction, pose.translation);  // the boxes, by their extents along the direction
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_LE(std::fabs(found.a[i]), half[0][i]);
+      EXPECT_LE(std::fabs(b_local[i]), half[1][i] + 1e-15 * scale);
+      between -= half[0][i] * std::fabs(found.direction[i]) + half[1][i] * std::fabs(in_b[i]);
+    }
+    EXPECT_NEAR(between, found.distance, 2e-14 * scale);
+    if (testing::Test::HasFailure()) FAIL() << "sample " << k;
+  }
+  EXPECT_GT(apart, 30000);
+  EXPECT_GT(overlapping, 1000);
 }
 
 TEST(Outside, IsNoLessThanTheStepOffTheSurface) {
