@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from cmb_base.errors import InputError
@@ -11,6 +11,7 @@ from scipy.spatial import ConvexHull, cKDTree
 from cad2modelica.collision_shape import CollisionShape
 from cad2modelica.convex_decomposition import decompose
 from cad2modelica.convex_hull import convex_hull
+from cad2modelica.hull_thinning import thinned
 from cad2modelica.mesh import Indices, bodies, is_closed, join, volume_integrals, weld
 from cad2modelica.model import NO_LIMITS, CollisionChoice, Decomposer, DecompositionLimits, Part
 from cad2modelica.reach import Ball
@@ -26,6 +27,10 @@ SMALLEST_ERROR = 0.005  # likewise: what a decomposition can resolve
 SNAP = 2e-6  # distance below which a piece's corner is one of the body's, relative to the same
 DEFAULT_PIECES = 16
 MAXIMUM_PIECES = 256
+MOST_SHAPES = 1024  # of a body in the contact engine's descriptors
+LISTED_BODIES = 5  # numbers of a part's bodies in a note
+
+Body = tuple[Array, Indices]
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,25 +70,72 @@ def collision_geometry(part: Part, limits: DecompositionLimits = NO_LIMITS) -> C
     if part.collision is CollisionChoice.NONE or not meshes:
         return CollisionGeometry((), ())
     shapes: list[CollisionShape] = []
-    notes: list[str] = []
+    remarks: list[tuple[int, str]] = []
     vertices, triangles = weld(*join(meshes))
     found = bodies(vertices, triangles)
+    kept, note = _largest(found)
     limits = part.decomposition.or_else(limits)
-    refusal = _too_fine(part, len(triangles), limits)
-    for number, body in enumerate(found, start=1):
-        label = f"part {part.name!r}" + (f", body {number} of {len(found)}" if len(found) > 1 else "")
-        hull = convex_hull(body[0])
+    refusal = _too_fine(part, len(triangles), limits) or _too_many(len(kept))
+    limits = _shared_out(limits, len(kept))
+    for number in kept:
+        hull = convex_hull(found[number][0])
         if hull is None:
-            notes.append(f"{label}: is flat and was left out of the contacts")
+            remarks.append((number, "is flat and was left out of the contacts"))
             continue
-        own_shapes, remarks = _body_shapes(part, label, hull, body, limits, refusal)
+        label = _label(part, [number], len(found))
+        own_shapes, texts = _body_shapes(part, label, hull, found[number], limits, refusal)
         shapes += own_shapes
-        notes += [f"{label}: {text}" for text in remarks]
-    return CollisionGeometry(tuple(shapes), tuple(notes))
+        remarks += [(number, text) for text in texts]
+    return CollisionGeometry(tuple(shapes), _notes(part, remarks, len(found), note))
+
+
+def _largest(found: list[Body]) -> tuple[list[int], str]:
+    """Numbers of the bodies that collide, from 0, and a note if these are not all."""
+    if len(found) <= MOST_SHAPES:
+        return list(range(len(found))), ""
+    sizes = np.array([np.linalg.norm(np.ptp(vertices, axis=0)) for vertices, _ in found])
+    order = np.argsort(-sizes, kind="stable")
+    return sorted(order[:MOST_SHAPES].tolist()), (
+        f"has {len(found)} bodies, but collides with {MOST_SHAPES} shapes at most: the largest do, those left out are "
+        f"up to {1000 * sizes[order[MOST_SHAPES]]:.3g} mm in size; split the part or join its bodies if these matter"
+    )
+
+
+def _too_many(count: int) -> str:
+    """Why so many bodies are not decomposed; empty if they are."""
+    most = MOST_SHAPES // 2
+    return f"the part has {count} bodies, more than {most}" if count > most else ""
+
+
+def _shared_out(limits: DecompositionLimits, count: int) -> DecompositionLimits:
+    """Limits by which so many bodies, all of them decomposed, have no more pieces than a part may have shapes."""
+    pieces = limits.pieces if limits.pieces is not None else DEFAULT_PIECES
+    share = MOST_SHAPES // max(count, 1)
+    return limits if pieces <= share else replace(limits, pieces=share)
+
+
+def _label(part: Part, numbers: list[int], count: int) -> str:
+    """What a remark is about: a part, one of its bodies, or several."""
+    if count == 1:
+        return f"part {part.name!r}"
+    if len(numbers) == 1:
+        return f"part {part.name!r}, body {numbers[0] + 1} of {count}"
+    listed = ", ".join(str(number + 1) for number in numbers[:LISTED_BODIES])
+    more = ", ..." if len(numbers) > LISTED_BODIES else ""
+    return f"part {part.name!r}, {len(numbers)} of {count} bodies ({listed}{more})"
+
+
+def _notes(part: Part, remarks: list[tuple[int, str]], count: int, note: str) -> tuple[str, ...]:
+    """Notes on a part and its bodies; bodies with the same remark share a note."""
+    by_text: dict[str, list[int]] = {}
+    for number, text in remarks:
+        by_text.setdefault(text, []).append(number)
+    whole = (f"part {part.name!r}: {note}",) if note else ()
+    return (*whole, *(f"{_label(part, numbers, count)}: {text}" for text, numbers in by_text.items()))
 
 
 def _body_shapes(
-    part: Part, label: str, hull: ConvexHull, body: tuple[Array, Indices], limits: DecompositionLimits, refusal: str
+    part: Part, label: str, hull: ConvexHull, body: Body, limits: DecompositionLimits, refusal: str
 ) -> tuple[list[CollisionShape], list[str]]:
     """Shapes of one connected body and remarks on them; a refusal says why it is not decomposed."""
     vertices, triangles = body
@@ -96,7 +148,7 @@ def _body_shapes(
         )
     if not is_closed(triangles):
         kind = "convex hull" if shape is None else shape.kind
-        return [shape or _hull_shape(hull)], [f"the geometry is not closed; collides as its {kind}"]
+        return _one_shape(shape, hull, [f"the geometry is not closed; collides as its {kind}"])
     volume = volume_integrals(vertices, triangles).volume
     remarks = ["the faces are turned inside out"] if volume < 0 else []
     added = 1.0 - abs(volume) / hull.volume
@@ -106,14 +158,14 @@ def _body_shapes(
         outward = triangles if volume > 0 else triangles[:, ::-1]
         pieces, failure = _pieces(vertices, outward, limits)
         if pieces:
-            return [_hull_shape(piece) for piece in pieces], [*remarks, _accuracy(vertices, outward, pieces)]
+            return [_hull_shape(piece)[0] for piece in pieces], [*remarks, _accuracy(vertices, outward, pieces)]
     if added > CONCAVITY_REMARK:
         name = f"its convex hull of {len(hull.vertices)} vertices" if shape is None else f"a {shape.kind}"
         remarks.append(
             f"is not convex; collides as {name}, {100 * added:.0f} % of which is not part of the body"
             + (f" (no decomposition: {failure})" if failure else "")
         )
-    return [shape or _hull_shape(hull)], remarks
+    return _one_shape(shape, hull, remarks)
 
 
 def _too_fine(part: Part, triangles: int, limits: DecompositionLimits) -> str:
@@ -155,5 +207,23 @@ def _accuracy(vertices: Array, triangles: Indices, pieces: list[ConvexHull]) -> 
     )
 
 
-def _hull_shape(hull: ConvexHull) -> CollisionShape:
-    return CollisionShape.hull(hull.points[hull.vertices])
+def _one_shape(
+    shape: CollisionShape | None, hull: ConvexHull, remarks: list[str]
+) -> tuple[list[CollisionShape], list[str]]:
+    """The recognised shape, or else the hull, and the remarks with one on a hull that has lost corners."""
+    if shape is not None:
+        return [shape], remarks
+    shape, error = _hull_shape(hull)
+    if error > 0.0 and shape.vertices is not None:
+        remarks = [
+            *remarks,
+            f"of the {len(hull.vertices)} vertices of its convex hull {len(shape.vertices)} count in contacts, "
+            f"Hausdorff distance {1000 * error:.2g} mm",
+        ]
+    return [shape], remarks
+
+
+def _hull_shape(hull: ConvexHull) -> tuple[CollisionShape, float]:
+    """The hull as a shape, and how far corners that it has lost lie outside of it, m."""
+    corners, error = thinned(hull)
+    return CollisionShape.hull(corners), error

@@ -74,10 +74,11 @@ def bodies(vertices: Array, triangles: Indices) -> list[tuple[Array, Indices]]:
     graph = coo_matrix((np.ones(len(rows)), (rows, columns)), shape=(count, count))
     _, label = connected_components(graph, directed=False)
     of_triangle = label[triangles[:, 0]]
-    _, first = np.unique(of_triangle, return_index=True)
+    order = np.argsort(of_triangle, kind="stable")
+    runs = np.split(order, np.flatnonzero(np.diff(of_triangle[order])) + 1) if len(order) else []
     found = []
-    for start in np.sort(first):
-        own = triangles[of_triangle == of_triangle[start]]
+    for run in sorted(runs, key=lambda run: int(run[0])):
+        own = triangles[run]
         used, renumbered = np.unique(own, return_inverse=True)
         found.append((vertices[used], renumbered.reshape(own.shape)))
     return found

@@ -13,7 +13,7 @@ from cad2modelica.mesh import Mesh
 from cad2modelica.model import CollisionChoice, MassProperties, Part
 from cad2modelica.spatial import IDENTITY
 from cmb_base.errors import Place
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
@@ -102,6 +102,27 @@ def test_capsule_anywhere(radius: float, slenderness: float, turn: np.ndarray, s
     assert (shape.radius, shape.length) == pytest.approx((radius, length), rel=1e-6)
     assert abs(shape.pose.rotation[:, 2] @ rotation.apply([0, 0, 1])) == pytest.approx(1.0, abs=1e-9)
     np.testing.assert_allclose(shape.pose.position, shift * radius, atol=1e-5 * (radius + length))
+
+
+@settings(max_examples=20, deadline=None)
+@given(sizes, st.floats(0.1, 20), st.integers(60, 400), st.integers(0, 1000))
+def test_capsule_with_corners_anywhere_on_it(radius: float, slenderness: float, count: int, seed: int) -> None:
+    """Random corners on caps and side beside two rings: neither their centre nor their main axis is the capsule's."""
+    generator = np.random.default_rng(seed)
+    half = np.array([0.0, 0.0, radius * slenderness / 2])
+    points = generator.normal(size=(count, 3))
+    points *= radius / np.linalg.norm(points, axis=1)[:, None]
+    points += np.sign(points[:, 2:]) * half
+    side = generator.normal(size=(int(count * slenderness / (2 + slenderness)), 2))
+    side *= radius / np.linalg.norm(side, axis=1)[:, None]
+    points = np.vstack(
+        [points, prism(radius, 2 * half[2], 16), np.column_stack([side, half[2] * generator.uniform(-1, 1, len(side))])]
+    )
+    hull = ConvexHull(points)
+    assume(hull.volume > 0.86 * np.pi * radius**2 * (2 * half[2] + 4 / 3 * radius))
+    (shape,) = shapes_of(Rotation.random(rng=generator).apply(points)).shapes
+    assert shape.kind == "capsule"
+    assert (shape.radius, shape.length) == pytest.approx((radius, 2 * half[2]), rel=1e-5)
 
 
 @settings(max_examples=20, deadline=None)
