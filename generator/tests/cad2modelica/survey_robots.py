@@ -2,17 +2,20 @@
 
 Use ``python generator/tests/cad2modelica/survey_robots.py FOLDER [--seconds 60] [--without NAME]
 [--decomposer vhacd]``: a Markdown table goes to the standard output, every file with its outcome to the standard error.
-Every robot is generated in a process of its own, which is stopped after the given time.
+Every robot is generated in a process of its own, which is stopped when it, or a process it starts, has used the given
+time of a processor. Times are of the processor, all processes together, so that other load does not count.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import re
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
-import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -22,12 +25,17 @@ from cad2modelica import Decomposer, GenerateOptions, generate
 from cmb_base.errors import CmbError
 
 REFUSED = 2
+STOPPED = (-signal.SIGXCPU, 128 + signal.SIGXCPU, 124)  # the last by "timeout"
+WALL = 10  # times the limit of processor time: what waits for ever is stopped then
 _ROBOT = re.compile(rb"<robot[\s>]")
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one robot: ``kind`` is generated, refused, stopped or crashed; ``reason`` is the first problem's text."""
+    """Of one robot: ``kind`` is generated, refused, stopped or crashed; ``reason`` is the first problem's text.
+
+    ``seconds`` are of the processor.
+    """
 
     file: Path
     kind: str
@@ -43,17 +51,22 @@ def descriptions(folder: Path, without: str) -> list[Path]:
 
 def outcome(file: Path, seconds: float, decomposer: Decomposer | None) -> Outcome:
     """Generates one robot's package in a temporary folder."""
-    begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="cmb-survey-") as output:
         command = [sys.executable, __file__, str(file), "--into", str(Path(output) / "package")]
+        command += ["--seconds", str(seconds)]
         command += ["--decomposer", decomposer.value] if decomposer is not None else []
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=False)
-        except subprocess.TimeoutExpired:
-            return Outcome(file, "stopped", time.monotonic() - begin, f"takes longer than {seconds:g} s")
-    kind = {0: "generated", REFUSED: "refused"}.get(done.returncode, "crashed")
-    last = (done.stderr.strip().splitlines() or ["no message"])[-1]
-    return Outcome(file, kind, time.monotonic() - begin, "" if kind == "generated" else last)
+        with (Path(output) / "log").open("w+") as log:
+            process = subprocess.Popen(["timeout", f"{WALL * seconds:g}", *command], stderr=log)
+            # subprocess does not tell what one of several children used.
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            log.seek(0)
+            last = (log.read().strip().splitlines() or ["no message"])[-1]
+    used = usage.ru_utime + usage.ru_stime
+    if process.returncode in STOPPED:
+        return Outcome(file, "stopped", used, f"takes longer than {seconds:g} s")
+    kind = {0: "generated", REFUSED: "refused"}.get(process.returncode, "crashed")
+    return Outcome(file, kind, used, "" if kind == "generated" else last)
 
 
 def generate_one(file: Path, output: Path, decomposer: Decomposer | None) -> int:
@@ -78,6 +91,7 @@ def main() -> int:
     parser.add_argument("--decomposer", type=Decomposer, choices=list(Decomposer))
     arguments = parser.parse_args()
     if arguments.into is not None:
+        resource.setrlimit(resource.RLIMIT_CPU, (int(arguments.seconds), resource.RLIM_INFINITY))
         return generate_one(arguments.path, arguments.into, arguments.decomposer)
     files = descriptions(arguments.path, arguments.without)
     outcomes = []
