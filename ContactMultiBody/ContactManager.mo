@@ -5,9 +5,12 @@ model ContactManager "Lets all bodies it is connected to collide"
   parameter String geometry[n] "Descriptor of each body's geometry, usually {body1.geometry, ...}";
   parameter Types.Backend backend=Types.Backend.Automatic "Algorithm that finds the contacts"
     annotation (Evaluate=true, Dialog(tab="Advanced"));
+  parameter Modelica.Units.SI.Length exactWithin(min=Modelica.Constants.small)=Modelica.Constants.inf
+    "Gap between bounding spheres up to which distances are exact; beyond it they are lower bounds, which cost less"
+    annotation (Dialog(tab="Advanced"));
   final parameter Integer scene=Internal.intern(geometry, pair, Integer(backend) - 1) "Handle of the scene in the engine";
 equation
-  (distance,depth,weight,normal,point) = Internal.query(scene, r_0, {frame[i].R.T for i in 1:n}, m, pointCapacity);
+  (distance,depth,weight,normal,point) = Internal.query(scene, r_0, {frame[i].R.T for i in 1:n}, m, pointCapacity, exactWithin);
   annotation (
     defaultComponentName="contacts",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
@@ -39,7 +42,7 @@ The geometry of a body is described in the frame that is connected. By default a
 </p>
 <table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
 <tr><th>variable, for each pair i</th><th>meaning</th></tr>
-<tr><td><code>distance[i]</code></td><td>signed distance, negative when the bodies penetrate</td></tr>
+<tr><td><code>distance[i]</code></td><td>signed distance, negative when the bodies penetrate; a lower bound where a finite <code>exactWithin</code> is exceeded</td></tr>
 <tr><td><code>normalForce[i]</code></td><td>normal force, summed over the points</td></tr>
 <tr><td><code>force[i,:]</code></td><td>force on the first body of the pair, in world axes</td></tr>
 <tr><td><code>approachSpeed[i]</code></td><td>speed along the normal where the bodies touch or will touch, positive when they approach</td></tr>
@@ -52,6 +55,13 @@ The geometry of a body is described in the frame that is connected. By default a
 The force of a contact point is F = weight K x<sup>n</sup>(1 + d/v<sub>0</sub> dx/dt), never negative, with the approach speed at that
 point; the weights of a face that carries wholly sum to one. See
 <a href=\"modelica://ContactMultiBody.NormalForce\">NormalForce</a> and <a href=\"modelica://ContactMultiBody.Friction\">Friction</a> for the laws.
+</p>
+<p>
+<strong>Distances of bodies far apart</strong> need not be exact for contacts, and finding them costs time. With a finite <code>exactWithin</code>, a length L,
+<code>distance</code> is exact where the gap g between the bounding spheres of the two shapes is at most L, that gap where it is at least 2 L, and fades smoothly
+between; <code>approachSpeed</code> is then taken along the line of centres. It is never more than the true distance and has its sign, so that forces are the same at
+each pose and impacts happen at the same times. It is no clearance to read off: leave the default, infinity, where clearances are wanted.
+See <a href=\"modelica://ContactMultiBody.UsersGuide.EffectsAndLaws\">Which effects and laws to choose</a> for what it saves.
 </p>
 <p>
 All choices are structural: without friction there are no tangential forces, without restitution no events, without anchored friction no states.

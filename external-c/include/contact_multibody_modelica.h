@@ -20,6 +20,12 @@ void cmb_modelica_query(int scene, const double *position, size_t body_count, co
                         size_t pair_count, size_t point_capacity, double *distance, double *depth,
                         double *weight, double *normal, double *point);
 
+/* The same, cheaper for pairs farther apart than exact_within (m, > 0; infinity or a number that large: exact everywhere);
+ * see cmb_query_scene_within. */
+void cmb_modelica_query_within(int scene, double exact_within, const double *position, size_t body_count,
+                               const double *rotation, size_t pair_count, size_t point_capacity, double *distance,
+                               double *depth, double *weight, double *normal, double *point);
+
 /* Evaluates the overlap of all pairs as four points each, for forces proportional to the volume: the points of a pair have
  * one depth (m); their weights (m2) times the depth sum to the volume, and times half the squared depth to the integral
  * of half the squared depth over the area, exactly so where one side of the overlap is flat. Their mean is the volume's

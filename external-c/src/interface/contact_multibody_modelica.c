@@ -24,8 +24,15 @@ int cmb_modelica_intern(const char **geometry, size_t body_count, const int *pai
 void cmb_modelica_query(int scene, const double *position, size_t body_count, const double *rotation,
                         size_t pair_count, size_t point_capacity, double *distance, double *depth,
                         double *weight, double *normal, double *point) {
-  const cmb_status status = cmb_query_scene(scene, position, rotation, body_count, pair_count, point_capacity,
-                                            distance, depth, weight, normal, point);
+  cmb_modelica_query_within(scene, HUGE_VAL, position, body_count, rotation, pair_count, point_capacity, distance,
+                            depth, weight, normal, point);
+}
+
+void cmb_modelica_query_within(int scene, double exact_within, const double *position, size_t body_count,
+                               const double *rotation, size_t pair_count, size_t point_capacity, double *distance,
+                               double *depth, double *weight, double *normal, double *point) {
+  const cmb_status status = cmb_query_scene_within(scene, exact_within, position, rotation, body_count, pair_count,
+                                                   point_capacity, distance, depth, weight, normal, point);
   if (status != CMB_OK) {
     ModelicaFormatError("ContactMultiBody: %s: %s\n", cmb_status_text(status), cmb_last_error());
   }
