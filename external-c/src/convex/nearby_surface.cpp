@@ -3,33 +3,44 @@
 namespace cmb::convex {
 
 void FacetIntegral::add_edge(const Vec3 &p, const Vec3 &q) {
-  const Vec3 from = p - foot_, along = q - p;
+  const Vec3 from = p - foot_, to = q - foot_, along = q - p;
   const double length2 = norm2(along);
   if (!(length2 > 0.0)) return;
-  const double length = std::sqrt(length2);
-  const double off = dot(normal_, cross(from, along)) / length;  // of the edge's line from the foot
-  const double begin = dot(from, along) / length, end = begin + length;
-  const double off2 = off * off;
+  const double area = dot(normal_, cross(from, along)), begin = dot(from, along), end = begin + length2;
+  const double inverse2 = 1.0 / length2, off2 = area * area * inverse2;  // the line's distance from the foot, squared
   if (off2 >= limit2_) {
-    if (off < 0.0) outside_ = true;
-    add_angle(off, begin, end);
+    if (area < 0.0) outside_ = true;
+    add_angle(area, dot(from, to));
     return;
   }
   all_beyond_ = false;
-  const double chord = std::sqrt(limit2_ - off2);
-  const double low = std::clamp(begin, -chord, chord), high = std::clamp(end, -chord, chord);
   // By Green's theorem: of the integral of (limit2 - r^2)^2 r dr from the foot, divided by r^2, along the edge.
   const double constant = 3.0 * limit2_ * (limit2_ - off2) + off2 * off2, square = (2.0 * off2 - 3.0 * limit2_) / 3.0;
-  const auto antiderivative = [&](double t) { return t * (constant + t * t * (square + 0.2 * t * t)); };
-  sum_ += off * (antiderivative(high) - antiderivative(low)) / 6.0;
-  if (begin < -chord) add_angle(off, begin, std::min(end, -chord));
-  if (end > chord) add_angle(off, std::max(begin, chord), end);
+  const auto antiderivative = [&](double t, double t2) { return t * (constant + t2 * (square + 0.2 * t2)); };
+  if (norm2(from) <= limit2_ && norm2(to) <= limit2_) {  // all within the ball: no root is needed
+    const double part = antiderivative(end, end * end * inverse2) - antiderivative(begin, begin * begin * inverse2);
+    sum_ += area * inverse2 * part / 6.0;
+    return;
+  }
+  const double length = std::sqrt(length2), off = area / length, first = begin / length, last = first + length;
+  const double chord = std::sqrt(limit2_ - off2);
+  const double low = std::clamp(first, -chord, chord), high = std::clamp(last, -chord, chord);
+  sum_ += off * (antiderivative(high, high * high) - antiderivative(low, low * low)) / 6.0;
+  if (first < -chord) {
+    const double until = std::min(last, -chord);
+    add_angle(off * (until - first), off2 + first * until);
+  }
+  if (last > chord) {
+    const double since = std::max(first, chord);
+    add_angle(off * (last - since), off2 + since * last);
+  }
 }
 
-// The part of an edge's line from `begin` to `end`, outside the ball, by the angle it fills as seen from the foot: less
-// than half a turn, counted by a product of complex numbers that is watched for passing the negative real axis.
-void FacetIntegral::add_angle(double off, double begin, double end) {
-  const double sine = off * (end - begin), cosine = off * off + begin * end;
+// The part of an edge's line that is outside the ball, by the angle it fills as seen from the foot, given by multiples of
+// its sine and cosine: less than half a turn, counted by a product of complex numbers that is watched for passing the
+// negative real axis.
+void FacetIntegral::add_angle(double sine, double cosine) {
+  any_angle_ = true;
   const double real = real_ * cosine - imaginary_ * sine, imaginary = real_ * sine + imaginary_ * cosine;
   if (sine > 0.0 && imaginary_ >= 0.0 && imaginary < 0.0) turns_ += 1.0;
   if (sine < 0.0 && imaginary_ < 0.0 && imaginary >= 0.0) turns_ -= 1.0;
@@ -42,6 +53,7 @@ double FacetIntegral::value() const {
   constexpr double full_turn = 6.28318530717958648;
   const double whole = limit2_ * limit2_ * limit2_ / 6.0;
   if (all_beyond_) return outside_ ? 0.0 : full_turn * whole;
+  if (!any_angle_) return std::max(0.0, sum_);
   return std::max(0.0, sum_ + whole * (full_turn * turns_ + std::atan2(imaginary_, real_)));
 }
 

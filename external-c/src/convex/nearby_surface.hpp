@@ -39,13 +39,13 @@ class FacetIntegral {
   double value() const;
 
  private:
-  void add_angle(double off, double begin, double end);
+  void add_angle(double sine, double cosine);
 
   Vec3 normal_, foot_;
   double limit2_, sum_ = 0.0;
   // The sum of angles: full turns, and the argument of a complex number.
   double real_ = 1.0, imaginary_ = 0.0, turns_ = 0.0;
-  bool all_beyond_ = true, outside_ = false;
+  bool all_beyond_ = true, outside_ = false, any_angle_ = false;
 };
 
 // The sum of the facets' normals times their weights, for two boxes of the given half lengths that overlap `depth` (> 0)

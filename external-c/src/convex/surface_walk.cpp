@@ -1,6 +1,7 @@
 #include "surface_walk.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "nearby_surface.hpp"
 
@@ -41,79 +42,82 @@ Vec3 SurfaceWalk::Body::normal(std::int32_t face) const { return rotation * poly
 
 Vec3 SurfaceWalk::Body::local(const Vec3 &d) const { return scaled(scale, transposed_times(rotation, d)); }
 
-bool SurfaceWalk::add_corner(std::int32_t vertex_a, std::int32_t vertex_b, std::int32_t body, std::int32_t edge,
-                             bool forward) {
-  if (corners_.size() == most_corners) return false;
-  corners_.emplace_back();
-  Corner &corner = corners_.back();
-  corner.at = body_[0].vertex(vertex_a) + body_[1].vertex(vertex_b);
-  corner.vertex[0] = vertex_a, corner.vertex[1] = vertex_b;
-  corner.body = body, corner.edge = edge, corner.forward = forward;
-  return true;
+Vec3 SurfaceWalk::Body::way(std::int32_t from, std::int32_t to) const {
+  return rotation * scaled(scale, polytope->vertices()[index(to)] - polytope->vertices()[index(from)]);
 }
 
-bool SurfaceWalk::facet_of_face(std::int32_t body, std::int32_t face, std::int32_t other_vertex, Facet &facet) {
+// The facet of a face of one body at the vertex of the other where side q begins. The first side is q turned back.
+bool SurfaceWalk::facet_of_face(const Corner &q, const Vec3 &q_end, std::int32_t face, Facet &facet) {
+  const std::int32_t body = q.body;
   const Body &owner = body_[body];
   const Polytope &polytope = *owner.polytope;
   const Polytope::Face &whole = polytope.faces()[index(face)];
+  if (corners_.size() + index(whole.count) > most_corners) return false;
   facet.normal = owner.normal(face);
   facet.first = static_cast<std::int32_t>(corners_.size());
   facet.count = whole.count;
-  for (std::int32_t k = 0; k < whole.count; ++k) {
-    // A mirrored body's corners come in the opposite turn.
-    const std::int32_t at = whole.first + (owner.mirrored ? whole.count - 1 - k : k);
-    const std::int32_t side = !owner.mirrored ? at : at > whole.first ? at - 1 : whole.first + whole.count - 1;
-    const std::int32_t vertex = polytope.face_vertices()[index(at)], edge = polytope.face_edges()[index(side)];
-    const bool forward = polytope.edges()[index(edge)].vertex[0] == vertex;
-    if (!add_corner(body == 0 ? vertex : other_vertex, body == 0 ? other_vertex : vertex, body, edge, forward)) return false;
+  // Where the face's own turn has the side's edge; a mirrored body's corners come in the opposite turn.
+  const std::int32_t *const edges = polytope.face_edges().data() + whole.first;
+  const std::int32_t *const vertices = polytope.face_vertices().data() + whole.first;
+  std::int32_t begin = 0;
+  while (edges[begin] != q.edge) ++begin;
+  const std::int32_t turn = owner.mirrored ? -1 : 1;
+  const std::int32_t begin_vertex = polytope.edges()[index(q.edge)].vertex[q.forward ? 1 : 0];
+  std::int32_t at = vertices[begin] == begin_vertex ? begin : begin + 1 == whole.count ? 0 : begin + 1;
+  corners_.resize(corners_.size() + index(whole.count));
+  Corner *corner = corners_.data() + facet.first;
+  for (std::int32_t k = 0; k < whole.count; ++k, ++corner) {
+    const std::int32_t vertex = vertices[at];
+    std::int32_t next = at + turn;
+    next = next < 0 ? whole.count - 1 : next == whole.count ? 0 : next;
+    const std::int32_t edge = edges[owner.mirrored ? next : at];
+    corner->at = k == 0 ? q_end : k == 1 ? q.at : q_end + owner.way(begin_vertex, vertex);
+    corner->vertex[body] = vertex, corner->vertex[1 - body] = q.vertex[1 - body];
+    corner->body = body, corner->edge = edge;
+    corner->forward = polytope.edges()[index(edge)].vertex[0] == vertex;
+    at = next;
   }
-  facet.height = dot(facet.normal, corners_[index(facet.first)].at);
+  facet.height = dot(facet.normal, q.at);
   return true;
 }
 
-// `about` is a direction near the facet's normal.
-bool SurfaceWalk::facet_of_edges(std::int32_t edge_a, std::int32_t edge_b, const Vec3 &about, Facet &facet) {
-  const std::int32_t *const a = body_[0].polytope->edges()[index(edge_a)].vertex;
-  const std::int32_t *const b = body_[1].polytope->edges()[index(edge_b)].vertex;
+// The facet that side q's edge spans with an edge of the other body, which leads from q's vertex of that to `far_vertex`.
+bool SurfaceWalk::facet_of_edges(const Corner &q, const Vec3 &q_end, std::int32_t q_end_vertex, std::int32_t other_edge,
+                                 std::int32_t far_vertex, Facet &facet) {
+  if (corners_.size() + 4 > most_corners) return false;
+  const std::int32_t body = q.body, other = 1 - body, near_vertex = q.vertex[other];
+  const Vec3 back = q.at - q_end, way = body_[other].way(near_vertex, far_vertex), across = cross(back, way);
+  const double length2 = norm2(across);
+  if (!(length2 > parallel_sine * parallel_sine * norm2(back) * norm2(way))) return false;
+  facet.normal = (1.0 / std::sqrt(length2)) * across;
+  facet.height = dot(facet.normal, q.at);
   facet.first = static_cast<std::int32_t>(corners_.size());
   facet.count = 4;
-  if (corners_.size() + 4 > most_corners) return false;
-  const Vec3 a0 = body_[0].vertex(a[0]), a1 = body_[0].vertex(a[1]), b0 = body_[1].vertex(b[0]), b1 = body_[1].vertex(b[1]);
-  const Vec3 along_a = a1 - a0, along_b = b1 - b0;
-  const Vec3 across = cross(along_a, along_b);
-  const double length2 = norm2(across);
-  if (!(length2 > parallel_sine * parallel_sine * norm2(along_a) * norm2(along_b))) return false;
-  const bool turned = dot(across, about) < 0.0;
-  facet.normal = ((turned ? -1.0 : 1.0) / std::sqrt(length2)) * across;
   corners_.resize(corners_.size() + 4);
   Corner *const corner = corners_.data() + facet.first;
-  const auto set = [&](int k, const Vec3 &at, int i, int j, std::int32_t body, bool forward) {
+  const bool way_forward = body_[other].polytope->edges()[index(other_edge)].vertex[0] == near_vertex;
+  const auto set = [&](int k, const Vec3 &at, std::int32_t own, std::int32_t others, bool along, bool forward) {
     corner[k].at = at;
-    corner[k].vertex[0] = a[i], corner[k].vertex[1] = b[j];
-    corner[k].body = body, corner[k].edge = body == 0 ? edge_a : edge_b, corner[k].forward = forward;
+    corner[k].vertex[body] = own, corner[k].vertex[other] = others;
+    corner[k].body = along ? body : other, corner[k].edge = along ? q.edge : other_edge, corner[k].forward = forward;
   };
-  set(0, a0 + b0, 0, 0, turned ? 1 : 0, true);
-  if (turned) {
-    set(1, a0 + b1, 0, 1, 0, true);
-    set(2, a1 + b1, 1, 1, 1, false);
-    set(3, a1 + b0, 1, 0, 0, false);
-  } else {
-    set(1, a1 + b0, 1, 0, 1, true);
-    set(2, a1 + b1, 1, 1, 0, false);
-    set(3, a0 + b1, 0, 1, 1, false);
-  }
-  facet.height = dot(facet.normal, corner[0].at);
+  set(0, q_end, q_end_vertex, near_vertex, true, !q.forward);
+  set(1, q.at, q.vertex[body], near_vertex, false, way_forward);
+  set(2, q.at + way, q.vertex[body], far_vertex, true, q.forward);
+  set(3, q_end + way, q_end_vertex, far_vertex, false, !way_forward);
   return true;
 }
 
-// The facet that is met first on the arc of an edge's directions from `from`, one of the other body's vertex, to that of a
-// face of the edge.
-bool SurfaceWalk::next_on_arc(std::int32_t body, std::int32_t edge, std::int32_t face, std::int32_t other_vertex,
-                              const Vec3 &from, Facet &facet) {
-  const Body &other = body_[1 - body];
+// The facet across side q, which ends at `q_end`: the one that is met first on the arc of its edge's directions from
+// `from`, one of the other body's vertex, to that of the edge's face beyond. The facet's first side is q turned back.
+bool SurfaceWalk::cross_side(const Corner &q, const Vec3 &q_end, const Vec3 &from, Facet &facet) {
+  // Seen from outside, beyond the side is the edge's face to the right.
+  const Polytope::Edge &edge = body_[q.body].polytope->edges()[index(q.edge)];
+  const std::int32_t face = edge.face[q.forward != body_[q.body].mirrored ? 1 : 0];
+  const Body &other = body_[1 - q.body];
   const Polytope &polytope = *other.polytope;
-  const Vec3 to = body_[body].normal(face);
-  const Vec3 local_from = other.local(from), local_to = other.local(to);
+  const std::int32_t other_vertex = q.vertex[1 - q.body];
+  const Vec3 local_from = other.local(from), local_to = other.local(body_[q.body].normal(face));
   const std::int32_t end = polytope.neighbour_begin(other_vertex + 1);
   double first = 2.0;
   std::int32_t leaving = -1;
@@ -121,21 +125,13 @@ bool SurfaceWalk::next_on_arc(std::int32_t body, std::int32_t edge, std::int32_t
     const Vec3 &way = polytope.neighbour_ways()[index(slot)];
     const double before = dot(local_from, way), after = dot(local_to, way);
     const double part = before / (before - after);
-    const bool sooner = after > 0.0 && part < first;
+    const bool sooner = (after > 0.0) & (part < first);
     first = sooner ? part : first;
     leaving = sooner ? slot : leaving;
   }
-  if (leaving < 0) return facet_of_face(body, face, other_vertex, facet);
-  const std::int32_t crossed = polytope.neighbour_edges()[index(leaving)];
-  const Vec3 about = (1.0 - first) * from + first * to;
-  return body == 0 ? facet_of_edges(edge, crossed, about, facet) : facet_of_edges(crossed, edge, about, facet);
-}
-
-bool SurfaceWalk::cross_side(const Facet &facet, const Corner &side, Facet &next) {
-  // Seen from outside the facet lies to the left of its side, and beyond the side the edge's face to the right.
-  const Polytope::Edge &edge = body_[side.body].polytope->edges()[index(side.edge)];
-  const std::int32_t face = edge.face[side.forward != body_[side.body].mirrored ? 1 : 0];
-  return next_on_arc(side.body, side.edge, face, side.vertex[1 - side.body], facet.normal, next);
+  if (leaving < 0) return facet_of_face(q, q_end, face, facet);
+  return facet_of_edges(q, q_end, edge.vertex[q.forward ? 1 : 0], polytope.neighbour_edges()[index(leaving)],
+                        polytope.neighbours()[index(leaving)], facet);
 }
 
 // A facet at the vertex of C that is farthest along `first`, in the direction in which the support function falls. False
@@ -164,11 +160,22 @@ bool SurfaceWalk::start(const Vec3 &first, Facet &facet, Vec3 &apart) {
     }
   }
   if (leaving < 0) return false;
-  const std::int32_t number = body_[body].polytope->neighbour_edges()[index(leaving)];
-  const Polytope::Edge &edge = body_[body].polytope->edges()[index(number)];
-  // Of the edge's faces the nearer one.
-  const bool second = dot(body_[body].normal(edge.face[1]), top) < dot(body_[body].normal(edge.face[0]), top);
-  return next_on_arc(body, number, edge.face[second ? 1 : 0], vertex[1 - body], first + soonest * turn, facet);
+  const Polytope &owner = *body_[body].polytope;
+  Corner side;
+  side.at = top;
+  side.vertex[0] = vertex[0], side.vertex[1] = vertex[1];
+  side.body = body, side.edge = owner.neighbour_edges()[index(leaving)];
+  const Polytope::Edge &edge = owner.edges()[index(side.edge)];
+  side.forward = edge.vertex[0] == vertex[body];
+  Vec3 side_end = top + body_[body].way(vertex[body], owner.neighbours()[index(leaving)]);
+  // Of the edge's faces towards the nearer one: that beyond the side, or beyond the same side turned back.
+  const std::int32_t beyond = side.forward != body_[body].mirrored ? 1 : 0;
+  if (dot(body_[body].normal(edge.face[1 - beyond]), top) < dot(body_[body].normal(edge.face[beyond]), top)) {
+    side.vertex[body] = owner.neighbours()[index(leaving)];
+    side.forward = !side.forward;
+    std::swap(side.at, side_end);
+  }
+  return cross_side(side, side_end, first + soonest * turn, facet);
 }
 
 // Goes on to nearer facets until one holds the origin's foot.
@@ -185,16 +192,18 @@ bool SurfaceWalk::descend(Facet &facet) {
     if (beyond < 0) return true;
     Facet next;
     const Corner side = corner[beyond];
+    const Vec3 side_end = corner[beyond + 1 == facet.count ? 0 : beyond + 1].at;
     corners_.clear();
-    if (!cross_side(facet, side, next) || !(next.height < facet.height)) return false;
+    if (!cross_side(side, side_end, facet.normal, next) || !(next.height < facet.height)) return false;
     facet = next;
   }
   return false;
 }
 
-// Each side belongs to two facets, which run along it in opposite directions.
-bool SurfaceWalk::add_sides(const Facet &facet, std::int32_t number) {
-  for (std::int32_t k = 0; k < facet.count; ++k) {
+// Adds the sides of a facet from the one numbered `k` on. Each side belongs to two facets, which run along it in opposite
+// directions.
+bool SurfaceWalk::add_sides(const Facet &facet, std::int32_t number, std::int32_t k) {
+  for (; k < facet.count; ++k) {
     const Corner &corner = corners_[index(facet.first + k)];
     const std::uint64_t key = static_cast<std::uint64_t>(corner.body) << 62 |
                               static_cast<std::uint64_t>(static_cast<std::uint32_t>(corner.edge)) << 31 |
@@ -226,7 +235,7 @@ SurfaceWalk::Outcome SurfaceWalk::grow(const MinkowskiDifference &difference, do
   facets_.clear();
   sides_.clear();
   facets_.push_back(lowest);
-  if (!add_sides(lowest, 0)) return Outcome::undecided;
+  if (!add_sides(lowest, 0, 0)) return Outcome::undecided;
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     if (sides_[k].inner) continue;
     const Facet facet = facets_[index(sides_[k].facet)];
@@ -239,13 +248,15 @@ SurfaceWalk::Outcome SurfaceWalk::grow(const MinkowskiDifference &difference, do
     if (offset > 0.0 && offset * offset >= radius * radius * norm2(across)) continue;
     if (facets_.size() == most_facets) return Outcome::undecided;
     Facet next;
-    if (!cross_side(facet, corner, next) || !(next.height > 0.0)) return Outcome::undecided;
+    const Vec3 end = q;
+    sides_[k].inner = true;
+    if (!cross_side(corner, end, facet.normal, next) || !(next.height > 0.0)) return Outcome::undecided;
     if (next.height < lowest.height - slack) {
       lowest = next;
       return Outcome::apart;
     }
     facets_.push_back(next);
-    if (!add_sides(next, static_cast<std::int32_t>(facets_.size()) - 1)) return Outcome::undecided;
+    if (!add_sides(next, static_cast<std::int32_t>(facets_.size()) - 1, 1)) return Outcome::undecided;
   }
   return Outcome::found;
 }

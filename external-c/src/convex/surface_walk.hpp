@@ -47,6 +47,7 @@ class SurfaceWalk {
     bool mirrored;
 
     Vec3 vertex(std::int32_t v) const;
+    Vec3 way(std::int32_t from, std::int32_t to) const;
     Vec3 normal(std::int32_t face) const;
     // The same products with ways between the polytope's vertices as d with those of the body.
     Vec3 local(const Vec3 &d) const;
@@ -76,13 +77,11 @@ class SurfaceWalk {
   bool start(const Vec3 &first, Facet &facet, Vec3 &apart);
   bool descend(Facet &facet);
   Outcome grow(const MinkowskiDifference &difference, double size, Facet &lowest);
-  bool cross_side(const Facet &facet, const Corner &side, Facet &next);
-  bool next_on_arc(std::int32_t body, std::int32_t edge, std::int32_t face, std::int32_t other_vertex, const Vec3 &from,
-                   Facet &facet);
-  bool facet_of_face(std::int32_t body, std::int32_t face, std::int32_t other_vertex, Facet &facet);
-  bool facet_of_edges(std::int32_t edge_a, std::int32_t edge_b, const Vec3 &about, Facet &facet);
-  bool add_corner(std::int32_t vertex_a, std::int32_t vertex_b, std::int32_t body, std::int32_t edge, bool forward);
-  bool add_sides(const Facet &facet, std::int32_t number);
+  bool cross_side(const Corner &q, const Vec3 &q_end, const Vec3 &from, Facet &facet);
+  bool facet_of_face(const Corner &q, const Vec3 &q_end, std::int32_t face, Facet &facet);
+  bool facet_of_edges(const Corner &q, const Vec3 &q_end, std::int32_t q_end_vertex, std::int32_t other_edge,
+                      std::int32_t far_vertex, Facet &facet);
+  bool add_sides(const Facet &facet, std::int32_t number, std::int32_t k);
   void find_witness(const Facet &facet, Result &result) const;
   void find_mean(const Facet &lowest, double radius, Result &result) const;
 
