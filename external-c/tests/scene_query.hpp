@@ -59,6 +59,21 @@ inline cmb_scene intern(const std::vector<std::string> &geometry, const std::vec
   return scene;
 }
 
+// The poses of bodies A and B as the C interface takes them.
+struct PairPoses {
+  double position[6], rotation[18];
+
+  PairPoses(const BodyPose &a, const BodyPose &b) {
+    const BodyPose *poses[2] = {&a, &b};
+    for (int body = 0; body < 2; ++body) {
+      for (int i = 0; i < 3; ++i) {
+        position[3 * body + i] = poses[body]->position[i];
+        for (int j = 0; j < 3; ++j) rotation[9 * body + 3 * i + j] = poses[body]->rotation.row[j][i];
+      }
+    }
+  }
+};
+
 // Two bodies A and B.
 class PairScene {
  public:
@@ -68,17 +83,10 @@ class PairScene {
   cmb_scene handle() const { return scene_; }
 
   Contact query(const BodyPose &a, const BodyPose &b, std::size_t capacity = 32) const {
-    const BodyPose *poses[2] = {&a, &b};
-    double position[6], rotation[18];
-    for (int body = 0; body < 2; ++body) {
-      for (int i = 0; i < 3; ++i) {
-        position[3 * body + i] = poses[body]->position[i];
-        for (int j = 0; j < 3; ++j) rotation[9 * body + 3 * i + j] = poses[body]->rotation.row[j][i];
-      }
-    }
+    const PairPoses poses(a, b);
     Contact contact;
     std::vector<double> depth(capacity), weight(capacity), normal(3 * capacity), point(3 * capacity);
-    const cmb_status status = cmb_query_scene(scene_, position, rotation, 2, 1, capacity, &contact.distance,
+    const cmb_status status = cmb_query_scene(scene_, poses.position, poses.rotation, 2, 1, capacity, &contact.distance,
                                               depth.data(), weight.data(), normal.data(), point.data());
     EXPECT_EQ(status, CMB_OK) << cmb_last_error();
     for (std::size_t k = 0; k < capacity; ++k) {

@@ -20,21 +20,14 @@ struct Answer {
 
 // `exact_within` of 0 asks cmb_query_scene.
 Answer ask(cmb_scene scene, double exact_within, const BodyPose &a, const BodyPose &b) {
-  const BodyPose *poses[2] = {&a, &b};
-  double position[6], rotation[18];
-  for (int body = 0; body < 2; ++body) {
-    for (int i = 0; i < 3; ++i) {
-      position[3 * body + i] = poses[body]->position[i];
-      for (int j = 0; j < 3; ++j) rotation[9 * body + 3 * i + j] = poses[body]->rotation.row[j][i];
-    }
-  }
+  const PairPoses poses(a, b);
   Answer answer;
   const cmb_status status =
       exact_within > 0.0
-          ? cmb_query_scene_within(scene, exact_within, position, rotation, 2, 1, capacity, &answer.distance,
+          ? cmb_query_scene_within(scene, exact_within, poses.position, poses.rotation, 2, 1, capacity, &answer.distance,
                                    answer.depth, answer.weight, answer.normal, answer.point)
-          : cmb_query_scene(scene, position, rotation, 2, 1, capacity, &answer.distance, answer.depth, answer.weight,
-                            answer.normal, answer.point);
+          : cmb_query_scene(scene, poses.position, poses.rotation, 2, 1, capacity, &answer.distance, answer.depth,
+                            answer.weight, answer.normal, answer.point);
   EXPECT_EQ(status, CMB_OK) << cmb_last_error();
   return answer;
 }

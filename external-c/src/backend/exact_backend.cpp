@@ -48,17 +48,19 @@ void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const 
              pose_a, answer);
 }
 
-// Of a shape that has_point_formula, A, and a ball, B.
-void to_ball(const Shape &a, const Pose &pose_a, double radius_b, const Vec3 &center_b, ConvexAnswer &answer) {
+// Of a shape that has_point_formula, A, and a ball, B; or of the ball and that shape, where `reversed`.
+void to_ball(const Shape &a, const Pose &pose_a, double radius_b, const Vec3 &center_b, bool reversed, ConvexAnswer &answer) {
   const Vec3 center = transposed_times(pose_a.rotation, center_b - pose_a.translation);
-  set_answer(convex::swept_distance(convex::distance_of_point(a.body, center), a.body.radius, radius_b), pose_a, answer);
-}
-
-// Turns the answer of (B, A) into that of (A, B).
-void exchange(ConvexAnswer &answer) {
-  answer.normal = -answer.normal;
-  answer.mean_normal = -answer.mean_normal;
-  std::swap(answer.point_a, answer.point_b);
+  const convex::CoreDistance core = convex::distance_of_point(a.body, center);
+  // Both points lie on the line through the centre.
+  const Vec3 outward = pose_a.rotation * core.direction;
+  const Vec3 of_a = center_b - (core.distance - a.body.radius) * outward, of_b = center_b - radius_b * outward;
+  answer.distance = core.distance - a.body.radius - radius_b;
+  answer.normal = answer.mean_normal = reversed ? outward : -outward;
+  answer.point_a = reversed ? of_b : of_a;
+  answer.point_b = reversed ? of_a : of_b;
+  answer.proven = true;
+  answer.ball = core.ball + a.body.radius + radius_b;
 }
 
 }  // namespace
@@ -85,12 +87,11 @@ void find_exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, con
     return;
   }
   if (b.kind == ShapeKind::sphere && convex::has_point_formula(a.body.core)) {
-    to_ball(a, pose_a, b.body.radius, center_b, answer);
+    to_ball(a, pose_a, b.body.radius, center_b, false, answer);
     return;
   }
   if (a.kind == ShapeKind::sphere && convex::has_point_formula(b.body.core)) {
-    to_ball(b, pose_b, a.body.radius, center_a, answer);
-    exchange(answer);
+    to_ball(b, pose_b, a.body.radius, center_a, true, answer);
     return;
   }
   const bool polytopes = a.polytope && b.polytope;

@@ -23,6 +23,12 @@ struct GivenAxes {
         xy(dot(x, y)),
         xz(dot(x, z)),
         yz(dot(y, z)) {}
+
+  // Whether no product is off by more than `tolerance`.
+  bool are_orthonormal(double tolerance) const {
+    return (std::fabs(xx - 1.0) <= tolerance) & (std::fabs(yy - 1.0) <= tolerance) & (std::fabs(zz - 1.0) <= tolerance) &
+           (std::fabs(xy) <= tolerance) & (std::fabs(xz) <= tolerance) & (std::fabs(yz) <= tolerance);
+  }
 };
 
 // The pose of a body: point_in_world = pose(point_in_body). Its rotation is made orthonormal to rounding: x keeps its

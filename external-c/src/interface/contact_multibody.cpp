@@ -50,6 +50,13 @@ void write_vector(const Vec3 &v, double *target) {
   target[2] = v.z;
 }
 
+// The same vector `count` times, two at once: most slots hold nothing.
+void fill_vectors(const Vec3 &v, double *target, std::size_t count) {
+  const double two[6] = {v.x, v.y, v.z, v.x, v.y, v.z};
+  for (; count >= 2; count -= 2, target += 6) std::memcpy(target, two, sizeof two);
+  if (count > 0) write_vector(v, target);
+}
+
 cmb_status check_pair_query(cmb_scene handle, std::size_t pair, const double *position, const double *rotation,
                             std::size_t body_count, std::size_t point_capacity, const Scene *&scene, Pose &pose_a,
                             Pose &pose_b) {
@@ -84,12 +91,10 @@ void query_pair(const Scene &scene, std::size_t pair, const Pose &pose_a, const 
     write_vector(point.normal, output.normal + 3 * k);
     write_vector(point.position, output.point + 3 * k);
   }
-  for (std::size_t k = used; k < point_capacity; ++k) {
-    output.depth[k] = 0.0;
-    output.weight[k] = 0.0;
-    write_vector(contact.normal, output.normal + 3 * k);
-    write_vector(contact.witness, output.point + 3 * k);
-  }
+  for (std::size_t k = used; k < point_capacity; ++k) output.depth[k] = 0.0;
+  for (std::size_t k = used; k < point_capacity; ++k) output.weight[k] = 0.0;
+  fill_vectors(contact.normal, output.normal + 3 * used, point_capacity - used);
+  fill_vectors(contact.witness, output.point + 3 * used, point_capacity - used);
 }
 
 }  // namespace

@@ -13,17 +13,21 @@ namespace {
 constexpr double rotation_tolerance = 1e-2;
 constexpr double farthest_position = 1e12;  // m
 
-// What is wrong with a body's pose; null if nothing.
+// What is wrong with a body's pose that is not as it should be.
 const char *pose_problem(const double *position, const GivenAxes &axes) {
   for (int i = 0; i < 3; ++i) {
-    if (!(std::fabs(position[i]) <= farthest_position)) {
-      return std::isfinite(position[i]) ? "is farther than 1e12 m from the origin" : "has a position that is not finite";
-    }
+    if (!std::isfinite(position[i])) return "has a position that is not finite";
+    if (std::fabs(position[i]) > farthest_position) return "is farther than 1e12 m from the origin";
   }
-  for (const double product : {axes.xx - 1.0, axes.xy, axes.xz, axes.yy - 1.0, axes.yz, axes.zz - 1.0}) {
-    if (!(std::fabs(product) <= rotation_tolerance)) return "has a rotation that is not orthonormal to 1e-2";
-  }
-  return dot(axes.x, cross(axes.y, axes.z)) > 0.0 ? nullptr : "has a rotation that is a reflection";
+  return axes.are_orthonormal(rotation_tolerance) ? "has a rotation that is a reflection"
+                                                  : "has a rotation that is not orthonormal to 1e-2";
+}
+
+// Without a branch for each number: they all are as they should be but for a wrong call.
+bool is_sound(const double *position, const GivenAxes &axes) {
+  const bool near = (std::fabs(position[0]) <= farthest_position) & (std::fabs(position[1]) <= farthest_position) &
+                    (std::fabs(position[2]) <= farthest_position);
+  return near & axes.are_orthonormal(rotation_tolerance);
 }
 
 cmb_status refuse(std::size_t body, const char *problem) {
@@ -34,16 +38,16 @@ cmb_status refuse(std::size_t body, const char *problem) {
 }  // namespace
 
 cmb_status check_body_pose(std::size_t body, const double *position, const double *rotation) {
-  const char *problem = pose_problem(position + 3 * body, GivenAxes(rotation + 9 * body));
-  return problem == nullptr ? CMB_OK : refuse(body, problem);
+  convex::Pose pose;
+  return read_body_pose(body, position, rotation, pose);
 }
 
 cmb_status read_body_pose(std::size_t body, const double *position, const double *rotation, convex::Pose &pose) {
   const GivenAxes axes(rotation + 9 * body);
-  const char *problem = pose_problem(position + 3 * body, axes);
-  if (problem != nullptr) return refuse(body, problem);
   pose = body_pose(position + 3 * body, axes);
-  return CMB_OK;
+  // The third axis is the product of the first two.
+  if (is_sound(position + 3 * body, axes) && dot(axes.z, pose.rotation.column(2)) > 0.0) return CMB_OK;
+  return refuse(body, pose_problem(position + 3 * body, axes));
 }
 
 }  // namespace cmb
