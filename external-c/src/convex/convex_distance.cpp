@@ -5,7 +5,7 @@
 #include "box_axes.hpp"
 #include "boxes_apart.hpp"
 #include "closed_distance.hpp"
-#include "direction_refinement.hpp"
+#include "curved_distance.hpp"
 #include "feature_enumeration.hpp"
 #include "gjk.hpp"
 #include "inner_ball.hpp"
@@ -73,63 +73,16 @@ CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const P
   return witness_error(better) < outside ? better : result;
 }
 
-// Outward directions of a body's side and ends, in the half plane y = 0, x >= 0 of its frame; 0 where its profile is
-// not made of straight lines.
-int profile_normals(const ConvexBody &body, Vec3 normals[3]) {
-  switch (body.core) {
-    case CoreShape::cylinder:
-    case CoreShape::segment:
-      normals[0] = {1, 0, 0}, normals[1] = {0, 0, 1}, normals[2] = {0, 0, -1};
-      return 3;
-    case CoreShape::cone: {
-      const double slant = std::hypot(body.half.x, 2.0 * body.half.z);
-      normals[0] = {2.0 * body.half.z / slant, 0, body.half.x / slant}, normals[1] = {0, 0, -1};
-      return 2;
-    }
-    default: return 0;
-  }
-}
-
-// Bodies of revolution on one axis are equally deep all round, which no bound of a general search settles. But their
-// difference is a body of revolution too, with a polygon as its profile: its sides are all the ways out there are.
-// Receives the direction of the shortest one; false where the bodies are not of that kind, or apart.
-bool coaxial_way_out(const MinkowskiDifference &difference, Vec3 &direction, double &depth) {
-  const Mat3 &r = difference.b_in_a.rotation;
-  const Vec3 &t = difference.b_in_a.translation;
-  constexpr double tilt = 1e-14;
-  if (std::hypot(r.row[0].z, r.row[1].z) > tilt || std::hypot(t.x, t.y) > tilt * difference.scale) return false;
-  Vec3 of_a[3], of_b[3];
-  const int count_a = profile_normals(difference.body_a, of_a), count_b = profile_normals(difference.body_b, of_b);
-  if (count_a == 0 || count_b == 0) return false;
-  depth = INFINITY;
-  const auto consider = [&](const Vec3 &m) {
-    const double height = dot(difference.support(m).w, m);
-    if (height < depth) depth = height, direction = m;
-  };
-  for (int k = 0; k < count_a; ++k) consider(of_a[k]);
-  // B's outward directions count turned over; its frame's x axis is of no meaning.
-  for (int k = 0; k < count_b; ++k) consider({of_b[k].x, 0, -std::copysign(1.0, r.row[2].z) * of_b[k].z});
-  return depth > 0.0;
-}
-
 bool has_facets(CoreShape core) { return core == CoreShape::box || core == CoreShape::polytope; }
 
 // That of bodies with corners only, relative to their size and distance.
 constexpr double polyhedral_tolerance = 1e-14;
 
-// The gap between the bounds of a distance, relative to it, from which Newton's method goes on.
-constexpr double rough_gap = 1e-4;
-// The gap between the bounds of a depth, relative to the bodies, from which it goes on, and the most points of the search.
-constexpr double rough_depth = 1e-3;
-constexpr std::int32_t rough_points = 40;
-// The ways out ask for balls of up to so many depths.
-constexpr double ways_reach = 1.5;
-
+// Of boxes, polytopes and segments.
 CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, Vec3 first,
                       DistanceScratch &scratch, bool with_mean) {
   const MinkowskiDifference difference(body_a, body_b, pose);
-  const bool polyhedral = is_polyhedral(body_a.core) && is_polyhedral(body_b.core);
-  const double tolerance = (polyhedral ? polyhedral_tolerance : 1e-11) * difference.scale;
+  const double tolerance = polyhedral_tolerance * difference.scale;
   const double size = core_radius(body_a) + core_radius(body_b);
   if (has_facets(body_a.core) && has_facets(body_b.core) && norm2(pose.translation) <= size * size) {
     SurfaceWalk::Result walked;
@@ -141,77 +94,22 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
     }
     if (outcome == SurfaceWalk::Outcome::apart) first = -walked.direction;
   }
-  Vec3 coaxial_direction;
-  double coaxial_depth;
-  if (!polyhedral && coaxial_way_out(difference, coaxial_direction, coaxial_depth)) {
-    const DifferencePoint start = difference.support(coaxial_direction);
-    const RefinedDirection r = refine_direction(difference, coaxial_direction, start.a, start.b);
-    return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, r.height >= coaxial_depth - tolerance, {}};
-  }
-  // A rough answer is the start of Newton's method, whose witness points prove it; else the search goes on.
-  const bool checkable = !polyhedral && body_a.core != CoreShape::polytope && body_b.core != CoreShape::polytope;
-  GjkResult gjk = gjk_distance(difference, first, tolerance, checkable ? rough_gap : 0.0);
-  const auto gjk_answer = [&] {
+  const GjkResult gjk = gjk_distance(difference, first, tolerance);
+  if (gjk.status == GjkResult::Status::apart) {
     CoreDistance result{norm(gjk.closest), gjk.direction, {}, {}, DistanceMethod::gjk, true};
     for (int k = 0; k < gjk.count; ++k) {
       result.a = result.a + gjk.weight[k] * gjk.simplex[k].a;
       result.b = result.b + gjk.weight[k] * gjk.simplex[k].b;
     }
     return result;
-  };
-  // Curved cores: Newton's method sharpens the answer; `best_possible` bounds the distance from above.
-  const auto refined = [&](const CoreDistance &rough, double best_possible) -> CoreDistance {
-    const RefinedDirection r = refine_direction(difference, rough.direction, rough.a, rough.b);
-    const bool proven = best_possible + r.height <= 1e-8 * difference.scale;
-    if (!proven) ++scratch.counters.unproven;
-    return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, proven};
-  };
-  if (checkable && gjk.status == GjkResult::Status::apart && norm(gjk.closest) - gjk.lower > tolerance) {
-    const CoreDistance rough = gjk_answer();
-    const RefinedDirection r = refine_direction(difference, rough.direction, rough.a, rough.b);
-    // The height is a lower bound of the distance; points of the bodies as far from each other are an upper one.
-    const Vec3 b_local = transposed_times(pose.rotation, r.b - pose.translation);
-    const double missing = outside(body_a, r.a) + outside(body_b, b_local);
-    if (missing <= tolerance) return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, true, {}};
-    gjk = gjk_distance(difference, -rough.direction, tolerance);
   }
-  const bool apart = gjk.status == GjkResult::Status::apart ||
-                     (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0);
-  if (apart && !polyhedral) return refined(gjk_answer(), norm(gjk.closest));
-  if (apart) return gjk.status == GjkResult::Status::apart ? gjk_answer() : enumerated(difference, scratch);
-  if (!polyhedral) {
-    // A ball that proves a minimum found from rough bounds spares the search for the others.
-    const PenetrationResult rough =
-        scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, rough_depth * difference.scale, rough_points);
-    RefinedDirection r;
-    if (touching_direction(difference, rough.direction, rough.a, rough.b, r) && r.height > 0.0) {
-      const double enough = ways_reach * (r.height + body_a.radius + body_b.radius) - body_a.radius - body_b.radius;
-      const double ball = inner_ball(body_a, body_b, pose, r.direction, r.a, r.b, enough, tolerance);
-      if (ball >= r.height) return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, true, {}, ball};
-    }
-  }
+  if (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0) return enumerated(difference, scratch);
   const PenetrationResult inside =
-      polyhedral ? scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, tolerance, 1024,
-                                                  with_mean ? size : 0.0)
-                 : scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, 1e-9 * difference.scale, 160);
-  CoreDistance result{-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope,
-                      inside.proven, inside.mean_outward};
-  if (polyhedral) {
-    // A negative depth says that the origin is outside after all.
-    if (!inside.proven || inside.depth < -1e-12 * difference.scale) return enumerated(difference, scratch);
-    return with_checked_witness(difference, result);
-  }
-  // Surfaces of revolution on one axis are equally deep all round: no bound settles that, but the
-  // other directions refined show whether one of them is nearer.
-  CoreDistance best = refined(result, -inside.lower);
-  for (int k = 0; k < inside.other_count; ++k) {
-    result.direction = inside.other[k];
-    const RefinedDirection r = refine_direction(difference, result.direction, result.a, result.b, 0.2);
-    if (-r.height > best.distance + 1e-13 * difference.scale) {
-      best.distance = -r.height, best.direction = r.direction, best.a = r.a, best.b = r.b;
-    }
-  }
-  return best;
+      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, tolerance, 1024, with_mean ? size : 0.0);
+  // A negative depth says that the origin is outside after all.
+  if (!inside.proven || inside.depth < -1e-12 * difference.scale) return enumerated(difference, scratch);
+  return with_checked_witness(difference, {-inside.depth, inside.direction, inside.a, inside.b,
+                                           DistanceMethod::expanding_polytope, true, inside.mean_outward});
 }
 
 CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose &pose, DistanceScratch &scratch,
@@ -236,6 +134,7 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
     if (distance_of_boxes_apart(a.half, b.half, pose, tolerance, apart)) return apart;
   }
   if (norm2(first) == 0.0) first = {1, 0, 0};
+  if (!is_polyhedral(a.core) || !is_polyhedral(b.core)) return curved_distance(a, b, pose, first, scratch);
   return iterated(a, b, pose, first, scratch, with_mean);
 }
 

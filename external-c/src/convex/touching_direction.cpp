@@ -106,7 +106,7 @@ bool touching_direction(const MinkowskiDifference &difference, const Vec3 &direc
   using Kind = Place::Kind;
   const Mat3 &r = difference.b_in_a.rotation;
   const Place of_a = place_of(difference.body_a, a, direction);
-  Place of_b = place_of(difference.body_b, transposed_times(r, b - difference.b_in_a.translation), -transposed_times(r, direction));
+  Place of_b = place_of(difference.body_b, b, -transposed_times(r, direction));
   if (of_b.kind == Kind::flat) of_b.normal = -(r * of_b.normal);
   const Crease crease_b = of_b.kind == Kind::line ? crease_of_other(of_b.crease, r) : Crease{};
   Vec3 m = direction;

@@ -6,7 +6,7 @@
 
 namespace cmb::convex {
 
-// The vertex, edge, side or flat end that the points `a` and `b` (of the cores, in A's frame) lie on tell which minimum of the
+// The vertex, edge, side or flat end that the points `a` and `b` (of the cores, each in its own frame) lie on tell which minimum of the
 // support function is near the unit vector `direction`, and in which of its smooth parts: one run of Newton's method, or
 // a closed form, gives it to rounding. False where it does not lead to one. Whether it is the least of all remains
 // to be proven (inner_ball.hpp).

@@ -1,0 +1,186 @@
+#include "curved_distance.hpp"
+
+#include <algorithm>
+
+#include "direction_refinement.hpp"
+#include "facing_flats.hpp"
+#include "gjk.hpp"
+#include "inner_ball.hpp"
+#include "minkowski_difference.hpp"
+#include "shrunk_body.hpp"
+#include "touching_direction.hpp"
+
+namespace cmb::convex {
+
+namespace {
+
+// The gap between the bounds of a depth, relative to the bodies, from which Newton's method goes on, and the most points of
+// the search.
+constexpr double rough_depth = 1e-3;
+constexpr std::int32_t rough_points = 40;
+// Agreement of the bounds, relative to the bodies.
+constexpr double relative_tolerance = 1e-11;
+// Bodies shrink by this part of the greatest balls in them; the gap between the bounds of their distance, relative to it.
+constexpr double shrinkage = 0.05, shrunk_gap = 0.02;
+// The ways out ask for balls of up to so many depths.
+constexpr double ways_reach = 1.5;
+
+// Outward directions of a body's side and ends, in the half plane y = 0, x >= 0 of its frame; 0 where its profile is
+// not made of straight lines.
+int profile_normals(const ConvexBody &body, Vec3 normals[3]) {
+  switch (body.core) {
+    case CoreShape::cylinder:
+    case CoreShape::segment:
+      normals[0] = {1, 0, 0}, normals[1] = {0, 0, 1}, normals[2] = {0, 0, -1};
+      return 3;
+    case CoreShape::cone: {
+      const double slant = std::hypot(body.half.x, 2.0 * body.half.z);
+      normals[0] = {2.0 * body.half.z / slant, 0, body.half.x / slant}, normals[1] = {0, 0, -1};
+      return 2;
+    }
+    default: return 0;
+  }
+}
+
+// Bodies of revolution on one axis are equally deep all round, which no bound of a general search settles. But their
+// difference is a body of revolution too, with a polygon as its profile: its sides are all the ways out there are.
+// Receives the direction of the shortest one; false where the bodies are not of that kind, or apart.
+bool coaxial_way_out(const MinkowskiDifference &difference, Vec3 &direction, double &depth) {
+  const Mat3 &r = difference.b_in_a.rotation;
+  const Vec3 &t = difference.b_in_a.translation;
+  constexpr double tilt = 1e-14;
+  const double aside = tilt * difference.scale;
+  if (r.row[0].z * r.row[0].z + r.row[1].z * r.row[1].z > tilt * tilt || t.x * t.x + t.y * t.y > aside * aside) return false;
+  Vec3 of_a[3], of_b[3];
+  const int count_a = profile_normals(difference.body_a, of_a), count_b = profile_normals(difference.body_b, of_b);
+  if (count_a == 0 || count_b == 0) return false;
+  depth = INFINITY;
+  const auto consider = [&](const Vec3 &m) {
+    const double height = dot(difference.support(m).w, m);
+    if (height < depth) depth = height, direction = m;
+  };
+  for (int k = 0; k < count_a; ++k) consider(of_a[k]);
+  // B's outward directions count turned over; its frame's x axis is of no meaning.
+  for (int k = 0; k < count_b; ++k) consider({of_b[k].x, 0, -std::copysign(1.0, r.row[2].z) * of_b[k].z});
+  return depth > 0.0;
+}
+
+// Whether a minimum of the support function is the least: where the bodies are apart their points prove it, where they overlap
+// a ball in the difference does.
+bool proven(const MinkowskiDifference &difference, const RefinedDirection &r, CoreDistance &result) {
+  const ConvexBody &a = difference.body_a, &b = difference.body_b;
+  const Pose &pose = difference.b_in_a;
+  const double tolerance = relative_tolerance * difference.scale;
+  double ball = 0.0;
+  if (r.height > 0.0) {
+    const double swept = a.radius + b.radius, enough = ways_reach * (r.height + swept) - swept;
+    ball = inner_ball(a, b, pose, r.direction, r.a, r.b, enough, tolerance);
+    if (!(ball >= r.height)) return false;
+  } else {
+    const double missing = outside(a, r.a) + outside(b, transposed_times(pose.rotation, r.b - pose.translation));
+    if (!(missing <= tolerance)) return false;
+  }
+  result = {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, true, {}, ball};
+  return true;
+}
+
+// The bodies' points that a search found, in A's frame.
+void nearest_points(const GjkResult &gjk, Vec3 &a, Vec3 &b) {
+  a = b = {};
+  for (int k = 0; k < gjk.count; ++k) {
+    a = a + gjk.weight[k] * gjk.simplex[k].a;
+    b = b + gjk.weight[k] * gjk.simplex[k].b;
+  }
+}
+
+enum class Quick { found, not_proven, too_deep };
+
+// Straight through a flat end, or where the bodies, shrunk until they are apart, are nearest: what is not much in each other
+// most often touches there.
+Quick find_quickly(const MinkowskiDifference &difference, const Vec3 &first, CoreDistance &result) {
+  RefinedDirection r;
+  const Pose &pose = difference.b_in_a;
+  const double reach = core_radius(difference.body_a) + core_radius(difference.body_b);
+  if (norm2(pose.translation) <= reach * reach && facing_flats(difference, r) && proven(difference, r, result)) {
+    return Quick::found;
+  }
+  const ShrunkBody a = shrunk(difference.body_a, shrinkage), b = shrunk(difference.body_b, shrinkage);
+  const Pose b_in_a{pose.rotation, pose(b.origin) - a.origin};
+  const MinkowskiDifference apart(a.body, b.body, b_in_a);
+  const GjkResult gjk = gjk_distance(apart, first, 1e-6 * apart.scale, shrunk_gap);
+  if (gjk.status != GjkResult::Status::apart) return Quick::too_deep;
+  Vec3 on_a, on_b;
+  nearest_points(gjk, on_a, on_b);
+  on_b = transposed_times(pose.rotation, on_b - b_in_a.translation);
+  const bool found =
+      touching_direction(difference, gjk.direction, grown(a, on_a), grown(b, on_b), r) && proven(difference, r, result);
+  return found ? Quick::found : Quick::not_proven;
+}
+
+// Curved cores: Newton's method sharpens the answer; `best_possible` bounds the distance from above.
+CoreDistance refined(const MinkowskiDifference &difference, const CoreDistance &rough, double best_possible,
+                     DistanceScratch &scratch) {
+  const RefinedDirection r = refine_direction(difference, rough.direction, rough.a, rough.b);
+  const bool proven = best_possible + r.height <= 1e-8 * difference.scale;
+  if (!proven) ++scratch.counters.unproven;
+  return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, proven};
+}
+
+// A minimum from rough bounds, where a ball proves it.
+bool find_from_rough_bounds(const MinkowskiDifference &difference, const GjkResult &gjk, DistanceScratch &scratch,
+                            CoreDistance &result) {
+  const Pose &pose = difference.b_in_a;
+  const PenetrationResult rough =
+      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, rough_depth * difference.scale, rough_points);
+  RefinedDirection r;
+  return touching_direction(difference, rough.direction, rough.a, transposed_times(pose.rotation, rough.b - pose.translation),
+                            r) &&
+         r.height > 0.0 && proven(difference, r, result);
+}
+
+CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult &gjk, DistanceScratch &scratch) {
+  const PenetrationResult inside =
+      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, 1e-9 * difference.scale, 160);
+  const CoreDistance result{-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope,
+                            inside.proven, {}};
+  // Surfaces of revolution on one axis are equally deep all round: no bound settles that, but the
+  // other directions refined show whether one of them is nearer.
+  CoreDistance best = refined(difference, result, -inside.lower, scratch);
+  for (int k = 0; k < inside.other_count; ++k) {
+    const RefinedDirection r = refine_direction(difference, inside.other[k], result.a, result.b, 0.2);
+    if (-r.height > best.distance + 1e-13 * difference.scale) {
+      best.distance = -r.height, best.direction = r.direction, best.a = r.a, best.b = r.b;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+CoreDistance curved_distance(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &b_in_a, const Vec3 &first,
+                             DistanceScratch &scratch, bool several_near) {
+  const MinkowskiDifference difference(body_a, body_b, b_in_a);
+  const double tolerance = relative_tolerance * difference.scale;
+  Vec3 coaxial_direction;
+  double coaxial_depth;
+  if (coaxial_way_out(difference, coaxial_direction, coaxial_depth)) {
+    const DifferencePoint start = difference.support(coaxial_direction);
+    const RefinedDirection r = refine_direction(difference, coaxial_direction, start.a, start.b);
+    return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, r.height >= coaxial_depth - tolerance, {}};
+  }
+  CoreDistance result;
+  const Quick quick = several_near ? Quick::not_proven : find_quickly(difference, first, result);
+  if (quick == Quick::found) return result;
+  const GjkResult gjk = gjk_distance(difference, first, tolerance);
+  const bool apart = gjk.status == GjkResult::Status::apart ||
+                     (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0);
+  if (!apart) {
+    if (quick == Quick::too_deep && find_from_rough_bounds(difference, gjk, scratch, result)) return result;
+    return overlapping(difference, gjk, scratch);
+  }
+  result = {norm(gjk.closest), gjk.direction, {}, {}, DistanceMethod::gjk, true};
+  nearest_points(gjk, result.a, result.b);
+  return refined(difference, result, result.distance, scratch);
+}
+
+}  // namespace cmb::convex
