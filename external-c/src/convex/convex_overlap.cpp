@@ -37,6 +37,22 @@ void OverlapScratch::load(const Polytope &body, const Pose &pose, bool is_b) {
   bound();
 }
 
+void OverlapScratch::start_box(const Vec3 &low, const Vec3 &high) {
+  // Corners by bits (x, y, z); faces -x, +x, -y, +y, -z, +z, counter-clockwise from outside.
+  static constexpr std::int32_t corner[24] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
+  clear();
+  for (int v = 0; v < 8; ++v) {
+    vertices_.push_back({v & 1 ? high.x : low.x, v & 2 ? high.y : low.y, v & 4 ? high.z : low.z});
+  }
+  corners_.assign(corner, corner + 24);
+  for (std::int32_t f = 0; f < 6; ++f) {
+    Face face{4 * f, 4, -1, false, {}, f % 2 == 0 ? -low[f / 2] : high[f / 2]};
+    face.normal.set(f / 2, f % 2 == 0 ? -1.0 : 1.0);
+    faces_.push_back(face);
+  }
+  bound();
+}
+
 void OverlapScratch::bound() {
   if (vertices_.empty()) return;
   Vec3 low = vertices_[0], high = vertices_[0];

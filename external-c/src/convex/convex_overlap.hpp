@@ -41,13 +41,17 @@ class OverlapScratch {
   const std::vector<Face> &faces() const { return faces_; }
   const std::vector<std::int32_t> &corners() const { return corners_; }
 
+  // Makes the intersection a box between two corners; its faces have the number -1.
+  void start_box(const Vec3 &low, const Vec3 &high);
+  // Drops what lies beyond the plane normal . p = offset (normal of any length); the new face has the given number.
+  void cut(const Vec3 &normal, double offset, std::int32_t source_face, bool from_b);
+
  private:
   friend Overlap convex_overlap(const Polytope &, const Polytope &, const Pose &, const Vec3 &, OverlapScratch &);
   struct Crossing {
     std::int32_t outer_vertex, new_vertex, next;  // a list for each inner vertex
   };
   void load(const Polytope &body, const Pose &pose, bool is_b);
-  void cut(const Vec3 &normal, double offset, std::int32_t source_face, bool from_b);
   std::int32_t crossing_vertex(std::int32_t inner, std::int32_t outer);
   void clear();
   void bound();

@@ -5,34 +5,15 @@
 #include <cmath>
 #include <utility>
 
+#include "overlap/gauss_rule.hpp"
+
 namespace cmb {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using overlap::GaussRule;
 
-// Gauss' rule on [0, 1].
-template <int n>
-struct GaussRule {
-  std::array<double, n> node, weight;
-  GaussRule() {
-    for (int k = 0; k < n; ++k) {
-      // Newton's method on Legendre's polynomial.
-      double x = std::cos(pi * (k + 0.75) / (n + 0.5)), slope = 1.0;
-      for (int step = 0; step < 20; ++step) {
-        double before = 1.0, value = x;
-        for (int j = 2; j <= n; ++j) {
-          const double next = ((2 * j - 1) * x * value - (j - 1) * before) / j;
-          before = value, value = next;
-        }
-        slope = n * (x * value - before) / (x * x - 1.0);
-        x -= value / slope;
-      }
-      node[static_cast<std::size_t>(k)] = 0.5 * (1.0 + x);
-      weight[static_cast<std::size_t>(k)] = 1.0 / ((1.0 - x * x) * slope * slope);
-    }
-  }
-};
+constexpr double pi = 3.14159265358979323846;
 
 // Calls visit(x, weight) at the nodes of a rule on each of the stretches that the places in between cut [begin, end] into.
 // Towards the ends of a stretch nodes crowd, so that roots there do no harm.

@@ -6,6 +6,7 @@
 #include "backend/distance_backend.hpp"
 #include "convex/convex_overlap.hpp"
 #include "geometry/pose_algebra.hpp"
+#include "overlap/curved_overlap.hpp"
 #include "query/halfspace_overlap.hpp"
 
 namespace cmb {
@@ -14,12 +15,20 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// The overlap of two shapes, in world axes.
-struct ShapeOverlap {
-  double volume = 0.0, patch_area = 0.0;
-  Vec3 centroid, patch_centroid;
-  Mat3 patch_moment = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+using overlap::ShapeOverlap;
+using overlap::turned;
+
+// Room to work in; one for each thread.
+struct OverlapRoom {
+  BackendScratch distance;
+  convex::OverlapScratch flat;
+  overlap::CurvedScratch curved;
 };
+
+OverlapRoom &room() {
+  static thread_local OverlapRoom result;
+  return result;
+}
 
 Mat3 outer_product(double factor, const Vec3 &v) {
   return {{(factor * v.x) * v, (factor * v.y) * v, (factor * v.z) * v}};
@@ -27,18 +36,10 @@ Mat3 outer_product(double factor, const Vec3 &v) {
 
 Mat3 sum(const Mat3 &a, const Mat3 &b) { return {{a.row[0] + b.row[0], a.row[1] + b.row[1], a.row[2] + b.row[2]}}; }
 
-// A symmetric tensor in the axes of a body, in world axes.
-Mat3 turned(const Mat3 &axes, const Mat3 &tensor) {
-  const Mat3 half{{axes * tensor.row[0], axes * tensor.row[1], axes * tensor.row[2]}};
-  const Mat3 columns = transposed(half);
-  return {{axes * columns.row[0], axes * columns.row[1], axes * columns.row[2]}};
-}
-
 ShapeOverlap polytopes(const convex::Polytope &a, const Pose &pose_a, const convex::Polytope &b, const Pose &pose_b,
                        const Vec3 &normal) {
-  convex::OverlapScratch scratch;
   const convex::Overlap overlap = convex::convex_overlap(
-      a, b, relative_pose(pose_a, pose_b), transposed_times(pose_a.rotation, normal), scratch);
+      a, b, relative_pose(pose_a, pose_b), transposed_times(pose_a.rotation, normal), room().flat);
   return {overlap.volume, overlap.patch_area, pose_a(overlap.centroid), pose_a(overlap.patch_centroid),
           turned(pose_a.rotation, overlap.patch_moment)};
 }
@@ -166,10 +167,12 @@ std::optional<ShapeOverlap> shapes(const Shape &a, const Pose &pose_a, const Sha
   if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::sphere) {
     return spheres(a.body.radius, pose_a.translation, b.body.radius, pose_b.translation);
   }
-  BackendScratch scratch;
-  const ConvexAnswer answer = *exact_distance(a, pose_a, b, pose_b, scratch);
+  ConvexAnswer answer;
+  find_exact_distance(a, pose_a, b, pose_b, room().distance, answer);
   if (answer.distance >= 0.0) return ShapeOverlap{};
-  if (!a.polytope || !b.polytope) return std::nullopt;
+  if (!a.polytope || !b.polytope) {
+    return overlap::curved_overlap(a, pose_a, b, pose_b, {answer.normal, answer.point_a, answer.point_b}, room().curved);
+  }
   return polytopes(a.polytope->geometry(), pose_a, b.polytope->geometry(), pose_b, answer.normal);
 }
 
