@@ -15,7 +15,7 @@ from fmu_regression.simulate import simulate
 from scene_effects.choices import Change
 from scene_effects.difference import Difference, motion_difference
 from scene_effects.manager import Manager, Parameters, find_manager, read_parameters
-from scene_effects.observation import pair_signals
+from scene_effects.observation import exact_distances, pair_signals
 from scene_effects.variants import Variant, modification, write_variant
 
 
@@ -163,6 +163,7 @@ class Bench:
             stop=options.stop if options.stop is not None else own.stop,
             tolerance=options.tolerance if options.tolerance is not None else own.tolerance,
             interval=options.interval if options.interval is not None else own.interval,
+            parameters=exact_distances(self.manager, description),
             time_limit=options.time_limit,
             progress=self._progress,
         )

@@ -16,6 +16,9 @@ _HELD = 1e-9
 _SLIDING = 2
 """Sliding faster than this multiple of the regularisation speed counts as sliding, not creeping."""
 
+_INFINITE_LENGTH = 1e60
+"""m; what the Standard Library writes for infinity."""
+
 
 @dataclass(frozen=True)
 class PairObservation:
@@ -69,6 +72,17 @@ def pair_signals(manager: Manager, description: ModelDescription) -> list[str]:
         wanted += _in_order(description, f"{name}.pointNormalForce[{i},")
     wanted += [f"{name}.w_0[{b},{k}]" for b in range(1, len(manager.bodies) + 1) for k in (1, 2, 3)]
     return [signal for signal in dict.fromkeys(wanted) if signal in description.variables]
+
+
+def exact_distances(manager: Manager, description: ModelDescription) -> dict[str, float]:
+    """The start value that makes the manager's distances exact where its model asks for bounds of those far apart.
+
+    How near bodies came, and whether their distance changes, cannot be seen from bounds. Empty where the FMU does not
+    let it be set.
+    """
+    name = f"{manager.name}.exactWithin"
+    variable = description.variables.get(name)
+    return {name: _INFINITE_LENGTH} if variable is not None and variable.settable else {}
 
 
 def observe(manager: Manager, parameters: Parameters, result: SimulationResult) -> tuple[PairObservation, ...]:

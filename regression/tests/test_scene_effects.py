@@ -18,7 +18,7 @@ from scene_effects.difference import Difference, motion_difference
 from scene_effects.findings import Finding, Verdict, find
 from scene_effects.manager import PAIR_PARAMETERS, ContactBody, Manager, Parameters, find_manager
 from scene_effects.measurement import BuildFigures, Measurement
-from scene_effects.observation import PairObservation, observe
+from scene_effects.observation import PairObservation, exact_distances, observe
 from scene_effects.study import EffectStudy
 from scene_effects.table import effects_text, write_effects
 from scene_effects.variants import Variant, fullest, modification, variants_of, write_variant
@@ -195,6 +195,17 @@ def test_difference_of_motions() -> None:
 
 
 # --- observations -------------------------------------------------------------------------------------------------
+
+
+def test_distances_are_observed_exactly() -> None:
+    assert exact_distances(MANAGER, description()) == {}
+    length = Variable("contacts.exactWithin", 99, "Real", "Real", "parameter", "fixed", "m", True, "0.1")
+    with_length = replace(description(), variables={**description().variables, length.name: length})
+    ((name, value),) = exact_distances(MANAGER, with_length).items()
+    assert name == "contacts.exactWithin"
+    assert value > 1e12
+    fixed = {**with_length.variables, length.name: replace(length, settable=False)}
+    assert exact_distances(MANAGER, replace(with_length, variables=fixed)) == {}
 
 
 def contact(**changed: FloatArray) -> SimulationResult:
