@@ -7,6 +7,7 @@
 #include "gjk.hpp"
 #include "inner_ball.hpp"
 #include "minkowski_difference.hpp"
+#include "projections.hpp"
 #include "shrunk_body.hpp"
 #include "touching_direction.hpp"
 
@@ -93,6 +94,13 @@ void nearest_points(const GjkResult &gjk, Vec3 &a, Vec3 &b) {
   }
 }
 
+// To what part of the cores, and how many times by turns.
+struct Projections {
+  double part;
+  int rounds;
+};
+constexpr Projections attempts[] = {{0.9, 4}, {1.0, 8}};
+
 enum class Quick { found, not_proven, too_deep };
 
 // Straight through a flat end, or where the bodies, shrunk until they are apart, are nearest: what is not much in each other
@@ -103,6 +111,13 @@ Quick find_quickly(const MinkowskiDifference &difference, const Vec3 &first, Cor
   const double reach = core_radius(difference.body_a) + core_radius(difference.body_b);
   if (norm2(pose.translation) <= reach * reach && facing_flats(difference, r) && proven(difference, r, result)) {
     return Quick::found;
+  }
+  if (has_projection(difference.body_a.core) && has_projection(difference.body_b.core)) {
+    for (const Projections &attempt : attempts) {
+      if (!direction_by_projections(difference, attempt.part, attempt.rounds, r)) continue;
+      if (proven(difference, r, result)) return Quick::found;
+      if (r.height > 0.0) break;
+    }
   }
   const ShrunkBody a = shrunk(difference.body_a, shrinkage), b = shrunk(difference.body_b, shrinkage);
   const Pose b_in_a{pose.rotation, pose(b.origin) - a.origin};
