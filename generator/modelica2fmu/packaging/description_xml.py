@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from importlib import metadata
 
 from cmb_base.errors import InputError, Place, ProblemList
 from lxml import etree
 
-from modelica2fmu.description import Causality, DataType, Initial, ModelDescription, Variability, Variable
+from modelica2fmu.description import (
+    Causality,
+    DataType,
+    EnumerationType,
+    Initial,
+    ModelDescription,
+    Variability,
+    Variable,
+)
 from modelica2fmu.packaging.units import BASE_UNITS, display_conversion, parse_unit
 
 #: Names of the runtime's log categories (``cmb_instance.h``).
@@ -51,7 +59,7 @@ _STRUCTURED = re.compile(rf"{_NAME_PART}(?:\.{_NAME_PART})*", re.ASCII)
 _STRUCTURED_DERIVATIVE = re.compile(rf"der\((?:{_STRUCTURED.pattern})(?:,\d+)?\)", re.ASCII)
 
 
-def naming_convention(variables: Iterable[Variable]) -> str:
+def _naming_convention(variables: Iterable[Variable]) -> str:
     """``structured`` if all names are such (FMI 2.0.4, section 2.2.9), else ``flat``."""
     structured = all(
         _STRUCTURED.fullmatch(variable.name) or _STRUCTURED_DERIVATIVE.fullmatch(variable.name)
@@ -121,7 +129,7 @@ def check_description(description: ModelDescription) -> None:
         raise ProblemList(f"description of the model {description.name}", problems)
 
 
-def unit_definitions(variables: Iterable[Variable]) -> tuple[etree._Element, set[tuple[str, str]]]:
+def _unit_definitions(variables: Iterable[Variable]) -> tuple[etree._Element, set[tuple[str, str]]]:
     """The element ``UnitDefinitions`` and the pairs (unit, display unit) that it defines."""
     displays: dict[str, set[str]] = {}
     for variable in variables:
@@ -159,7 +167,7 @@ def unit_definitions(variables: Iterable[Variable]) -> tuple[etree._Element, set
     return definitions, defined
 
 
-def log_categories() -> etree._Element:
+def _log_categories() -> etree._Element:
     """The element ``LogCategories``."""
     categories = etree.Element("LogCategories")
     for name, text in LOG_CATEGORIES:
@@ -179,7 +187,7 @@ def initial_unknowns(description: ModelDescription) -> list[str]:
     ]
 
 
-def default_experiment(description: ModelDescription) -> etree._Element:
+def _default_experiment(description: ModelDescription) -> etree._Element:
     """The element ``DefaultExperiment``, the same in FMI 2.0 and 3.0."""
     experiment = description.experiment
     element = etree.Element("DefaultExperiment")
@@ -192,6 +200,63 @@ def default_experiment(description: ModelDescription) -> etree._Element:
         if value is not None:
             element.set(name, number(value))
     return element
+
+
+def description_root(description: ModelDescription, version: str, token: str) -> etree._Element:
+    """The document's root element without children.
+
+    Args:
+        description: the model.
+        version: of FMI.
+        token: the attribute that tells models apart, ``guid`` or ``instantiationToken``.
+    """
+    root = etree.Element(
+        "fmiModelDescription",
+        {
+            "fmiVersion": version,
+            "modelName": description.name,
+            token: description.guid,
+            "generationTool": generation_tool(),
+            "variableNamingConvention": _naming_convention(description.variables),
+        },
+    )
+    if description.description:
+        root.set("description", description.description)
+    return root
+
+
+EnumerationElement = Callable[[etree._Element, str], etree._Element]
+"""Declares an enumeration of a name below ``TypeDefinitions`` and returns the element that takes its items."""
+
+
+def add_definitions(
+    root: etree._Element,
+    description: ModelDescription,
+    variables: Iterable[Variable],
+    enumeration_element: EnumerationElement,
+) -> set[tuple[str, str]]:
+    """Adds units, types, log categories and the default experiment, which both versions have in this order.
+
+    Returns:
+        the pairs (unit, display unit) that are defined.
+    """
+    units, display_units = _unit_definitions(variables)
+    if len(units):
+        root.append(units)
+    if description.enumerations:
+        definitions = etree.SubElement(root, "TypeDefinitions")
+        for enumeration in description.enumerations:
+            _add_items(enumeration_element(definitions, enumeration.name), enumeration)
+    root.append(_log_categories())
+    root.append(_default_experiment(description))
+    return display_units
+
+
+def _add_items(element: etree._Element, enumeration: EnumerationType) -> None:
+    for item in enumeration.items:
+        child = etree.SubElement(element, "Item", name=item.name, value=str(item.value))
+        if item.description:
+            child.set("description", item.description)
 
 
 def start_text(variable: Variable) -> str:

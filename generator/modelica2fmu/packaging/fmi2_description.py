@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 
 from lxml import etree
 
-from modelica2fmu.description import Causality, DataType, EnumerationType, ModelDescription, Variable
+from modelica2fmu.description import Causality, DataType, ModelDescription, Variable
 from modelica2fmu.packaging.description_xml import (
+    add_definitions,
     check_description,
-    default_experiment,
-    generation_tool,
+    description_root,
     initial_unknowns,
-    log_categories,
-    naming_convention,
     number,
     start_text,
-    unit_definitions,
     xml_bytes,
 )
 
@@ -30,16 +26,8 @@ _XML_TYPE = {
 }
 
 
-def _type_definitions(enumerations: Iterable[EnumerationType]) -> etree._Element:
-    definitions = etree.Element("TypeDefinitions")
-    for enumeration in enumerations:
-        simple = etree.SubElement(definitions, "SimpleType", name=enumeration.name)
-        element = etree.SubElement(simple, "Enumeration")
-        for item in enumeration.items:
-            child = etree.SubElement(element, "Item", name=item.name, value=str(item.value))
-            if item.description:
-                child.set("description", item.description)
-    return definitions
+def _enumeration_element(definitions: etree._Element, name: str) -> etree._Element:
+    return etree.SubElement(etree.SubElement(definitions, "SimpleType", name=name), "Enumeration")
 
 
 def _scalar_variable(
@@ -105,17 +93,8 @@ def fmi2_description(description: ModelDescription) -> bytes:
     """
     check_description(description)
     index_of = {variable.name: index for index, variable in enumerate(description.variables, start=1)}
-    root = etree.Element(
-        "fmiModelDescription",
-        fmiVersion="2.0",
-        modelName=description.name,
-        guid=description.guid,
-        generationTool=generation_tool(),
-        variableNamingConvention=naming_convention(description.variables),
-        numberOfEventIndicators=str(description.indicator_count),
-    )
-    if description.description:
-        root.set("description", description.description)
+    root = description_root(description, "2.0", "guid")
+    root.set("numberOfEventIndicators", str(description.indicator_count))
     shared = {
         "modelIdentifier": description.identifier,
         "needsExecutionTool": "false",
@@ -133,13 +112,7 @@ def fmi2_description(description: ModelDescription) -> bytes:
         "canRunAsynchronuously": "false",
     }
     etree.SubElement(root, "CoSimulation", {**shared, **co_simulation})
-    units, display_units = unit_definitions(description.variables)
-    if len(units):
-        root.append(units)
-    if description.enumerations:
-        root.append(_type_definitions(description.enumerations))
-    root.append(log_categories())
-    root.append(default_experiment(description))
+    display_units = add_definitions(root, description, description.variables, _enumeration_element)
     variables = etree.SubElement(root, "ModelVariables")
     for variable in description.variables:
         variables.append(_scalar_variable(variable, index_of, display_units))

@@ -17,22 +17,18 @@ from lxml import etree
 from modelica2fmu.description import (
     Causality,
     DataType,
-    EnumerationType,
     Initial,
     ModelDescription,
     Variability,
     Variable,
 )
 from modelica2fmu.packaging.description_xml import (
+    add_definitions,
     check_description,
-    default_experiment,
-    generation_tool,
+    description_root,
     initial_unknowns,
-    log_categories,
-    naming_convention,
     number,
     start_text,
-    unit_definitions,
     xml_bytes,
 )
 from modelica2fmu.packaging.solver_variables import FIRST_REFERENCE
@@ -149,15 +145,8 @@ def _groups(description: ModelDescription, references: dict[str, int]) -> list[_
     return [_merge(reference, members, preferred) for reference, members in slots.items()]
 
 
-def _type_definitions(enumerations: Iterable[EnumerationType]) -> etree._Element:
-    definitions = etree.Element("TypeDefinitions")
-    for enumeration in enumerations:
-        element = etree.SubElement(definitions, "EnumerationType", name=enumeration.name)
-        for item in enumeration.items:
-            child = etree.SubElement(element, "Item", name=item.name, value=str(item.value))
-            if item.description:
-                child.set("description", item.description)
-    return definitions
+def _enumeration_element(definitions: etree._Element, name: str) -> etree._Element:
+    return etree.SubElement(definitions, "EnumerationType", name=name)
 
 
 def _set_bounds(element: etree._Element, variable: Variable) -> None:
@@ -260,16 +249,7 @@ def fmi3_description(description: ModelDescription) -> bytes:
         states=tuple(primary[references[name]] for name in complete.states),
         derivatives=tuple(primary[references[name]] for name in complete.derivatives),
     )
-    root = etree.Element(
-        "fmiModelDescription",
-        fmiVersion=FMI_VERSION,
-        modelName=description.name,
-        instantiationToken=description.guid,
-        generationTool=generation_tool(),
-        variableNamingConvention=naming_convention(description.variables),
-    )
-    if description.description:
-        root.set("description", description.description)
+    root = description_root(description, FMI_VERSION, "instantiationToken")
     shared = {
         "modelIdentifier": description.identifier,
         "needsExecutionTool": "false",
@@ -286,13 +266,7 @@ def fmi3_description(description: ModelDescription) -> bytes:
         "hasEventMode": "true",
     }
     etree.SubElement(root, "CoSimulation", {**shared, **co_simulation})
-    units, display_units = unit_definitions(merged.variables)
-    if len(units):
-        root.append(units)
-    if description.enumerations:
-        root.append(_type_definitions(description.enumerations))
-    root.append(log_categories())
-    root.append(default_experiment(description))
+    display_units = add_definitions(root, description, merged.variables, _enumeration_element)
     variables = etree.SubElement(root, "ModelVariables")
     for group in groups:
         variables.append(_variable_element(group, references, display_units))
