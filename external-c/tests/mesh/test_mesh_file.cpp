@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "../convex/random_bodies.hpp"
-#include "mesh/mesh_file.hpp"
+#include "mesh_refusals.hpp"
 #include "mesh_samples.hpp"
 #include "mesh_writers.hpp"
 
@@ -15,14 +15,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
 
 namespace {
 
+using namespace mesh_refusals;
 using namespace mesh_samples;
 using namespace mesh_writers;
-using cmb::mesh::MeshError;
-using cmb::mesh::read_obj;
-using cmb::mesh::read_ply;
-using cmb::mesh::read_stl;
-
-using Reader = MeshData (*)(std::string_view, const std::string &);
 
 void expect_same(const MeshData &given, MeshData read, double tolerance = 0.0) {
   ASSERT_EQ(read.triangles.size(), given.triangles.size());
@@ -35,23 +30,6 @@ void expect_same(const MeshData &given, MeshData read, double tolerance = 0.0) {
   // Welded, the mesh is closed again.
   cmb::mesh::weld_vertices(read, "read");
   EXPECT_NO_THROW(cmb::mesh::check_mesh(read, MeshUse::solid, "read"));
-}
-
-// The message of the refusal, which has to name the file.
-std::string refusal(Reader read, const std::string &contents) {
-  try {
-    read(contents, "part.mesh");
-  } catch (const MeshError &error) {
-    EXPECT_EQ(std::string(error.what()).find("part.mesh: "), 0u);
-    return error.what();
-  }
-  ADD_FAILURE() << "accepted: " << contents.substr(0, 200);
-  return "";
-}
-
-void expect_refusal(Reader read, const std::string &contents, const std::string &part) {
-  const std::string message = refusal(read, contents);
-  EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
 std::string replaced(std::string text, const std::string &from, const std::string &to) {

@@ -12,30 +12,15 @@
 #include <utility>
 
 #include "mesh/height_field.hpp"
-#include "mesh/mesh_file.hpp"
+#include "mesh_refusals.hpp"
 #include "mesh_samples.hpp"
 #include "mesh_writers.hpp"
 
 namespace {
 
+using namespace mesh_refusals;
 using namespace mesh_samples;
 using namespace mesh_writers;
-using cmb::mesh::MeshError;
-using cmb::mesh::read_obj;
-using cmb::mesh::read_ply;
-using cmb::mesh::read_stl;
-
-using Reader = MeshData (*)(std::string_view, const std::string &);
-
-void expect_refusal(Reader read, const std::string &contents, const std::string &part) {
-  try {
-    read(contents, "part.mesh");
-    ADD_FAILURE() << "accepted, but should say: " << part;
-  } catch (const MeshError &error) {
-    EXPECT_EQ(std::string(error.what()).find("part.mesh: "), 0u) << error.what();
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
-}
 
 // One number of a PLY type by its name, as text or bytes.
 void put_number(std::string &out, const std::string &type, const std::string &format, int value) {
