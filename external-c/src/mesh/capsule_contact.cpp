@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/pose_algebra.hpp"
 #include "manifold/axis_share.hpp"
 #include "mesh/ball_contacts.hpp"
 #include "mesh/mesh_contact.hpp"
+#include "mesh/pierced_load.hpp"
 #include "mesh/segment_distance.hpp"
-#include "geometry/pose_algebra.hpp"
+#include "mesh/triangle_section.hpp"
 
 namespace cmb::mesh {
 
@@ -26,6 +28,8 @@ class CapsuleQuery {
       : radius_(radius),
         mesh_(mesh),
         pose_(pose),
+        place_(body_in_mesh),
+        body_(convex::make_capsule(radius, length), place_, scratch.patch.polygon, scratch.patch.clipped),
         shared_(scratch.shared),
         result_(result),
         begin_(result.points.size()),
@@ -39,11 +43,14 @@ class CapsuleQuery {
     free_to_ = end(to_, nearest_to, 1.0);
     shift_ends();
     between();
-    // From behind a sheet the end that reaches through may carry nothing.
-    if (result_.points.size() == begin_ && !mesh_.closed()) distance_ = std::fmax(0.0, distance_);
     result_.normal = pose_.rotation * nearest_normal_;
     result_.distance = distance_;
     result_.witness = pose_(nearest_at_ - (radius_ + 0.5 * distance_) * nearest_normal_);
+    // No section of a triangle is deeper than this.
+    const double deepest = crosses_ ? radius_ : -distance_;
+    if (least_load_part * total_load(result_.points, begin_) < deepest) {
+      complete_contact(body_, mesh_, pose_, begin_, result_);
+    }
   }
 
  private:
@@ -132,7 +139,9 @@ class CapsuleQuery {
     const auto inside = [&](const Vec3 &from, const Vec3 &to) {
       return dot(normal, cross(to - from, at - from)) >= -place_tolerance(mesh_) * norm(to - from);
     };
-    if (inside(a, b) && inside(b, c) && inside(c, a)) keep_nearest(0.0, at, normal);
+    if (!inside(a, b) || !inside(b, c) || !inside(c, a)) return;
+    crosses_ = true;
+    keep_nearest(0.0, at, normal);
   }
 
   void between() {
@@ -147,7 +156,7 @@ class CapsuleQuery {
       return farthest * farthest;
     };
     mesh_.hierarchy().visit_near(box, reach, [&](std::uint32_t t) {
-      if (distance_ > 0.0) crossing(t);
+      if (!crosses_) crossing(t);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::int32_t other = mesh_.neighbour(t, k);
         if (other < 0 || static_cast<std::uint32_t>(other) > t) edge(t, k);
@@ -169,6 +178,8 @@ class CapsuleQuery {
   double radius_;
   const TriangleMesh &mesh_;
   const Pose &pose_;
+  const Pose &place_;
+  SectionedBody body_;
   SharedLoad &shared_;
   ContactSet &result_;
   std::size_t begin_;
@@ -177,6 +188,7 @@ class CapsuleQuery {
   Vec3 missing_;
   Vec3 free_from_, free_to_;  // what would free the ends
   double distance_ = HUGE_VAL;
+  bool crosses_ = false;  // the axis and the mesh
   Vec3 nearest_at_, nearest_normal_;
 };
 
@@ -184,7 +196,8 @@ class CapsuleQuery {
 
 void capsule_contact(double radius, double length, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                      MeshContactScratch &scratch, ContactSet &result) {
-  CapsuleQuery(radius, length, relative_pose(pose, body_pose), mesh, pose, scratch, result).run();
+  const Pose body_in_mesh = relative_pose(pose, body_pose);
+  CapsuleQuery(radius, length, body_in_mesh, mesh, pose, scratch, result).run();
 }
 
 }  // namespace cmb::mesh

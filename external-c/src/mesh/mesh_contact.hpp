@@ -22,6 +22,7 @@ struct MeshContactScratch {
   PatchScratch patch;
   PairScratch pair;
   Facets facets;
+  ContactSet reaction;  // what the other mesh of a pair pushes
 };
 
 // A ball. `center` in world axes. Apart, distance is that of the nearest place. Touching, there is a point for each

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/pair_walk.hpp"
+#include "mesh/triangle_crossing.hpp"
 #include "mesh/triangle_wedge.hpp"
 
 namespace cmb::mesh {
@@ -28,6 +29,7 @@ class PairSearch {
     }
     scratch.seen_count = 0;
     scratch.wedges.clear();
+    scratch.cuts.clear();
   }
 
   void run() {
@@ -49,7 +51,9 @@ class PairSearch {
       if (distance2(box, leaf.bounds) > 0.0) continue;
       for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
         const std::uint32_t t = mesh_.hierarchy().order()[i];
-        if (!cuts(t, corners) || distance2(box_of(t), box) > 0.0) continue;
+        const double cut = depth_of_cut(t, corners);
+        if (!(cut >= 0.0) || distance2(box_of(t), box) > 0.0) continue;
+        scratch_.cuts.push_back({{t, facet}, cut});
         offer({t, facet});
         while (!scratch_.open.empty()) {
           const Pair pair = scratch_.open.back();
@@ -73,13 +77,13 @@ class PairSearch {
     return bounds_of(corners);
   }
 
-  // Whether the plane of triangle t has corners on both sides, or on it.
-  bool cuts(std::uint32_t t, const Vec3 (&corners)[3]) const {
+  // How deep the plane of triangle t cuts into a triangle; negative where that is on one side.
+  double depth_of_cut(std::uint32_t t, const Vec3 (&corners)[3]) const {
     const Vec3 &normal = mesh_.face_normal(t);
     const double offset = dot(normal, mesh_.corner(t, 0));
     const double first = dot(normal, corners[0]) - offset, second = dot(normal, corners[1]) - offset,
                  third = dot(normal, corners[2]) - offset;
-    return std::min({first, second, third}) <= 0.0 && std::max({first, second, third}) >= 0.0;
+    return std::min(std::max({first, second, third}), -std::min({first, second, third}));
   }
 
   void look_at(const Pair &pair) {
@@ -155,6 +159,44 @@ class PairSearch {
 void push_pair_patches(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, PairScratch &scratch,
                        PatchScratch &patch_scratch, PatchLoad &load) {
   PairSearch(mesh, body, place, scratch, patch_scratch.polygon, load).run();
+}
+
+namespace {
+
+TriangleSection crossing_of(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const Pair &pair,
+                            double enough) {
+  const Vec3 own[3] = {mesh.corner(pair.triangle, 0), mesh.corner(pair.triangle, 1), mesh.corner(pair.triangle, 2)};
+  const Vec3 facet[3] = {place(body.corner(pair.facet, 0)), place(body.corner(pair.facet, 1)),
+                         place(body.corner(pair.facet, 2))};
+  return triangle_crossing(own, mesh.face_normal(pair.triangle), facet, place.rotation * body.face_normal(pair.facet),
+                           enough);
+}
+
+}  // namespace
+
+double deepest_crossing(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const PairScratch &scratch,
+                        double enough) {
+  double deepest = 0.0;
+  for (const PairScratch::Cut &cut : scratch.cuts) {
+    const double known = std::fmax(enough, deepest);
+    if (cut.depth > known) deepest = std::fmax(deepest, crossing_of(mesh, body, place, cut.pair, known).depth);
+  }
+  return deepest;
+}
+
+void push_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const PairScratch &scratch,
+                    PiercedLoad &load) {
+  const Bounds bounds = moved(body.hierarchy().bounds(), place);
+  const Vec3 middle = 0.5 * (bounds.low + bounds.high), half = 0.5 * (bounds.high - bounds.low);
+  for (const PairScratch::Cut &cut : scratch.cuts) {
+    const TriangleSection crossing = crossing_of(mesh, body, place, cut.pair, 0.0);
+    if (!(crossing.depth > 0.0)) continue;
+    const std::uint32_t t = cut.pair.triangle;
+    const Vec3 &n = mesh.face_normal(t), &corner = mesh.corner(t, 0);
+    const double reach = std::fabs(n.x) * half.x + std::fabs(n.y) * half.y + std::fabs(n.z) * half.z;
+    load.add(crossing, n, dot(n, corner - middle) + reach,
+             0.5 * norm(cross(mesh.corner(t, 1) - corner, mesh.corner(t, 2) - corner)));
+  }
 }
 
 }  // namespace cmb::mesh

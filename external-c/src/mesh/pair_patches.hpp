@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/patch_load.hpp"
+#include "mesh/pierced_load.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace cmb::mesh {
@@ -14,6 +15,10 @@ namespace cmb::mesh {
 struct PairScratch {
   struct Pair {
     std::uint32_t triangle, facet;
+  };
+  struct Cut {
+    Pair pair;
+    double depth;  // m, how deep the triangle's plane cuts into the facet
   };
   struct SeenPair {
     Pair pair;
@@ -27,6 +32,7 @@ struct PairScratch {
     std::uint32_t number, query;
   };
   std::uint32_t query = 0;
+  std::vector<Cut> cuts;               // the pairs that may cross
   std::vector<Pair> open;              // still to be looked at
   std::vector<SeenPair> seen;          // a hash table of pairs that were looked at
   std::size_t seen_count = 0;
@@ -41,7 +47,16 @@ struct PairScratch {
 // The search begins where the surfaces cross and follows both meshes from neighbour to neighbour: pieces in
 // neighbouring wedges, or of neighbouring facets, hang together. So it takes as long as there are pieces, however deep
 // they lie, and finds none of a surface that crosses nowhere.
+// Leaves in `scratch` the pairs of triangles that may cross, for the functions below.
 void push_pair_patches(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, PairScratch &scratch,
                        PatchScratch &patch_scratch, PatchLoad &load);
+
+// The depth of the deepest crossing of two triangles (triangle_crossing), 0 where that is at most `enough`.
+double deepest_crossing(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const PairScratch &scratch,
+                        double enough);
+
+// Adds every crossing of two triangles to `load`; the triangles of `mesh` push.
+void push_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const PairScratch &scratch,
+                    PiercedLoad &load);
 
 }  // namespace cmb::mesh

@@ -99,16 +99,7 @@ void PatchLoad::add_patch(const TriangleWedge &wedge, double cosine, double fact
 void PatchLoad::add(const Integral &integral, std::size_t quadrant, const Vec3 &normal, double share) {
   if (!(share > 0.0)) return;
   const Vec3 moment = integral.moment - integral.load * center_;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double component = normal[axis], part = share * component * component;
-    if (!(part > 0.0)) continue;
-    Sum &sum = sums_[2 * axis + (component > 0.0 ? 1 : 0)][quadrant];
-    sum.load += part * integral.load;
-    sum.energy += part * integral.energy;
-    sum.moment = sum.moment + part * moment;
-    sum.force = sum.force + (part * integral.load) * normal;
-    sum.torque = sum.torque + part * cross(moment, normal);
-  }
+  sums_[quadrant].add(share * integral.load, share * integral.energy, share * moment, normal);
 }
 
 // 1 where the triangle's plane is what is nearest to a point behind it; falls to 0 where another part of the surface
@@ -121,20 +112,16 @@ double PatchLoad::inside_share(const Vec3 &p, double depth, std::uint32_t triang
   return depth >= 2.0 * clear ? share : 1.0 - (depth / clear - 1.0) * (1.0 - share);
 }
 
-void PatchLoad::finish(ContactSet &result, double part) const {
+void PatchLoad::finish(ContactSet &result) const {
   // Patches that belong to another side do not count, unless there are no others.
   const double area = carrying_area_ + (1.0 - most_carried_) * area_;
-  for (const auto &direction : sums_) {
-    for (const Sum &sum : direction) {
-      const double force = norm(sum.force);
-      if (!(sum.load > 0.0) || !(force > 0.0)) continue;
-      const double depth = sum.energy / sum.load;
-      if (!(depth > 0.0)) continue;
-      const Vec3 normal{sum.force.x / force, sum.force.y / force, sum.force.z / force};
-      const Vec3 middle = (1.0 / sum.load) * sum.moment;
-      const Vec3 rest = sum.torque - cross(middle, sum.force);
-      const Vec3 place = center_ + middle + (1.0 / (force * force)) * cross(sum.force, rest) + (0.5 * depth) * normal;
-      result.points.push_back({depth, part * force / (depth * area), pose_.rotation * normal, pose_(place)});
+  for (std::size_t direction = 0; direction < DirectionSums::directions; ++direction) {
+    for (const DirectionSums &quadrant : sums_) {
+      ContactPoint point;
+      if (!quadrant.point(direction, center_, 1.0 / area, point)) continue;
+      point.normal = pose_.rotation * point.normal;
+      point.position = pose_(point.position);
+      result.points.push_back(point);
     }
   }
   result.distance = -deepest_;

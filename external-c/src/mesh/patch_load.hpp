@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "manifold/contact_set.hpp"
+#include "mesh/direction_sums.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/triangle_wedge.hpp"
 
@@ -18,9 +19,7 @@ struct PatchScratch {
 // triangle's normal, divided by the area of all patches.
 //
 // Few points stand for all patches: one for each quadrant about a centre, and for each of the six directions of the mesh's
-// axes, to which a patch gives the squares of its normal's components (they sum to 1). Patches are cut where quadrants
-// meet. So every point, not only their sum, changes continuously; a point's force is the sum of its patches' forces, and its
-// place the one that keeps their moment (but for what turns about the force).
+// axes (DirectionSums). Patches are cut where quadrants meet. So every point, not only their sum, changes continuously.
 //
 // Borrows everything it is given. All in the mesh's frame, but points go to the result in world axes.
 class PatchLoad {
@@ -36,17 +35,10 @@ class PatchLoad {
   // Whether anything is pushed.
   bool touches() const { return deepest_ > 0.0 && carrying_area_ > 0.0; }
 
-  // Where it touches: appends the points, their weights multiplied by `part`, and sets distance, normal and witness.
-  void finish(ContactSet &result, double part = 1.0) const;
+  // Where it touches: appends the points, and sets distance, normal and witness.
+  void finish(ContactSet &result) const;
 
  private:
-  struct Sum {
-    double load = 0.0;    // m3, integral of the depth
-    double energy = 0.0;  // m4, integral of the depth squared
-    Vec3 moment;          // m4, integral of depth times place about the centre
-    Vec3 force;           // m3, integral of the depth times the normal
-    Vec3 torque;          // m4, moment of that about the centre
-  };
   struct Integral {
     double area = 0.0, load = 0.0, energy = 0.0;
     Vec3 moment;
@@ -64,7 +56,7 @@ class PatchLoad {
   double most_carried_ = 0.0;
   double deepest_ = 0.0;
   Vec3 deepest_place_, deepest_normal_;
-  Sum sums_[6][4];  // by direction (axis, sense) and quadrant
+  DirectionSums sums_[4];  // by quadrant
 };
 
 }  // namespace cmb::mesh

@@ -5,8 +5,9 @@
 #include "mesh/mesh_contact.hpp"
 #include "mesh/nearest_triangle.hpp"
 #include "mesh/patch_load.hpp"
+#include "mesh/pierced_load.hpp"
 #include "mesh/polytope_distance.hpp"
-#include "mesh/swallowed.hpp"
+#include "mesh/triangle_section.hpp"
 #include "mesh/triangle_wedge.hpp"
 
 namespace cmb::mesh {
@@ -31,13 +32,11 @@ class PolytopeQuery {
     PatchLoad load(mesh_, pose_, 0.5 * (box_.low + box_.high), scratch_.patch);
     mesh_.hierarchy().visit_near(
         box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { triangle(t, load); });
-    if (load.touches()) {
-      load.finish(result_);
-    } else {
-      apart();
-      // A place within the body, which the middle of its box need not be.
-      swallowed_contact(place_(body_.center()), mesh_, pose_, result_);
-    }
+    const std::size_t begin = result_.points.size();
+    if (load.touches()) load.finish(result_);
+    const SectionedBody body(body_, place_, scratch_.body_vertices, scratch_.body_normals, scratch_.patch.polygon,
+                             scratch_.patch.clipped);
+    if (!complete_contact(body, mesh_, pose_, begin, result_)) apart();
   }
 
  private:

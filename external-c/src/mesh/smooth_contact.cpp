@@ -5,8 +5,9 @@
 #include "mesh/mesh_contact.hpp"
 #include "mesh/nearest_triangle.hpp"
 #include "mesh/patch_load.hpp"
+#include "mesh/pierced_load.hpp"
 #include "mesh/smooth_facets.hpp"
-#include "mesh/swallowed.hpp"
+#include "mesh/triangle_section.hpp"
 #include "mesh/triangle_wedge.hpp"
 
 namespace cmb::mesh {
@@ -18,13 +19,14 @@ class SmoothQuery {
  public:
   SmoothQuery(const convex::ConvexBody &body, const Pose &body_in_mesh, const TriangleMesh &mesh, const Pose &pose,
               MeshContactScratch &scratch, ContactSet &result)
-      : body_(body), place_(body_in_mesh), mesh_(mesh), pose_(pose), scratch_(scratch), result_(result) {
-    for (int k = 0; k < 3; ++k) {
-      Vec3 axis;
-      axis.set(k, 1.0);
-      box_.high.set(k, reach(axis));
-      box_.low.set(k, -reach(-axis));
-    }
+      : body_(body),
+        place_(body_in_mesh),
+        mesh_(mesh),
+        pose_(pose),
+        scratch_(scratch),
+        result_(result),
+        sectioned_(body, body_in_mesh, scratch.patch.polygon, scratch.patch.clipped),
+        box_(sectioned_.bounds()) {
     size_ = 0.5 * norm(box_.high - box_.low);
   }
 
@@ -38,25 +40,15 @@ class SmoothQuery {
       mesh_.hierarchy().visit_near(
           box_, [&] { return farthest * farthest; }, [&](std::uint32_t t) { triangle(t, load); });
     }
-    if (load.touches()) {
-      load.finish(result_);
-    } else {
-      apart();
-      // A place within the body, which the middle of its box need not be.
-      swallowed_contact(place_(convex::core_center(body_)), mesh_, pose_, result_);
-    }
+    const std::size_t begin = result_.points.size();
+    if (load.touches()) load.finish(result_);
+    if (!complete_contact(sectioned_, mesh_, pose_, begin, result_)) apart();
   }
 
  private:
-  // How far the body reaches along d.
-  double reach(const Vec3 &d) const {
-    const Vec3 local = transposed_times(place_.rotation, d);
-    return dot(local, convex::core_support(body_, local).point) + dot(d, place_.translation);
-  }
-
   void triangle(std::uint32_t t, PatchLoad &load) {
     const Vec3 &normal = mesh_.face_normal(t);
-    if (!(reach(-normal) + dot(normal, mesh_.corner(t, 0)) > 0.0)) return;
+    if (!(sectioned_.reach(-normal) + dot(normal, mesh_.corner(t, 0)) > 0.0)) return;
     TriangleWedge wedge;
     if (!wedge.build_if_it_meets(mesh_, t, size_, 0.5 * (box_.low + box_.high), size_)) return;
     const Vec3 local = transposed_times(place_.rotation, normal);
@@ -90,6 +82,7 @@ class SmoothQuery {
   const Pose &pose_;
   MeshContactScratch &scratch_;
   ContactSet &result_;
+  SectionedBody sectioned_;
   Bounds box_;
   double size_ = 0.0;
 };

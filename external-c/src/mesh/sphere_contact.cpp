@@ -1,10 +1,13 @@
 #include "mesh/ball_contacts.hpp"
 #include "mesh/mesh_contact.hpp"
+#include "mesh/pierced_load.hpp"
+#include "mesh/triangle_section.hpp"
 
 namespace cmb::mesh {
 
 void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh, const Pose &pose,
                     MeshContactScratch &scratch, ContactSet &result) {
+  const std::size_t begin = result.points.size();
   const Vec3 local = pose.inverse()(center);
   const NearestPoint nearest = mesh.nearest(local);
   SharedLoad &shared = scratch.shared;
@@ -17,6 +20,12 @@ void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh,
     if (!(shared[i].load > 0.0)) continue;
     const Vec3 normal = pose.rotation * shared[i].normal;
     result.points.push_back({shared[i].depth, shared[i].load / shared[i].depth, normal, middle(normal, shared[i].depth)});
+  }
+  // Beside the rim of a sheet what is nearest may carry nothing.
+  if (least_load_part * total_load(result.points, begin) < -result.distance) {
+    const Pose place{{}, local};
+    const SectionedBody ball(convex::make_sphere(radius), place, scratch.patch.polygon, scratch.patch.clipped);
+    complete_contact(ball, mesh, pose, begin, result);
   }
 }
 

@@ -2,15 +2,19 @@
 
 namespace cmb::mesh {
 
-bool swallowed_contact(const Vec3 &place, const TriangleMesh &mesh, const Pose &pose, ContactSet &result) {
-  if (!mesh.closed()) return false;
-  const NearestPoint nearest = mesh.nearest(place);
-  if (!(nearest.distance < 0.0)) return false;
-  result.distance = nearest.distance;
-  result.normal = pose.rotation * nearest.normal;
-  result.witness = pose(0.5 * (place + nearest.point));
-  result.points.push_back({-nearest.distance, 1.0, result.normal, result.witness});
-  return true;
+SwallowedPlace::SwallowedPlace(const TriangleMesh &mesh, const Vec3 &place) : place_(place) {
+  if (mesh.closed()) nearest_ = mesh.nearest(place);
+}
+
+void SwallowedPlace::lead_out(double other, double part, const Pose &pose, ContactSet &result) const {
+  const double missing = part * (depth() - other);
+  if (!(missing > 0.0)) return;
+  const Vec3 normal = pose.rotation * nearest_.normal, witness = pose(0.5 * (place_ + nearest_.point));
+  result.points.push_back({missing, 1.0, normal, witness});
+  if (!(-part * depth() < result.distance)) return;
+  result.distance = -part * depth();
+  result.normal = normal;
+  result.witness = witness;
 }
 
 }  // namespace cmb::mesh

@@ -1,4 +1,4 @@
-// Bodies that lie wholly inside a closed mesh.
+// Bodies of which a closed mesh holds more than its surface crosses.
 #pragma once
 
 #include "manifold/contact_set.hpp"
@@ -6,8 +6,22 @@
 
 namespace cmb::mesh {
 
-// Where the mesh is closed and holds `place`, a point of a body whose surface meets none of the mesh's: one point of
-// weight 1 that pushes towards the nearest place of the mesh, and true. Sets distance, normal and witness of `result`.
-bool swallowed_contact(const Vec3 &place, const TriangleMesh &mesh, const Pose &pose, ContactSet &result);
+// A place of a body that may lie inside a mesh.
+class SwallowedPlace {
+ public:
+  // In the mesh's frame. Sheets hold nothing.
+  SwallowedPlace(const TriangleMesh &mesh, const Vec3 &place);
+
+  // How deep it lies inside; 0 outside.
+  double depth() const { return nearest_.distance < 0.0 ? -nearest_.distance : 0.0; }
+
+  // Where it lies deeper than the `other` ways out of the body: appends a point that leads to the nearest place of the mesh
+  // with what is missing, all depths multiplied by `part`; sets distance, normal and witness where that is nearer.
+  void lead_out(double other, double part, const Pose &pose, ContactSet &result) const;
+
+ private:
+  Vec3 place_;
+  NearestPoint nearest_;
+};
 
 }  // namespace cmb::mesh

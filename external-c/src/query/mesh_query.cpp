@@ -1,15 +1,11 @@
 #include "query/mesh_query.hpp"
 
-#include <cstddef>
-
 #include "mesh/triangle_mesh.hpp"
 
 namespace cmb {
 
-namespace {
-
-void dispatch(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, MeshQueryScratch &scratch,
-              ContactSet &result) {
+void mesh_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, MeshQueryScratch &scratch,
+                  ContactSet &result) {
   const mesh::TriangleMesh &mesh = *b.mesh;
   switch (a.kind) {
     case ShapeKind::sphere:
@@ -32,18 +28,6 @@ void dispatch(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &po
       return;
     case ShapeKind::halfspace:
       return;
-  }
-}
-
-}  // namespace
-
-void mesh_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, MeshQueryScratch &scratch,
-                  ContactSet &result) {
-  const std::size_t begin = result.points.size();
-  dispatch(a, pose_a, b, pose_b, scratch, result);
-  // So deep in a closed mesh that nothing of its surface pushes: one point leads out.
-  if (b.mesh->closed() && result.distance < 0.0 && result.points.size() == begin) {
-    result.points.push_back({-result.distance, 1.0, result.normal, result.witness});
   }
 }
 

@@ -1,7 +1,5 @@
 #include "bodies.hpp"
 
-#include <algorithm>
-
 namespace cmb::stress {
 
 std::unique_ptr<Bodies> make_bodies(const Kind &kind_a, const Kind &kind_b, Random &random) {
@@ -10,13 +8,6 @@ std::unique_ptr<Bodies> make_bodies(const Kind &kind_a, const Kind &kind_b, Rand
   bodies->b = kind_b.make(random);
   const Solid &a = bodies->a, &b = bodies->b;
   bodies->pair = std::make_unique<Pair>(a.text, b.text);
-  bodies->range = 0.25 * std::min(a.least_thickness(), b.least_thickness());
-  const auto has_pieces = [](const Solid &solid) {
-    return std::any_of(solid.parts.begin(), solid.parts.end(), [](const Part &part) {
-      return part.form == Part::Form::ellipsoid || part.form == Part::Form::cylinder || part.form == Part::Form::cone;
-    });
-  };
-  bodies->late = has_pieces(a) || has_pieces(b) ? 1e-3 : 0.0;
   if (is_single(a) && is_single(b)) {
     bodies->fcl = std::make_unique<Pair>(a.text, b.text, CMB_BACKEND_FCL);
     bodies->libccd = std::make_unique<Pair>(a.text, b.text, CMB_BACKEND_LIBCCD);

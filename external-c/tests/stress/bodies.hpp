@@ -15,12 +15,6 @@ struct Bodies {
   Axes axes_a, axes_b;  // of boxes and hulls
   std::unique_ptr<Pair> pair, fcl, libccd;
   std::vector<std::vector<std::unique_ptr<Pair>>> parts;  // where A or B is a mesh or a compound: by parts of A and B
-  // Meshes push a body's surface as far as it faces them: how deep an overlap surely carries. A body that is unloaded may
-  // have no such surface.
-  double range = 0.0;
-  // A corner or an edge of a mesh is felt by an ellipsoid, cylinder or cone once it is deeper than the round surface is off
-  // the pieces that stand for it: this part of the size at most.
-  double late = 0.0;
 };
 
 inline bool is_single(const Solid &solid) { return solid.nature == Nature::convex; }

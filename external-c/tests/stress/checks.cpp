@@ -63,13 +63,17 @@ double above_plane(const Solid &solid, const Pose &pose, const Pose &plane, doub
   return least;
 }
 
-double top_above_plane(const Solid &solid, const Pose &pose, const Pose &plane) {
+// How far below `low` a part reaches that reaches above `high` as well: 0 where there is none.
+double reach_through(const Solid &solid, const Pose &pose, const Pose &plane, double low, double high) {
   const Vec3 n = plane.rotation.column(2);
-  double most = -1e300;
+  double deepest = 0.0;
   for (const Part &part : solid.parts) {
-    most = std::max(most, dot(n, pose.translation - plane.translation) + reach(part, transposed_times(pose.rotation, n)));
+    const double middle = dot(n, pose.translation - plane.translation);
+    const double top = middle + reach(part, transposed_times(pose.rotation, n)) - high;
+    const double bottom = middle - reach(part, -transposed_times(pose.rotation, n)) - low;
+    if (top > 0.0 && bottom < 0.0) deepest = std::max(deepest, std::min(top, -bottom));
   }
-  return most;
+  return deepest;
 }
 
 // `ground` is a half-space or a sheet, `solid` has parts.
@@ -80,14 +84,20 @@ Fault check_ground(Sample &s, const Solid &solid, const Pose &pose, const Solid 
     if (std::fabs(d - expected) > s.slack) return too_far("on the half-space", d, expected);
     return {};
   }
-  const double above = above_plane(solid, pose, plane, ground.high), below = above_plane(solid, pose, plane, ground.low);
+  const double above = above_plane(solid, pose, plane, ground.high);
   if (above > s.slack && !(d > above - s.slack)) return too_far("above the sheet", d, above);
   if (ground.nature == Nature::flat_sheet && above > s.slack && std::fabs(d - above) > s.slack) {
     return too_far("above the level sheet", d, above);
   }
-  if (below < -s.slack && above > -s.bodies.range && top_above_plane(solid, pose, plane) > ground.high + s.slack && d >= 0.0) {
-    return too_far("through the sheet", d, below);
+  const double through = reach_through(solid, pose, plane, ground.low, ground.high);
+  if (through > s.slack && d >= 0.0) return too_far("through the sheet", d, -through);
+  // All of the sheet's triangles push up.
+  double up = 0.0;
+  for (std::size_t k = 0; k < capacity; ++k) {
+    up += s.answer.weight[k] * s.answer.depth[k] * dot(s.answer.normal[k], plane.rotation.column(2));
   }
+  const double sense = &solid == &s.bodies.a ? 1.0 : -1.0;
+  if (d < 0.0 && !(sense * up > 0.0)) return too_far("pushed down by the sheet", sense * up, -d);
   return {};
 }
 
@@ -102,8 +112,7 @@ Fault check_parts(Sample &s) {
   bool same = std::fabs(d - least) < s.slack;
   if (meshes && least < s.slack) {
     // Meshes measure depth along their triangles' normals; whether they touch is the same.
-    s.unloaded = d == 0.0 && (least < -s.bodies.range || least > -s.bodies.late * size_of(s.bodies));
-    same = s.unloaded || (d < s.slack && (d < 0.0 || least > -s.slack));
+    same = d < s.slack && (d < 0.0 || least > -s.slack);
   }
   if (!same) return too_far("the distance of its convex parts", d, least);
   return {};

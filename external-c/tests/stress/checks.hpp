@@ -11,7 +11,6 @@ namespace cmb::stress {
 // One pose of two bodies, with what all checks need.
 struct Sample {
   const Bodies &bodies;
-  bool unloaded = false;  // the surfaces cross, but nothing pushes: deep, or hardly by an edge (Bodies::range, late)
   Pose a, b;
   double slack;  // m, that rounding and the engine's own accuracy may take
   Answer answer;

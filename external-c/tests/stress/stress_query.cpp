@@ -101,7 +101,7 @@ void print_pose(const char *name, const Pose &pose) {
 }
 
 struct Tally {
-  long poses = 0, failures = 0, touching = 0, unloaded = 0;
+  long poses = 0, failures = 0, touching = 0;
 };
 
 // Every sample has random numbers of its own, so that it can be replayed without those before it.
@@ -122,7 +122,7 @@ Tally run(const Class &c, long first, long end, std::uint64_t seed, bool replay)
     Random random = random_of_sample(seed, k);
     const Bodies &bodies = *pool[static_cast<std::size_t>(random.integer(0, pairs_in_a_class - 1))];
     Fault fault;
-    Sample s{bodies, false, {}, {}, 0.0, {}};
+    Sample s{bodies, {}, {}, 0.0, {}};
     try {
       const Pose relative = make_pose(bodies, random);
       double far = 0.0;
@@ -142,7 +142,6 @@ Tally run(const Class &c, long first, long end, std::uint64_t seed, bool replay)
     ++tally.poses;
     tally.touching += s.answer.distance < 0.0;
     tally.failures += fault.has_value();
-    tally.unloaded += s.unloaded;
     if (replay || (fault && tally.failures <= 5)) {
       std::printf("  %s %s sample %ld: distance %.17g%s%s\n%s    %.300s\n    %.300s\n", fault ? "FAILED" : "holds",
                   c.name.c_str(), k, s.answer.distance, fault ? ": " : "", fault ? fault->c_str() : "", replay_line,
@@ -213,8 +212,8 @@ Tally run_published(long samples, std::uint64_t seed) {
 }
 
 void print_tally(const char *name, const Tally &tally) {
-  std::printf("%-26s %9ld poses, %4.1f %% touching, %ld crossing without a load, %ld failures\n", name, tally.poses,
-              100.0 * static_cast<double>(tally.touching) / static_cast<double>(std::max(1L, tally.poses)), tally.unloaded,
+  std::printf("%-26s %9ld poses, %4.1f %% touching, %ld failures\n", name, tally.poses,
+              100.0 * static_cast<double>(tally.touching) / static_cast<double>(std::max(1L, tally.poses)),
               tally.failures);
   std::fflush(stdout);
 }
@@ -247,7 +246,6 @@ int main(int argc, char **argv) {
     total.poses += tally.poses;
     total.failures += tally.failures;
     total.touching += tally.touching;
-    total.unloaded += tally.unloaded;
   };
   for (const Class &c : all) {
     if (c.name.find(only) != std::string::npos) count(c.name.c_str(), run(c, 0, in_a_class, seed, false));

@@ -1,0 +1,72 @@
+#include "mesh/pierced_load.hpp"
+
+#include <cmath>
+
+#include "mesh/swallowed.hpp"
+
+namespace cmb::mesh {
+
+void PiercedLoad::add(const TriangleSection &section, const Vec3 &normal, double below, double area) {
+  const double depth = section.depth, ratio = below > depth ? depth / below : 1.0;
+  const double count = ratio * ratio * ratio * ratio * std::fmin(area, depth * depth);
+  count_ += count;
+  sums_.add(count * depth, count * depth * depth, (count * depth) * (section.place - depth * normal - center_), normal);
+  if (!(depth > deepest_.depth)) return;
+  deepest_ = section;
+  deepest_normal_ = normal;
+}
+
+void PiercedLoad::finish(double part, const Pose &pose, ContactSet &result) const {
+  if (!(count_ > 0.0) || !(part > 0.0)) return;
+  for (std::size_t direction = 0; direction < DirectionSums::directions; ++direction) {
+    ContactPoint point;
+    if (!sums_.point(direction, center_, part / count_, point)) continue;
+    point.normal = pose.rotation * point.normal;
+    point.position = pose(point.position);
+    result.points.push_back(point);
+  }
+  const double depth = part * deepest_.depth;
+  if (!(-depth < result.distance)) return;
+  result.distance = -depth;
+  result.normal = pose.rotation * deepest_normal_;
+  result.witness = pose(deepest_.place - (0.5 * depth) * deepest_normal_);
+}
+
+bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, std::size_t begin,
+                      ContactSet &result) {
+  const double load = total_load(result.points, begin);
+  if (!(load > 0.0)) result.distance = 0.0;
+  const Vec3 center = body.center();
+  const Bounds box = body.bounds();
+  const auto visit = [&](bool &stop, auto &&act) {
+    mesh.hierarchy().visit_near(box, [&] { return stop ? -1.0 : 0.0; }, [&](std::uint32_t t) {
+      const Vec3 corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+      const Vec3 &normal = mesh.face_normal(t);
+      const double offset = dot(normal, corner[0]), below = body.reach(-normal) + offset;
+      if (stop || !(below > 0.0) || !(body.reach(normal) > offset) || distance2(bounds_of(corner), box) > 0.0) return;
+      act(corner, normal, below);
+    });
+  };
+  const double enough = least_load_part * load;
+  const SwallowedPlace middle(mesh, center);
+  if (load > 0.0 && middle.depth() <= enough) {
+    bool lacks = false;
+    visit(lacks, [&](const Vec3 (&corner)[3], const Vec3 &, double) {
+      lacks = body.section(corner, enough).depth > 0.0;
+    });
+    if (!lacks) return true;
+  }
+  PiercedLoad pierced(center);
+  bool never = false;
+  visit(never, [&](const Vec3 (&corner)[3], const Vec3 &normal, double below) {
+    const TriangleSection section = body.section(corner);
+    if (!(section.depth > 0.0)) return;
+    pierced.add(section, normal, below, 0.5 * norm(cross(corner[1] - corner[0], corner[2] - corner[0])));
+  });
+  const double part = lacking_part(load, std::fmax(pierced.deepest(), middle.depth()));
+  pierced.finish(part, pose, result);
+  middle.lead_out(pierced.deepest(), part, pose, result);
+  return load > 0.0 || result.distance < 0.0;
+}
+
+}  // namespace cmb::mesh

@@ -1,0 +1,53 @@
+// What a mesh pushes that passes through a body.
+#pragma once
+
+#include <cstddef>
+
+#include "manifold/contact_set.hpp"
+#include "mesh/direction_sums.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "mesh/triangle_section.hpp"
+
+namespace cmb::mesh {
+
+// A load counts as enough where it is at least the depth of what passes through, divided by this. Contacts that are not
+// pierced carry more (the mean depth of a corner is a third of its depth, that of a section up to 1.5 times that).
+constexpr double least_load_part = 8.0;
+
+// The part, from 0 to 1, of the load of pierced bodies that a contact of the given load lacks; continuous.
+inline double lacking_part(double load, double depth) {
+  return depth > 0.0 ? std::fmax(0.0, 1.0 - least_load_part * load / depth) : 0.0;
+}
+
+// Sections push along their triangle's normal with their own depth; the load is their mean. They count by their area, and by
+// how good a way out that normal is: where a body has h below the triangle's plane, by the fourth power of depth / h. A wall
+// through a body pushes to the side from which less has to come through.
+class PiercedLoad {
+ public:
+  explicit PiercedLoad(const Vec3 &center) : center_(center) {}
+
+  // `below`: how far the body reaches behind the triangle's plane. `area`: of the triangle.
+  void add(const TriangleSection &section, const Vec3 &normal, double below, double area);
+  double deepest() const { return deepest_.depth; }
+
+  // Appends the points, the load multiplied by `part`; where the contact's distance is greater, sets distance, normal and
+  // witness to those of the deepest section, its depth multiplied by `part`.
+  void finish(double part, const Pose &pose, ContactSet &result) const;
+
+ private:
+  Vec3 center_;
+  DirectionSums sums_;
+  double count_ = 0.0;
+  TriangleSection deepest_;
+  Vec3 deepest_normal_;
+};
+
+// Completes the contact of a convex body with a mesh. The points of `result` from `begin` on are those of the surface that
+// the mesh's triangles push, none of where the body has no surface that faces them; distance, normal and witness are set
+// where there are any. Where they carry too little of what passes through the body, adds PiercedLoad; where a closed mesh
+// has swallowed the body's middle, a point that leads it out the shortest way. Returns false, with nothing done, where
+// the two do not touch.
+bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, std::size_t begin,
+                      ContactSet &result);
+
+}  // namespace cmb::mesh

@@ -1,0 +1,15 @@
+// How two triangles pass through each other.
+#pragma once
+
+#include "mesh/mesh_data.hpp"
+#include "mesh/triangle_section.hpp"
+
+namespace cmb::mesh {
+
+// Depth: the least translation that parts them, 0 where they do not cross or where that is at most `enough` (the place is of
+// no use then); exact, by the separating axes of two triangles. Place: the middle of the segment they have in common. Both are
+// continuous in the corners. `normal_a`, `normal_b`: unit.
+TriangleSection triangle_crossing(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b,
+                                  double enough = 0.0);
+
+}  // namespace cmb::mesh
