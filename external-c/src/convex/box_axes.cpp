@@ -40,18 +40,23 @@ Rim farthest_rim(const Vec3 &half, const Pose &box, const Vec3 &m, double slack)
 
 // Keeps the part of `rim` where dot(direction, p) <= limit.
 void clip(Rim &rim, const Vec3 &direction, double limit) {
+  double height[8];
+  bool beyond = false;
+  for (int k = 0; k < rim.count; ++k) {
+    height[k] = dot(direction, rim.point[k]) - limit;
+    beyond = beyond || height[k] > 0.0;
+  }
+  if (!beyond) return;
   Rim kept;
   const int edges = rim.count == 2 ? 1 : rim.count;
-  const auto height = [&](int k) { return dot(direction, rim.point[k]) - limit; };
   for (int k = 0; k < rim.count; ++k) {
-    const double here = height(k);
+    const double here = height[k];
     if (here <= 0.0 && kept.count < 8) kept.point[kept.count++] = rim.point[k];
     if (k >= edges) continue;
-    const int next = (k + 1) % rim.count;
-    const double there = height(next);
-    if ((here < 0.0 && there > 0.0) || (here > 0.0 && there < 0.0)) {
-      const double t = here / (here - there);
-      if (kept.count < 8) kept.point[kept.count++] = rim.point[k] + t * (rim.point[next] - rim.point[k]);
+    const int next = k + 1 < rim.count ? k + 1 : 0;
+    const double there = height[next];
+    if (((here < 0.0 && there > 0.0) || (here > 0.0 && there < 0.0)) && kept.count < 8) {
+      kept.point[kept.count++] = rim.point[k] + (here / (here - there)) * (rim.point[next] - rim.point[k]);
     }
   }
   if (kept.count > 0) rim = kept;  // nothing left: rounding; the unclipped part is as near as can be
@@ -87,8 +92,8 @@ Vec3 common_point(const Rim &rim_a, const Rim &rim_b, const Vec3 &m) {
     }
   }
   Vec3 mean;
-  for (int k = 0; k < common.count; ++k) mean = mean + (1.0 / common.count) * common.point[k];
-  return mean;
+  for (int k = 0; k < common.count; ++k) mean = mean + common.point[k];
+  return (1.0 / common.count) * mean;
 }
 
 }  // namespace

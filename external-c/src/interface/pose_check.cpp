@@ -24,10 +24,9 @@ const char *pose_problem(const double *position, const GivenAxes &axes) {
 }
 
 // Without a branch for each number: they all are as they should be but for a wrong call.
-bool is_sound(const double *position, const GivenAxes &axes) {
-  const bool near = (std::fabs(position[0]) <= farthest_position) & (std::fabs(position[1]) <= farthest_position) &
-                    (std::fabs(position[2]) <= farthest_position);
-  return near & axes.are_orthonormal(rotation_tolerance);
+bool is_near(const double *position) {
+  return (std::fabs(position[0]) <= farthest_position) & (std::fabs(position[1]) <= farthest_position) &
+         (std::fabs(position[2]) <= farthest_position);
 }
 
 cmb_status refuse(std::size_t body, const char *problem) {
@@ -46,7 +45,9 @@ cmb_status read_body_pose(std::size_t body, const double *position, const double
   const GivenAxes axes(rotation + 9 * body);
   pose = body_pose(position + 3 * body, axes);
   // The third axis is the product of the first two.
-  if (is_sound(position + 3 * body, axes) && dot(axes.z, pose.rotation.column(2)) > 0.0) return CMB_OK;
+  if (is_near(position + 3 * body) & axes.are_orthonormal(rotation_tolerance) & (dot(axes.z, pose.rotation.column(2)) > 0.0)) {
+    return CMB_OK;
+  }
   return refuse(body, pose_problem(position + 3 * body, axes));
 }
 

@@ -1,6 +1,19 @@
 #include "manifold/convex_manifold.hpp"
 
+#include "convex/nearby_surface.hpp"
+
 namespace cmb {
+
+namespace {
+
+// What a ball touches in one point alone: another ball, or any body no second way out of which is near.
+bool touches_at_its_witness(const Shape &a, const Shape &b, const ConvexAnswer &answer) {
+  const bool ball_a = a.kind == ShapeKind::sphere, ball_b = b.kind == ShapeKind::sphere;
+  if (ball_a && ball_b) return true;
+  return (ball_a || ball_b) && answer.ball >= convex::surface_reach(-answer.distance, a.bound_radius + b.bound_radius);
+}
+
+}  // namespace
 
 void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
                     convex::DistanceScratch &distance, ManifoldScratch &scratch, ContactSet &result) {
@@ -8,7 +21,7 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   result.normal = answer.normal;
   result.witness = 0.5 * (answer.point_a + answer.point_b);
   if (!(answer.distance < 0.0)) return;
-  if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::sphere) {
+  if (touches_at_its_witness(a, b, answer)) {
     result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
     return;
   }

@@ -54,11 +54,15 @@ bool edge_arc(const PolytopeSide &side, const PolytopeSide::Edge &edge, Vec3 &fi
 // Interpolates (Shepard) between the ends of two edges that cross, at the parts t and s of their ways.
 Stiffness between_ends(double t, const Stiffness &at_t0, const Stiffness &at_t1, double s, const Stiffness &at_s0,
                        const Stiffness &at_s1) {
+  // Over one denominator: a division for all.
   constexpr double smallest = 1e-28;
-  const double a = 1.0 / (t * t + smallest), b = 1.0 / ((1.0 - t) * (1.0 - t) + smallest);
-  const double c = 1.0 / (s * s + smallest), d = 1.0 / ((1.0 - s) * (1.0 - s) + smallest), sum = a + b + c + d;
-  return {(a * at_t0.value + b * at_t1.value + c * at_s0.value + d * at_s1.value) / sum,
-          (1.0 / sum) * (a * at_t0.slope + b * at_t1.slope + c * at_s0.slope + d * at_s1.slope)};
+  const double t0 = t * t + smallest, t1 = (1.0 - t) * (1.0 - t) + smallest;
+  const double s0 = s * s + smallest, s1 = (1.0 - s) * (1.0 - s) + smallest;
+  double a = t1 * s0 * s1, b = t0 * s0 * s1, c = t0 * t1 * s1, d = t0 * t1 * s0;
+  const double part = 1.0 / (a + b + c + d);
+  a *= part, b *= part, c *= part, d *= part;
+  return {a * at_t0.value + b * at_t1.value + c * at_s0.value + d * at_s1.value,
+          a * at_t0.slope + b * at_t1.slope + c * at_s0.slope + d * at_s1.slope};
 }
 
 }  // namespace

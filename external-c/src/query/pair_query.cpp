@@ -80,10 +80,11 @@ void fade_to_gap(const BoundGap &gap, double exact_within, ContactSet &result) {
 // Of two shapes, the one with the higher rank is the second body.
 int rank(const Shape &shape) { return shape.kind == ShapeKind::halfspace ? 2 : shape.kind == ShapeKind::mesh ? 1 : 0; }
 
+// Of an orthonormal rotation the diagonal tells; without a branch for each number.
 bool is_identity(const Pose &pose) {
   const Mat3 &r = pose.rotation;
   const Vec3 &t = pose.translation;
-  return r.row[0].x == 1.0 && r.row[1].y == 1.0 && r.row[2].z == 1.0 && t.x == 0.0 && t.y == 0.0 && t.z == 0.0;
+  return (r.row[0].x == 1.0) & (r.row[1].y == 1.0) & (r.row[2].z == 1.0) & (t.x == 0.0) & (t.y == 0.0) & (t.z == 0.0);
 }
 
 // Where a shape is whose body is at `body`: that pose, or `placed`, which receives the shape's own.
