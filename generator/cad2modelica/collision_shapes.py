@@ -158,7 +158,8 @@ def _body_shapes(
         outward = triangles if volume > 0 else triangles[:, ::-1]
         pieces, failure = _pieces(vertices, outward, limits)
         if pieces:
-            return [_hull_shape(piece)[0] for piece in pieces], [*remarks, _accuracy(vertices, outward, pieces)]
+            accuracy = _accuracy(vertices, outward, pieces) + (f" ({failure})" if failure else "")
+            return [_hull_shape(piece)[0] for piece in pieces], [*remarks, accuracy]
     if added > CONCAVITY_REMARK:
         name = f"its convex hull of {len(hull.vertices)} vertices" if shape is None else f"a {shape.kind}"
         remarks.append(

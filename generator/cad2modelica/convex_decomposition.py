@@ -7,6 +7,8 @@ Decomposition", in: E. Lengyel, ed., Game Engine Gems 3, 2016.
 
 from __future__ import annotations
 
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -31,7 +33,8 @@ MAXIMUM_TRIANGLES = 50_000  # CoACD's time grows with them: about half a minute 
 _PACKAGES = {Decomposer.COACD: "coacd", Decomposer.VHACD: "vhacdx"}
 _PROCESSES = {Decomposer.COACD: "cad2modelica.coacd_process", Decomposer.VHACD: "cad2modelica.vhacd_process"}
 _NAMES = {Decomposer.COACD: "CoACD", Decomposer.VHACD: "V-HACD"}
-TIME_LIMIT = 600.0  # s
+TIME_LIMIT = 120  # s of processor time: CoACD does not end on a few meshes, whatever their size
+WALL_LIMIT = 1200.0  # s, for a machine that is busy otherwise
 SEED = 0
 SEARCH = {"resolution": 1000, "nodes": 10, "iterations": 30}  # of the search; CoACD: 2000, 20, 150
 
@@ -45,7 +48,7 @@ class Decomposition:
 
     Attributes:
         pieces: corners of the convex pieces, each of shape (n, 3), m; empty if the body could not be decomposed.
-        failure: what went wrong, for the notes; empty if nothing did.
+        failure: what went wrong, for the notes, also where another decomposer helped; empty if nothing did.
     """
 
     pieces: tuple[Array, ...]
@@ -61,7 +64,8 @@ def decompose(
 ) -> Decomposition:
     """Splits a body into convex pieces that stand for it within an error, if the count allows it.
 
-    The same mesh gives the same pieces: the search has a fixed seed. Results are kept in the user's cache.
+    The same mesh gives the same pieces: the search has a fixed seed. Results are kept in the user's cache, and so is
+    that there is none within the time. Where CoACD gives no pieces, V-HACD is asked.
 
     Args:
         vertices: of a closed mesh, shape (n, 3), m.
@@ -72,6 +76,17 @@ def decompose(
     """
     if len(triangles) > MAXIMUM_TRIANGLES:
         return Decomposition((), f"has {len(triangles)} triangles, more than {MAXIMUM_TRIANGLES}; export it coarser")
+    done = _decomposed(vertices, triangles, error, maximum_pieces, decomposer)
+    if done.pieces or decomposer is Decomposer.VHACD:
+        return done
+    instead = _decomposed(vertices, triangles, error, maximum_pieces, Decomposer.VHACD)
+    failure = f"{done.failure}; {f'{_NAMES[Decomposer.VHACD]} instead' if instead.pieces else instead.failure}"
+    return Decomposition(instead.pieces, failure)
+
+
+def _decomposed(
+    vertices: Array, triangles: Indices, error: float, maximum_pieces: int, decomposer: Decomposer
+) -> Decomposition:
     package = _PACKAGES[decomposer]
     try:
         tool = f"{package} {version(package)}"
@@ -93,25 +108,36 @@ def decompose(
         if pieces is None:
             return Decomposition((), failure)
         write_pieces(entry, pieces)
-    return Decomposition(pieces)
+    return Decomposition(pieces, "" if pieces else f"{_NAMES[decomposer]} took longer than {TIME_LIMIT} s")
 
 
 def _run(task: Task, decomposer: Decomposer) -> tuple[tuple[Array, ...] | None, str]:
+    """Pieces, none if the time was not enough; None and the reason if the run itself failed."""
+    name = _NAMES[decomposer]
     with tempfile.TemporaryDirectory(prefix="cmb-") as folder:
         task_file, result_file = Path(folder) / "task.npz", Path(folder) / "result.npz"
         np.savez(task_file, allow_pickle=False, **task)
         # -P: what lies in the current folder is no module of ours.
         command = [sys.executable, "-P", "-m", _PROCESSES[decomposer], str(task_file), str(result_file)]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=TIME_LIMIT, check=False)
-        except subprocess.TimeoutExpired:
-            return None, f"took longer than {TIME_LIMIT:g} s"
-        if done.returncode != 0:
-            last = (done.stderr.strip().splitlines() or ["no message"])[-1]
-            return None, f"{_NAMES[decomposer]} failed with status {done.returncode}: {last}"
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        with process:
+            try:
+                # Of the processor, so that the outcome does not depend on what else the machine does.
+                resource.prlimit(process.pid, resource.RLIMIT_CPU, (TIME_LIMIT, TIME_LIMIT + 1))
+                resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
+                _, complaints = process.communicate(timeout=WALL_LIMIT)
+            except subprocess.TimeoutExpired:
+                return None, f"{name} took longer than {WALL_LIMIT:g} s on a busy machine"
+            finally:
+                process.kill()
+        if process.returncode == -signal.SIGXCPU:
+            return (), ""
+        if process.returncode != 0:
+            last = (complaints.strip().splitlines() or ["no message"])[-1]
+            return None, f"{name} failed with status {process.returncode}: {last}"
         try:
             with np.load(result_file, allow_pickle=False) as result:
-                pieces = tuple(np.asarray(result[name]) for name in result.files)
+                pieces = tuple(np.asarray(result[entry]) for entry in result.files)
         except (OSError, ValueError, BadZipFile):
-            return None, f"{_NAMES[decomposer]} wrote no result"
-    return (pieces, "") if pieces else (None, f"{_NAMES[decomposer]} found no pieces")
+            return None, f"{name} wrote no result"
+    return (pieces, "") if pieces else (None, f"{name} found no pieces")

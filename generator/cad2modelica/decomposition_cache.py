@@ -29,7 +29,7 @@ def content_key(tool: str, task: Mapping[str, NDArray[Any] | np.generic]) -> str
 
 
 def read_pieces(entry: Path) -> tuple[Array, ...] | None:
-    """The pieces of an entry; None if there is none, or it is not what was written."""
+    """The pieces of an entry, which may be none; None if there is no entry, or it is not what was written."""
     try:
         content = json.loads(entry.read_text(encoding="utf-8"))
         if content["digest"] != _digest(content["pieces"]):
@@ -38,7 +38,7 @@ def read_pieces(entry: Path) -> tuple[Array, ...] | None:
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
     sound = all(piece.ndim == 2 and piece.shape[1] == 3 and np.isfinite(piece).all() for piece in pieces)
-    return pieces if pieces and sound else None
+    return pieces if sound else None
 
 
 def write_pieces(entry: Path, pieces: tuple[Array, ...]) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cad2modelica import GenerateOptions, decomposition_cache, generate, read_assembly
+from cad2modelica import GenerateOptions, convex_decomposition, decomposition_cache, generate, read_assembly
 from cad2modelica.collision_shapes import CollisionGeometry, collision_geometry
 from cad2modelica.convex_decomposition import MAXIMUM_CORNERS, decompose
 from cad2modelica.mesh import Indices, Mesh, is_closed, volume_integrals
@@ -180,7 +180,7 @@ def test_cache_gives_the_same_and_ignores_what_is_broken(cache: Path, monkeypatc
     again = decompose(vertices, triangles, 0.2, 8)
     assert [piece.tobytes() for piece in again.pieces] == [piece.tobytes() for piece in first.pieces]
     assert entry.read_bytes() == whole
-    monkeypatch.setattr(subprocess, "run", None)  # from here on only the cache can answer
+    monkeypatch.setattr(subprocess, "Popen", None)  # from here on only the cache can answer
     cached = decompose(vertices, triangles, 0.2, 8)
     assert [piece.tobytes() for piece in cached.pieces] == [piece.tobytes() for piece in first.pieces]
 
@@ -256,7 +256,25 @@ def test_too_fine_meshes_and_failures_keep_the_hull(monkeypatch: pytest.MonkeyPa
     assert "export it coarser" in geometry.notes[0]
     monkeypatch.undo()
     monkeypatch.setattr(sys, "executable", "/bin/false")
-    assert "failed with status 1" in shapes_of(vertices, triangles).notes[0]
+    assert "CoACD failed with status 1: no message; V-HACD failed" in shapes_of(vertices, triangles).notes[0]
+
+
+def test_what_never_ends_is_stopped_and_vhacd_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The limit is of processor time; that there was no end is remembered, so that the next run does not wait again."""
+    (tmp_path / "endless.py").write_text("while True:\n    pass\n")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    monkeypatch.setitem(convex_decomposition._PROCESSES, Decomposer.COACD, "endless")
+    vertices, triangles = prism(L_OUTLINE, 1.0)
+    monkeypatch.setattr(convex_decomposition, "TIME_LIMIT", 5)
+    first = shapes_of(vertices, triangles)
+    assert 2 <= len(first.shapes) <= 16
+    assert "convex pieces" in first.notes[0]
+    assert "CoACD took longer than 5 s; V-HACD instead" in first.notes[0]
+    monkeypatch.setattr(subprocess, "Popen", None)  # from here on only the cache can answer
+    again = shapes_of(vertices, triangles)
+    assert (again.descriptor, again.notes) == (first.descriptor, first.notes)
+    asked = decompose(vertices, triangles, 0.025 * float(np.linalg.norm([3, 3, 1])), 16, Decomposer.VHACD)
+    assert [len(piece) for piece in asked.pieces] == [len(shape.vertices) for shape in first.shapes]
 
 
 def test_choices_in_the_file(pendulum: Path) -> None:
