@@ -81,6 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadDescriptor{"cmb/1 sphere radius=1e12", 21, "between"},
         BadDescriptor{"cmb/1 sphere radius=1,2", 21, "give 1"},
         BadDescriptor{"cmb/1 sphere radius=1x", 21, "not a number"},
+        BadDescriptor{"cmb/1 sphere radius=+-1", 21, "not a number"},
+        BadDescriptor{"cmb/1 sphere radius=+", 21, "number is missing"},
         BadDescriptor{"cmb/1 sphere radius=1 radius=2", 23, "twice"},
         BadDescriptor{"cmb/1 sphere radius=1 colour=2", 23, "no key 'colour'"},
         BadDescriptor{"cmb/1 sphere radius", 14, "key=numbers"},

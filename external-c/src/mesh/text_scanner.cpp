@@ -1,7 +1,8 @@
 #include "mesh/text_scanner.hpp"
 
-#include <charconv>
 #include <cmath>
+
+#include "mesh/number_text.hpp"
 
 namespace cmb::mesh {
 
@@ -12,16 +13,6 @@ std::string quoted(std::string_view text) {
   std::string result = "'";
   for (const char c : text.substr(0, longest)) result += c >= ' ' && c <= '~' ? c : '?';
   return result + (text.size() > longest ? "...'" : "'");
-}
-
-template <typename Value>
-bool parse(std::string_view word, Value &value) {
-  if (!word.empty() && word[0] == '+') {
-    word.remove_prefix(1);
-    if (!word.empty() && word[0] == '-') return false;
-  }
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size();
 }
 
 }  // namespace
@@ -61,7 +52,7 @@ bool TextScanner::next_line() {
 double TextScanner::number(std::string_view word) const {
   double value = 0.0;
   if (word.empty()) fail("a number is missing", "the file is damaged or cut short: export it again");
-  if (!parse(word, value) || !std::isfinite(value)) {
+  if (parse_number(word, value) != std::errc() || !std::isfinite(value)) {
     fail(quoted(word) + " is not a finite number", "the file is damaged: export it again");
   }
   return value;
@@ -70,7 +61,7 @@ double TextScanner::number(std::string_view word) const {
 std::int64_t TextScanner::whole_number(std::string_view word) const {
   std::int64_t value = 0;
   if (word.empty()) fail("a number is missing", "the file is damaged or cut short: export it again");
-  if (!parse(word, value)) fail(quoted(word) + " is not a whole number", "the file is damaged: export it again");
+  if (parse_number(word, value) != std::errc()) fail(quoted(word) + " is not a whole number", "the file is damaged: export it again");
   return value;
 }
 

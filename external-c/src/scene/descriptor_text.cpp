@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
+
+#include "mesh/number_text.hpp"
 
 namespace cmb {
 
@@ -19,15 +20,13 @@ std::vector<Number> parse_numbers(const Token &list) {
     const std::size_t comma = std::min(list.text.find(',', begin), list.text.size());
     const std::string_view text = list.text.substr(begin, comma - begin);
     const std::size_t column = list.column + begin;
-    const char *first = text.data(), *last = text.data() + text.size();
-    if (!text.empty() && *first == '+') ++first;
     double value = 0.0;
-    const auto [end, error] = std::from_chars(first, last, value);
-    if (first == last) throw DescriptorError(column, "a number is missing; write numbers as 1,2.5,3e-2");
+    const std::errc error = mesh::parse_number(text, value);
+    if (text.empty() || text == "+") throw DescriptorError(column, "a number is missing; write numbers as 1,2.5,3e-2");
     if (error == std::errc::result_out_of_range) {
       throw DescriptorError(column, quoted(text) + " is out of range; use a value a double can hold");
     }
-    if (error != std::errc() || end != last) {
+    if (error != std::errc()) {
       throw DescriptorError(column, quoted(text) + " is not a number; write numbers as 1,2.5,3e-2, without blanks");
     }
     if (!std::isfinite(value)) throw DescriptorError(column, quoted(text) + " is not finite; give a finite number");

@@ -1,12 +1,12 @@
 #include "scene/geometry_files.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <system_error>
 #include <utility>
 
 #include "mesh/mesh_file.hpp"
+#include "mesh/number_text.hpp"
 
 namespace cmb {
 
@@ -73,10 +73,8 @@ GeometryFiles::Table parse_table(std::string_view text, const std::string &sourc
       }
       std::size_t stop = i;
       while (stop < end && !separates(text[stop])) ++stop;
-      const char *first = text.data() + i + (text[i] == '+' ? 1 : 0), *last = text.data() + stop;
       double value = 0.0;
-      const auto [parsed, error] = std::from_chars(first, last, value);
-      if (error != std::errc() || parsed != last || !std::isfinite(value)) {
+      if (mesh::parse_number(text.substr(i, stop - i), value) != std::errc() || !std::isfinite(value)) {
         throw MeshError(place, "number " + std::to_string(count + 1) + " is not a finite number",
                         "write heights in metres, separated by blanks or commas");
       }
