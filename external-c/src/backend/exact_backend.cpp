@@ -42,10 +42,15 @@ void set_answer(const convex::SignedDistance &found, const Pose &frame, ConvexAn
 }
 
 void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer) {
-  const Vec3 half_b = b.body.half.z * transposed_times(pose_a.rotation, pose_b.rotation.column(2));
-  const Vec3 apart = transposed_times(pose_a.rotation, pose_b.translation - pose_a.translation);
-  set_answer(convex::swept_distance(convex::distance_of_segments(a.body.half, half_b, apart), a.body.radius, b.body.radius),
-             pose_a, answer);
+  const Vec3 half_a = a.body.half.z * pose_a.rotation.column(2), half_b = b.body.half.z * pose_b.rotation.column(2);
+  const convex::CoreDistance axes = convex::distance_of_segments(half_a, half_b, pose_b.translation - pose_a.translation);
+  const double radius_a = a.body.radius, radius_b = b.body.radius;
+  answer.distance = axes.distance - radius_a - radius_b;
+  answer.normal = answer.mean_normal = -axes.direction;
+  answer.point_a = pose_a.translation + axes.a + radius_a * axes.direction;
+  answer.point_b = pose_a.translation + axes.b - radius_b * axes.direction;
+  answer.proven = axes.proven;
+  answer.ball = radius_a + radius_b;
 }
 
 // Of a shape that has_point_formula, A, and a ball, B; or of the ball and that shape, where `reversed`.

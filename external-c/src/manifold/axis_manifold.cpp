@@ -237,12 +237,67 @@ void line_on_disc(const ContactLine &line, const Vec3 &center, const Vec3 &axis,
   add_points(line, sense, scratch.stations, points);
 }
 
+bool crossing_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+                       std::vector<ContactPoint> &points) {
+  const double reach = a.body.radius + b.body.radius, depth = -answer.distance, apart = reach - depth;
+  const double half[2] = {a.body.half.z, b.body.half.z};
+  if (!(apart > 1e-9 * reach)) return false;
+  const Vec3 axis[2] = {pose_a.rotation.column(2), pose_b.rotation.column(2)};
+  const Vec3 &normal = answer.normal, between = pose_b.translation - pose_a.translation;
+  const double cosine = dot(axis[0], axis[1]);
+  // The axes' places where they are nearest, and the gap there along each axis, which is 0 but at an end.
+  const double at[2] = {dot(answer.point_a - pose_a.translation, axis[0]) + a.body.radius * dot(normal, axis[0]),
+                        dot(answer.point_b - pose_b.translation, axis[1]) - b.body.radius * dot(normal, axis[1])};
+  const double lean[2] = {dot(normal, axis[0]), -dot(normal, axis[1])};
+  const double foot[2] = {dot(between, axis[0]), -dot(between, axis[1])};  // of the other's middle
+  // Of both axes in turn, the stations before and beyond the nearest place.
+  double aside[4], sunk[4];
+  for (int k = 0; k < 4; ++k) {
+    const int own = k / 2, other = 1 - own;
+    const double sense = k % 2 == 0 ? -1.0 : 1.0, spacing = station_spacing * half[own];
+    // Seen along the axis in that sense: the end, and the farther foot of the other's ends if that is beyond.
+    const double end = half[own] - sense * at[own];
+    const double foot_of_end = sense * (foot[own] - at[own]) + std::fabs(cosine) * half[other];
+    const double way = foot_of_end > spacing ? std::min(foot_of_end, end) : end;
+    const double along = at[own] + sense * way;
+    const double opposite = std::clamp(along * cosine + foot[other], -half[other], half[other]) - at[other];
+    const double own_way = sense * way;
+    const double apart2 = apart * apart + own_way * own_way + opposite * opposite - 2.0 * own_way * opposite * cosine +
+                          2.0 * apart * (own_way * lean[own] + opposite * lean[other]);
+    aside[k] = way;
+    sunk[k] = depth - (reach - std::sqrt(apart2));  // less deep by
+  }
+  for (int k = 0; k < 4; ++k) {
+    if (aside[k] > station_spacing * half[k / 2] && !(sunk[k] >= depth)) return false;
+  }
+  const Vec3 witness = 0.5 * (answer.point_a + answer.point_b);
+  for (int own = 0; own < 2; ++own) {
+    const double spacing = station_spacing * half[own];
+    double share[2], slope[2];
+    for (int side = 0; side < 2; ++side) {
+      const int k = 2 * own + side;
+      const double sine = std::min(1.0, sunk[k] / std::max(aside[k], spacing));
+      const bool there = aside[k] > spacing;
+      share[side] = there ? 0.5 * (1.0 + end_share_difference(sine)) : 1.0;
+      slope[side] = there ? 0.25 * end_share_slope(sine) : 0.0;
+    }
+    const double weight = share[0] + share[1] - 1.0;
+    if (!(weight > 0.0)) continue;
+    const double shift = (slope[0] - slope[1]) * depth / weight;
+    const Vec3 tangential = axis[own] - dot(axis[own], normal) * normal;
+    points.push_back({depth, 0.5 * weight, normal, witness + shift * tangential});
+  }
+  return true;
+}
+
 void line_on_line(const ContactLine &line, const ContactLine &other, const Vec3 &deepest, const Vec3 &normal, double sense,
                   AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
   const Vec3 inward = line.radius() * normal, other_inward = -other.radius() * normal;
   const double reach = line.radius() + other.radius();
-  double places[5] = {-line.half(), line.place(deepest), line.place(other(-other.half())),
-                      line.place(other(other.half())), line.half()};
+  // Feet are those of the middles of the spheres.
+  const Vec3 between = other_inward - inward;
+  double places[5] = {-line.half(), line.place(deepest), line.place(other(-other.half()) + between),
+                      line.place(other(other.half()) + between), line.half()};
   // In order: those between the ends.
   if (places[2] < places[1]) std::swap(places[1], places[2]);
   if (places[3] < places[2]) std::swap(places[2], places[3]);
@@ -252,7 +307,7 @@ void line_on_line(const ContactLine &line, const ContactLine &other, const Vec3 
     const double along = places[k];
     if (k > 0 && along == places[k - 1]) continue;  // many feet are at the ends
     const Vec3 center = line(along) + inward;
-    const Vec3 apart = center - (other(other.place(center)) + other_inward);
+    const Vec3 apart = center - (other(other.place(center - other_inward)) + other_inward);
     const double distance = norm(apart), depth = reach - distance;
     Station &station = scratch.stations.emplace_back();
     station.along = along;

@@ -140,7 +140,7 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     return;
   }
   if (a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule) {
-    line_contact(a, pose_a, b, pose_b, answer, scratch.axis, points);
+    if (!crossing_capsules(a, pose_a, b, pose_b, answer, points)) line_contact(a, pose_a, b, pose_b, answer, scratch.axis, points);
     if (points.size() == begin) points.push_back({depth, 1.0, normal, witness});
     return;
   }

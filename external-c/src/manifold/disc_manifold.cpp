@@ -47,7 +47,7 @@ class Outline {
 
   // The arc of a rim from the angle `begin` to `end` (at most a whole turn).
   void arc(const Rim &rim, double begin, double end) {
-    const double swing = std::hypot(rim.cosine, rim.sine);
+    const double swing = std::sqrt(rim.cosine * rim.cosine + rim.sine * rim.sine);
     if (!(end > begin) || rim.depth <= -swing) return;
     // Deep around the angle `deepest`, within `half`.
     double deepest = std::atan2(rim.sine, rim.cosine);
@@ -55,18 +55,44 @@ class Outline {
       return angle + 2.0 * pi * std::ceil((from - angle) / (2.0 * pi));
     };
     if (first_from(deepest, begin) <= end) deepest_ = std::max(deepest_, rim.depth + swing);
-    if (rim.depth >= swing) return stretch(rim, begin, end);
+    if (rim.depth >= swing) return stretch(rim, end - begin, direction(begin), direction(end));
     const double half = std::acos(-rim.depth / swing);
     for (deepest = first_from(deepest, begin - half); deepest - half < end; deepest += 2.0 * pi) {
-      stretch(rim, std::max(begin, deepest - half), std::min(end, deepest + half));
+      const double from = std::max(begin, deepest - half), to = std::min(end, deepest + half);
+      stretch(rim, to - from, direction(from), direction(to));
+    }
+  }
+
+  // The same in equal pieces (two at least), which keep a body from rocking on a single point.
+  void arc_in_pieces(const Rim &rim, double begin, double end, int pieces) {
+    const double piece = (end - begin) / pieces, swing2 = rim.cosine * rim.cosine + rim.sine * rim.sine;
+    if (!(rim.depth > 0.0 && rim.depth * rim.depth >= swing2)) {
+      for (int k = 0; k < pieces; ++k) arc(rim, begin + k * piece, begin + (k + 1) * piece);
+      return;
+    }
+    // All of it is deep.
+    const Direction turn = direction(piece);
+    Direction from = direction(begin);
+    const double swing = std::sqrt(swing2);
+    for (int k = 0; k < pieces; ++k) {
+      const Direction to{from.c * turn.c - from.s * turn.s, from.s * turn.c + from.c * turn.s};
+      if (from.c * rim.sine >= from.s * rim.cosine && to.c * rim.sine <= to.s * rim.cosine) {
+        deepest_ = std::max(deepest_, rim.depth + swing);
+      }
+      stretch(rim, piece, from, to);
+      from = to;
     }
   }
 
  private:
-  void stretch(const Rim &rim, double begin, double end) {
-    const double length = end - begin;
+  struct Direction {
+    double c, s;
+  };
+  static Direction direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+  void stretch(const Rim &rim, double length, const Direction &from, const Direction &to) {
     if (!(length > shortest)) return;
-    const double c0 = std::cos(begin), c1 = std::cos(end), s0 = std::sin(begin), s1 = std::sin(end);
+    const double c0 = from.c, c1 = to.c, s0 = from.s, s1 = to.s;
     const double squares = 0.5 * (s1 * c1 - s0 * c0), mixed = 0.5 * (s1 * s1 - s0 * s0);
     deepest_ = std::max({deepest_, rim.depth + c0 * rim.cosine + s0 * rim.sine, rim.depth + c1 * rim.cosine + s1 * rim.sine});
     // Integrals of the depth, and of it times cosine, sine, and itself.
@@ -85,11 +111,8 @@ class Outline {
   double deepest_ = 0.0;
 };
 
-// An arc as four pieces, which keep a body from rocking on a single point.
-void add_arc(const Rim &rim, double begin, double end, Outline &outline) {
-  const double piece = 0.25 * (end - begin);
-  for (int k = 0; k < 4; ++k) outline.arc(rim, begin + k * piece, begin + (k + 1) * piece);
-}
+// In so many pieces are a whole rim, and each of two arcs; that many points are not merged.
+constexpr int rim_pieces = 4, arc_pieces = 3;
 
 }  // namespace
 
@@ -125,15 +148,15 @@ double disc_on_disc(const Disc &a, const Disc &b, const Vec3 &normal, double sen
   const Rim rim_b(b.center, ub, vb, a.center, a.axis, -normal);  // B's depth counts the other way
   Outline outline(sense * normal, points);
   if (apart + a.radius <= b.radius) {
-    add_arc(rim_a, -pi, pi, outline);
+    outline.arc_in_pieces(rim_a, -pi, pi, rim_pieces);
   } else if (apart + b.radius <= a.radius) {
-    add_arc(rim_b, -pi, pi, outline);
+    outline.arc_in_pieces(rim_b, -pi, pi, rim_pieces);
   } else {
     const double along = 0.5 * (apart + (a.radius - b.radius) * (a.radius + b.radius) / apart);
     const double half_a = std::acos(std::clamp(along / a.radius, -1.0, 1.0));
     const double half_b = std::acos(std::clamp((apart - along) / b.radius, -1.0, 1.0));
-    add_arc(rim_a, -half_a, half_a, outline);
-    add_arc(rim_b, pi - half_b, pi + half_b, outline);
+    outline.arc_in_pieces(rim_a, -half_a, half_a, arc_pieces);
+    outline.arc_in_pieces(rim_b, pi - half_b, pi + half_b, arc_pieces);
     for (const double side : {1.0, -1.0}) {  // where the rims cross, seen along the normal: in halves on each
       outline.corner(rim_a, side * half_a, 0.5 * (pi - half_a - half_b));
       outline.corner(rim_b, pi - side * half_b, 0.5 * (pi - half_a - half_b));

@@ -1,0 +1,69 @@
+// Capsules that cross: where the deepest place alone carries, closed forms give what the stations along both axes do.
+#include <gtest/gtest.h>
+
+#include "convex/random_bodies.hpp"
+#include "manifold/axis_manifold.hpp"
+#include "scene_query.hpp"
+
+namespace {
+
+using namespace cmb;
+using random_bodies::Random;
+
+struct Sums {
+  double load = 0.0;
+  Vec3 force, moment;
+};
+
+Sums sum(const std::vector<ContactPoint> &points) {
+  Sums sums;
+  for (const ContactPoint &p : points) {
+    const Vec3 force = p.weight * p.depth * p.normal;
+    sums.load += p.weight * p.depth;
+    sums.force = sums.force + force;
+    sums.moment = sums.moment + cross(p.position, force);
+  }
+  return sums;
+}
+
+Shape capsule(Random &random) {
+  Shape shape;
+  shape.kind = ShapeKind::capsule;
+  shape.body = convex::make_capsule(random.uniform(0.1, 0.4), random.uniform(0.1, 1.5));
+  return shape;
+}
+
+TEST(CrossingCapsules, CarryAsTheStationsAlongBothAxesDo) {
+  Random random(3);
+  BackendScratch backend;
+  AxisManifoldScratch scratch;
+  int alone = 0, several = 0;
+  for (int sample = 0; sample < 20000; ++sample) {
+    const Shape a = capsule(random), b = capsule(random);
+    Pose pose_a{random_bodies::random_rotation(random), random.direction()}, pose_b{random_bodies::random_rotation(random), {}};
+    ConvexAnswer answer;
+    find_exact_distance(a, pose_a, b, pose_b, backend, answer);
+    pose_a.translation = pose_a.translation - (answer.distance + random.log_uniform(1e-4, 0.1)) * answer.normal;
+    find_exact_distance(a, pose_a, b, pose_b, backend, answer);
+    if (!(answer.distance < 0.0)) continue;
+    std::vector<ContactPoint> closed, stations;
+    if (!crossing_capsules(a, pose_a, b, pose_b, answer, closed)) {
+      EXPECT_TRUE(closed.empty());
+      ++several;
+      continue;
+    }
+    ++alone;
+    const ContactLine line_a(a, pose_a, -answer.normal), line_b(b, pose_b, answer.normal);
+    line_on_line(line_a, line_b, answer.point_a, answer.normal, 1.0, scratch, stations);
+    line_on_line(line_b, line_a, answer.point_b, -answer.normal, -1.0, scratch, stations);
+    for (ContactPoint &p : stations) p.weight *= 0.5;
+    const Sums found = sum(closed), expected = sum(stations);
+    EXPECT_NEAR(found.load, expected.load, 1e-13);
+    EXPECT_LT(norm(found.force - expected.force), 1e-13);
+    EXPECT_LT(norm(found.moment - expected.moment), 1e-13);
+  }
+  EXPECT_GT(alone, 5000);
+  EXPECT_GT(several, 500);
+}
+
+}  // namespace
