@@ -6,7 +6,7 @@ import os.path
 from pathlib import Path, PurePosixPath
 
 import numpy as np
-from cmb_base.errors import InputError
+from cmb_base.errors import InputError, Place
 from lxml import etree
 
 from cad2modelica.file_reference import resolve_inside
@@ -87,17 +87,12 @@ class UrdfGeometry:
         reference = shape.get("filename", "")
         description = self._elements.file
         folder = description.parent
+        place = self._elements.place(shape, link)
         if reference.startswith(PACKAGE):
-            package, _, reference = reference.removeprefix(PACKAGE).partition("/")
-            above = description.resolve().parents[:LEVELS_OF_PACKAGES]
-            # The package's own folder if the description lies in it, else one beside.
-            candidates = [ancestor for ancestor in description.resolve().parents if ancestor.name == package]
-            candidates += [ancestor / package for ancestor in above if package and (ancestor / package).is_dir()]
-            holding = [candidate for candidate in candidates if (candidate / reference).is_file()]
-            folder = next(iter(holding + candidates), folder)
+            folder, reference = _in_package(description, reference, place)
         elif ".." in PurePosixPath(reference).parts:
             folder, reference = _inside_package(description, reference)
-        return resolve_inside(folder, reference, self._elements.place(shape, link))
+        return resolve_inside(folder, reference, place)
 
     def _color(self, element: etree._Element) -> tuple[float, float, float]:
         material = element.find("material")
@@ -120,6 +115,32 @@ def _primitive(kind: str, values: list[Array]) -> Surface:
     vertices, triangles = build(radius, float(values[1][0]))
     # URDF's axis lies along z, the mesh's along y.
     return vertices @ rotation_about([1, 0, 0], np.pi / 2).T, triangles
+
+
+def _in_package(description: Path, reference: str, place: Place) -> tuple[Path, str]:
+    """Folder and reference in it, for one that names its ROS package.
+
+    Raises:
+        InputError: there is no folder of the package's name, nor such a file beside the description.
+    """
+    package, _, inner = reference.removeprefix(PACKAGE).partition("/")
+    if package in ("", ".", "..") or "\\" in package or "\0" in package:
+        raise InputError(f"{reference!r} names no package", place=place, remedy=f"Write {PACKAGE}NAME/FILE.")
+    resolved = description.resolve()
+    above = resolved.parents[:LEVELS_OF_PACKAGES]
+    # The package's own folder if the description lies in it, else one beside.
+    candidates = [ancestor for ancestor in resolved.parents if ancestor.name == package]
+    candidates += [ancestor / package for ancestor in above if (ancestor / package).is_dir()]
+    leaves = ".." in PurePosixPath(inner).parts
+    holding = [candidate for candidate in candidates if not leaves and (candidate / inner).is_file()]
+    if not candidates and not leaves and not (description.parent / inner).is_file():
+        raise InputError(
+            f"names the package {package!r}, but no folder of that name holds {description.name}, or lies beside it or "
+            f"one of the {LEVELS_OF_PACKAGES} folders above",
+            place=place,
+            remedy="Copy the package's folder there.",
+        )
+    return next(iter(holding + candidates), description.parent), inner
 
 
 def _inside_package(description: Path, reference: str) -> tuple[Path, str]:

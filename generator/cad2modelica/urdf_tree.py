@@ -110,12 +110,14 @@ class _TreeReader:
     def joints(self, links: dict[str, Link]) -> list[UrdfJoint]:
         """All joints in the order of the file."""
         joints: list[UrdfJoint] = []
+        names: set[str] = set()
         ignored: set[str] = set()
         for element in self._root.iterchildren("joint"):
             place = self._elements.place(element)
             name, kind = element.get("name", ""), element.get("type", "")
-            if not name or any(joint.name == name for joint in joints):
+            if not name or name in names:
                 self._problems.add(f"a joint needs a name of its own; {name!r} is not", place, "Rename the joint.")
+            names.add(name)
             if kind not in TYPES:
                 self._problems.add(f"joints of type {kind!r} are not known", place, f"Known: {', '.join(TYPES)}.")
                 continue
@@ -168,15 +170,24 @@ class _TreeReader:
                     "A robot is a tree.",
                 )
             by_child[joint.child] = joint
-        reached = {name for name in links if name not in by_child}
+        roots = [name for name in links if name not in by_child]
+        if len(roots) > 1:
+            self._problems.add(
+                f"the link {roots[1]!r} hangs on nothing, as {roots[0]!r} does; a robot has one root",
+                self._elements.place(links[roots[1]].element),
+                "Join it by a joint (fixed or floating), or take it out.",
+            )
+        following: dict[str, list[int]] = {}
+        for index, joint in enumerate(joints):
+            following.setdefault(joint.parent, []).append(index)
+        reached = set(roots)
         ordered: list[UrdfJoint] = []
-        while True:
-            following = [joint for joint in joints if joint.child not in reached and joint.parent in reached]
-            if not following:
-                break
-            for joint in following:
-                ordered.append(joint)
-                reached.add(joint.child)
+        level = sorted(index for name in roots for index in following.get(name, ()))
+        while level:
+            fresh = [joints[index] for index in level if joints[index].child not in reached]
+            ordered += fresh
+            reached |= {joint.child for joint in fresh}
+            level = sorted(index for joint in fresh for index in following.get(joint.child, ()))
         for joint in joints:
             if joint.child not in reached:
                 self._problems.add(
