@@ -241,4 +241,10 @@ Overlap convex_overlap(const Polytope &a, const Polytope &b, const Pose &b_in_a,
   return scratch.measure(normal);
 }
 
+Overlap convex_overlap(const Polytope &a, const Vec3 &normal, double offset, OverlapScratch &scratch) {
+  scratch.load(a, {}, false);
+  scratch.cut(normal, offset, 0, true);
+  return scratch.measure(normal);
+}
+
 }  // namespace cmb::convex

@@ -48,6 +48,7 @@ class OverlapScratch {
 
  private:
   friend Overlap convex_overlap(const Polytope &, const Polytope &, const Pose &, const Vec3 &, OverlapScratch &);
+  friend Overlap convex_overlap(const Polytope &, const Vec3 &, double, OverlapScratch &);
   struct Crossing {
     std::int32_t outer_vertex, new_vertex, next;  // a list for each inner vertex
   };
@@ -70,5 +71,8 @@ class OverlapScratch {
 // unit, in A's frame, either sense: the direction that the patch is projected along.
 Overlap convex_overlap(const Polytope &a, const Polytope &b, const Pose &b_in_a, const Vec3 &normal,
                        OverlapScratch &scratch);
+
+// The same of A and the half-space normal . p <= offset; `normal` is unit.
+Overlap convex_overlap(const Polytope &a, const Vec3 &normal, double offset, OverlapScratch &scratch);
 
 }  // namespace cmb::convex

@@ -101,6 +101,27 @@ Stretch RoundSolid::stretch(const Vec3 &p, const Vec3 &d) const {
   return result;
 }
 
+bool RoundSolid::point_in_plane(const Vec3 &normal, double offset, Vec3 &point) const {
+  // Along the axis, or from the farthest point one way to that the other way.
+  Vec3 way = axis_;
+  if (kind_ == ShapeKind::sphere || kind_ == ShapeKind::ellipsoid) {
+    // The surface's farthest point: M^-1 normal, M = F^T F.
+    const Quadric &q = quadric_[0];
+    const Vec3 rows[3] = {{q.x.x, q.y.x, q.z.x}, {q.x.y, q.y.y, q.z.y}, {q.x.z, q.y.z, q.z.z}};
+    way = {};
+    for (const Vec3 &row : rows) way = way + (dot(row, normal) / (norm2(row) * norm2(row))) * row;
+  } else if (kind_ == ShapeKind::capsule) {
+    const double radius = 1.0 / norm(quadric_[1].x);
+    const double along = dot(axis_, normal);
+    way = (along < 0.0 ? -half_length_ : half_length_) * axis_ + (radius / norm(normal)) * normal;
+  }
+  const double slope = dot(way, normal);
+  if (slope == 0.0) return false;
+  point = center_ + ((offset - dot(normal, center_)) / slope) * way;
+  const Stretch inside = stretch(point, {0.0, 0.0, 1.0});
+  return inside.begin < 0.0 && inside.end > 0.0;
+}
+
 RoundSection::RoundSection(const RoundSolid &solid, double y, double low, double high) : solid_(&solid), y_(y) {
   for (int k = 0; k < solid.pieces_; ++k) {
     const auto i = static_cast<std::size_t>(k);

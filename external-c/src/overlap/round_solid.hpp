@@ -31,6 +31,8 @@ class RoundSolid {
   }
   // A point inside the shape.
   Vec3 inner_point() const { return kind_ == ShapeKind::cone ? center_ - (0.5 * half_length_) * axis_ : center_; }
+  // A point inside, flat ends left out, of a plane that cuts the round part in an ellipse; false where it does not.
+  bool point_in_plane(const Vec3 &normal, double offset, Vec3 &point) const;
   // A cone's apex; else null.
   const Vec3 *apex() const { return kind_ == ShapeKind::cone ? &apex_ : nullptr; }
 

@@ -22,7 +22,6 @@ constexpr double kronrod_weight[8] = {0.022935322010529224963732008058970, 0.063
 constexpr double gauss_weight[4] = {0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
                                     0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
 
-constexpr double relative_error = 1e-9;
 constexpr int most_pieces = 600;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -201,11 +200,11 @@ double SlicedOverlap::order_change(double low, std::uint64_t at_low, double high
 
 // Where the order is known to change: corners of the polytope inside all round solids, edges that enter one, apices.
 void SlicedOverlap::find_kinks() {
-  kinks_.clear();
+  kinks_.clear(), touched_.clear();
   const auto inside_rounds = [&](const Vec3 &p, int but) {
     for (int k = 0; k < round_count_; ++k) {
       const Stretch along = rounds_[k].stretch(p, {0.0, 0.0, 1.0});
-      if (k != but && !(along.begin <= 0.0 && along.end >= 0.0)) return false;
+      if (k != but && (along.empty() || along.begin > 0.0 || along.end < 0.0)) return false;
     }
     return true;
   };
@@ -218,13 +217,16 @@ void SlicedOverlap::find_kinks() {
       for (const double end : {0.0, 1.0}) {
         if (inside_rounds(p + end * along, -1)) kinks_.push_back(p.y + end * along.y);
       }
+      Stretch common{0.0, 1.0};
       for (int k = 0; k < round_count_; ++k) {
         const Stretch inside = rounds_[k].stretch(p, along);
-        if (inside.empty()) continue;
+        common = inside.empty() ? inside : Stretch{std::max(common.begin, inside.begin), std::min(common.end, inside.end)};
+        if (common.empty()) break;
         for (const double s : {inside.begin, inside.end}) {
           if (s > 0.0 && s < 1.0 && inside_rounds(p + s * along, k)) kinks_.push_back(p.y + s * along.y);
         }
       }
+      if (!common.empty()) touched_.push_back(p + (0.5 * (common.begin + common.end)) * along);
     }
   }
   for (int k = 0; k < round_count_; ++k) {
@@ -287,41 +289,76 @@ void SlicedOverlap::refine(const Piece &piece) {
   pending_.push_back({begin, piece.end, {}, 0.0, 0.0, piece.depth + 1});
 }
 
+// A y whose slice is not empty: they are all between the two next to it that are.
+bool SlicedOverlap::find_inner(const double *guess, int guess_count, double &inner) {
+  const auto holds = [&](double y) {
+    inner = y;
+    return y > bottom_ && y < top_ && slice(y, nullptr) != 0;
+  };
+  Vec3 middle;
+  const double part = 1.0 / static_cast<double>(flat_->vertices().size());
+  for (const Vec3 &p : flat_->vertices()) middle = middle + part * p;
+  // From a place of the polytope's surface inside the round solids towards its middle.
+  const auto holds_behind = [&](const Vec3 &p) {
+    double reach = 1.0;
+    for (int k = 0; k < round_count_; ++k) reach = std::min(reach, rounds_[k].stretch(p, middle - p).end);
+    return holds(p.y + 0.5 * reach * (middle.y - p.y));
+  };
+  for (int k = 0; k < guess_count; ++k) {
+    if (holds(guess[k])) return true;
+  }
+  for (const Vec3 &p : touched_) {
+    if (holds_behind(p)) return true;
+  }
+  if (round_count_ == 1) {
+    // No edge of the polytope enters the round solid: it lies inside, or some face cuts it within its border.
+    if (holds(rounds_[0].inner_point().y)) return true;
+    for (const auto &face : flat_->faces()) {
+      Vec3 p;
+      if (rounds_[0].point_in_plane(face.normal, face.offset, p) && holds_behind(p)) return true;
+    }
+    return false;
+  }
+  constexpr int samples = 16;
+  for (int k = 0; k < samples; ++k) {
+    if (holds(bottom_ + (top_ - bottom_) * (k + 0.5) / samples)) return true;
+  }
+  return false;
+}
+
+// The y next to `end` of what is not empty, `inner` being inside.
+double SlicedOverlap::find_end(double inner, double end) {
+  const double whole = top_ - bottom_, outward = inner < end ? 1.0 : -1.0;
+  if (!kinks_.empty()) {
+    const double last = outward > 0.0 ? kinks_.back() : kinks_.front();
+    const double beyond = last + 1e-9 * outward * whole;
+    if ((last - inner) * outward > 0.0 && ((end - beyond) * outward <= 0.0 || slice(beyond, nullptr) == 0)) return last;
+  }
+  const double just_inside = end - 1e-12 * outward * whole;
+  if (slice(just_inside, nullptr) != 0) return end;
+  double in = inner, out = just_inside;
+  // Relative to what is found, which may be far less than the whole.
+  for (int step = 0; step < 100 && std::fabs(out - in) > 1e-11 * std::fabs(in - inner) + 1e-15 * whole; ++step) {
+    const double middle = 0.5 * (in + out);
+    (slice(middle, nullptr) != 0 ? in : out) = middle;
+  }
+  return in;
+}
+
 SlicedSums SlicedOverlap::measure(const convex::OverlapScratch &flat, const RoundSolid *rounds, int round_count,
-                                  const double *guess, int guess_count, std::int32_t marked_face) {
+                                  const double *guess, int guess_count, double relative_error, std::int32_t marked_face) {
   flat_ = &flat, rounds_ = rounds, round_count_ = round_count, marked_face_ = marked_face;
   if (flat.faces().empty()) return {};
   bottom_ = infinity, top_ = -infinity;
   for (const Vec3 &p : flat.vertices()) bottom_ = std::min(bottom_, p.y), top_ = std::max(top_, p.y);
   if (!(bottom_ < top_)) return {};
-  // A slice that is not empty: they are all between the two next to it that are.
+  find_kinks();
   double inner = 0.0;
-  bool found = false;
-  const auto try_slice = [&](double y) {
-    if (found || !(y > bottom_ && y < top_) || slice(y, nullptr) == 0) return;
-    inner = y, found = true;
-  };
-  for (int k = 0; k < guess_count; ++k) try_slice(guess[k]);
-  constexpr int samples = 16;
-  for (int k = 0; k < samples && !found; ++k) try_slice(bottom_ + (top_ - bottom_) * (k + 0.5) / samples);
-  if (!found) return {};
-  const double whole = top_ - bottom_;
-  const auto edge = [&](double from, double end) {
-    const double just_inside = end + (from < end ? -1e-12 : 1e-12) * whole;
-    if (slice(just_inside, nullptr) != 0) return end;
-    double in = from, out = just_inside;
-    // Relative to what is found, which may be far less than the whole.
-    for (int step = 0; step < 100 && std::fabs(out - in) > 1e-11 * std::fabs(in - from) + 1e-15 * whole; ++step) {
-      const double middle = 0.5 * (in + out);
-      (slice(middle, nullptr) != 0 ? in : out) = middle;
-    }
-    return in;
-  };
-  const double first = edge(inner, bottom_), last = edge(inner, top_);
+  if (!find_inner(guess, guess_count, inner)) return {};
+  const double first = find_end(inner, bottom_), last = find_end(inner, top_);
   bottom_ = first, top_ = last;
   if (!(bottom_ < top_)) return {};
 
-  find_kinks();
   pieces_.clear(), pending_.clear();
   double begin = bottom_;
   const double apart = 1e-9 * (top_ - bottom_);

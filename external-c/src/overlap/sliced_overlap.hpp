@@ -25,9 +25,9 @@ struct SlicedSums {
 class SlicedOverlap {
  public:
   // flat: the polytope, bounded; rounds: one or two, whose common part with it is measured. guess: y that may be
-  // inside. Relative error: 1e-9 or less of the volume and of the sides' areas.
+  // inside. relative_error: of each part that the volume and the sides' areas are added up from.
   SlicedSums measure(const convex::OverlapScratch &flat, const RoundSolid *rounds, int round_count, const double *guess,
-                     int guess_count, std::int32_t marked_face = -2);
+                     int guess_count, double relative_error, std::int32_t marked_face = -2);
 
  private:
   struct Segment {
@@ -58,6 +58,8 @@ class SlicedOverlap {
   bool sides_at(double x, Side &lower, Side &upper) const;
   void add_side(const Side &side, bool upper, double y, double from, double to, SlicedSums &sums) const;
   void find_kinks();
+  bool find_inner(const double *guess, int guess_count, double &inner);
+  double find_end(double inner, double end);
   void integrate(Piece &piece);
   double order_change(double low, std::uint64_t at_low, double high);
   void refine(const Piece &piece);
@@ -72,6 +74,7 @@ class SlicedOverlap {
   RoundSection sections_[2];
   std::vector<double> corners_;
   std::vector<double> kinks_;
+  std::vector<Vec3> touched_;  // places of the polytope's edges inside all round solids
   std::vector<Piece> pieces_, pending_;
 };
 

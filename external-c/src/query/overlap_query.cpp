@@ -6,8 +6,11 @@
 #include "backend/distance_backend.hpp"
 #include "convex/convex_overlap.hpp"
 #include "geometry/pose_algebra.hpp"
-#include "overlap/curved_overlap.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "overlap/mesh_overlap.hpp"
 #include "query/halfspace_overlap.hpp"
+#include "query/mesh_halfspace.hpp"
+#include "query/mesh_query.hpp"
 
 namespace cmb {
 
@@ -23,6 +26,9 @@ struct OverlapRoom {
   BackendScratch distance;
   convex::OverlapScratch flat;
   overlap::CurvedScratch curved;
+  overlap::MeshOverlapScratch mesh;
+  MeshQueryScratch mesh_contact;
+  ContactSet contact;
 };
 
 OverlapRoom &room() {
@@ -36,26 +42,23 @@ Mat3 outer_product(double factor, const Vec3 &v) {
 
 Mat3 sum(const Mat3 &a, const Mat3 &b) { return {{a.row[0] + b.row[0], a.row[1] + b.row[1], a.row[2] + b.row[2]}}; }
 
-ShapeOverlap polytopes(const convex::Polytope &a, const Pose &pose_a, const convex::Polytope &b, const Pose &pose_b,
-                       const Vec3 &normal) {
-  const convex::Overlap overlap = convex::convex_overlap(
-      a, b, relative_pose(pose_a, pose_b), transposed_times(pose_a.rotation, normal), room().flat);
-  return {overlap.volume, overlap.patch_area, pose_a(overlap.centroid), pose_a(overlap.patch_centroid),
-          turned(pose_a.rotation, overlap.patch_moment)};
+// From A's axes.
+ShapeOverlap in_world(const convex::Overlap &overlap, const Pose &pose) {
+  return {overlap.volume, overlap.patch_area, pose(overlap.centroid), pose(overlap.patch_centroid),
+          turned(pose.rotation, overlap.patch_moment)};
 }
 
-// A half-space, cut down to a box that holds all of the other shape below the plane.
-ShapeOverlap polytope_and_halfspace(const Shape &shape, const Pose &pose, const Pose &plane) {
-  const double side = 4.0 * shape.bound_radius;
-  const Vec3 normal = plane.rotation.column(2), center = pose(shape.bound_center);
-  const double height = dot(normal, center - plane.translation);
-  if (height >= shape.bound_radius) return {};
-  // Deep below the plane all of the shape is inside anyway: the box follows it.
-  const double top = std::fmin(0.0, height + shape.bound_radius) - std::fmin(0.0, height - shape.bound_radius);
-  const double upper = std::fmin(0.0, height + shape.bound_radius);
-  const convex::Polytope box = convex::Polytope::box({side, side, side + top});
-  const Pose box_pose{plane.rotation, center + (upper - height - 0.5 * (side + top)) * normal};
-  return polytopes(shape.polytope->geometry(), pose, box, box_pose, normal);
+ShapeOverlap polytopes(const convex::Polytope &a, const Pose &pose_a, const convex::Polytope &b, const Pose &pose_b,
+                       const Vec3 &normal) {
+  return in_world(convex::convex_overlap(a, b, relative_pose(pose_a, pose_b), transposed_times(pose_a.rotation, normal),
+                                         room().flat),
+                  pose_a);
+}
+
+ShapeOverlap polytope_and_halfspace(const convex::Polytope &polytope, const Pose &pose, const Pose &plane) {
+  const Vec3 normal = plane.rotation.column(2);
+  const double offset = dot(normal, plane.translation - pose.translation);
+  return in_world(convex::convex_overlap(polytope, transposed_times(pose.rotation, normal), offset, room().flat), pose);
 }
 
 // The part of a sphere within `depth` of a plane that cuts it, depth being measured from the sphere's farthest point.
@@ -151,19 +154,41 @@ ShapeOverlap spheres(double radius_a, const Vec3 &center_a, double radius_b, con
   return overlap;
 }
 
-// Nothing where the overlap of these shapes is not known in closed form.
+// Sheets have no volume: nothing where one is touched.
+std::optional<ShapeOverlap> mesh_with_halfspace(const Shape &mesh, const Pose &pose, const Pose &pose_b) {
+  if (mesh.mesh->closed()) return overlap::mesh_and_halfspace(mesh, pose, pose_b, room().mesh);
+  ContactSet &contact = room().contact;
+  contact.points.clear();
+  const Vec3 normal = pose_b.rotation.column(2);
+  mesh_halfspace_contact(mesh, pose, {normal, dot(normal, pose_b.translation)}, contact);
+  if (contact.distance < 0.0) return std::nullopt;
+  return ShapeOverlap{};
+}
+
+// B is a mesh.
+std::optional<ShapeOverlap> with_mesh(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
+  ContactSet &contact = room().contact;
+  contact.points.clear();
+  mesh_contact(a, pose_a, b, pose_b, room().mesh_contact, contact);
+  if (contact.distance > 0.0) return ShapeOverlap{};
+  if (!b.mesh->closed() || (a.mesh && !a.mesh->closed())) return std::nullopt;
+  return overlap::mesh_overlap(a, pose_a, b, pose_b, normalized(contact.normal), contact.witness, room().mesh);
+}
+
+// Nothing where the overlap of these shapes is not known.
 std::optional<ShapeOverlap> shapes(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
   if (a.kind == ShapeKind::halfspace) {
     if (b.kind == ShapeKind::halfspace) return ShapeOverlap{};
     return shapes(b, pose_b, a, pose_a);
   }
   if (b.kind == ShapeKind::halfspace) {
-    if (a.polytope) return polytope_and_halfspace(a, pose_a, pose_b);
+    if (a.polytope) return polytope_and_halfspace(a.polytope->geometry(), pose_a, pose_b);
     if (a.kind == ShapeKind::sphere) return sphere_and_halfspace(a.body.radius, pose_a.translation, pose_b);
-    if (a.mesh) return std::nullopt;
+    if (a.mesh) return mesh_with_halfspace(a, pose_a, pose_b);
     return curved_and_halfspace(a, pose_a, pose_b);
   }
-  if (a.mesh || b.mesh) return std::nullopt;
+  if (b.mesh) return with_mesh(a, pose_a, b, pose_b);
+  if (a.mesh) return with_mesh(b, pose_b, a, pose_a);
   if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::sphere) {
     return spheres(a.body.radius, pose_a.translation, b.body.radius, pose_b.translation);
   }
