@@ -56,16 +56,23 @@ void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const 
 // Of a shape that has_point_formula, A, and a ball, B; or of the ball and that shape, where `reversed`.
 void to_ball(const Shape &a, const Pose &pose_a, double radius_b, const Vec3 &center_b, bool reversed, ConvexAnswer &answer) {
   const Vec3 center = transposed_times(pose_a.rotation, center_b - pose_a.translation);
-  const convex::CoreDistance core = convex::distance_of_point(a.body, center);
+  Vec3 direction;
+  double distance;
+  if (a.kind == ShapeKind::box) {
+    distance = convex::box_to_point(a.body.half, center, direction);
+  } else {
+    const convex::CoreDistance core = convex::distance_of_point(a.body, center);
+    distance = core.distance, direction = core.direction;
+  }
   // Both points lie on the line through the centre.
-  const Vec3 outward = pose_a.rotation * core.direction;
-  const Vec3 of_a = center_b - (core.distance - a.body.radius) * outward, of_b = center_b - radius_b * outward;
-  answer.distance = core.distance - a.body.radius - radius_b;
+  const Vec3 outward = pose_a.rotation * direction;
+  const Vec3 of_a = center_b - (distance - a.body.radius) * outward, of_b = center_b - radius_b * outward;
+  answer.distance = distance - a.body.radius - radius_b;
   answer.normal = answer.mean_normal = reversed ? outward : -outward;
   answer.point_a = reversed ? of_b : of_a;
   answer.point_b = reversed ? of_a : of_b;
   answer.proven = true;
-  answer.ball = core.ball + a.body.radius + radius_b;
+  answer.ball = a.body.radius + radius_b;
 }
 
 }  // namespace

@@ -46,21 +46,11 @@ namespace {
 
 // A point against a box centred at the origin.
 CoreDistance box_and_point(const Vec3 &half, const Vec3 &p) {
+  Vec3 direction;
+  const double distance = box_to_point(half, p, direction);
   const Vec3 nearest{std::clamp(p.x, -half.x, half.x), std::clamp(p.y, -half.y, half.y),
                      std::clamp(p.z, -half.z, half.z)};
-  const Vec3 gap = p - nearest;
-  const double gap2 = norm2(gap);
-  if (gap2 > 0.0) {
-    const double distance = std::sqrt(gap2);
-    return {distance, (1.0 / distance) * gap, nearest, p, DistanceMethod::closed_form, true};
-  }
-  // Inside, or so near that the gap's square is nothing.
-  const Vec3 room{half.x - std::fabs(p.x), half.y - std::fabs(p.y), half.z - std::fabs(p.z)};
-  const int shallow = room.x <= room.y && room.x <= room.z ? 0 : room.y <= room.z ? 1 : 2;
-  CoreDistance result{-room[shallow], {}, p, p, DistanceMethod::closed_form, true};
-  result.direction.set(shallow, std::copysign(1.0, p[shallow]));
-  result.a.set(shallow, std::copysign(half[shallow], p[shallow]));
-  return result;
+  return {distance, direction, distance > 0.0 ? nearest : p - distance * direction, p, DistanceMethod::closed_form, true};
 }
 
 // A point against a cylinder or cone: in the half plane of the point and the axis, the body is a

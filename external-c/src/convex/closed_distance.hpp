@@ -1,6 +1,8 @@
 // Signed distances of cores in closed form.
 #pragma once
 
+#include <algorithm>
+
 #include "convex_distance.hpp"
 
 namespace cmb::convex {
@@ -25,6 +27,24 @@ bool has_point_formula(CoreShape core);
 
 // Of a body's core, A, and a point of its frame, B.
 CoreDistance distance_of_point(const ConvexBody &body, const Vec3 &p);
+
+// Of a box's core, by its half lengths, and a point of its frame: the signed distance and the unit direction from the core.
+inline double box_to_point(const Vec3 &half, const Vec3 &p, Vec3 &direction) {
+  const Vec3 gap{p.x - std::clamp(p.x, -half.x, half.x), p.y - std::clamp(p.y, -half.y, half.y),
+                 p.z - std::clamp(p.z, -half.z, half.z)};
+  const double gap2 = norm2(gap);
+  if (gap2 > 0.0) {
+    const double distance = std::sqrt(gap2);
+    direction = (1.0 / distance) * gap;
+    return distance;
+  }
+  // Inside, or so near that the gap's square is nothing.
+  const Vec3 room{half.x - std::fabs(p.x), half.y - std::fabs(p.y), half.z - std::fabs(p.z)};
+  const int shallow = room.x <= room.y && room.x <= room.z ? 0 : room.y <= room.z ? 1 : 2;
+  direction = {};
+  direction.set(shallow, std::copysign(1.0, p[shallow]));
+  return -room[shallow];
+}
 
 // An upper bound, exact to rounding near the surface, of how far a point of a core's frame is outside it; infinite for
 // polytopes.

@@ -8,10 +8,11 @@
 
 namespace cmb {
 
-// The rows of a rotation matrix, world to body: the body's axes in the world, nearly orthonormal; and their products.
+// The rows of a rotation matrix, world to body: the body's axes in the world, nearly orthonormal; and products of the first
+// two.
 struct GivenAxes {
   convex::Vec3 x, y, z;
-  double xx, yy, zz, xy, xz, yz;
+  double xx, yy, xy;
 
   explicit GivenAxes(const double *rotation)
       : x{rotation[0], rotation[1], rotation[2]},
@@ -19,16 +20,7 @@ struct GivenAxes {
         z{rotation[6], rotation[7], rotation[8]},
         xx(norm2(x)),
         yy(norm2(y)),
-        zz(norm2(z)),
-        xy(dot(x, y)),
-        xz(dot(x, z)),
-        yz(dot(y, z)) {}
-
-  // Whether no product is off by more than `tolerance`.
-  bool are_orthonormal(double tolerance) const {
-    return (std::fabs(xx - 1.0) <= tolerance) & (std::fabs(yy - 1.0) <= tolerance) & (std::fabs(zz - 1.0) <= tolerance) &
-           (std::fabs(xy) <= tolerance) & (std::fabs(xz) <= tolerance) & (std::fabs(yz) <= tolerance);
-  }
+        xy(dot(x, y)) {}
 };
 
 // The pose of a body: point_in_world = pose(point_in_body). Its rotation is made orthonormal to rounding: x keeps its

@@ -13,20 +13,31 @@ namespace {
 constexpr double rotation_tolerance = 1e-2;
 constexpr double farthest_position = 1e12;  // m
 
-// What is wrong with a body's pose that is not as it should be.
+bool are_orthonormal(const GivenAxes &axes) {
+  for (const double product : {axes.xx - 1.0, axes.yy - 1.0, norm2(axes.z) - 1.0, axes.xy, dot(axes.x, axes.z), dot(axes.y, axes.z)}) {
+    if (!(std::fabs(product) <= rotation_tolerance)) return false;
+  }
+  return true;
+}
+
+// What is wrong with a body's pose; null if nothing.
 const char *pose_problem(const double *position, const GivenAxes &axes) {
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(position[i])) return "has a position that is not finite";
     if (std::fabs(position[i]) > farthest_position) return "is farther than 1e12 m from the origin";
   }
-  return axes.are_orthonormal(rotation_tolerance) ? "has a rotation that is a reflection"
-                                                  : "has a rotation that is not orthonormal to 1e-2";
+  if (!are_orthonormal(axes)) return "has a rotation that is not orthonormal to 1e-2";
+  return dot(axes.z, cross(axes.x, axes.y)) > 0.0 ? nullptr : "has a rotation that is a reflection";
 }
 
-// Without a branch for each number: they all are as they should be but for a wrong call.
-bool is_near(const double *position) {
+// Whether nothing is wrong by far, found without a branch for each number: `z`, at right angles to the first two axes, is the
+// third one then.
+bool is_sound(const double *position, const GivenAxes &axes, const convex::Vec3 &z) {
+  constexpr double slight = 0.1 * rotation_tolerance;
   return (std::fabs(position[0]) <= farthest_position) & (std::fabs(position[1]) <= farthest_position) &
-         (std::fabs(position[2]) <= farthest_position);
+         (std::fabs(position[2]) <= farthest_position) & (std::fabs(axes.xx - 1.0) <= slight) &
+         (std::fabs(axes.yy - 1.0) <= slight) & (std::fabs(axes.xy) <= slight) & (std::fabs(axes.z.x - z.x) <= slight) &
+         (std::fabs(axes.z.y - z.y) <= slight) & (std::fabs(axes.z.z - z.z) <= slight);
 }
 
 cmb_status refuse(std::size_t body, const char *problem) {
@@ -44,11 +55,9 @@ cmb_status check_body_pose(std::size_t body, const double *position, const doubl
 cmb_status read_body_pose(std::size_t body, const double *position, const double *rotation, convex::Pose &pose) {
   const GivenAxes axes(rotation + 9 * body);
   pose = body_pose(position + 3 * body, axes);
-  // The third axis is the product of the first two.
-  if (is_near(position + 3 * body) & axes.are_orthonormal(rotation_tolerance) & (dot(axes.z, pose.rotation.column(2)) > 0.0)) {
-    return CMB_OK;
-  }
-  return refuse(body, pose_problem(position + 3 * body, axes));
+  if (is_sound(position + 3 * body, axes, pose.rotation.column(2))) return CMB_OK;
+  const char *problem = pose_problem(position + 3 * body, axes);
+  return problem == nullptr ? CMB_OK : refuse(body, problem);
 }
 
 }  // namespace cmb

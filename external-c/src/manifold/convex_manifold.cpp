@@ -10,7 +10,10 @@ namespace {
 bool touches_at_its_witness(const Shape &a, const Shape &b, const ConvexAnswer &answer) {
   const bool ball_a = a.kind == ShapeKind::sphere, ball_b = b.kind == ShapeKind::sphere;
   if (ball_a && ball_b) return true;
-  return (ball_a || ball_b) && answer.ball >= convex::surface_reach(-answer.distance, a.bound_radius + b.bound_radius);
+  if (!ball_a && !ball_b) return false;
+  // The reach is no more than 1.5 depths, which takes no root.
+  return answer.ball >= -1.5 * answer.distance ||
+         answer.ball >= convex::surface_reach(-answer.distance, a.bound_radius + b.bound_radius);
 }
 
 }  // namespace
@@ -22,7 +25,12 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   result.witness = 0.5 * (answer.point_a + answer.point_b);
   if (!(answer.distance < 0.0)) return;
   if (touches_at_its_witness(a, b, answer)) {
-    result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
+    // Written member by member: a point put together on the stack and copied as a whole would wait for the store.
+    ContactPoint &point = result.points.emplace_back();
+    point.depth = -answer.distance;
+    point.weight = 1.0;
+    point.normal = answer.normal;
+    point.position = result.witness;
     return;
   }
   if (!a.polytope || !b.polytope) {

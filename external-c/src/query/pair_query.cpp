@@ -80,11 +80,11 @@ void fade_to_gap(const BoundGap &gap, double exact_within, ContactSet &result) {
 // Of two shapes, the one with the higher rank is the second body.
 int rank(const Shape &shape) { return shape.kind == ShapeKind::halfspace ? 2 : shape.kind == ShapeKind::mesh ? 1 : 0; }
 
-// Of an orthonormal rotation the diagonal tells; without a branch for each number.
+// Of an orthonormal rotation the diagonal tells.
 bool is_identity(const Pose &pose) {
   const Mat3 &r = pose.rotation;
   const Vec3 &t = pose.translation;
-  return (r.row[0].x == 1.0) & (r.row[1].y == 1.0) & (r.row[2].z == 1.0) & (t.x == 0.0) & (t.y == 0.0) & (t.z == 0.0);
+  return r.row[0].x == 1.0 && r.row[1].y == 1.0 && r.row[2].z == 1.0 && t.x == 0.0 && t.y == 0.0 && t.z == 0.0;
 }
 
 // Where a shape is whose body is at `body`: that pose, or `placed`, which receives the shape's own.
@@ -178,9 +178,6 @@ void query_compounds(const Scene &scene, const BodyShapes &a, const Pose &pose_a
 void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b, const Pose &pose_b,
                   QueryScratch &scratch, ContactSet &result, PairReport &report, double exact_within) {
   result.points.clear();
-  result.distance = CMB_DISTANCE_NONE;
-  result.normal = {0.0, 0.0, 1.0};
-  result.witness = 0.5 * (pose_a.translation + pose_b.translation);
   report = {};
   const bool single = a.size() == 1 && b.size() == 1;
   if (single && !(a[0].kind == ShapeKind::halfspace && b[0].kind == ShapeKind::halfspace)) {
@@ -193,6 +190,9 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
     }
     return;
   }
+  result.distance = CMB_DISTANCE_NONE;
+  result.normal = {0.0, 0.0, 1.0};
+  result.witness = 0.5 * (pose_a.translation + pose_b.translation);
   if (!single) query_compounds(scene, a, pose_a, b, pose_b, scratch, result, report, exact_within);
 }
 
