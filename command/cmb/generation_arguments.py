@@ -35,6 +35,12 @@ def add_generation_arguments(parser: ArgumentParser) -> None:
         help="joints have elastic stops at the limits of their range, or not (XML: they do, URDF: they do not)",
     )
     parser.add_argument(
+        "--couple",
+        action=BooleanOptionalAction,
+        default=True,
+        help="joints that are to follow others (mimic of URDF) do, or move by themselves",
+    )
+    parser.add_argument(
         "--accept-structure",
         action="store_true",
         help="replace a package whose parts or joints are others than those of the assembly now",
@@ -63,4 +69,5 @@ def generation_options(arguments: Namespace) -> GenerateOptions:
         assemble=arguments.assemble,
         ground=tuple(arguments.ground),
         stops=arguments.stops,
+        couple=arguments.couple,
     )

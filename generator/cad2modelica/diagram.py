@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -12,7 +13,10 @@ Point = tuple[int, int]
 Extent = tuple[Point, Point]
 
 HALF = 10  # half the size of a component
-COLUMN = 40
+COLUMN = 40  # smallest width of a column
+GRID = 20  # widths of columns are multiples of it
+CHARACTER = 0.24  # width of a letter of a name, by half of its component's size: names are 0.4 of that high
+GAP = 6  # between names
 ROW = 80
 UNDER = 26  # of a body under its line
 SMALL = 8  # half of a component that stands over a joint
@@ -38,15 +42,17 @@ class Diagram:
 def draw(view: MechanismView) -> Diagram:
     """Lays the diagram out: the world on the left, chains as lines with their bodies below, contacts on the right.
 
-    A chain's first branch goes on in its line, others begin lines of their own. Stops and friction stand over their
-    joints; lines to the contact manager run below the bodies.
+    A chain's first branch goes on in its line, others begin lines of their own. Stops, friction and couplings stand
+    over their joints; lines to the contact manager run below the bodies. Columns are as wide as names need.
     """
     components = {component.name: component for component in view.components}
+    columns = _columns(view.components)
+    over = _over_joints(view.components)
     centers: dict[str, Point] = {"world": (LEFT, TOP)}
     for component in view.components:
-        x, y = LEFT + COLUMN * (component.column + 1), TOP - ROW * component.row
+        x, y = columns[component.column], TOP - ROW * component.row
         if component.level > 0:
-            x, y = x + 2 * SMALL * (component.level - 1) - SMALL, y + 2 * HALF + SMALL
+            x, y = x + over[component.name], y + 2 * HALF + SMALL
         centers[component.name] = (x, y - UNDER if component.level < 0 else y)
     right = max(x for x, _ in centers.values()) + 2 * COLUMN
     bottom = min(y for _, y in centers.values())
@@ -59,6 +65,44 @@ def draw(view: MechanismView) -> Diagram:
     lines = tuple(_line(connection, components, centers) for connection in view.connections)
     size = ((LEFT - 20, bottom - 40), (right + 40, TOP + 50))
     return Diagram(size, extents, lines)
+
+
+def _width(component: Component) -> int:
+    """Room that a component and its name need side by side with others."""
+    half = SMALL if component.level > 0 else HALF
+    return max(2 * half, math.ceil(len(component.name) * CHARACTER * half) + GAP)
+
+
+def _columns(components: Sequence[Component]) -> dict[int, int]:
+    """Middle of every column: as wide as the names in it; the world's is -1."""
+    widths: dict[int, int] = {-1: COLUMN}
+    stacked: dict[tuple[int, int], int] = {}
+    for component in components:
+        place = (component.column, component.row)
+        if component.level > 0:
+            stacked[place] = stacked.get(place, 0) + _width(component)
+        needed = stacked[place] if component.level > 0 else _width(component)
+        widths[component.column] = max(widths.get(component.column, COLUMN), GRID * math.ceil(needed / GRID))
+    middles = {-1: LEFT}
+    for column in range(max(widths) + 1):
+        before, own = widths.get(column - 1, COLUMN), widths.get(column, COLUMN)
+        middles[column] = middles[column - 1] + (before + own) // 2
+    return middles
+
+
+def _over_joints(components: Sequence[Component]) -> dict[str, int]:
+    """Places of what stands over joints, from the joint's middle: beside each other, by level."""
+    groups: dict[tuple[int, int], list[Component]] = {}
+    for component in components:
+        if component.level > 0:
+            groups.setdefault((component.column, component.row), []).append(component)
+    places = {}
+    for group in groups.values():
+        left = -sum(_width(component) for component in group) // 2
+        for component in sorted(group, key=lambda item: item.level):
+            places[component.name] = left + _width(component) // 2
+            left += _width(component)
+    return places
 
 
 def _square(center: Point, half: int) -> Extent:

@@ -18,6 +18,8 @@ from cad2modelica.contact_pairs import contact_pairs, within_reach
 from cad2modelica.generation_notes import overlap_notes, unit_notes
 from cad2modelica.generation_report import ReportInput, report_html
 from cad2modelica.graph_drawing import graph_svg
+from cad2modelica.joint_couplings import with_couplings
+from cad2modelica.joint_distance import distance_notes
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import analyse_loops
 from cad2modelica.mechanism_building import mechanism_view
@@ -66,6 +68,7 @@ class GenerateOptions:
         decomposer: what splits concave bodies; counts likewise.
         ground: names of parts that are held in the world where they stand.
         stops: whether joints have stops at their limits; None: as the format has it (XML: yes, URDF: no).
+        couple: whether joints that are to follow others (mimic of URDF) do.
     """
 
     package: str | None = None
@@ -78,6 +81,7 @@ class GenerateOptions:
     assemble: bool = False
     ground: tuple[str, ...] = ()
     stops: bool | None = None
+    couple: bool = True
 
 
 @dataclass(frozen=True)
@@ -127,6 +131,7 @@ def generate(
     """
     _check(options)
     assembly = with_stops(with_grounded(read_assembly(assembly_path, progress), options.ground), options.stops)
+    assembly = with_couplings(assembly, options.couple)
     if options.assemble:
         assembly = assembled(assembly, kinematic_tree(assembly))
     require_closed(assembly)
@@ -150,6 +155,7 @@ def generate(
     notes = (
         *assembly.notes,
         *unit_notes(assembly),
+        *distance_notes(assembly),
         *loops.notes,
         *(note for item in geometries.values() for note in item.notes),
         *dropped,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from cad2modelica.loops import mechanism_length
+from cad2modelica.loops import joint_extent
 from cad2modelica.mass_check import check_against_mechanism
 from cad2modelica.model import Assembly
 from cad2modelica.start_overlaps import StartCheck
@@ -14,7 +14,7 @@ def unit_notes(assembly: Assembly) -> tuple[str, ...]:
     """Doubts about the units of parts without geometry; only joints tell how large such a mechanism is."""
     if len(assembly.joints) < 2:
         return ()
-    length = mechanism_length(assembly)
+    length = max(joint_extent(assembly), 1e-6)
     notes = []
     for part in assembly.parts:
         finding = check_against_mechanism(part.mass_properties, length) if not part.meshes else None

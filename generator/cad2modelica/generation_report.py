@@ -120,6 +120,7 @@ def _joint(joint: Joint, given: ReportInput) -> dict[str, Any]:
         role = "closes a loop in space"
     else:
         role = "in the tree"
+    role += "".join(f", follows {item.leader!r}" for item in given.assembly.couplings if item.follower == joint.name)
     return {
         "name": joint.name,
         "modelica": given.view.joint_names[joint.name],

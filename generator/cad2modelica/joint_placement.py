@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from cad2modelica.joint_couplings import coupling_view
 from cad2modelica.joint_resistance import resistances
 from cad2modelica.joint_twists import spherical_axes
 from cad2modelica.joint_view import (
@@ -22,7 +23,7 @@ from cad2modelica.kinematic_graph import KinematicTree
 from cad2modelica.loop_closures import Closure
 from cad2modelica.loops import LoopAnalysis
 from cad2modelica.mechanism_draft import MechanismDraft
-from cad2modelica.model import GROUND, Assembly, Joint, JointType, Part
+from cad2modelica.model import GROUND, Assembly, Coupling, Joint, JointType, Part
 from cad2modelica.modelica_text import tidy_direction, tidy_length, vector
 from cad2modelica.spatial import IDENTITY, Pose
 
@@ -134,7 +135,8 @@ class JointPlacement:
     def _connect_joint(self, joint: Joint, side: Pose, name: str, text: str, column: int) -> None:
         class_name, modifiers = joint_declaration(joint, side, self._loops)
         found = () if joint.name in self._loops.planar_constraints else resistances(joint, self._moved_by(joint))
-        if found:
+        couplings = self._assembly.couplings
+        if found or any(joint.name in (item.leader, item.follower) for item in couplings):
             modifiers = ("useAxisFlange=true", *modifiers)
         self._draft.place(class_name, name, modifiers, text, column)
         for place, item in enumerate(found, start=1):
@@ -143,6 +145,19 @@ class JointPlacement:
             self._draft.place(item.class_name, own, item.modifiers, label, column, place)
             self._draft.connect(f"{own}.flange", f"{name}.axis")
             self._draft.connect(f"{own}.support", f"{name}.support")
+        for coupling in couplings:
+            if coupling.follower == joint.name:
+                self._add_coupling(coupling, joint, column, len(found) + 1)
+
+    def _add_coupling(self, coupling: Coupling, follower: Joint, column: int, place: int) -> None:
+        leader = next(joint for joint in self._assembly.joints if joint.name == coupling.leader)
+        view = coupling_view(coupling, leader, follower)
+        names = self._draft.view.joint_names
+        own = self._draft.names.instance(f"{names[follower.name]} coupling")
+        text = f"{follower.name} follows {leader.name}"
+        self._draft.place(view.class_name, own, view.modifiers, text, column, place)
+        self._draft.connect(f"{own}.{view.follower}", f"{names[follower.name]}.axis")
+        self._draft.connect(f"{own}.{view.leader}", f"{names[leader.name]}.axis")
 
     def _moved_by(self, joint: Joint) -> list[Part]:
         """Parts behind a joint in the tree; the child alone where the joint closes a loop."""

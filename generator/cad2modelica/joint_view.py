@@ -50,15 +50,16 @@ def coordinate_modifiers(
     names: Sequence[tuple[str, str]], independent: Sequence[bool], rates: Sequence[float], position: float = 0.0
 ) -> list[str]:
     """Start values of a joint's coordinates and rates, and whether they are states."""
+    mixed = any(independent) and not all(independent)
     modifiers = []
     for (coordinate, rate), fixed_start, value in zip(names, independent, rates, strict=True):
         suffix = ",fixed=true" if fixed_start else ""
+        if mixed:  # the joint's own parameter speaks for all of its coordinates
+            suffix += f",stateSelect=StateSelect.{'always' if fixed_start else 'avoid'}"
         modifiers.append(f"{coordinate}(start={number(position)}{suffix})")
         modifiers.append(f"{rate}(start={number(round(value, SIGNIFICANT_LENGTH))}{suffix})")
-    if all(independent):
-        modifiers.append("stateSelect=StateSelect.always")
-    elif not any(independent):
-        modifiers.append("stateSelect=StateSelect.avoid")
+    if not mixed:
+        modifiers.append(f"stateSelect=StateSelect.{'always' if any(independent) else 'avoid'}")
     return modifiers
 
 

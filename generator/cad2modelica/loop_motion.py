@@ -134,7 +134,7 @@ class LoopMotion:
         return len(independent_columns(self._equations(position)))
 
     def _directions(self, begin: Position) -> list[Array]:
-        free = self._null_space(begin)
+        free = self.null_space(begin)
         generator = np.random.default_rng(0)
         mixed = (
             [free @ generator.standard_normal(free.shape[1]) for _ in range(DIRECTIONS)] if free.shape[1] > 1 else []
@@ -151,7 +151,7 @@ class LoopMotion:
             if following.gap > ROUNDED or moved < MOVED * STEP or moved > 4 * STEP:
                 break
             way.append(following)
-            free = self._null_space(following)
+            free = self.null_space(following)
             # On along the null space, as straight as it allows.
             direction = free @ (free.T @ ((following.coordinates - here.coordinates) / self._unit))
             here = following
@@ -191,7 +191,7 @@ class LoopMotion:
         rows = [scaled(_about(matrix, self._middle), self._length) for matrix in position.matrix]
         return np.vstack(rows) * self._unit
 
-    def _null_space(self, position: Position) -> Array:
+    def null_space(self, position: Position) -> Array:
         """Scaled coordinates that keep all loops closed, as orthonormal columns."""
         equations = self._equations(position)
         rank = len(independent_columns(equations))

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Container, Sequence
 from dataclasses import dataclass
 
 import networkx as nx
 import numpy as np
 
+from cad2modelica.coordinate_choice import choose_coordinates
+from cad2modelica.joint_couplings import follow
 from cad2modelica.joint_twists import (
     Column,
     independent_columns,
@@ -21,6 +24,7 @@ from cad2modelica.loop_closures import Closure, NotMovable, movable_closures
 from cad2modelica.loop_diagnosis import overconstrained
 from cad2modelica.model import GROUND, Assembly, Joint, JointType
 from cad2modelica.planar_loops import Loop, Step
+from cad2modelica.spatial import Array
 
 
 @dataclass(frozen=True)
@@ -66,8 +70,11 @@ def analyse_loops(assembly: Assembly, tree: KinematicTree) -> LoopAnalysis:
     for group in _coupled(loops):
         found = _closures(assembly, group, tree, joints, length)
         notes += [closure.note for closure in found.values()]
-        notes += _solve(group, _columns(group, tree, joints, found), length, given, independent)
+        columns = _columns(group, tree, joints, found)
+        notes += _solve(group, columns, length, given, independent)
+        notes += _choose(group, columns, length, independent, _without_variables(group, found))
         closures |= found
+    notes += follow(assembly.couplings, independent, given)
     notes += [_loop_note(loop) for loop in loops if loop.joint.name not in closures]
     return LoopAnalysis(
         loops,
@@ -87,8 +94,24 @@ def closed_loops(tree: KinematicTree) -> tuple[Loop, ...]:
 
 def mechanism_length(assembly: Assembly) -> float:
     """A length to compare rotations with displacements, m."""
-    points = np.array([joint.origin for joint in assembly.joints])
-    return max(float(np.linalg.norm(np.ptp(points, axis=0))), 1e-6) if len(points) else 1.0
+    # Axes through one point, as in a spherical linkage, say nothing about the size: the parts do.
+    points = [joint.origin for joint in assembly.joints]
+    centers = [part.pose.point(part.mass_properties.center_of_mass) for part in assembly.parts]
+    return max(_extent(points), _extent([*points, *centers]) / 2) or _largest_gyration(assembly) or 1.0
+
+
+def joint_extent(assembly: Assembly) -> float:
+    """How far apart the joints are, m; 0 if there are none."""
+    return _extent([joint.origin for joint in assembly.joints])
+
+
+def _extent(points: Sequence[Array]) -> float:
+    return float(np.linalg.norm(np.ptp(np.array(points), axis=0))) if points else 0.0
+
+
+def _largest_gyration(assembly: Assembly) -> float:
+    properties = [part.mass_properties for part in assembly.parts if part.mass_properties.mass > 0]
+    return math.sqrt(max((float(np.trace(item.inertia)) / item.mass for item in properties), default=0.0))
 
 
 def _coupled(loops: Sequence[Loop]) -> list[list[Loop]]:
@@ -141,6 +164,46 @@ def _solve(
     return notes
 
 
+def _choose(
+    loops: Sequence[Loop],
+    columns: Sequence[Column],
+    length: float,
+    independent: dict[str, list[bool]],
+    without: Container[str],
+) -> list[str]:
+    """Takes other coordinates as independent where those come to dead centres; changes ``independent``."""
+    preferred = [number for number, (joint, k) in enumerate(columns) if independent[joint.name][k]]
+    possible = [number for number, (joint, _) in enumerate(columns) if joint.name not in without]
+    choice = choose_coordinates(loops, columns, length, preferred, possible)
+    for number, (joint, k) in enumerate(columns):
+        independent[joint.name][k] = number in choice.independent
+    names = dict.fromkeys(columns[number][0].name for number in choice.independent)
+    notes = []
+    if set(choice.independent) != set(preferred):
+        instead = ", ".join(repr(columns[number][0].name) for number in preferred)
+        notes.append(
+            f"states of a loop are those of {', '.join(map(repr, names))}: those of {instead}, chosen first, come to a "
+            "dead centre sooner"
+        )
+    for value in choice.dead_centers:
+        joint = columns[choice.independent[0]][0]
+        unit, size = ("degrees", np.degrees(value)) if joint.type is not JointType.PRISMATIC else ("mm", 1000 * value)
+        notes.append(
+            f"joint {joint.name!r} is the state of its loop and comes to a dead centre at about {size:.3g} {unit} from "
+            "its start, which the model cannot pass"
+        )
+    return notes
+
+
+def _without_variables(loops: Sequence[Loop], closures: Container[str]) -> set[str]:
+    """Joints whose coordinates are no variables of the model: constraints, and spherical joints that close loops."""
+    return {
+        loop.joint.name
+        for loop in loops
+        if loop.joint.type is JointType.SPHERICAL or (loop.normal is not None and loop.joint.name not in closures)
+    }
+
+
 def _columns(
     loops: Sequence[Loop], tree: KinematicTree, joints: Sequence[Joint], closures: Container[str]
 ) -> list[Column]:
@@ -151,11 +214,7 @@ def _columns(
     """
     inside = {joint.name for loop in loops for joint, _ in loop.steps}
     cut = {joint.name for joint in tree.cut_joints}
-    without = {
-        loop.joint.name
-        for loop in loops
-        if loop.joint.type is JointType.SPHERICAL or (loop.normal is not None and loop.joint.name not in closures)
-    }
+    without = _without_variables(loops, closures)
     order = [joint for joint in joints if joint.name in cut] + [j for j in reversed(joints) if j.name not in cut]
     columns = []
     for joint in order:

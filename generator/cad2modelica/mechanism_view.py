@@ -14,7 +14,7 @@ class Component:
     Attributes:
         row: line of the diagram, counted downwards from 0.
         column: place in the line, counted from 0; the world stands at -1.
-        level: 0 in the line, 1 and 2 beside each other over it, -1 under it.
+        level: 0 in the line, from 1 on beside each other over it, -1 under it.
     """
 
     class_name: str

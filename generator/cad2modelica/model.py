@@ -233,6 +233,16 @@ class Joint:
         return self.type in (JointType.REVOLUTE, JointType.SCREW)
 
 
+@dataclass(frozen=True)
+class Coupling:
+    """A joint that follows another: its coordinate is ``ratio`` times the leader's plus ``offset`` (rad, m)."""
+
+    follower: str
+    leader: str
+    ratio: float
+    offset: float
+
+
 @dataclass(frozen=True, eq=False)
 class Plane:
     """A plane that bounds solid ground: a point of it and its unit normal out of the ground, world coordinates."""
@@ -272,6 +282,7 @@ class Assembly:
         notes: what the user should know about how the source was read; each one line.
         length_unit: the source's unit of length, m.
         limits_stop: whether joints have stops at their limits unless the user says otherwise.
+        couplings: joints with one coordinate that follow others, none of them in a loop.
     """
 
     name: str
@@ -289,6 +300,7 @@ class Assembly:
     notes: tuple[str, ...] = ()
     length_unit: float = 1.0
     limits_stop: bool = True
+    couplings: tuple[Coupling, ...] = ()
 
     @cached_property
     def _by_name(self) -> dict[str, Part]:

@@ -20,6 +20,7 @@ from cad2modelica.model import (
     Assembly,
     CollisionChoice,
     ContactSettings,
+    Coupling,
     DecompositionLimits,
     Joint,
     JointFriction,
@@ -34,7 +35,8 @@ from cad2modelica.spatial import IDENTITY, Pose
 from cad2modelica.urdf_elements import UrdfElements
 from cad2modelica.urdf_geometry import UrdfGeometry
 from cad2modelica.urdf_mass import read_mass_properties, usable
-from cad2modelica.urdf_tree import TYPES, Host, Link, UrdfJoint, UrdfTree, read_tree
+from cad2modelica.urdf_mimic import start_position
+from cad2modelica.urdf_tree import TYPES, Link, UrdfJoint, UrdfTree, read_tree
 
 GRAVITY = (0.0, 0.0, -9.81)
 STOP_TIME = 1.0
@@ -81,7 +83,9 @@ class _UrdfReader:
         self._elements.refuse_macros(self._root)
         tree = read_tree(self._root, self._elements)
         parts, ground = self._parts(tree)
-        joints = [self._model_joint(joint, tree.hosts, ground) for joint in tree.joints]
+        found = [self._model_joint(joint, tree, ground) for joint in tree.joints]
+        joints = [joint for joint in found if joint is not None]
+        couplings = self._couplings(tree, {joint.name for joint in joints})
         self._problems.raise_if_any()
         if not parts:
             self._problems.add(
@@ -99,10 +103,11 @@ class _UrdfReader:
             materials=(),
             planes=(),
             parts=tuple(parts),
-            joints=tuple(joint for joint in joints if joint is not None),
+            joints=tuple(joints),
             contacts=ContactSettings(decomposition=DecompositionLimits(triangles=DECOMPOSED_TRIANGLES)),
             notes=tuple(self._notes),
             limits_stop=False,
+            couplings=couplings,
         )
 
     # ----- parts -----
@@ -167,8 +172,21 @@ class _UrdfReader:
 
     # ----- joints -----
 
-    def _model_joint(self, joint: UrdfJoint, hosts: dict[str, Host], ground: str) -> Joint | None:
-        parent, child = hosts[joint.parent], hosts[joint.child]
+    def _couplings(self, tree: UrdfTree, joints: set[str]) -> tuple[Coupling, ...]:
+        """Couplings of joints that move; a joint that was taken as fixed neither leads nor follows."""
+        kept = []
+        for item in tree.couplings.values():
+            if item.leader in joints and item.follower in joints:
+                kept.append(item)
+            elif item.follower in joints:
+                self._notes.append(
+                    f"joint {item.follower!r} is to follow joint {item.leader!r} (mimic), which was taken as fixed: it "
+                    "moves by itself"
+                )
+        return tuple(kept)
+
+    def _model_joint(self, joint: UrdfJoint, tree: UrdfTree, ground: str) -> Joint | None:
+        parent, child = tree.hosts[joint.parent], tree.hosts[joint.child]
         if parent.part == child.part:
             return None
         kind = TYPES[joint.type]
@@ -183,7 +201,7 @@ class _UrdfReader:
             origin=child.world.position,
             axis=child.world.direction(joint.axis) if kind.needs_axis else None,
             second_axis=None,
-            position=0.0,
+            position=start_position(joint.name, tree.couplings),
             speed=0.0,
             velocity=np.zeros(3),
             angular_velocity=np.zeros(3),

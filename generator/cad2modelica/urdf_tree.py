@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from lxml import etree
 
-from cad2modelica.model import GROUND, JointType
-from cad2modelica.spatial import IDENTITY, Array, Pose
+from cad2modelica.model import GROUND, Coupling, JointType
+from cad2modelica.spatial import IDENTITY, Array, Pose, rotation_about
 from cad2modelica.urdf_elements import UrdfElements
 from cad2modelica.urdf_mass import has_inertia_alone, has_mass
+from cad2modelica.urdf_mimic import read_couplings, start_position
 
 TYPES = {
     "revolute": JointType.REVOLUTE,
@@ -61,11 +63,12 @@ class Host:
 
 @dataclass(frozen=True, eq=False)
 class UrdfTree:
-    """Links, joints from the roots outwards, and the host of every link."""
+    """Links, joints from the roots outwards, the host of every link, and joints that follow others by their names."""
 
     links: dict[str, Link]
     joints: tuple[UrdfJoint, ...]
     hosts: dict[str, Host]
+    couplings: dict[str, Coupling]
 
 
 def read_tree(root: etree._Element, elements: UrdfElements) -> UrdfTree:
@@ -81,7 +84,8 @@ def read_tree(root: etree._Element, elements: UrdfElements) -> UrdfTree:
     joints = reader.joints(links)
     elements.problems.raise_if_any()
     order = reader.order(links, joints)
-    return UrdfTree(links, tuple(order), reader.hosts(order, links))
+    couplings = {item.follower: item for item in read_couplings([joint.element for joint in joints], elements)}
+    return UrdfTree(links, tuple(order), reader.hosts(order, links, couplings), couplings)
 
 
 class _TreeReader:
@@ -123,20 +127,11 @@ class _TreeReader:
                 continue
             ends = [self._end(element, end, links) for end in ("parent", "child")]
             ignored |= {str(child.tag) for child in element} & _IGNORED
-            self._note_mimic(element, name)
             origin = self._elements.origin(element)
             joints.append(UrdfJoint(name, kind, ends[0], ends[1], origin, self._axis(element, kind), element))
         if ignored:
             self._notes.append(f"not used: {', '.join(sorted(ignored))} of joints")
         return joints
-
-    def _note_mimic(self, element: etree._Element, name: str) -> None:
-        mimic = element.find("mimic")
-        if mimic is not None:
-            self._notes.append(
-                f"joint {name!r} is to follow joint {mimic.get('joint')!r} (mimic), but moves by itself: couple them "
-                "in Mechatronics"
-            )
 
     def _axis(self, element: etree._Element, kind: str) -> Array:
         axis_element = element.find("axis")
@@ -198,8 +193,10 @@ class _TreeReader:
         self._problems.raise_if_any()
         return ordered
 
-    def hosts(self, order: list[UrdfJoint], links: dict[str, Link]) -> dict[str, Host]:
-        """Where every link belongs."""
+    def hosts(
+        self, order: list[UrdfJoint], links: dict[str, Link], couplings: Mapping[str, Coupling]
+    ) -> dict[str, Host]:
+        """Where every link belongs: at joint position zero, or where a joint that follows others is then."""
         children = {joint.child for joint in order}
         hosts: dict[str, Host] = {}
         for name, link in links.items():
@@ -211,13 +208,14 @@ class _TreeReader:
         carries_mass = self._links_that_carry_mass(order, links)
         for joint in order:
             parent = hosts[joint.parent]
-            world = parent.world @ joint.origin
+            origin = joint.origin @ _moved(joint, start_position(joint.name, couplings))
+            world = parent.world @ origin
             if links[joint.child].has_mass or (joint.type != "fixed" and joint.child in carries_mass):
                 hosts[joint.child] = Host(joint.child, IDENTITY, world)
                 continue
             if joint.type != "fixed":
                 self._notes.append(f"joint {joint.name!r} moves nothing that has mass: it was taken as fixed")
-            hosts[joint.child] = Host(parent.part, parent.inner @ joint.origin, world)
+            hosts[joint.child] = Host(parent.part, parent.inner @ origin, world)
         return hosts
 
     def _links_that_carry_mass(self, order: list[UrdfJoint], links: dict[str, Link]) -> set[str]:
@@ -227,6 +225,13 @@ class _TreeReader:
             if joint.child in carrying:
                 carrying.add(joint.parent)
         return carrying
+
+
+def _moved(joint: UrdfJoint, position: float) -> Pose:
+    """The child's pose at a joint's position against that at zero."""
+    if TYPES[joint.type] is JointType.PRISMATIC:
+        return Pose(joint.axis * position, np.eye(3))
+    return Pose(np.zeros(3), rotation_about(joint.axis, position)) if position else IDENTITY
 
 
 def _link_name(name: str) -> str:

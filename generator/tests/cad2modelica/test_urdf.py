@@ -469,11 +469,6 @@ def test_inertia_without_mass_is_noted(tmp_path: Path) -> None:
     assert not any("without mass" in note for note in assembly.notes)
 
 
-def test_mimic_is_named(tmp_path: Path) -> None:
-    assembly = changed(tmp_path, ('<limit effort="1"/>', '<mimic joint="r1" multiplier="2"/>'))
-    assert any("'r2' is to follow joint 'r1'" in note for note in assembly.notes)
-
-
 # ----- limits, ratings, ground -----
 
 LIMITS = '<limit effort="12" velocity="3" lower="-0.5" upper="2"/>'
