@@ -1,4 +1,4 @@
-"""VRML files as many programs write them, read and compared with VTK.
+"""VRML files as many programs write them, read and compared with VTK and MeshLab.
 
 Runs where Debian's packages kicad-packages3d, whitedune-docs or castle-game-engine-doc are installed, or where
 CMB_VRML_COLLECTION names folders (separated by colons).
@@ -26,11 +26,12 @@ def folders() -> list[Path]:
 
 @pytest.mark.skipif(not folders(), reason="no collection of VRML files is installed")
 @pytest.mark.parametrize("folder", folders(), ids=lambda folder: folder.name)
-def test_collection(folder: Path, tmp_path: Path) -> None:
-    """Every file is read, or refused for a reason in the file; every corner that VTK shows is ours, at its place."""
-    pytest.importorskip("vtk", reason="VTK is the oracle for positions")
-    found = {file: examine(file, folder, tmp_path) for file in files_of(folder)}
+@pytest.mark.parametrize(("oracle", "package"), [("VTK", "vtk"), ("MeshLab", "pymeshlab")])
+def test_collection(folder: Path, oracle: str, package: str, tmp_path: Path) -> None:
+    """Every file is read, or refused for a reason in the file; what an oracle shows is ours, at its place."""
+    pytest.importorskip(package, reason=f"{oracle} is the oracle for positions")
+    found = {file: examine(file, folder, tmp_path, (oracle,)) for file in files_of(folder)}
     assert [outcome.refusal for outcome in found.values() if outcome.refusal and not outcome.reason] == []
-    assert {str(file): outcome.distance for file, outcome in found.items() if outcome.distance > 1.0} == {}
-    compared = [outcome for outcome in found.values() if not outcome.refusal and not outcome.uncompared]
-    assert sum(outcome.complete for outcome in compared) > len(compared) / 2
+    compared = [(file, comparison) for file, outcome in found.items() for comparison in outcome.compared]
+    assert {str(file): comparison.distance for file, comparison in compared if comparison.distance > 1.0} == {}
+    assert sum(comparison.complete for _, comparison in compared) > len(compared) / 2

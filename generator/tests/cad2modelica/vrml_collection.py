@@ -1,4 +1,4 @@
-"""Reads the VRML files of a folder and compares them with VTK. As a script: counts.
+"""Reads the VRML files of a folder and compares them with VTK and MeshLab. As a script: counts.
 
 python vrml_collection.py FOLDER ...     at most 400 files of each folder, evenly taken from all
 """
@@ -6,20 +6,24 @@ python vrml_collection.py FOLDER ...     at most 400 files of each folder, evenl
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 import tempfile
 from collections import Counter
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 from cad2modelica.vrml_scene import read_scene
 from cmb_base.errors import InputError
+from meshlab_oracle import distances, meshlab_triangles, round_error, with_faces
 from scipy.spatial import cKDTree
 from vtk_oracle import prepared, text_of, understood, vtk_points
 
 MOST_FILES = 400  # of each folder
-SINGLE = 2e-6  # of the size: VTK computes in single precision
+SINGLE = 2e-6  # of the size: both oracles compute in single precision
+ROUND = re.compile(r"\b(Sphere|Cylinder|Cone)\b")
 REASONS = (
     "leaves the assembly's folder",
     "which does not exist",
@@ -29,27 +33,43 @@ REASONS = (
 
 
 @dataclass(frozen=True)
+class Comparison:
+    """What an oracle says.
+
+    Attributes:
+        unknown: why it says nothing; empty if it does.
+        distance: of its corners from ours, over the tolerance.
+        complete: whether it shows all that we read, too; both leave out some shapes.
+    """
+
+    unknown: str = ""
+    distance: float = 0.0
+    complete: bool = False
+
+
+@dataclass(frozen=True)
 class Outcome:
     """What came of a file.
 
     Attributes:
         refusal: the reader's message; empty if the file was read.
         shapes: number of shapes read.
-        uncompared: why VTK did not check it; empty if it did.
-        distance: of VTK's corners from ours, over the tolerance of single precision.
-        complete: whether VTK shows all corners that we read, too; it leaves out a shape now and then.
+        comparisons: by oracle; none of a file without faces.
     """
 
     refusal: str = ""
     shapes: int = 0
-    uncompared: str = ""
-    distance: float = 0.0
-    complete: bool = False
+    comparisons: Mapping[str, Comparison] = field(default_factory=dict)
 
     @property
     def reason(self) -> str:
         """The known reason of the refusal; empty if it is none of these."""
         return next((words for words in REASONS if words in self.refusal), "")
+
+    @property
+    def compared(self) -> list[Comparison]:
+        """What the oracles say that know the file."""
+        return [comparison for comparison in self.comparisons.values() if not comparison.unknown]
 
 
 def files_of(folder: Path, most: int = MOST_FILES) -> list[Path]:
@@ -58,30 +78,53 @@ def files_of(folder: Path, most: int = MOST_FILES) -> list[Path]:
     return found[:: max(1, -(-len(found) // most))]
 
 
-def examine(file: Path, folder: Path, scratch: Path) -> Outcome:
-    """Reads a file of a folder, and compares the corners of its faces with those that VTK shows."""
+def examine(file: Path, folder: Path, scratch: Path, oracles: Sequence[str] = ("VTK", "MeshLab")) -> Outcome:
+    """Reads a file of a folder, and compares the corners of its faces with those that the oracles show."""
     try:
         scene = read_scene(file, folder)
     except InputError as error:
         return Outcome(refusal=str(error))
-    points = [vertices[np.unique(triangles)] for vertices, triangles in (shape.placed() for shape in scene.shapes)]
+    placed = [shape.placed() for shape in scene.shapes]
+    if not placed:
+        return Outcome()
+    corners = np.concatenate([vertices[triangles] for vertices, triangles in placed])
+    found = {oracle: ORACLES[oracle](file, corners, scratch) for oracle in oracles}
+    return Outcome(shapes=len(placed), comparisons=found)
+
+
+def _with_vtk(file: Path, corners: np.ndarray, scratch: Path) -> Comparison:
     text = text_of(file)
-    if not points:
-        return Outcome(uncompared="no faces")
     if not understood(text):
-        return Outcome(shapes=len(points), uncompared="beyond VTK's importer")
+        return Comparison(unknown="beyond VTK's importer")
     plain = scratch / "plain.wrl"
     plain.write_text(prepared(text))
     theirs = vtk_points(plain, scratch)
     if theirs is None or len(theirs) < 4:
-        return Outcome(shapes=len(points), uncompared="VTK crashed" if theirs is None else "VTK shows nothing")
-    ours = np.concatenate(points)
+        return Comparison(unknown="crashed" if theirs is None else "shows nothing")
+    ours = corners.reshape(-1, 3)
     tolerance = SINGLE * np.ptp(ours, axis=0).max()
-    return Outcome(
-        shapes=len(points),
+    return Comparison(
         distance=float(cKDTree(ours).query(theirs)[0].max() / tolerance),
         complete=bool(cKDTree(theirs).query(ours)[0].max() <= tolerance),
     )
+
+
+def _with_meshlab(file: Path, corners: np.ndarray, scratch: Path) -> Comparison:
+    text = text_of(file)
+    plain = file
+    if file.read_bytes()[:2] == b"\x1f\x8b" or with_faces(text) != text:  # a copy, which finds no other files
+        plain = scratch / "plain.wrl"
+        plain.write_text(with_faces(text))
+    theirs = meshlab_triangles(plain, scratch)
+    if theirs is None:
+        return Comparison(unknown="refuses or crashes")
+    size = float(np.ptp(corners.reshape(-1, 3), axis=0).max())
+    tolerance = SINGLE * size + (round_error(size) if ROUND.search(text) else 0.0)
+    of_theirs, of_ours = distances(corners, theirs)
+    return Comparison(distance=of_theirs / tolerance, complete=of_ours <= tolerance)
+
+
+ORACLES = {"VTK": _with_vtk, "MeshLab": _with_meshlab}
 
 
 def main() -> None:
@@ -89,22 +132,25 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path, nargs="+")
     parser.add_argument("--most", type=int, default=MOST_FILES)
+    parser.add_argument("--oracle", choices=list(ORACLES), action="append")
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         for folder in given.folder:
             counts: Counter[str] = Counter()
             for file in files_of(folder, given.most):
-                outcome = examine(file, folder, Path(name))
+                outcome = examine(file, folder, Path(name), given.oracle or tuple(ORACLES))
                 counts["files"] += 1
                 if outcome.refusal:
                     counts[f"refused: {outcome.reason or outcome.refusal}"] += 1
                     continue
                 counts["read"] += 1
-                counts[f"not compared: {outcome.uncompared}" if outcome.uncompared else "compared"] += 1
-                counts["complete in VTK"] += outcome.complete
-                if outcome.distance > 1.0:
-                    counts["apart"] += 1
-                    sys.stdout.write(f"{file}: {outcome.distance:g} tolerances\n")
+                counts["compared" if outcome.compared else "not compared" if outcome.shapes else "no faces"] += 1
+                for oracle, comparison in outcome.comparisons.items():
+                    counts[f"{oracle}: {comparison.unknown or 'compared'}"] += 1
+                    counts[f"{oracle}: complete"] += comparison.complete
+                    if comparison.distance > 1.0:
+                        counts[f"{oracle}: apart"] += 1
+                        sys.stdout.write(f"{file}: {comparison.distance:g} tolerances from {oracle}\n")
             sys.stdout.write(f"{folder}: {dict(sorted(counts.items()))}\n")
 
 
