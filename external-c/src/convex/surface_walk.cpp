@@ -10,6 +10,9 @@ namespace cmb::convex {
 namespace {
 
 constexpr std::size_t most_facets = 400, most_corners = 4000, mark_count = 8192;
+constexpr std::size_t facets_before_girdle = 12;
+// The girdle's slope towards the far side, and the facets' cosine to the lowest one from which on it is of no use.
+constexpr double girdle_slope = 0.7, girdle_reach = 0.75;
 constexpr int most_descents = 200;
 // Edges at a smaller angle (its sine) count as parallel.
 constexpr double parallel_sine = 1e-5;
@@ -222,12 +225,89 @@ bool SurfaceWalk::add_sides(const Facet &facet, std::int32_t number, std::int32_
   return true;
 }
 
+// The points of C that close the surface: one on the far side, or a girdle half way to that as well.
+SurfaceWalk::Closure::Closure(const MinkowskiDifference &difference, const Facet &lowest, double radius)
+    : difference_(difference), radius2_(radius * radius), normal_(lowest.normal),
+      far_(difference.support(-lowest.normal).w) {}
+
+// Seen from outside p, q and r are in counter-clockwise turn: whether the origin is below their plane by the radius.
+bool SurfaceWalk::Closure::is_beyond(const Vec3 &p, const Vec3 &q, const Vec3 &r) const {
+  const Vec3 across = cross(q - p, r - p);
+  const double offset = dot(across, p);
+  return offset > 0.0 && offset * offset >= radius2_ * norm2(across);
+}
+
+// False where the girdle itself is not beyond the ball.
+bool SurfaceWalk::Closure::put_girdle() {
+  constexpr double cosine[girdle_points] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5}, half_root3 = 0.86602540378443865;
+  constexpr double sine[girdle_points] = {0.0, half_root3, half_root3, 0.0, -half_root3, -half_root3};
+  across_[0] = any_perpendicular(normal_);
+  across_[1] = cross(normal_, across_[0]);
+  for (int k = 0; k < girdle_points; ++k) {
+    girdle_[k] = difference_.support(girdle_slope * normal_ + cosine[k] * across_[0] + sine[k] * across_[1]).w;
+  }
+  for (int k = 0; k < girdle_points; ++k) {
+    if (!is_beyond(girdle_[k], far_, girdle_[k + 1 == girdle_points ? 0 : k + 1])) return false;
+  }
+  with_girdle_ = true;
+  return true;
+}
+
+// The girdle's point nearest to a direction, by the turn about the normal.
+int SurfaceWalk::Closure::sector(const Vec3 &p) const {
+  // Bounds of sectors are at odd twelfths of a turn: signs of three products.
+  constexpr double root3 = 1.7320508075688773;
+  const double x = dot(p, across_[0]), y = dot(p, across_[1]);
+  const int bits = (x >= 0.0 ? 1 : 0) | (x + root3 * y >= 0.0 ? 2 : 0) | (x - root3 * y >= 0.0 ? 4 : 0);
+  static constexpr int sectors[8] = {3, 0, 2, 1, 4, 5, 0, 0};
+  return sectors[bits];
+}
+
+// The part of the closure at a side of the facets found, from p to q, is made of triangles from it to the far point or the
+// girdle.
+bool SurfaceWalk::Closure::holds(const Vec3 &p, const Vec3 &q) const {
+  if (!with_girdle_) return is_beyond(q, p, far_);
+  const int first = sector(p), last = sector(q);
+  if (!is_beyond(q, p, girdle_[first])) return false;
+  int at = first;
+  for (int steps = 0; at != last; ++steps) {
+    if (steps == girdle_points / 2) return false;  // it would lead backwards
+    const int next = at + 1 == girdle_points ? 0 : at + 1;
+    if (!is_beyond(q, girdle_[at], girdle_[next])) return false;
+    at = next;
+  }
+  return true;
+}
+
+// How often the triangles at a side lead from each point of the girdle to the next: once all round, the closure is closed.
+void SurfaceWalk::Closure::count_steps(const Vec3 &p, const Vec3 &q, int steps[girdle_points]) const {
+  for (int at = sector(p), last = sector(q); at != last; at = at + 1 == girdle_points ? 0 : at + 1) ++steps[at];
+}
+
+bool SurfaceWalk::is_closed(const Closure &closure) const {
+  if (!closure.with_girdle()) return true;
+  int steps[Closure::girdle_points] = {};
+  bool open = false;
+  for (const Side &side : sides_) {
+    if (side.inner) continue;
+    open = true;
+    closure.count_steps(corners_[index(side.corner)].at, end_of(side), steps);
+  }
+  return !open || std::all_of(steps, steps + Closure::girdle_points, [](int count) { return count == 1; });
+}
+
+const Vec3 &SurfaceWalk::end_of(const Side &side) const {
+  const Facet &facet = facets_[index(side.facet)];
+  return corners_[index(side.corner + 1 == facet.first + facet.count ? facet.first : side.corner + 1)].at;
+}
+
 // Adds facets round the lowest one until no other can be within the ball. `lowest` is exchanged, and the growth to be done
 // again, where the outcome is `apart`.
 SurfaceWalk::Outcome SurfaceWalk::grow(const MinkowskiDifference &difference, double size, Facet &lowest) {
   const double radius = size > 0.0 ? surface_reach(lowest.height, size) : lowest.height;
-  const Vec3 far = difference.support(-lowest.normal).w;
   const double slack = 1e-15 * difference.scale;
+  Closure closure(difference, lowest, radius);
+  bool girdle_tried = false;
   if (++growth_ == 0) {
     std::fill(marks_.begin(), marks_.end(), Mark{0, 0, 0});
     growth_ = 1;
@@ -236,29 +316,40 @@ SurfaceWalk::Outcome SurfaceWalk::grow(const MinkowskiDifference &difference, do
   sides_.clear();
   facets_.push_back(lowest);
   if (!add_sides(lowest, 0, 0)) return Outcome::undecided;
-  for (std::size_t k = 0; k < sides_.size(); ++k) {
+  for (std::size_t k = 0;; ++k) {
+    if (k == sides_.size()) {
+      if (is_closed(closure)) return Outcome::found;
+      closure.leave_girdle();
+      k = 0;
+    }
     if (sides_[k].inner) continue;
-    const Facet facet = facets_[index(sides_[k].facet)];
-    const std::int32_t number = sides_[k].corner;
-    const Corner corner = corners_[index(number)];
-    const Vec3 &p = corner.at, &q = corners_[index(number + 1 == facet.first + facet.count ? facet.first : number + 1)].at;
-    // Seen from outside the cone's side has q, p and the far point in counter-clockwise turn.
-    const Vec3 across = cross(q - far, p - far);
-    const double offset = dot(across, far);
-    if (offset > 0.0 && offset * offset >= radius * radius * norm2(across)) continue;
+    const Corner corner = corners_[index(sides_[k].corner)];
+    const Vec3 end = end_of(sides_[k]);
+    if (closure.holds(corner.at, end)) continue;
     if (facets_.size() == most_facets) return Outcome::undecided;
+    // The girdle takes some facets' time.
+    if (facets_.size() >= facets_before_girdle && !girdle_tried) {
+      girdle_tried = true;
+      if (closure.put_girdle()) {
+        k = static_cast<std::size_t>(-1);
+        continue;
+      }
+    }
+    const Vec3 from = facets_[index(sides_[k].facet)].normal;
     Facet next;
-    const Vec3 end = q;
     sides_[k].inner = true;
-    if (!cross_side(corner, end, facet.normal, next) || !(next.height > 0.0)) return Outcome::undecided;
+    if (!cross_side(corner, end, from, next) || !(next.height > 0.0)) return Outcome::undecided;
     if (next.height < lowest.height - slack) {
       lowest = next;
       return Outcome::apart;
     }
     facets_.push_back(next);
+    if (closure.with_girdle() && dot(next.normal, lowest.normal) < girdle_reach) {
+      closure.leave_girdle();
+      k = static_cast<std::size_t>(-1);
+    }
     if (!add_sides(next, static_cast<std::int32_t>(facets_.size()) - 1, 1)) return Outcome::undecided;
   }
-  return Outcome::found;
 }
 
 void SurfaceWalk::find_witness(const Facet &facet, Result &result) const {

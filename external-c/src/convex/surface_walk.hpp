@@ -6,7 +6,8 @@
 // beyond, the facet is nearer to the origin; so the walk comes down to a facet that holds the origin's foot. From there
 // facets are added until the cone from a point of C on the far side to the rim of those found has no side within the ball
 // asked for. Then these facets and the cone are a closed surface of points of C round the ball: no other facet meets it,
-// and the least of the heights found is the depth.
+// and the least of the heights found is the depth. Where that takes many facets, the cone is bent outwards over a girdle of
+// six more points of C.
 #pragma once
 
 #include <cstdint>
@@ -74,6 +75,29 @@ class SurfaceWalk {
     std::int32_t side;
   };
 
+  // What closes the surface of the facets found, all of points of C.
+  class Closure {
+   public:
+    static constexpr int girdle_points = 6;
+
+    Closure(const MinkowskiDifference &difference, const Facet &lowest, double radius);
+    bool put_girdle();
+    void leave_girdle() { with_girdle_ = false; }
+    bool with_girdle() const { return with_girdle_; }
+    // Whether its part at a side from p to q is outside the ball.
+    bool holds(const Vec3 &p, const Vec3 &q) const;
+    void count_steps(const Vec3 &p, const Vec3 &q, int steps[girdle_points]) const;
+
+   private:
+    bool is_beyond(const Vec3 &p, const Vec3 &q, const Vec3 &r) const;
+    int sector(const Vec3 &p) const;
+
+    const MinkowskiDifference &difference_;
+    double radius2_;
+    Vec3 normal_, far_, across_[2], girdle_[girdle_points];
+    bool with_girdle_ = false;
+  };
+
   bool start(const Vec3 &first, Facet &facet, Vec3 &apart);
   bool descend(Facet &facet);
   Outcome grow(const MinkowskiDifference &difference, double size, Facet &lowest);
@@ -82,6 +106,8 @@ class SurfaceWalk {
   bool facet_of_edges(const Corner &q, const Vec3 &q_end, std::int32_t q_end_vertex, std::int32_t other_edge,
                       std::int32_t far_vertex, Facet &facet);
   bool add_sides(const Facet &facet, std::int32_t number, std::int32_t k);
+  bool is_closed(const Closure &closure) const;
+  const Vec3 &end_of(const Side &side) const;
   void find_witness(const Facet &facet, Result &result) const;
   void find_mean(const Facet &lowest, double radius, Result &result) const;
 

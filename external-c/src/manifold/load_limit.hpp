@@ -22,9 +22,11 @@ struct LoadLimit {
 };
 
 // The width for corners of which about `fineness` are met for each metre of depth. Few corners, or shallow ones, share
-// over all of the depth; of many, about the square root of as many as there are carry.
+// over all of the depth; of many, about as many carry as meet in two of the tessellation's steps, however deep the contact:
+// such a body rolls from facet to facet as smoothly as these are fine.
 inline double load_width(double greatest_depth, double fineness) {
-  return std::min(greatest_depth, std::sqrt(greatest_depth / fineness));
+  constexpr double steps = 2.0;
+  return std::min(greatest_depth, steps / fineness);
 }
 
 template <typename Corner>
