@@ -15,7 +15,7 @@ from cad2modelica.assembling import assembled, require_closed
 from cad2modelica.assembly_choices import with_grounded, with_stops
 from cad2modelica.collision_shapes import MAXIMUM_PIECES
 from cad2modelica.contact_pairs import contact_pairs, within_reach
-from cad2modelica.generation_notes import overlap_notes, unit_notes
+from cad2modelica.generation_notes import overlap_notes, speed_notes, unit_notes
 from cad2modelica.generation_report import ReportInput, report_html
 from cad2modelica.graph_drawing import graph_svg
 from cad2modelica.joint_couplings import with_couplings
@@ -156,6 +156,7 @@ def generate(
         *assembly.notes,
         *unit_notes(assembly),
         *distance_notes(assembly),
+        *speed_notes(assembly, tree),
         *loops.notes,
         *(note for item in geometries.values() for note in item.notes),
         *dropped,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from cad2modelica.kinematic_graph import KinematicTree
 from cad2modelica.loops import joint_extent
 from cad2modelica.mass_check import check_against_mechanism
 from cad2modelica.model import Assembly
@@ -21,6 +22,16 @@ def unit_notes(assembly: Assembly) -> tuple[str, ...]:
         if finding is not None:
             notes.append(f"part {part.name!r}: {finding.message}; {finding.remedy}")
     return tuple(notes)
+
+
+def speed_notes(assembly: Assembly, tree: KinematicTree) -> tuple[str, ...]:
+    """Start speeds of parts that joints hold: those of their joints count."""
+    held = [
+        part.name
+        for part in assembly.parts
+        if (part.velocity.any() or part.angular_velocity.any()) and tree.branch(part.name).predecessor is not None
+    ]
+    return tuple(f"part {name!r}: its start speed was ignored, for joints hold it; give it to a joint" for name in held)
 
 
 def overlap_notes(start: StartCheck) -> tuple[str, ...]:

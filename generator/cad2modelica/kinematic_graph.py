@@ -67,7 +67,8 @@ def kinematic_tree(assembly: Assembly) -> KinematicTree:
     Of the joints of a loop one is left out of the tree: in planar loops the revolute joint that closes them; in others
     a spherical joint if there is one, else a revolute one, and of those the one listed last, so that the order in the
     source decides. Grounded parts stand on the ground without a joint. Parts no chain of joints connects to the ground
-    form trees of their own; their roots are the parts listed first.
+    form trees of their own; their roots are the parts that start with a speed of their own or hang on a free joint, and
+    of several, or of none, those listed first.
     """
     planar = planar_loops(assembly)
     cut = _cut_joints(assembly, {loop.joint.name for loop in planar})
@@ -93,7 +94,7 @@ def kinematic_tree(assembly: Assembly) -> KinematicTree:
         reached_by[name] = (None, GROUND)
         order.append(name)
     span([GROUND, *grounded])
-    for part in assembly.parts:
+    for part in _roots_first(assembly):
         if part.name not in reached_by:
             reached_by[part.name] = (None, None)
             order.append(part.name)
@@ -112,6 +113,16 @@ def kinematic_tree(assembly: Assembly) -> KinematicTree:
         fixed=frozenset(name for name, group in groups.items() if group == GROUND),
         rigid_groups=groups,
     )
+
+
+def _roots_first(assembly: Assembly) -> list[Part]:
+    """Parts in their order, but those first whose speed at the start is given: it is that of their tree's root."""
+    free = {joint.child for joint in assembly.joints if joint.type is JointType.FREE}
+
+    def is_given(part: Part) -> bool:
+        return part.name in free or bool(part.velocity.any() or part.angular_velocity.any())
+
+    return sorted(assembly.parts, key=lambda part: not is_given(part))
 
 
 def _cut_joints(assembly: Assembly, planar: set[str]) -> tuple[Joint, ...]:

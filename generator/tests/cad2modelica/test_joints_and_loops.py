@@ -172,6 +172,33 @@ def test_free_part_is_the_root_of_its_mechanism(tmp_path: Path) -> None:
     }
 
 
+@pytest.mark.parametrize("by_joint", [True, False])
+def test_part_with_a_speed_is_the_root_wherever_it_is_listed(tmp_path: Path, by_joint: bool) -> None:
+    start = 'velocity="1 0 2" angularVelocity="0 0 3"'
+    torso = part("torso", position=(0, 0, 1), start="" if by_joint else f"<start {start}/>")
+    parts = [part("lower", position=(2, 0, 1)), part("upper", position=(1, 0, 1)), torso]
+    joints = [
+        joint("knee", "revolute", "upper", "lower", origin=(1.5, 0, 1), axis=(0, 1, 0)),
+        joint("hip", "revolute", "torso", "upper", origin=(0.5, 0, 1), axis=(0, 0, 1)),
+    ]
+    if by_joint:
+        joints.append(joint("throw", "free", "ground", "torso", origin=(0, 0, 1), start=start))
+    package = generate(write_assembly(tmp_path / "limbs.xml", parts, joints), tmp_path / "out")
+    text = (package.root / "Mechanics.mo").read_text()
+    bodies = dict(re.findall(r"Parts\.Body (\w+)\((.*?)\) \"", text, flags=re.DOTALL))
+    assert [name for name, modifiers in bodies.items() if "enforceStates" in modifiers] == ["torso"]
+    assert "v_0(start={1,0,2}" in bodies["torso"]
+    assert "w_0_start={0,0,3}" in bodies["torso"]
+    assert not any("its start speed was ignored" in note for note in package.notes)
+
+
+def test_speed_of_a_part_that_a_joint_holds_is_named(tmp_path: Path) -> None:
+    arm = part("arm", start='<start velocity="1 0 2"/>')
+    file = write_assembly(tmp_path / "arm.xml", [arm], [joint("j", "revolute", "ground", "arm", axis=(0, 1, 0))])
+    notes = generate(file, tmp_path / "out").notes
+    assert "part 'arm': its start speed was ignored, for joints hold it; give it to a joint" in notes
+
+
 def test_fixed_joint_carries_its_part(moved: Trajectory) -> None:
     expected = np.array([17, 1, 0.5]) + np.outer(moved.time, [2, 0, 0])
     np.testing.assert_allclose(moved.vector("rider.frame_a.r_0"), expected, atol=1e-7)
