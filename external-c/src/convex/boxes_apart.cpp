@@ -19,8 +19,6 @@ class NearestPoints {
   NearestPoints(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a)
       : rotation_(b_in_a.rotation), translation_(b_in_a.translation) {
     for (int k = 0; k < 3; ++k) half_[k] = half_a[k], half_[3 + k] = half_b[k];
-    const Mat3 columns = transposed(rotation_);
-    for (int k = 0; k < 3; ++k) way_[k].set(k, 1.0), way_[3 + k] = -columns.row[k];
     // Nearest points by turns, from B's middle on.
     Vec3 a = clamped(translation_, half_a);
     Vec3 b = clamped(transposed_times(rotation_, a - translation_), half_b);
@@ -74,6 +72,14 @@ class NearestPoints {
     }
   }
 
+  // The change of the difference by a coordinate.
+  Vec3 way(int k) const {
+    if (k >= 3) return -rotation_.column(k - 3);
+    Vec3 axis;
+    axis.set(k, 1.0);
+    return axis;
+  }
+
   void find_difference() {
     const Vec3 b{at_[3], at_[4], at_[5]};
     difference_ = Vec3{at_[0], at_[1], at_[2]} - (rotation_ * b + translation_);
@@ -85,16 +91,19 @@ class NearestPoints {
     if (free_count_ == 2) {
       const int i = free_[0], j = free_[1];
       if (i < 3 && j >= 3) {
-        if (!common_perpendicular(way_[i], way_[j], normal_)) return false;
+        if (!common_perpendicular(way(i), way(j), normal_)) return false;
       } else {
-        normal_ = way_[(i < 3 ? 3 : 12) - i - j];
+        normal_ = way((i < 3 ? 3 : 12) - i - j);
       }
       distance_ = dot(normal_, difference_);
       if (distance_ < 0.0) normal_ = -normal_, distance_ = -distance_;
       return true;
     }
     Vec3 across = difference_;
-    if (free_count_ == 1) across = across - dot(across, way_[free_[0]]) * way_[free_[0]];
+    if (free_count_ == 1) {
+      const Vec3 along = way(free_[0]);
+      across = across - dot(across, along) * along;
+    }
     distance_ = norm(across);
     normal_ = (1.0 / distance_) * across;
     return true;
@@ -104,17 +113,17 @@ class NearestPoints {
   // meet, or where the points do not come nearer.
   bool move(int moved, double sense) {
     for (;;) {
-      const Vec3 way = sense * way_[moved];
+      const Vec3 of_moved = sense * way(moved);
       double follow[2] = {0.0, 0.0};
-      Vec3 change = way;
+      Vec3 change = of_moved;
       if (free_count_ > 0) {
-        const Vec3 &u = way_[free_[0]];
-        follow[0] = -dot(way, u);
+        const Vec3 u = way(free_[0]);
+        follow[0] = -dot(of_moved, u);
         if (free_count_ > 1) {
-          const Vec3 &v = way_[free_[1]];
+          const Vec3 v = way(free_[1]);
           const double cosine = dot(u, v);
           const Vec3 across = v - cosine * u;
-          follow[1] = -dot(way, across) / norm2(across);
+          follow[1] = -dot(of_moved, across) / norm2(across);
           follow[0] -= follow[1] * cosine;
           change = change + follow[1] * v;
         }
@@ -155,7 +164,6 @@ class NearestPoints {
   const Mat3 &rotation_;
   const Vec3 &translation_;
   double half_[6], at_[6];
-  Vec3 way_[6];  // of the difference by each coordinate
   int free_[3] = {0, 0, 0}, free_count_ = 0;
   Vec3 difference_, normal_;
   double distance_ = 0.0;
