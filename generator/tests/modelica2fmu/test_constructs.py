@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
 from pathlib import Path
-from types import ModuleType
 
+import construct_table as table
 import numpy as np
 import pytest
 from cmb_base.errors import InputError
@@ -14,20 +12,6 @@ from fmpy import simulate_fmu
 from modelica2fmu.build import build_fmu
 
 DOCUMENTATION = Path(__file__).resolve().parents[3] / "docs" / "fmu-builder.md"
-
-
-def load_table() -> ModuleType:
-    path = Path(__file__).with_name("construct_table.py")
-    specification = importlib.util.spec_from_file_location("construct_table", path)
-    assert specification is not None
-    assert specification.loader is not None
-    module = importlib.util.module_from_spec(specification)
-    sys.modules["construct_table"] = module
-    specification.loader.exec_module(module)
-    return module
-
-
-table = load_table()
 
 
 def written(case, folder: Path) -> Path:

@@ -2,30 +2,14 @@
 
 from __future__ import annotations
 
-import importlib.util
 import os
-import sys
-from pathlib import Path
-from types import ModuleType
 
+import msl_examples as examples
 import numpy as np
 import pytest
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 
-
-def load_examples() -> ModuleType:
-    path = Path(__file__).with_name("msl_examples.py")
-    specification = importlib.util.spec_from_file_location("msl_examples", path)
-    assert specification is not None
-    assert specification.loader is not None
-    module = importlib.util.module_from_spec(specification)
-    sys.modules["msl_examples"] = module
-    specification.loader.exec_module(module)
-    return module
-
-
-examples = load_examples()
 LIBRARY = examples.library_folder()
 pytestmark = pytest.mark.skipif(
     LIBRARY is None, reason="needs the complete Modelica Standard Library (MODELICAPATH names none)"
