@@ -11,7 +11,7 @@ from scipy.spatial import ConvexHull, cKDTree
 from cad2modelica.collision_shape import CollisionShape
 from cad2modelica.convex_decomposition import decompose
 from cad2modelica.convex_hull import convex_hull
-from cad2modelica.hull_thinning import thinned
+from cad2modelica.hull_thinning import MOST_CORNERS, share_of_corners, thinned
 from cad2modelica.mesh import Indices, bodies, is_closed, join, volume_integrals, weld
 from cad2modelica.model import NO_LIMITS, CollisionChoice, Decomposer, DecompositionLimits, Part
 from cad2modelica.reach import Ball
@@ -77,13 +77,14 @@ def collision_geometry(part: Part, limits: DecompositionLimits = NO_LIMITS) -> C
     limits = part.decomposition.or_else(limits)
     refusal = _too_fine(part, len(triangles), limits) or _too_many(len(kept))
     limits = _shared_out(limits, len(kept))
-    for number in kept:
-        hull = convex_hull(found[number][0])
+    hulls = {number: convex_hull(found[number][0]) for number in kept}
+    corners = share_of_corners([hull for hull in hulls.values() if hull is not None])
+    for number, hull in hulls.items():
         if hull is None:
             remarks.append((number, "is flat and was left out of the contacts"))
             continue
         label = _label(part, [number], len(found))
-        own_shapes, texts = _body_shapes(part, label, hull, found[number], limits, refusal)
+        own_shapes, texts = _body_shapes(part, label, hull, found[number], limits, refusal, corners)
         shapes += own_shapes
         remarks += [(number, text) for text in texts]
     return CollisionGeometry(tuple(shapes), _notes(part, remarks, len(found), note))
@@ -135,9 +136,12 @@ def _notes(part: Part, remarks: list[tuple[int, str]], count: int, note: str) ->
 
 
 def _body_shapes(
-    part: Part, label: str, hull: ConvexHull, body: Body, limits: DecompositionLimits, refusal: str
+    part: Part, label: str, hull: ConvexHull, body: Body, limits: DecompositionLimits, refusal: str, corners: int
 ) -> tuple[list[CollisionShape], list[str]]:
-    """Shapes of one connected body and remarks on them; a refusal says why it is not decomposed."""
+    """Shapes of one connected body and remarks on them.
+
+    A refusal says why it is not decomposed; its hull keeps no more than so many corners.
+    """
     vertices, triangles = body
     shape = recognise(hull, part.collision)
     if shape is None and part.collision in RECOGNISERS:
@@ -148,7 +152,7 @@ def _body_shapes(
         )
     if not is_closed(triangles):
         kind = "convex hull" if shape is None else shape.kind
-        return _one_shape(shape, hull, [f"the geometry is not closed; collides as its {kind}"])
+        return _one_shape(shape, hull, corners, [f"the geometry is not closed; collides as its {kind}"])
     volume = volume_integrals(vertices, triangles).volume
     remarks = ["the faces are turned inside out"] if volume < 0 else []
     added = 1.0 - abs(volume) / hull.volume
@@ -166,7 +170,7 @@ def _body_shapes(
             f"is not convex; collides as {name}, {100 * added:.0f} % of which is not part of the body"
             + (f" (no decomposition: {failure})" if failure else "")
         )
-    return _one_shape(shape, hull, remarks)
+    return _one_shape(shape, hull, corners, remarks)
 
 
 def _too_fine(part: Part, triangles: int, limits: DecompositionLimits) -> str:
@@ -209,12 +213,12 @@ def _accuracy(vertices: Array, triangles: Indices, pieces: list[ConvexHull]) -> 
 
 
 def _one_shape(
-    shape: CollisionShape | None, hull: ConvexHull, remarks: list[str]
+    shape: CollisionShape | None, hull: ConvexHull, corners: int, remarks: list[str]
 ) -> tuple[list[CollisionShape], list[str]]:
     """The recognised shape, or else the hull, and the remarks with one on a hull that has lost corners."""
     if shape is not None:
         return [shape], remarks
-    shape, error = _hull_shape(hull)
+    shape, error = _hull_shape(hull, corners)
     if error > 0.0 and shape.vertices is not None:
         remarks = [
             *remarks,
@@ -224,7 +228,7 @@ def _one_shape(
     return [shape], remarks
 
 
-def _hull_shape(hull: ConvexHull) -> tuple[CollisionShape, float]:
+def _hull_shape(hull: ConvexHull, most: int = MOST_CORNERS) -> tuple[CollisionShape, float]:
     """The hull as a shape, and how far corners that it has lost lie outside of it, m."""
-    corners, error = thinned(hull)
+    corners, error = thinned(hull, most)
     return CollisionShape.hull(corners), error

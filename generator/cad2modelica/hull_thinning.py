@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from scipy.spatial import ConvexHull
 
@@ -9,6 +11,7 @@ from cad2modelica.spatial import Array
 from cad2modelica.surface_distance import Surface
 
 MOST_CORNERS = 8192  # of a hull in the contact engine's descriptors
+MOST_TOGETHER = 131_072  # of all hulls of a body: in text 10 MiB, of the 16 MiB that its descriptor may have
 _BLOCK = 256  # directions at a time
 
 
@@ -36,6 +39,13 @@ def thinned(hull: ConvexHull, most: int = MOST_CORNERS) -> tuple[Array, float]:
     left = corners[kept]
     rest = ConvexHull(left)
     return left, Surface(rest.points[rest.simplices]).farthest(np.delete(corners, kept, axis=0))
+
+
+def share_of_corners(hulls: Sequence[ConvexHull]) -> int:
+    """How many corners each of a body's hulls may keep, so that they are not too many together."""
+    if sum(len(hull.vertices) for hull in hulls) <= MOST_TOGETHER:
+        return MOST_CORNERS
+    return min(MOST_CORNERS, MOST_TOGETHER // len(hulls))
 
 
 def _stretched(points: Array) -> Array:

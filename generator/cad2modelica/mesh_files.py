@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import struct
 from pathlib import Path
 
@@ -137,8 +138,8 @@ def _floats(words: list[str], count: int, file: Path, line: int) -> list[float]:
         values = [float(word) for word in words]
     except ValueError:
         values = []
-    if len(values) != count:
-        raise _wrong_line(file, line, f"{count} numbers expected")
+    if len(values) != count or not all(map(math.isfinite, values)):
+        raise _wrong_line(file, line, f"{count} finite numbers expected")
     return values
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from cad2modelica import generate
 from cad2modelica.collision_shapes import MOST_SHAPES, CollisionGeometry, collision_geometry
-from cad2modelica.hull_thinning import MOST_CORNERS, thinned
+from cad2modelica.hull_thinning import MOST_CORNERS, MOST_TOGETHER, thinned
 from cad2modelica.mesh import Indices, Mesh, bodies
 from cad2modelica.model import CollisionChoice, MassProperties, Part
 from cad2modelica.primitive_meshes import box_surface
@@ -106,6 +106,24 @@ def test_thinned_hull_differs_by_no_more_than_it_says() -> None:
     beyond = max(float((equations[:, :3] @ block.T + equations[:, 3:]).max()) for block in np.array_split(points, 60))
     assert beyond <= error * (1 + 1e-9)
     assert error <= 1.5 * beyond
+
+
+def test_fine_hulls_of_one_part_keep_within_the_length_of_a_descriptor() -> None:
+    """Forty eggs of 4000 corners each share what is allowed; the thinner the hull, the greater the distance told."""
+    egg_hull = ConvexHull(egg(4000) / 100)
+    count = 40
+    vertices = np.concatenate([egg_hull.points + np.array([k, 0.0, 0.0]) for k in range(count)])
+    triangles = np.concatenate([egg_hull.simplices.astype(np.int64) + 4000 * k for k in range(count)])
+    geometry = shapes_of(vertices, triangles, CollisionChoice.HULL)
+    kept = [len(shape.vertices) for shape in geometry.shapes]
+    assert len(kept) == count
+    assert 0.5 * MOST_TOGETHER < sum(kept) <= MOST_TOGETHER
+    assert len(geometry.descriptor) < 16 * 2**20
+    told = [
+        float(re.search(r"Hausdorff distance ([\d.e-]+) mm", note)[1]) for note in geometry.notes if "count" in note
+    ]
+    assert told
+    assert 0.0 < min(told) <= max(told) < 0.1
 
 
 def test_few_corners_stay_as_they_are() -> None:
