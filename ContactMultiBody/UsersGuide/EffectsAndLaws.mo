@@ -20,7 +20,7 @@ flat faces and where nothing is known, 3/2 for round bodies (Hertz).
 </p>
 <p>
 <strong>Points or volumes</strong>: the <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a> knows all shapes and gives a face four or more points. Where the distribution of pressure over a
-face matters, as on rubber, mats and pads, the <a href=\"modelica://ContactMultiBody.VolumeContactManager\">VolumeContactManager</a> takes forces from the volume of the overlap, for all shapes but meshes on half-spaces, boxes and hulls, and spheres.
+face matters, as on rubber, mats and pads, the <a href=\"modelica://ContactMultiBody.VolumeContactManager\">VolumeContactManager</a> takes forces from the volume of the overlap, for all shapes but open meshes and height fields.
 </p>
 <p>
 <strong>Many bodies</strong>: the <a href=\"modelica://ContactMultiBody.CompiledContactManager\">CompiledContactManager</a> computes forces in the engine, for scenes of tens or hundreds of bodies.

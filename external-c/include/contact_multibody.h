@@ -116,18 +116,17 @@ CMB_API cmb_status cmb_backend_counts(cmb_scene scene, unsigned long long *answe
 
 /* The overlap of a pair as a solid. Parts of compounds are added up. */
 typedef struct cmb_overlap {
-  int known;                /* 1, or 0 where a pair of shapes overlaps whose overlap the engine cannot compute: known are
-                               all shapes but meshes with half-spaces, boxes and hulls with each other, spheres with
-                               each other. Everything is 0 then, and where nothing overlaps. */
+  int known;                /* 1, or 0 where a mesh that is not closed, as height fields are, touches: sheets have no volume.
+                               Everything is 0 then, and where nothing overlaps. */
   double volume;            /* m3 */
   double centroid[3];       /* m, world axes */
-  double patch_area;        /* m2, of the overlap seen along the contact normal */
+  double patch_area;        /* m2, of the overlap seen along the contact normal; where a line along it enters the
+                               overlap of a mesh several times it counts as often */
   double patch_centroid[3]; /* m, world axes; along the normal half way between the overlap's two sides */
   double patch_moment[9];   /* m4, row-major: integral of r r^T over that patch, r in its plane from patch_centroid */
 } cmb_overlap;
 
-/* The overlap of one pair (0-based index). overlap is unchanged on error. Not NULL. Slower than a contact query, and
- * allocates. */
+/* The overlap of one pair (0-based index). overlap is unchanged on error. Not NULL. Slower than a contact query. */
 CMB_API cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const double *position, const double *rotation,
                                      size_t body_count, cmb_overlap *overlap);
 

@@ -105,7 +105,8 @@ TEST(VolumeLaw, VolumesTooSmallForANumberPushNothing) {
 }
 
 TEST(VolumeLaw, UnknownOverlapsAndBadPosesAreErrors) {
-  EXPECT_THROW(VolumePoints("cmb/1 capsule radius=0.1 length=1", "cmb/1 box size=1,1,1", {0, 0, 0.05}), ModelicaError);
+  EXPECT_THROW(VolumePoints("cmb/1 sphere radius=0.1",
+                            "cmb/1 heightfield size=1,1 grid=2,2 heights=0,0,0,0", {0.1, 0.2, 0.05}), ModelicaError);
   const double reflected[] = {-1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   EXPECT_THROW(VolumePoints("cmb/1 sphere radius=1", "cmb/1 halfspace", {}, reflected), ModelicaError);
 }

@@ -92,8 +92,8 @@ void cmb_modelica_query_volume(int scene, const double *position, size_t body_co
     }
     if (!overlap.known) {
       ModelicaFormatError(
-          "ContactMultiBody: the overlap of pair %u is not known: the volume law takes boxes and hulls, spheres, and "
-          "half-spaces with either; use the ContactManager for others\n",
+          "ContactMultiBody: the overlap of pair %u is not known: open meshes and height fields have no volume; close the "
+          "mesh or use the ContactManager\n",
           (unsigned)(i + 1));
     }
     if (overlap.volume <= 0.0 || overlap.patch_area <= 0.0) continue;

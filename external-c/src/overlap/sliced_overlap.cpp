@@ -108,13 +108,15 @@ bool SlicedOverlap::sides_at(double x, Side &lower, Side &upper) const {
     if (segment.upper && z < upper.z) upper = {z, static_cast<int>(k), -1, 0};
     if (!segment.upper && z > lower.z) lower = {z, static_cast<int>(k), -1, 0};
   }
+  // The polytope is bounded: what rounding leaves between its segments is outside.
+  if (lower.segment < 0 || upper.segment < 0) return false;
   for (int k = 0; k < round_count_; ++k) {
     const RoundSection::Sides sides = sections_[k].at(x);
     if (sides.z.empty()) return false;
     if (sides.z.end < upper.z) upper = {sides.z.end, -1, k, sides.upper};
     if (sides.z.begin > lower.z) lower = {sides.z.begin, -1, k, sides.lower};
   }
-  return lower.z < upper.z && lower.z > -infinity && upper.z < infinity;
+  return lower.z < upper.z;
 }
 
 void SlicedOverlap::add_side(const Side &side, bool upper, double y, double from, double to, SlicedSums &sums) const {
