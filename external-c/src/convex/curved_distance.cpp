@@ -23,6 +23,8 @@ constexpr std::int32_t rough_points = 40;
 constexpr double relative_tolerance = 1e-11;
 // Bodies shrink by this part of the greatest balls in them; the gap between the bounds of their distance, relative to it.
 constexpr double shrinkage = 0.05, shrunk_gap = 0.02;
+// One minus the cosine up to which directions belong to one minimum.
+constexpr double same_minimum = 1e-5;
 // The ways out ask for balls of up to so many depths.
 constexpr double ways_reach = 1.5;
 
@@ -158,6 +160,14 @@ CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult 
       scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, 1e-9 * difference.scale, 160);
   const CoreDistance result{-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope,
                             inside.proven, {}};
+  // Where the search proved the depth, the feature that it ended at has the minimum.
+  RefinedDirection there;
+  const Vec3 b_local = transposed_times(difference.b_in_a.rotation, inside.b - difference.b_in_a.translation);
+  if (inside.proven && touching_direction(difference, inside.direction, inside.a, b_local, there) &&
+      there.height <= inside.depth && there.height - inside.lower <= 1e-8 * difference.scale &&
+      dot(there.direction, inside.direction) > 1.0 - same_minimum) {
+    return {-there.height, there.direction, there.a, there.b, DistanceMethod::refined, true, {}};
+  }
   // Surfaces of revolution on one axis are equally deep all round: no bound settles that, but the
   // other directions refined show whether one of them is nearer.
   CoreDistance best = refined(difference, result, -inside.lower, scratch);

@@ -123,18 +123,23 @@ bool touching_direction(const MinkowskiDifference &difference, const Vec3 &direc
   const DifferencePoint p = difference.support(m);
   result.direction = m;
   result.height = dot(p.w, m);
+  const Vec3 along_a = of_a.kind == Kind::line ? line_along(difference.body_a, of_a.crease, m) : Vec3{};
+  const Vec3 along_b =
+      of_b.kind == Kind::line ? r * line_along(difference.body_b, of_b.crease, -transposed_times(r, m)) : Vec3{};
   if (of_a.kind == Kind::point) {
     result.a = p.a;
   } else if (of_b.kind == Kind::point) {
     result.a = p.b + result.height * m;
   } else if (of_a.kind == Kind::line && of_b.kind == Kind::line) {
     // Where B's line crosses A's, seen along m.
-    const Vec3 along_a = line_along(difference.body_a, of_a.crease, m),
-               along_b = r * line_along(difference.body_b, of_b.crease, -transposed_times(r, m));
     const Vec3 side = cross(along_b, m);
     const double slope = dot(along_a, side);
     if (!(std::fabs(slope) > least_slope)) return false;
     result.a = p.a + (dot(p.b - p.a, side) / slope) * along_a;
+  } else if (of_a.kind == Kind::line) {
+    result.a = p.a + dot(a - p.a, along_a) * along_a;
+  } else if (of_b.kind == Kind::line) {
+    result.a = p.b + dot(a - p.b, along_b) * along_b + result.height * m;
   } else {
     result.a = a + dot(p.a - a, m) * m;
   }
