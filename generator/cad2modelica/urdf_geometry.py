@@ -135,8 +135,8 @@ def _in_package(description: Path, reference: str, place: Place) -> tuple[Path, 
     holding = [candidate for candidate in candidates if not leaves and (candidate / inner).is_file()]
     if not candidates and not leaves and not (description.parent / inner).is_file():
         raise InputError(
-            f"names the package {package!r}, but no folder of that name holds {description.name}, or lies beside it or "
-            f"one of the {LEVELS_OF_PACKAGES} folders above",
+            f"names the package {package!r}, which does not exist: no folder of that name holds {description.name}, or "
+            f"lies beside it or one of the {LEVELS_OF_PACKAGES} folders above",
             place=place,
             remedy="Copy the package's folder there.",
         )

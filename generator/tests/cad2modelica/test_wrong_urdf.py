@@ -64,7 +64,7 @@ def test_wrong_structure_is_refused(
     ("filename", "words"),
     [
         ("missing.stl", "does not exist"),
-        ("package://nowhere/box.stl", "the package 'nowhere', but no folder of that name"),
+        ("package://nowhere/box.stl", "the package 'nowhere', which does not exist"),
         ("package://arm/missing.stl", "does not exist"),
         ("package://../secret.stl", "names no package"),
         ("package://./secret.stl", "names no package"),
