@@ -96,7 +96,10 @@ double ContactPolytope::greatest_face_cosine(const Vec3 &direction, std::int32_t
   for (std::int32_t looked_at = -1; best != looked_at;) {  // cosines rise strictly, so this ends
     looked_at = best;
     const convex::Polytope::Face &face = geometry_.faces()[index(looked_at)];
-    for (std::int32_t k = 0; k < face.count; ++k) look_round(geometry_.face_vertices()[index(face.first + k)]);
+    for (std::int32_t k = face.first; k < face.first + face.count; ++k) {
+      const std::int32_t v = geometry_.face_vertices()[index(k)];
+      if (v != start) look_round(v);
+    }
   }
   return greatest;
 }

@@ -16,6 +16,8 @@ constexpr double wall_cosine = 1e-9;
 constexpr double parallel_sine = 1e-9;
 // Slopes that change a cone by rounding only.
 constexpr double level_slope = 1e-15;
+// Up to so many pairs of edges sorting takes longer than comparing all.
+constexpr std::size_t few_pairs = 300;
 // How far beyond the other body's extent, in sizes, edges and corners are still looked at: the shake moves the crossing of
 // edges at the angle e by shake_size / e, and what is so nearly parallel that it moves farther weighs nothing.
 constexpr double margin = 1e-3;
@@ -107,7 +109,6 @@ const DepthGraph::Plane *DepthGraph::Faces::over(const Vec3 &p, double height, d
 
 void DepthGraph::Lines::gather(const PolytopeSide &side, const Extent &region) {
   found.clear();
-  order.clear();
   for (std::size_t i = 0; i < side.edge_count(); ++i) {
     const PolytopeSide::Edge &edge = side.edge(i);
     if (!edge.extent.meets(region)) continue;
@@ -120,8 +121,12 @@ void DepthGraph::Lines::gather(const PolytopeSide &side, const Extent &region) {
     line.low_y = std::min(from.y, to.y), line.high_y = std::max(from.y, to.y);
     line.highest = std::max(first.at.z, second.at.z);
     line.edge = static_cast<std::int32_t>(i);
-    order.emplace_back(line.low_x, static_cast<std::int32_t>(order.size()));
   }
+}
+
+void DepthGraph::Lines::sort() {
+  order.clear();
+  for (const Line &line : found) order.emplace_back(line.low_x, static_cast<std::int32_t>(order.size()));
   std::sort(order.begin(), order.end());
   ordered.clear();
   for (const auto &[low, k] : order) ordered.push_back(found[index(k)]);
@@ -218,26 +223,40 @@ void DepthGraph::add_crossing(std::int32_t edge_a, std::int32_t edge_b) {
   corners_.push_back({middle, depth, part * scale.value, part * scale.slope});
 }
 
-// Edges whose extents along x overlap are found by a sweep.
+// Edges whose extents along x overlap are found by a sweep; of a few edges all pairs are compared.
 void DepthGraph::add_crossings() {
   lines_a_.gather(side_a_, region_);
-  if (lines_a_.ordered.empty()) return;
+  if (lines_a_.found.empty()) return;
   lines_b_.gather(side_b_, region_);
   const double level = level_;
-  const auto cross = [level](const Line &e, const Line &f) {
-    return e.highest + f.highest > level && f.low_y <= e.high_y && f.high_y >= e.low_y && f.parts(e) && e.parts(f);
+  const auto crosses = [](const Line &e, const Line &f) { return f.parts(e) && e.parts(f); };
+  if (lines_a_.found.size() * lines_b_.found.size() <= few_pairs) {
+    for (const Line &e : lines_a_.found) {
+      for (const Line &f : lines_b_.found) {
+        // No branch but one: what it decides cannot be foretold.
+        const bool near = (e.highest + f.highest > level) & (f.low_x <= e.high_x) & (f.high_x >= e.low_x) &
+                          (f.low_y <= e.high_y) & (f.high_y >= e.low_y);
+        if (near && crosses(e, f)) add_crossing(e.edge, f.edge);
+      }
+    }
+    return;
+  }
+  lines_a_.sort();
+  lines_b_.sort();
+  const auto near = [level](const Line &e, const Line &f) {
+    return (e.highest + f.highest > level) & (f.low_y <= e.high_y) & (f.high_y >= e.low_y);
   };
   const Line *a = lines_a_.ordered.data(), *b = lines_b_.ordered.data();
   const Line *const end_a = a + lines_a_.ordered.size(), *const end_b = b + lines_b_.ordered.size();
   while (a != end_a && b != end_b) {
     if (a->low_x <= b->low_x) {
       for (const Line *f = b; f != end_b && f->low_x <= a->high_x; ++f) {
-        if (cross(*a, *f)) add_crossing(a->edge, f->edge);
+        if (near(*a, *f) && crosses(*a, *f)) add_crossing(a->edge, f->edge);
       }
       ++a;
     } else {
       for (const Line *e = a; e != end_a && e->low_x <= b->high_x; ++e) {
-        if (cross(*e, *b)) add_crossing(e->edge, b->edge);
+        if (near(*e, *b) && crosses(*e, *b)) add_crossing(e->edge, b->edge);
       }
       ++b;
     }

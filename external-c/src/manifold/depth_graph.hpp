@@ -69,11 +69,12 @@ class DepthGraph {
     }
     double area(double x, double y) const { return (to_x - from_x) * (y - from_y) - (to_y - from_y) * (x - from_x); }
   };
-  // A side's edges within a region, from the left to the right.
+  // A side's edges within a region, and the same from the left to the right.
   struct Lines {
-    std::vector<Line> ordered, found;
+    std::vector<Line> found, ordered;
     std::vector<std::pair<double, std::int32_t>> order;
     void gather(const PolytopeSide &side, const Extent &region);
+    void sort();
   };
 
   void add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side, Faces &others,
