@@ -33,8 +33,10 @@ MAXIMUM_TRIANGLES = 50_000  # CoACD's time grows with them: about half a minute 
 _PACKAGES = {Decomposer.COACD: "coacd", Decomposer.VHACD: "vhacdx"}
 _PROCESSES = {Decomposer.COACD: "cad2modelica.coacd_process", Decomposer.VHACD: "cad2modelica.vhacd_process"}
 _NAMES = {Decomposer.COACD: "CoACD", Decomposer.VHACD: "V-HACD"}
-TIME_LIMIT = 120  # s of processor time: CoACD does not end on a few meshes, whatever their size
-WALL_LIMIT = 1200.0  # s, for a machine that is busy otherwise
+TIME_LIMIT = 30  # s of processor time for small meshes: CoACD does not end on a few
+TRIANGLES_PER_SECOND = 500  # that a larger mesh has more; both are about five times what CoACD takes for 16 pieces
+PIECES_IN_TIME = 16  # more of them have more time
+WALL_FACTOR = 20  # times as long by the clock, for a machine that is busy otherwise
 SEED = 0
 SEARCH = {"resolution": 1000, "nodes": 10, "iterations": 30}  # of the search; CoACD: 2000, 20, 150
 
@@ -108,7 +110,13 @@ def _decomposed(
         if pieces is None:
             return Decomposition((), failure)
         write_pieces(entry, pieces)
-    return Decomposition(pieces, "" if pieces else f"{_NAMES[decomposer]} took longer than {TIME_LIMIT} s")
+    return Decomposition(pieces, "" if pieces else f"{_NAMES[decomposer]} took longer than {_time_limit(task)} s")
+
+
+def _time_limit(task: Task) -> int:
+    """Seconds of processor time, by what is to be done."""
+    triangles, pieces = len(np.asarray(task["triangles"])), int(task["pieces"])
+    return int((TIME_LIMIT + triangles / TRIANGLES_PER_SECOND) * max(1.0, pieces / PIECES_IN_TIME))
 
 
 def _run(task: Task, decomposer: Decomposer) -> tuple[tuple[Array, ...] | None, str]:
@@ -123,11 +131,12 @@ def _run(task: Task, decomposer: Decomposer) -> tuple[tuple[Array, ...] | None, 
         with process:
             try:
                 # Of the processor, so that the outcome does not depend on what else the machine does.
-                resource.prlimit(process.pid, resource.RLIMIT_CPU, (TIME_LIMIT, TIME_LIMIT + 1))
+                limit = _time_limit(task)
+                resource.prlimit(process.pid, resource.RLIMIT_CPU, (limit, limit + 1))
                 resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
-                _, complaints = process.communicate(timeout=WALL_LIMIT)
+                _, complaints = process.communicate(timeout=WALL_FACTOR * limit)
             except subprocess.TimeoutExpired:
-                return None, f"{name} took longer than {WALL_LIMIT:g} s on a busy machine"
+                return None, f"{name} took longer than {WALL_FACTOR * limit} s on a busy machine"
             finally:
                 process.kill()
         if process.returncode == -signal.SIGXCPU:
