@@ -104,6 +104,19 @@ TEST(VolumeLaw, VolumesTooSmallForANumberPushNothing) {
   for (int k = 0; k < 4; ++k) EXPECT_TRUE(std::isfinite(grazing.weight[k]) && std::isfinite(grazing.point[3 * k]));
 }
 
+TEST(VolumeLaw, HoldsForRoundBodiesOnBoxesAndMeshes) {
+  // A standing cylinder, 1 mm deep: volume, the disc's second moment, twice the mean depth.
+  const double pi = 3.14159265358979323846;
+  for (const char *below : {"cmb/1 box size=1,1,1",
+                            "cmb/1 mesh vertices=-1,-1,0.5,1,-1,0.5,0,2,0.5,0,0,-2 triangles=1,2,3,2,1,4,3,2,4,1,3,4"}) {
+    const VolumePoints disc("cmb/1 cylinder radius=0.1 length=0.4", below, {0, 0, 0.699});
+    EXPECT_NEAR(disc.volume(), pi * 1e-5, 1e-12) << below;
+    EXPECT_NEAR(disc.depth[0], 1e-3, 1e-9) << below;
+    EXPECT_NEAR(disc.second_moment(0, 0), 0.0025, 1e-9) << below;
+    EXPECT_NEAR(disc.second_moment(1, 1), 0.0025, 1e-9) << below;
+  }
+}
+
 TEST(VolumeLaw, UnknownOverlapsAndBadPosesAreErrors) {
   EXPECT_THROW(VolumePoints("cmb/1 sphere radius=0.1",
                             "cmb/1 heightfield size=1,1 grid=2,2 heights=0,0,0,0", {0.1, 0.2, 0.05}), ModelicaError);

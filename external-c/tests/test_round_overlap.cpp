@@ -283,6 +283,19 @@ TEST(RoundOverlap, GrowsByItsPatchTimesTheDepth) {
   }
 }
 
+TEST(RoundOverlap, SlenderBodiesAreNotMissed) {
+  Random random(11);
+  const PairScene scene("cmb/1 capsule radius=0.03 length=1.5", "cmb/1 cylinder radius=0.5 length=0.02");
+  int overlapping = 0;
+  for (int k = 0; k < 500; ++k) {
+    const BodyPose a = random.pose(0.4), b = random.pose(0.4);
+    if (scene.query(a, b).distance > -1e-6) continue;
+    ++overlapping;
+    EXPECT_GT(overlap_of(scene, a, b).volume, 0.0) << k;
+  }
+  EXPECT_GT(overlapping, 150);
+}
+
 TEST(RoundOverlap, GivesTheSameBitsAfterOtherQueries) {
   const PairScene scene(bodies[2].text, bodies[4].text), other(bodies[1].text, bodies[3].text);
   Random random(5);

@@ -321,9 +321,21 @@ bool SlicedOverlap::find_inner(const double *guess, int guess_count, double &inn
     }
     return false;
   }
-  constexpr int samples = 16;
-  for (int k = 0; k < samples; ++k) {
-    if (holds(bottom_ + (top_ - bottom_) * (k + 0.5) / samples)) return true;
+  // Within what each round solid alone has in common with the polytope.
+  const RoundSolid *both = rounds_;
+  double low = bottom_, high = top_;
+  round_count_ = 1;
+  for (int k = 0; k < 2; ++k, ++rounds_) {
+    double inside = 0.0;
+    find_kinks();
+    if (!find_inner(nullptr, 0, inside)) low = high;
+    low = std::max(low, find_end(inside, bottom_)), high = std::min(high, find_end(inside, top_));
+  }
+  rounds_ = both, round_count_ = 2;
+  find_kinks();
+  constexpr int samples = 128;
+  for (int k = 0; k < samples && low < high; ++k) {
+    if (holds(low + (high - low) * (k + 0.5) / samples)) return true;
   }
   return false;
 }
