@@ -32,9 +32,8 @@ void PiercedLoad::finish(double part, const Pose &pose, ContactSet &result) cons
   result.witness = pose(deepest_.place - (0.5 * depth) * deepest_normal_);
 }
 
-bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, std::size_t begin,
+bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, double load,
                       ContactSet &result) {
-  const double load = total_load(result.points, begin);
   if (!(load > 0.0)) result.distance = 0.0;
   const Vec3 center = body.center();
   const Bounds box = body.bounds();
@@ -43,24 +42,27 @@ bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const
       const Vec3 corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
       const Vec3 &normal = mesh.face_normal(t);
       const double offset = dot(normal, corner[0]), below = body.reach(-normal) + offset;
-      if (stop || !(below > 0.0) || !(body.reach(normal) > offset) || distance2(bounds_of(corner), box) > 0.0) return;
-      act(corner, normal, below);
+      const double above = body.reach(normal) - offset;
+      if (stop || !(below > 0.0) || !(above > 0.0) || distance2(bounds_of(corner), box) > 0.0) return;
+      act(corner, normal, below, above);
     });
   };
   const double enough = least_load_part * load;
   const SwallowedPlace middle(mesh, center);
   if (load > 0.0 && middle.depth() <= enough) {
     bool lacks = false;
-    visit(lacks, [&](const Vec3 (&corner)[3], const Vec3 &, double) {
+    visit(lacks, [&](const Vec3 (&corner)[3], const Vec3 &, double, double) {
       lacks = body.section(corner, enough).depth > 0.0;
     });
     if (!lacks) return true;
   }
   PiercedLoad pierced(center);
   bool never = false;
-  visit(never, [&](const Vec3 (&corner)[3], const Vec3 &normal, double below) {
-    const TriangleSection section = body.section(corner);
+  visit(never, [&](const Vec3 (&corner)[3], const Vec3 &normal, double below, double above) {
+    TriangleSection section = body.section(corner);
     if (!(section.depth > 0.0)) return;
+    // Of a body, no more is behind a triangle than behind its plane, nor is the way back longer than what is before it.
+    section.depth = std::fmin(section.depth, std::fmin(below, above));
     pierced.add(section, normal, below, 0.5 * norm(cross(corner[1] - corner[0], corner[2] - corner[0])));
   });
   const double part = lacking_part(load, std::fmax(pierced.deepest(), middle.depth()));

@@ -1,8 +1,6 @@
 // What a mesh pushes that passes through a body.
 #pragma once
 
-#include <cstddef>
-
 #include "manifold/contact_set.hpp"
 #include "mesh/direction_sums.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -42,12 +40,11 @@ class PiercedLoad {
   Vec3 deepest_normal_;
 };
 
-// Completes the contact of a convex body with a mesh. The points of `result` from `begin` on are those of the surface that
-// the mesh's triangles push, none of where the body has no surface that faces them; distance, normal and witness are set
-// where there are any. Where they carry too little of what passes through the body, adds PiercedLoad; where a closed mesh
-// has swallowed the body's middle, a point that leads it out the shortest way. Returns false, with nothing done, where
-// the two do not touch.
-bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, std::size_t begin,
+// Completes the contact of a convex body with a mesh. `load` is that of the points in `result`, which are those of the body's
+// surface that faces the mesh's triangles; distance, normal and witness are set where it is positive. Where it is too little for
+// what passes through the body, adds PiercedLoad; where a closed mesh has swallowed the body's middle, a point that leads it
+// out the shortest way. Returns false, with no points added, where the two do not touch.
+bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, double load,
                       ContactSet &result);
 
 }  // namespace cmb::mesh

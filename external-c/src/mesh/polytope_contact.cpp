@@ -36,7 +36,7 @@ class PolytopeQuery {
     if (load.touches()) load.finish(result_);
     const SectionedBody body(body_, place_, scratch_.body_vertices, scratch_.body_normals, scratch_.patch.polygon,
                              scratch_.patch.clipped);
-    if (!complete_contact(body, mesh_, pose_, begin, result_)) apart();
+    if (!complete_contact(body, mesh_, pose_, total_load(result_.points, begin), result_)) apart();
   }
 
  private:

@@ -42,7 +42,7 @@ class SmoothQuery {
     }
     const std::size_t begin = result_.points.size();
     if (load.touches()) load.finish(result_);
-    if (!complete_contact(sectioned_, mesh_, pose_, begin, result_)) apart();
+    if (!complete_contact(sectioned_, mesh_, pose_, total_load(result_.points, begin), result_)) apart();
   }
 
  private:

@@ -101,11 +101,12 @@ void round_solid(double lower_radius, double upper_radius, double half, const Ve
   std::vector<double> &angles = facets.angles;
   angles.clear();
   for (int k = 0; k <= fixed_angles; ++k) angles.push_back(pi * (2.0 * k / fixed_angles - 1.0));
-  // From the lowest line of a rim to where the plane cuts it.
+  // From the lowest line of a rim to where the plane cuts it; of an apex, which has no rim, to where it would cut the base's
+  // that deep.
   const auto add_rim = [&](double radius, double z) {
-    const double steep = radius * slope, gap = level - down.z * z;
-    if (gap >= steep) return;
-    const double end = gap > -steep ? angle_of_sagitta(1.0 - gap / steep) : pi;
+    const double deep = radius * slope - (level - down.z * z), steep = (radius > 0.0 ? radius : lower_radius) * slope;
+    if (!(deep > 0.0)) return;
+    const double end = deep < 2.0 * steep ? angle_of_sagitta(deep / steep) : pi;
     for (int k = 1; k <= fine_angles; ++k) {
       angles.push_back(end * k / fine_angles);
       angles.push_back(-end * k / fine_angles);

@@ -22,10 +22,11 @@ void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh,
     result.points.push_back({shared[i].depth, shared[i].load / shared[i].depth, normal, middle(normal, shared[i].depth)});
   }
   // Beside the rim of a sheet what is nearest may carry nothing.
-  if (least_load_part * total_load(result.points, begin) < -result.distance) {
+  const double load = total_load(result.points, begin);
+  if (least_load_part * load < -result.distance) {
     const Pose place{{}, local};
     const SectionedBody ball(convex::make_sphere(radius), place, scratch.patch.polygon, scratch.patch.clipped);
-    complete_contact(ball, mesh, pose, begin, result);
+    complete_contact(ball, mesh, pose, load, result);
   }
 }
 

@@ -25,16 +25,16 @@ Interval extent(const Vec3 (&corner)[3], const Vec3 &axis, const Vec3 &from) {
 // How far two intervals reach into each other.
 double overlap(const Interval &a, const Interval &b) { return std::fmin(a.high - b.low, b.high - a.low); }
 
-// Where the triangle meets the plane through `from`, as places on the line along `line`; `low_at` and `high_at` receive them.
-Interval on_line(const Vec3 (&corner)[3], const Vec3 &normal, const Vec3 &from, const Vec3 &line, Vec3 &low_at,
-                 Vec3 &high_at) {
+// Where the triangle meets the plane through `from`, as an interval along `line`; `low_at` and `high_at` receive its ends.
+Interval on_line(const Vec3 (&corner)[3], const Vec3 &normal, const Vec3 &from, const Vec3 &line, const Vec3 &origin,
+                 Vec3 &low_at, Vec3 &high_at) {
   Interval interval;
   for (int k = 0; k < 3; ++k) {
     const Vec3 &p = corner[k], &q = corner[(k + 1) % 3];
     const double above_p = dot(normal, p - from), above_q = dot(normal, q - from);
     if ((above_p >= 0.0) == (above_q >= 0.0)) continue;
     const Vec3 at = p + (above_p / (above_p - above_q)) * (q - p);
-    const double x = dot(line, at - from);
+    const double x = dot(line, at - origin);
     if (x < interval.low) low_at = at;
     if (x > interval.high) high_at = at;
     interval.include(x);
@@ -64,8 +64,8 @@ TriangleSection triangle_crossing(const Vec3 (&a)[3], const Vec3 &normal_a, cons
   }
   const Vec3 line = cross(normal_a, normal_b);
   Vec3 low_a, high_a, low_b, high_b;
-  const Interval first = on_line(a, normal_b, b[0], line, low_a, high_a);
-  const Interval second = on_line(b, normal_a, b[0], line, low_b, high_b);
+  const Interval first = on_line(a, normal_b, b[0], line, origin, low_a, high_a);
+  const Interval second = on_line(b, normal_a, a[0], line, origin, low_b, high_b);
   const Vec3 &low_at = first.low > second.low ? low_a : low_b, &high_at = first.high < second.high ? high_a : high_b;
   return {depth, 0.5 * (low_at + high_at)};
 }
