@@ -52,11 +52,16 @@ def join(meshes: tuple[Mesh, ...]) -> tuple[Array, Indices]:
 
 
 def weld(vertices: Array, triangles: Indices) -> tuple[Array, Indices]:
-    """Merges vertices that lie within the weld tolerance and drops triangles that lose their area by it."""
+    """Merges vertices that lie within the weld tolerance and drops triangles that lose their area by it.
+
+    Equal ones are merged first: pairs of all that meet in a point would be as many as their square.
+    """
     size = float(np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0)))
-    pairs = cKDTree(vertices).query_pairs(WELD_TOLERANCE * size, output_type="ndarray")
-    graph = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(vertices), len(vertices)))
-    _, label = connected_components(graph, directed=False)
+    distinct_vertices, of_vertex = _distinct(vertices)
+    pairs = cKDTree(distinct_vertices).query_pairs(WELD_TOLERANCE * size, output_type="ndarray")
+    count = len(distinct_vertices)
+    graph = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
+    label = connected_components(graph, directed=False)[1][of_vertex]
     _, first, group = np.unique(label, return_index=True, return_inverse=True)
     order = np.argsort(first, kind="stable")
     rank = np.empty_like(order)
@@ -64,6 +69,14 @@ def weld(vertices: Array, triangles: Indices) -> tuple[Array, Indices]:
     welded = rank[group][triangles]
     distinct = (welded[:, 0] != welded[:, 1]) & (welded[:, 1] != welded[:, 2]) & (welded[:, 2] != welded[:, 0])
     return vertices[first[order]], welded[distinct]
+
+
+def _distinct(vertices: Array) -> tuple[Array, Indices]:
+    """Points without repetitions, and the number of each vertex's point among them."""
+    rows = np.ascontiguousarray(vertices + 0.0)  # no -0.0, which is equal to 0.0 but has another sign bit
+    keys = rows.view(np.dtype((np.void, rows.dtype.itemsize * rows.shape[1]))).ravel()
+    _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
+    return rows[first], inverse.ravel()
 
 
 def bodies(vertices: Array, triangles: Indices) -> list[tuple[Array, Indices]]:

@@ -10,7 +10,7 @@ import pytest
 from cad2modelica import generate
 from cad2modelica.collision_shapes import MOST_SHAPES, CollisionGeometry, collision_geometry
 from cad2modelica.hull_thinning import MOST_CORNERS, MOST_TOGETHER, thinned
-from cad2modelica.mesh import Indices, Mesh, bodies
+from cad2modelica.mesh import Indices, Mesh, bodies, weld
 from cad2modelica.model import CollisionChoice, MassProperties, Part
 from cad2modelica.primitive_meshes import box_surface
 from cad2modelica.spatial import IDENTITY
@@ -86,6 +86,19 @@ def test_bodies_are_split_in_the_order_of_their_first_triangles() -> None:
     for corners, faces in found:
         assert len(corners) == 8
         assert len(faces) == 12
+
+
+def test_many_triangles_about_one_corner_are_welded() -> None:
+    """A disc as STL has it, each triangle with corners of its own: twenty thousand of them in the middle."""
+    count = 20_000
+    angle = 2 * np.pi * np.arange(count) / count
+    ring = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(count)])
+    corners = np.stack([np.zeros((count, 3)), ring, np.roll(ring, -1, axis=0)], axis=1).reshape(-1, 3)
+    corners[3::6] = -0.0  # of every other triangle; equal, though not in its bits
+    vertices, triangles = weld(corners, np.arange(3 * count).reshape(-1, 3))
+    np.testing.assert_array_equal(vertices, np.concatenate([np.zeros((1, 3)), ring]))
+    expected = np.column_stack([np.zeros(count), 1 + np.arange(count), 1 + (1 + np.arange(count)) % count])
+    np.testing.assert_array_equal(triangles, expected)
 
 
 def test_thinned_hull_differs_by_no_more_than_it_says() -> None:
