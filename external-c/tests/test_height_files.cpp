@@ -1,12 +1,11 @@
 // Files of heights, and where geometry files may lie: what is read, and what is said of the rest.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "mesh/mesh_data.hpp"
 #include "scene/geometry_files.hpp"
+#include "scratch_folder.hpp"
 
 namespace {
 
@@ -15,18 +14,10 @@ using cmb::mesh::MeshError;
 
 class HeightFiles : public testing::Test {
  protected:
-  HeightFiles()
-      : folder_(std::filesystem::temp_directory_path() /
-                ("cmb_height_files_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~HeightFiles() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string &name) const { return (folder_ / name).string(); }
-  void write(const std::string &contents) const { std::ofstream(folder_ / "z.txt", std::ios::binary) << contents; }
+  std::string path(const std::string &name) const { return folder_.path(name); }
+  void write(const std::string &contents) const { folder_.write("z.txt", contents); }
   // A folder whose name begins with this one's.
-  std::string beside() const { return folder_.string() + "-beside"; }
+  std::string beside() const { return folder_.path() + "-beside"; }
   // What is said of a file in a folder; empty where it is read.
   static std::string complaint(const std::string &folder, const std::string &name) {
     try {
@@ -38,14 +29,14 @@ class HeightFiles : public testing::Test {
   }
   void refuses(const std::string &contents, const std::string &part) const {
     write(contents);
-    const std::string said = complaint(folder_.string(), "z.txt");
+    const std::string said = complaint(folder_.path(), "z.txt");
     EXPECT_NE(said.find(part), std::string::npos) << '"' << contents << "\" says: " << said;
     EXPECT_NE(said.find("z.txt"), std::string::npos) << said;
     EXPECT_NE(said.find(';'), std::string::npos) << "no remedy: " << said;
   }
 
  private:
-  std::filesystem::path folder_;
+  cmb::test::ScratchFolder folder_{"cmb_height_files"};
 };
 
 TEST_F(HeightFiles, SeparatorsSignsCommentsAndEndsOfLineDoNotMatter) {

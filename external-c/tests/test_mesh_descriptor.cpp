@@ -9,6 +9,7 @@
 #include "mesh/triangle_mesh.hpp"
 #include "scene/descriptor.hpp"
 #include "scene_query.hpp"
+#include "scratch_folder.hpp"
 
 namespace {
 
@@ -18,24 +19,17 @@ using cmb::test::PairScene;
 
 const std::string tetrahedron = "vertices=0,0,0,1,0,0,0,1,0,0,0,1 triangles=1,3,2,1,2,4,1,4,3,2,3,4";
 
-// A folder of its own, gone with the test.
 class MeshFiles : public testing::Test {
  protected:
-  MeshFiles()
-      : folder_(std::filesystem::temp_directory_path() /
-                ("cmb_mesh_descriptor_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::create_directories(folder_ / "inside");
+  MeshFiles() {
+    std::filesystem::create_directories(path("inside"));
     write("tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   }
-  ~MeshFiles() override { std::filesystem::remove_all(folder_); }
 
-  std::string path(const std::string &name) const { return (folder_ / name).string(); }
-  void write(const std::string &name, const std::string &contents) const {
-    std::ofstream(folder_ / name, std::ios::binary) << contents;
-  }
+  std::string path(const std::string &name) const { return folder_.path(name); }
+  void write(const std::string &name, const std::string &contents) const { folder_.write(name, contents); }
   cmb::BodyShapes parse(const std::string &text) const {
-    cmb::GeometryFiles files(folder_.string());
+    cmb::GeometryFiles files(folder_.path());
     return parse_descriptor(text, files);
   }
   // What is said of a descriptor; empty where it is accepted.
@@ -55,7 +49,7 @@ class MeshFiles : public testing::Test {
   }
 
  private:
-  std::filesystem::path folder_;
+  cmb::test::ScratchFolder folder_{"cmb_mesh_descriptor"};
 };
 
 TEST_F(MeshFiles, KindsParse) {
