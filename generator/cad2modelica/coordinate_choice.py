@@ -76,7 +76,8 @@ def choose_coordinates(
         for way, base in zip(ways, bases, strict=True):
             passed = _passed(base, best)
             if passed < ENDLESS:
-                found.append(float(way[passed - 1].coordinates[best[0]]))
+                # The first base of a way is that of the start.
+                found.append(float(way[passed - 1].coordinates[best[0]]) if passed > 0 else 0.0)
     return CoordinateChoice(best, tuple(dict.fromkeys(found)))
 
 

@@ -186,8 +186,9 @@ def _choose(
             "dead centre sooner"
         )
     for value in choice.dead_centers:
-        joint = columns[choice.independent[0]][0]
-        unit, size = ("degrees", np.degrees(value)) if joint.type is not JointType.PRISMATIC else ("mm", 1000 * value)
+        joint, k = columns[choice.independent[0]]
+        turning = joint_twists(joint)[k][:3].any()
+        unit, size = ("degrees", np.degrees(value)) if turning else ("mm", 1000 * value)
         notes.append(
             f"joint {joint.name!r} is the state of its loop and comes to a dead centre at about {size:.3g} {unit} from "
             "its start, which the model cannot pass"

@@ -308,10 +308,10 @@ GROUPS: dict[str, dict[str, Mechanism]] = {
         "two spherical joints": reach("balls", "spherical"),
         "closed by a revolute joint": in_space("rccc", "revolute", "cylindrical", "cylindrical", "cylindrical"),
         "closed by a cylindrical joint": in_space(
-            "pccc", "prismatic", "cylindrical", "cylindrical", "cylindrical", speed=0.3
+            "pccc", "prismatic", "cylindrical", "cylindrical", "cylindrical", speed=0.6
         ),
         "closed by a prismatic joint": in_space(
-            "cccp", "prismatic", "cylindrical", "cylindrical", "cylindrical", speed=0.3, first_last=True
+            "cccp", "prismatic", "cylindrical", "cylindrical", "cylindrical", speed=0.6, first_last=True
         ),
         "screw in the tree": in_space("hccc", "screw", "cylindrical", "cylindrical", "cylindrical"),
         "closed by a screw": in_space("heuh", "screw", "planar", "universal", "screw"),

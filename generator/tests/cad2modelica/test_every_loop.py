@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from assembly_text import write_assembly
+from assembly_text import joint, part, write_assembly
 from cad2modelica import generate, read_assembly
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import analyse_loops
@@ -17,7 +17,7 @@ from cad2modelica.model import JointType
 from cad2modelica.spherical_axes import with_spherical_axes
 from constrained_bodies import ConstrainedBodies
 from fmpy import simulate_fmu
-from loop_mechanisms import GROUPS, Mechanism, concurrent, reach
+from loop_mechanisms import GROUPS, Mechanism, body, concurrent, reach
 from mechanics_simulation import ROOT
 from modelica2fmu.build import build_fmu
 
@@ -93,11 +93,11 @@ def test_loop_moves_as_free_bodies_with_constraint_forces_do(
     assert expected.gap < 1e-8
     simulated = groups[group]
     way = 0.0
-    for part in assembly.parts:
-        origin, turn = simulated.pose(part.name)
-        center = origin + turn @ part.mass_properties.center_of_mass
-        np.testing.assert_allclose(center, expected.position[part.name], atol=1e-6, err_msg=part.name)
-        np.testing.assert_allclose(turn, expected.rotation[part.name], atol=1e-6, err_msg=part.name)
+    for item in assembly.parts:
+        origin, turn = simulated.pose(item.name)
+        center = origin + turn @ item.mass_properties.center_of_mass
+        np.testing.assert_allclose(center, expected.position[item.name], atol=1e-6, err_msg=item.name)
+        np.testing.assert_allclose(turn, expected.rotation[item.name], atol=1e-6, err_msg=item.name)
         way = max(way, float(np.ptp(center, axis=0).max()), float(np.ptp(turn, axis=0).max()))
     assert way > 0.05
 
@@ -151,12 +151,37 @@ def test_dead_centre_that_no_state_avoids_is_foretold(tmp_path: Path) -> None:
     assert "comes to a dead centre at about" in notes
 
 
+def test_dead_centre_of_a_slide_is_told_in_millimetres(tmp_path: Path) -> None:
+    found, notes = states(GROUPS["spatial"]["closed by a universal joint"], tmp_path)
+    assert found == {"pcuu joint 1"}
+    assert "mm from its start" in notes
+
+
+@pytest.mark.parametrize("slope", [0.4, 1e-12])
+def test_slide_gives_way_to_the_crank_that_can_pass(tmp_path: Path, slope: float) -> None:
+    """Rod and crank of one length, bent or stretched: the slide has dead centres, the angles have none."""
+    reach_x = 2 * float(np.cos(slope))
+    parts = [part("slide", position=(reach_x, 0, 0)), part("rod", position=(1, 0, 0.5)), part("crank")]
+    joints = [
+        joint("guide", "prismatic", "ground", "slide", axis=(1, 0, 0), start='speed="0.1"'),
+        joint("eye", "revolute", "slide", "rod", origin=(reach_x, 0, 0), axis=(0, 1, 0)),
+        joint("pin", "revolute", "rod", "crank", origin=(reach_x / 2, 0, np.sin(slope)), axis=(0, 1, 0)),
+        joint("shaft", "revolute", "ground", "crank", axis=(0, 1, 0)),
+    ]
+    found, notes = states(Mechanism(parts, joints), tmp_path)
+    assert len(found) == 1
+    assert "guide" not in found
+    assert "which the model cannot pass" not in notes
+
+
 # ----- sizes -----
 
 
 def test_size_of_a_spherical_linkage_is_that_of_its_parts(tmp_path: Path) -> None:
     """Axes that miss their common point by the digits of an export do not make a mechanism of that size."""
-    exact = concurrent("sphere", 4)
+    linkage = concurrent("sphere", 4)
+    places = ((0.4, 0, 0.1), (0.1, 0.4, 0), (-0.3, 0.2, 0.2))  # of the links, 0.4 m around the point
+    exact = Mechanism([body(f"sphere{k}", place) for k, place in enumerate(places, 1)], linkage.joints, linkage.speeds)
     generator = np.random.default_rng(7)
     joints = [
         text.replace(
