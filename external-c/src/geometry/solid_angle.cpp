@@ -9,6 +9,13 @@ namespace {
 
 // Products of complex numbers are scaled where they leave this range.
 constexpr double smallest_scale = 1e-100, largest_scale = 1e100;
+// Squares of lengths below which products of several would underflow.
+constexpr double smallest_length2 = 1e-80;
+
+// The direction whose slope is the sum of those of p and q; zero where both are horizontal.
+Vec3 sum_of_slopes(const Vec3 &p, const Vec3 &q) {
+  return {p.x * q.z + q.x * p.z, p.y * q.z + q.y * p.z, p.z * q.z};
+}
 
 }  // namespace
 
@@ -18,6 +25,28 @@ double triangle_solid_angle(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
   const double denominator = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la;
   if (numerator == 0.0) return 0.0;
   return 2.0 * std::atan2(numerator, denominator);
+}
+
+double parallelogram_solid_angle(const DirectionArc &p, const DirectionArc &q) {
+  // The corners in turn, and the two triangles at a diagonal. Their determinants are the parallelogram's area, times
+  // heights.
+  const Vec3 a = sum_of_slopes(p.first, q.first), b = sum_of_slopes(p.second, q.first);
+  const Vec3 c = sum_of_slopes(p.second, q.second), d = sum_of_slopes(p.first, q.second);
+  const double area = std::fabs(p.across_x * q.across_y - p.across_y * q.across_x);
+  const double a2 = norm2(a), b2 = norm2(b), c2 = norm2(c), d2 = norm2(d);
+  if (!(std::min(std::min(a2, b2), std::min(c2, d2)) > smallest_length2)) {
+    // A corner between two horizontal directions does not count; there is one at most.
+    if (!(a2 > smallest_length2)) return std::fabs(triangle_solid_angle(b, c, d));
+    if (!(b2 > smallest_length2)) return std::fabs(triangle_solid_angle(a, c, d));
+    if (!(c2 > smallest_length2)) return std::fabs(triangle_solid_angle(a, b, d));
+    return std::fabs(triangle_solid_angle(a, b, c));
+  }
+  const double la = std::sqrt(a2), lb = std::sqrt(b2), lc = std::sqrt(c2), ld = std::sqrt(d2);
+  const double diagonal = la * lc + dot(a, c);
+  const double cosine_b = diagonal * lb + dot(a, b) * lc + dot(b, c) * la;
+  const double cosine_d = diagonal * ld + dot(a, d) * lc + dot(c, d) * la;
+  const double sine_b = p.second.z * q.first.z * area, sine_d = p.first.z * q.second.z * area;
+  return 2.0 * std::atan2(cosine_b * sine_d + sine_b * cosine_d, cosine_b * cosine_d - sine_b * sine_d);
 }
 
 double DirectionCone::solid_angle() const {

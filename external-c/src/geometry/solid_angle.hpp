@@ -36,4 +36,18 @@ class DirectionCone {
 // orientation; any lengths > 0.
 double triangle_solid_angle(const Vec3 &a, const Vec3 &b, const Vec3 &c);
 
+// The directions between two rays of the upper hemisphere, not both horizontal.
+struct DirectionArc {
+  Vec3 first, second;                   // z >= 0
+  double across_x = 0.0, across_y = 0.0;  // second.z first.z (second's slope - first's slope)
+
+  DirectionArc() = default;
+  DirectionArc(const Vec3 &from, const Vec3 &to)
+      : first(from), second(to), across_x(to.x * from.z - from.x * to.z), across_y(to.y * from.z - from.y * to.z) {}
+};
+
+// Solid angle of the cone of all directions whose slope (x / z, y / z) is the sum of slopes of `p` and `q`: what lies
+// above the parallelogram that both arcs span.
+double parallelogram_solid_angle(const DirectionArc &p, const DirectionArc &q);
+
 }  // namespace cmb

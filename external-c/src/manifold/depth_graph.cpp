@@ -43,16 +43,6 @@ bool cut_arc(Vec3 &first, Vec3 &second) {
   return true;
 }
 
-// The directions of the faces at an edge within the hemisphere; false where none of them looks towards the other body.
-bool edge_arc(const PolytopeSide &side, const PolytopeSide::Edge &edge, Vec3 &first, Vec3 &second) {
-  const convex::Polytope &geometry = side.body().geometry();
-  const convex::Polytope::Edge &whole = geometry.edges()[index(edge.number)];
-  const convex::Mat3 &rotation = side.to_side().rotation;
-  first = rotation * geometry.faces()[index(whole.face[0])].normal;
-  second = rotation * geometry.faces()[index(whole.face[1])].normal;
-  return std::max(first.z, second.z) > wall_cosine && cut_arc(first, second);
-}
-
 // Interpolates (Shepard) between the ends of two edges that cross, at the parts t and s of their ways.
 Stiffness between_ends(double t, const Stiffness &at_t0, const Stiffness &at_t1, double s, const Stiffness &at_s0,
                        const Stiffness &at_s1) {
@@ -80,8 +70,8 @@ void DepthGraph::Faces::gather(PolytopeSide &side) {
     const Vec3 n = to_side.rotation * face.normal, m = shake.direction(n);
     const double offset = face.offset + dot(n, to_side.translation), shaken_offset = offset + dot(m, shake.shift);
     if (n.z > wall_cosine && m.z > 0.0) {
-      const double true_part = 1.0 / n.z, shaken_part = 1.0 / m.z;
-      planes.push_back({n.x * true_part, n.y * true_part, offset * true_part});
+      const double shaken_part = 1.0 / m.z;
+      planes.push_back({n, offset});
       shaken.push_back({m.x * shaken_part, m.y * shaken_part, shaken_offset * shaken_part});
     } else {
       walls.push_back({m, shaken_offset});
@@ -89,26 +79,30 @@ void DepthGraph::Faces::gather(PolytopeSide &side) {
   }
 }
 
-const DepthGraph::Plane *DepthGraph::Faces::over(const Vec3 &p, double height, double level, double size) const {
+bool DepthGraph::Faces::over(const Vec3 &p, double height, double level, double size, Plane &plane) const {
   double least = HUGE_VAL;
-  std::size_t best = planes.size();
+  std::size_t best = shaken.size();
   for (std::size_t k = 0; k < shaken.size(); ++k) {
     const double here = shaken[k].over(p);
     if (here >= least) continue;
     // What is far from deep enough, however the shake is taken, need not be looked at further.
     const double slack = 1e3 * shake_size * size * (1.0 + std::fabs(shaken[k].slope_x) + std::fabs(shaken[k].slope_y));
-    if (height + here <= level - slack) return nullptr;
+    if (height + here <= level - slack) return false;
     least = here, best = k;
   }
-  if (best == planes.size()) return nullptr;
-  for (const Wall &wall : walls) {
-    if (wall.normal.x * p.x + wall.normal.y * p.y + wall.normal.z * least > wall.offset) return nullptr;
+  if (best == shaken.size()) return false;
+  for (const FacePlane &wall : walls) {
+    if (wall.normal.x * p.x + wall.normal.y * p.y + wall.normal.z * least > wall.offset) return false;
   }
-  return &planes[best];
+  const FacePlane &face = planes[best];
+  const double part = 1.0 / face.normal.z;
+  plane = {face.normal.x * part, face.normal.y * part, face.offset * part};
+  return true;
 }
 
-void DepthGraph::Lines::gather(const PolytopeSide &side, const Extent &region) {
+void DepthGraph::Lines::gather(const PolytopeSide &side, const Extent &region, double beyond) {
   found.clear();
+  if (arcs.size() < side.edge_count()) arcs.resize(side.edge_count());
   for (std::size_t i = 0; i < side.edge_count(); ++i) {
     const PolytopeSide::Edge &edge = side.edge(i);
     if (!edge.extent.meets(region)) continue;
@@ -117,11 +111,30 @@ void DepthGraph::Lines::gather(const PolytopeSide &side, const Extent &region) {
     found.emplace_back();
     Line &line = found.back();
     line.from_x = from.x, line.from_y = from.y, line.to_x = to.x, line.to_y = to.y;
-    line.low_x = std::min(from.x, to.x), line.high_x = std::max(from.x, to.x);
-    line.low_y = std::min(from.y, to.y), line.high_y = std::max(from.y, to.y);
+    // Of what is too high nothing crosses deep enough.
+    line.low_x = std::max(std::min(from.x, to.x), edge.extent.low_x - beyond);
+    line.high_x = std::min(std::max(from.x, to.x), edge.extent.high_x + beyond);
+    line.low_y = std::max(std::min(from.y, to.y), edge.extent.low_y - beyond);
+    line.high_y = std::min(std::max(from.y, to.y), edge.extent.high_y + beyond);
     line.highest = std::max(first.at.z, second.at.z);
     line.edge = static_cast<std::int32_t>(i);
+    arcs[i].known = false;
   }
+}
+
+const DirectionArc *DepthGraph::Lines::arc(const PolytopeSide &side, std::int32_t edge) {
+  Arc &arc = arcs[index(edge)];
+  if (!arc.known) {
+    const convex::Polytope &geometry = side.body().geometry();
+    const convex::Polytope::Edge &whole = geometry.edges()[index(side.edge(index(edge)).number)];
+    const convex::Mat3 &rotation = side.to_side().rotation;
+    Vec3 first = rotation * geometry.faces()[index(whole.face[0])].normal;
+    Vec3 second = rotation * geometry.faces()[index(whole.face[1])].normal;
+    arc.known = true;
+    arc.visible = std::max(first.z, second.z) > wall_cosine && cut_arc(first, second);
+    if (arc.visible) arc.directions = {first, second};
+  }
+  return arc.visible ? &arc.directions : nullptr;
 }
 
 void DepthGraph::Lines::sort() {
@@ -167,23 +180,23 @@ void DepthGraph::find_corners(double level) {
 void DepthGraph::add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side,
                               Faces &others, double sense) {
   bool gathered = false;
+  Plane plane;
   for (std::size_t i = 0; i < side.vertex_count(); ++i) {
     const PolytopeSide::Vertex &v = side.vertex(i);
     if (!v.inside || !region_.holds(v.at)) continue;
     if (!gathered) others.gather(other_side), gathered = true;
-    const Plane *plane = others.over(side.shaken(v), v.at.z, level_, size_);
-    if (plane == nullptr) continue;
-    const double other = plane->over(v.at), depth = v.at.z + other;
+    if (!others.over(side.shaken(v), v.at.z, level_, size_, plane)) continue;
+    const double other = plane.over(v.at), depth = v.at.z + other;
     if (!(depth > level_)) continue;
     const double visible = visible_cone(side, v.number, cone_);
     if (cone_.empty()) continue;
     const Stiffness &scale = stiffness.of(static_cast<std::int32_t>(i), visible);
     double part = visible;
-    if (std::fabs(plane->slope_x) + std::fabs(plane->slope_y) > level_slope) {
+    if (std::fabs(plane.slope_x) + std::fabs(plane.slope_y) > level_slope) {
       sheared_cone_.clear();
       for (std::size_t k = 0; k < cone_.size(); ++k) {
         const Vec3 &ray = cone_[k];
-        sheared_cone_.add({ray.x + ray.z * plane->slope_x, ray.y + ray.z * plane->slope_y, ray.z});
+        sheared_cone_.add({ray.x + ray.z * plane.slope_x, ray.y + ray.z * plane.slope_y, ray.z});
       }
       part = sheared_cone_.solid_angle();
     }
@@ -207,16 +220,12 @@ void DepthGraph::add_crossing(std::int32_t edge_a, std::int32_t edge_b) {
   const Vec3 on_e = from_e + t * de, on_f = from_f + s * df;
   const double depth = on_e.z + on_f.z;
   if (!(depth > level_)) return;
-  Vec3 of_e[2], of_f[2];
-  if (!edge_arc(side_a_, e, of_e[0], of_e[1]) || !edge_arc(side_b_, f, of_f[0], of_f[1])) return;
-  // Slopes add up: the cone's rays are the sums of both edges' directions, taken at the same z.
-  cone_.clear();
-  for (const int corner : {0, 1, 3, 2}) {
-    const Vec3 &p = of_e[corner & 1], &q = of_f[corner >> 1];
-    const Vec3 ray{p.x * q.z + q.x * p.z, p.y * q.z + q.y * p.z, p.z * q.z};
-    if (norm2(ray) > 0.0) cone_.add(ray);
-  }
-  const double part = cone_.solid_angle() * inverse_hemisphere;
+  const DirectionArc *of_e = lines_a_.arc(side_a_, edge_a);
+  if (of_e == nullptr) return;
+  const DirectionArc *of_f = lines_b_.arc(side_b_, edge_b);
+  if (of_f == nullptr) return;
+  // Slopes add up.
+  const double part = parallelogram_solid_angle(*of_e, *of_f) * inverse_hemisphere;
   const Vec3 middle{0.5 * (on_e.x + on_f.x), 0.5 * (on_e.y + on_f.y), 0.5 * (on_f.z - on_e.z)};
   const Stiffness scale = between_ends(t, stiffness_a_.of(e.vertex[0]), stiffness_a_.of(e.vertex[1]), s,
                                        stiffness_b_.of(f.vertex[0]), stiffness_b_.of(f.vertex[1]));
@@ -225,9 +234,10 @@ void DepthGraph::add_crossing(std::int32_t edge_a, std::int32_t edge_b) {
 
 // Edges whose extents along x overlap are found by a sweep; of a few edges all pairs are compared.
 void DepthGraph::add_crossings() {
-  lines_a_.gather(side_a_, region_);
+  const double beyond = margin * size_;
+  lines_a_.gather(side_a_, region_, beyond);
   if (lines_a_.found.empty()) return;
-  lines_b_.gather(side_b_, region_);
+  lines_b_.gather(side_b_, region_, beyond);
   const double level = level_;
   const auto crosses = [](const Line &e, const Line &f) { return f.parts(e) && e.parts(f); };
   if (lines_a_.found.size() * lines_b_.found.size() <= few_pairs) {

@@ -43,19 +43,21 @@ class DepthGraph {
     double slope_x, slope_y, height;
     double over(const Vec3 &p) const { return height - slope_x * p.x - slope_y * p.y; }
   };
-  struct Wall {
+  // normal . p = offset
+  struct FacePlane {
     Vec3 normal;
     double offset;
   };
   // The faces of a side: those towards the other body, as they are and shaken, and the others, of which only the border
   // counts.
   struct Faces {
-    std::vector<Plane> planes, shaken;
-    std::vector<Wall> walls;
+    std::vector<FacePlane> planes;
+    std::vector<Plane> shaken;
+    std::vector<FacePlane> walls;
     void gather(PolytopeSide &side);
-    // The plane over p; null where there is none, or where p, at `height` in the other body, cannot be deeper than
+    // The plane over p; false where there is none, or where p, at `height` in the other body, cannot be deeper than
     // `level`. `size` is that of the bodies.
-    const Plane *over(const Vec3 &p, double height, double level, double size) const;
+    bool over(const Vec3 &p, double height, double level, double size, Plane &plane) const;
   };
   // What decides whether edges cross: a shaken edge as seen along the contact normal.
   struct Line {
@@ -69,11 +71,21 @@ class DepthGraph {
     }
     double area(double x, double y) const { return (to_x - from_x) * (y - from_y) - (to_y - from_y) * (x - from_x); }
   };
+  // The directions of the faces at an edge within the hemisphere; not visible where none of them looks towards the other
+  // body.
+  struct Arc {
+    DirectionArc directions;
+    bool known = false, visible = false;
+  };
   // A side's edges within a region, and the same from the left to the right.
   struct Lines {
     std::vector<Line> found, ordered;
+    std::vector<Arc> arcs;  // by the side's edge; made where asked for
     std::vector<std::pair<double, std::int32_t>> order;
-    void gather(const PolytopeSide &side, const Extent &region);
+    // `beyond` as for the region.
+    void gather(const PolytopeSide &side, const Extent &region, double beyond);
+    // Of an edge found; null where it is not visible.
+    const DirectionArc *arc(const PolytopeSide &side, std::int32_t edge);
     void sort();
   };
 
