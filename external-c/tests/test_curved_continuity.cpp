@@ -40,6 +40,31 @@ TEST_P(RandomCurved, SumsHaveNoJumps) {
   }
 }
 
+struct RarePath {
+  const char *name;
+  Kinds kinds;
+  std::uint64_t seed;
+  double deep;
+};
+
+void PrintTo(const RarePath &path, std::ostream *stream) { *stream << path.name; }
+
+class RareCurved : public testing::TestWithParam<RarePath> {};
+
+// One in a thousand of random paths.
+TEST_P(RareCurved, SumsHaveNoJumps) {
+  const RarePath &path = GetParam();
+  Random random(path.seed);
+  const std::string a = random_shape(path.kinds.a, random), b = random_shape(path.kinds.b, random);
+  const PairScene scene(a, b);
+  const PathSums sums = follow(scene, random_path(scene, random, path.deep), {}, 600, 15);
+  EXPECT_LT(sums.largest_jump, 1e-5 * sums.largest_load) << a << " | " << b;
+  EXPECT_GT(sums.largest_load, 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RareCurved,
+                         testing::Values(RarePath{"the ball touches a cone all along an arc", {"cone", "box"}, 5021, 0.004}));
+
 std::vector<Kinds> all_kinds() {
   const char *const curved[] = {"sphere", "capsule", "cylinder", "cone", "ellipsoid"};
   std::vector<Kinds> pairs;

@@ -46,6 +46,7 @@ Form curvature(const MinkowskiDifference &difference, const Vec3 &m, const Vec3 
 }
 
 constexpr double largest_step = 0.2;
+constexpr double slope_rounding = 1e-15;  // relative to the bodies
 constexpr int most_steps = 24;  // far from the minimum; near it three or four suffice
 
 double crease_radius(const Crease &crease) { return std::sqrt(std::max(0.0, 1.0 - crease.height * crease.height)); }
@@ -103,6 +104,8 @@ bool newton_on_crease(const MinkowskiDifference &difference, const Crease &creas
     const double slope = radius * dot(w, tangent);
     const double bend = radius * radius * curvature(difference, m, tangent, tangent).uu - radius * dot(w, e);
     if (!(bend > 0.0)) return false;
+    // Where a corner lies on a cone's axis all of the crease is equally low: a step would end anywhere on it.
+    if (std::fabs(slope) <= slope_rounding * difference.scale) return true;
     const double turn = -slope / bend;
     if (!(std::fabs(turn) < largest_step)) return false;
     e = normalized(e + turn * tangent);
