@@ -70,11 +70,15 @@ void DepthGraph::Faces::gather(PolytopeSide &side) {
     const Vec3 n = to_side.rotation * face.normal, m = shake.direction(n);
     const double offset = face.offset + dot(n, to_side.translation), shaken_offset = offset + dot(m, shake.shift);
     if (n.z > wall_cosine && m.z > 0.0) {
-      const double shaken_part = 1.0 / m.z;
-      planes.push_back({n, offset});
-      shaken.push_back({m.x * shaken_part, m.y * shaken_part, shaken_offset * shaken_part});
+      const double part = 1.0 / m.z;
+      planes.emplace_back();
+      planes.back().set(n, offset);
+      shaken.emplace_back();
+      Plane &plane = shaken.back();
+      plane.slope_x = m.x * part, plane.slope_y = m.y * part, plane.height = shaken_offset * part;
     } else {
-      walls.push_back({m, shaken_offset});
+      walls.emplace_back();
+      walls.back().set(m, shaken_offset);
     }
   }
 }
@@ -202,8 +206,18 @@ void DepthGraph::add_vertices(const PolytopeSide &side, VertexStiffness &stiffne
     }
     part *= inverse_hemisphere;
     // The surfaces are at sense * own height and -sense * the other's.
-    corners_.push_back({{v.at.x, v.at.y, 0.5 * sense * (v.at.z - other)}, depth, part * scale.value, part * scale.slope});
+    add_corner(v.at.x, v.at.y, 0.5 * sense * (v.at.z - other), depth, part, scale);
   }
+}
+
+// Written member by member: objects put together on the stack and copied as a whole would wait for the store.
+void DepthGraph::add_corner(double x, double y, double z, double depth, double part, const Stiffness &scale) {
+  corners_.emplace_back();
+  Corner &corner = corners_.back();
+  corner.middle.x = x, corner.middle.y = y, corner.middle.z = z;
+  corner.depth = depth;
+  corner.weight = part * scale.value;
+  corner.slope.x = part * scale.slope.x, corner.slope.y = part * scale.slope.y, corner.slope.z = part * scale.slope.z;
 }
 
 // The crossing of two edges, one of each side, that cross as seen along the contact normal.
@@ -226,10 +240,9 @@ void DepthGraph::add_crossing(std::int32_t edge_a, std::int32_t edge_b) {
   if (of_f == nullptr) return;
   // Slopes add up.
   const double part = parallelogram_solid_angle(*of_e, *of_f) * inverse_hemisphere;
-  const Vec3 middle{0.5 * (on_e.x + on_f.x), 0.5 * (on_e.y + on_f.y), 0.5 * (on_f.z - on_e.z)};
   const Stiffness scale = between_ends(t, stiffness_a_.of(e.vertex[0]), stiffness_a_.of(e.vertex[1]), s,
                                        stiffness_b_.of(f.vertex[0]), stiffness_b_.of(f.vertex[1]));
-  corners_.push_back({middle, depth, part * scale.value, part * scale.slope});
+  add_corner(0.5 * (on_e.x + on_f.x), 0.5 * (on_e.y + on_f.y), 0.5 * (on_f.z - on_e.z), depth, part, scale);
 }
 
 // Edges whose extents along x overlap are found by a sweep; of a few edges all pairs are compared.

@@ -47,6 +47,7 @@ class DepthGraph {
   struct FacePlane {
     Vec3 normal;
     double offset;
+    void set(const Vec3 &n, double d) { normal.x = n.x, normal.y = n.y, normal.z = n.z, offset = d; }
   };
   // The faces of a side: those towards the other body, as they are and shaken, and the others, of which only the border
   // counts.
@@ -91,6 +92,7 @@ class DepthGraph {
 
   void add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side, Faces &others,
                     double sense);
+  void add_corner(double x, double y, double z, double depth, double part, const Stiffness &scale);
   void add_crossings();
   void add_crossing(std::int32_t edge_a, std::int32_t edge_b);
 

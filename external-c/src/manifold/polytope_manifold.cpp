@@ -54,7 +54,13 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
   const Vec3 shift{missing.x / load, missing.y / load, 0.0};
   for (const DepthGraph::Corner &corner : graph.corners()) {
     const double weight = corner.weight * limit.part(corner.depth);
-    if (weight > 0.0) points.push_back({corner.depth, weight, normal, axes(corner.middle + shift)});
+    if (!(weight > 0.0)) continue;
+    const Vec3 at = axes(corner.middle + shift);
+    points.emplace_back();
+    ContactPoint &point = points.back();  // written member by member, which does not wait for a copy
+    point.depth = corner.depth, point.weight = weight;
+    point.normal.x = normal.x, point.normal.y = normal.y, point.normal.z = normal.z;
+    point.position.x = at.x, point.position.y = at.y, point.position.z = at.z;
   }
 }
 
