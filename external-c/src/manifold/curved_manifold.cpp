@@ -140,7 +140,7 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     return;
   }
   if (a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule) {
-    if (!crossing_capsules(a, pose_a, b, pose_b, answer, points)) line_contact(a, pose_a, b, pose_b, answer, scratch.axis, points);
+    if (!capsule_on_capsule(a, pose_a, b, pose_b, answer, points)) line_contact(a, pose_a, b, pose_b, answer, scratch.axis, points);
     if (points.size() == begin) points.push_back({depth, 1.0, normal, witness});
     return;
   }
@@ -200,7 +200,8 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
                     convex::DistanceScratch &distance, CurvedManifoldScratch &scratch,
                     std::vector<ContactPoint> &points) {
   const double size = a.bound_radius + b.bound_radius;
-  if (answer.ball >= convex::surface_reach(-answer.distance, size)) {  // no other way is near
+  // No other way is near; the reach is no more than 1.5 depths, which takes no root.
+  if (answer.ball >= -1.5 * answer.distance || answer.ball >= convex::surface_reach(-answer.distance, size)) {
     contact_along(a, pose_a, b, pose_b, answer, scratch, points);
     return;
   }
