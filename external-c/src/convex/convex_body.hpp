@@ -48,6 +48,9 @@ inline bool is_polyhedral(CoreShape core) {
          core == CoreShape::polytope;
 }
 
+// The length of a cone's rulings, by its half lengths.
+inline double cone_slant(const Vec3 &half) { return std::sqrt(half.x * half.x + 4.0 * half.z * half.z); }
+
 // Radius of the core's smallest sphere about the origin of its frame.
 inline double core_radius(const ConvexBody &body) {
   switch (body.core) {
@@ -55,7 +58,7 @@ inline double core_radius(const ConvexBody &body) {
     case CoreShape::polytope: return body.polytope->radius();
     case CoreShape::ellipsoid: return std::fmax(body.half.x, std::fmax(body.half.y, body.half.z));
     case CoreShape::cylinder:
-    case CoreShape::cone: return std::hypot(body.half.x, body.half.z);
+    case CoreShape::cone: return std::sqrt(body.half.x * body.half.x + body.half.z * body.half.z);
     default: return norm(body.half);
   }
 }

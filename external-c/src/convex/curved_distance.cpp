@@ -37,7 +37,7 @@ int profile_normals(const ConvexBody &body, Vec3 normals[3]) {
       normals[0] = {1, 0, 0}, normals[1] = {0, 0, 1}, normals[2] = {0, 0, -1};
       return 3;
     case CoreShape::cone: {
-      const double slant = std::hypot(body.half.x, 2.0 * body.half.z);
+      const double slant = cone_slant(body.half);
       normals[0] = {2.0 * body.half.z / slant, 0, body.half.x / slant}, normals[1] = {0, 0, -1};
       return 2;
     }

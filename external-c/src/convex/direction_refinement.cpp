@@ -53,7 +53,7 @@ Creases core_creases(const ConvexBody &body, const Vec3 &d, double angle) {
       if (across < angle) result.flat[result.flat_count++] = {0, 0, std::copysign(1.0, d.z)};
       break;
     case CoreShape::cone: {
-      const double slant = std::hypot(body.half.x, 2.0 * body.half.z);
+      const double slant = cone_slant(body.half);
       const double height = body.half.x / slant;  // of the side's normals
       if (std::fabs(d.z - height) < angle && across > 0.0) {
         const Vec3 ruling{body.half.x * d.x / across, body.half.x * d.y / across, -2.0 * body.half.z};

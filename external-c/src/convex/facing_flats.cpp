@@ -121,7 +121,7 @@ Vec3 touching_point(const ConvexBody &p, const End &flat, const ConvexBody &q, c
     return pose.translation + middle_over(p, flat, pose.translation, axis, -h.z, h.z) * axis;
   }
   if (q.core == CoreShape::cone) {
-    const double slant = std::hypot(h.x, 2.0 * h.z), side = (2.0 * h.z * -n.z - h.x * across) / slant;
+    const double slant = cone_slant(h), side = (2.0 * h.z * -n.z - h.x * across) / slant;
     if (std::fabs(side) < level && across > 0.0) {  // on its side
       const Vec3 rim = pose({-h.x * n.x / across, -h.x * n.y / across, -h.z}), ruling = pose({0, 0, h.z}) - rim;
       return rim + middle_over(p, flat, rim, ruling, 0.0, 1.0) * ruling;

@@ -94,7 +94,7 @@ void around_cylinder(const Vec3 &half, const Vec3 &p, const Vec3 &n, const Vec3 
 void around_cone(const Vec3 &half, const Vec3 &p, const Vec3 &n, const Vec3 &u, const Vec3 &v, double slack,
                  Surroundings &s) {
   const double radius = half.x, height = 2.0 * half.z, above = p.z + half.z;
-  const double slant = std::hypot(radius, height), across = std::sqrt(p.x * p.x + p.y * p.y);
+  const double slant = cone_slant(half), across = std::sqrt(p.x * p.x + p.y * p.y);
   s.inside = above >= -slack && height * across + radius * (above - height) <= slack * slant;
   if (above <= slack) {  // on the base or its rim
     const double along = std::sqrt(n.x * n.x + n.y * n.y), down = -n.z;

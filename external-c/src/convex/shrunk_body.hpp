@@ -27,7 +27,7 @@ inline ShrunkBody shrunk(const ConvexBody &whole, double part) {
       break;
     }
     case CoreShape::cone: {
-      const double slant = std::hypot(h.x, 2.0 * h.z), ball = 2.0 * h.x * h.z / (h.x + slant);
+      const double slant = cone_slant(h), ball = 2.0 * h.x * h.z / (h.x + slant);
       result.origin.z = part * (ball - h.z);
       h = (1.0 - part) * h;
       break;

@@ -93,7 +93,7 @@ Place place_of(const ConvexBody &body, const Vec3 &p, const Vec3 &d) {
     case CoreShape::cone: {
       if (p.z >= h.z * (1.0 - on_border)) return {};
       if (p.z <= -h.z * (1.0 - on_border)) return on_end(-1.0);
-      return on_line(z, h.x / std::hypot(h.x, 2.0 * h.z), z);
+      return on_line(z, h.x / cone_slant(h), z);
     }
   }
   return {};

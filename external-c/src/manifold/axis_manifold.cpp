@@ -163,8 +163,8 @@ double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
   double sine = towards.z;  // of the side's inclination
   Vec3 sine_gradient{0, 0, 1};
   if (shape.kind == ShapeKind::cone) {
-    const double height = 2.0 * shape.body.half.z, radius = shape.body.half.x, slant = std::hypot(height, radius);
-    const double across = std::hypot(towards.x, towards.y);
+    const double height = 2.0 * shape.body.half.z, radius = shape.body.half.x, slant = convex::cone_slant(shape.body.half);
+    const double across = std::sqrt(towards.x * towards.x + towards.y * towards.y);
     sine = (height * towards.z - radius * across) / slant;
     if (across > 0.0) {
       sine_gradient = (1.0 / slant) * Vec3{-radius * towards.x / across, -radius * towards.y / across, height};

@@ -20,7 +20,7 @@ double flat_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
   gradient = {};
   if (shape.polytope) return 1.0;
   if (!shape.rim || (shape.kind == ShapeKind::cone && towards.z > 0.0)) return 0.0;
-  const double across = std::hypot(towards.x, towards.y), inclination = across / flat_sine;
+  const double across = std::sqrt(towards.x * towards.x + towards.y * towards.y), inclination = across / flat_sine;
   if (across > 0.0) {
     gradient = (faded_slope(inclination) / (flat_sine * across)) * Vec3{towards.x, towards.y, 0.0};
   }
