@@ -67,4 +67,17 @@ TEST(CapsuleOnCapsule, CarriesAsTheStationsAlongBothAxesDo) {
   EXPECT_GT(several, 5000);
 }
 
+// There is no direction from axis to axis then: the caller takes the stations along both.
+TEST(CapsuleOnCapsule, DoesNotAnswerWhereTheAxesMeet) {
+  Random random(4);
+  const Shape a = capsule(random), b = capsule(random);
+  const Pose pose_a{}, pose_b{test::rotation_about({1, 0, 0}, 1.0), {}};
+  BackendScratch backend;
+  ConvexAnswer answer;
+  find_exact_distance(a, pose_a, b, pose_b, backend, answer);
+  std::vector<ContactPoint> points;
+  EXPECT_FALSE(capsule_on_capsule(a, pose_a, b, pose_b, answer, points));
+  EXPECT_TRUE(points.empty());
+}
+
 }  // namespace
