@@ -3,6 +3,7 @@
 
 #include "convex/random_bodies.hpp"
 #include "manifold/axis_manifold.hpp"
+#include "manifold/capsule_manifold.hpp"
 #include "poses.hpp"
 #include "scene_query.hpp"
 

@@ -66,9 +66,4 @@ void line_on_disc(const ContactLine &line, const Vec3 &center, const Vec3 &axis,
 void line_on_line(const ContactLine &line, const ContactLine &other, const Vec3 &deepest, const Vec3 &normal, double sense,
                   AxisManifoldScratch &scratch, std::vector<ContactPoint> &points);
 
-// The same of both lines of two capsules, half of it each: the same sums as line_on_line's to rounding, in closed form from the
-// deepest place on, so that what does not carry costs little. False, and nothing appended, where the axes meet.
-bool capsule_on_capsule(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
-                        std::vector<ContactPoint> &points);
-
 }  // namespace cmb

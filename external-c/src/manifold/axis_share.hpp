@@ -1,4 +1,4 @@
-// How two ends of a rod share a load that comes at an angle.
+// How two ends of a rod, and the stations along it, share a load that comes at an angle.
 #pragma once
 
 namespace cmb {
@@ -9,6 +9,9 @@ inline double end_share_difference(double sine) { return 0.5 * sine * (3.0 - sin
 
 // Its derivative by `sine`.
 inline double end_share_slope(double sine) { return 1.5 * (1.0 - sine * sine); }
+
+// Stations of a line nearer than this, relative to half its length, count as one.
+constexpr double station_spacing = 1e-9;
 
 // Sine of the inclination at which a disc no longer touches with its face.
 constexpr double flat_sine = 0.25;

@@ -7,6 +7,7 @@
 #include "convex/ways_out.hpp"
 #include "geometry/pose_algebra.hpp"
 #include "manifold/axis_share.hpp"
+#include "manifold/capsule_manifold.hpp"
 #include "manifold/disc_manifold.hpp"
 
 namespace cmb {

@@ -1,0 +1,17 @@
+// Contact of two capsules in closed form.
+#pragma once
+
+#include <vector>
+
+#include "backend/distance_backend.hpp"
+#include "manifold/contact_set.hpp"
+#include "scene/shape.hpp"
+
+namespace cmb {
+
+// Appends what the lines of two capsules carry, half of it each: the same sums as line_on_line's to rounding, in closed form
+// from the deepest place on, so that what does not carry costs little. False, and nothing appended, where the axes meet.
+bool capsule_on_capsule(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+                        std::vector<ContactPoint> &points);
+
+}  // namespace cmb
