@@ -12,6 +12,9 @@ namespace cmb::mesh {
 
 namespace {
 
+// Triangles that cross by less than this part of the meshes' size do so by rounding.
+constexpr double rounding = 1e-15;
+
 // The middle of what the meshes' boxes have in common; moves steadily. In the first mesh's frame.
 Vec3 common_center(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place) {
   const Bounds &one = mesh.hierarchy().bounds(), other = moved(body.hierarchy().bounds(), place);
@@ -50,13 +53,16 @@ void add_reversed(ContactSet &from, double part, ContactSet &result) {
 }
 
 // The contact of two meshes of which `one` pushes; normals point out of it. Where that carries too little of what crosses,
-// the other one pushes too, and if it cannot either, the crossing triangles do. Returns whether the meshes touch.
+// the other one pushes too, unless `one` is a sheet and the other is not, and if it cannot either, the crossing triangles
+// do. Returns whether the meshes touch.
 bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
   const std::size_t begin = result.points.size();
   const Pose place = relative_pose(one.pose, other.pose);
   push(one, other.mesh, place, scratch, result);
   const double load = total_load(result.points, begin);
-  const double crossing = deepest_crossing(one.mesh, other.mesh, place, scratch.pair, least_load_part * load);
+  const double nothing = rounding * (one.mesh.bound_radius() + other.mesh.bound_radius());
+  const double crossing =
+      deepest_crossing(one.mesh, other.mesh, place, scratch.pair, std::fmax(nothing, least_load_part * load));
   if (load > 0.0 && crossing == 0.0) return true;
   // A place of each may lie in the other; so it is where one has swallowed the other.
   const Pose back = place.inverse();
@@ -67,11 +73,14 @@ bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch 
   PiercedLoad pierced(common_center(one.mesh, other.mesh, place));
   push_crossings(one.mesh, other.mesh, place, scratch.pair, pierced);
   ContactSet &reaction = scratch.reaction;
-  reaction.points.clear();
-  reaction.distance = 0.0;
-  push(other, one.mesh, back, scratch, reaction);
   const double lacking = load > 0.0 ? lacking_part(load, crossing) : 1.0;
-  add_reversed(reaction, lacking, result);
+  // A sheet pushes to its front alone, whatever the sides of the body that passes through it would do.
+  if (one.mesh.closed() || !other.mesh.closed()) {
+    reaction.points.clear();
+    reaction.distance = 0.0;
+    push(other, one.mesh, back, scratch, reaction);
+    add_reversed(reaction, lacking, result);
+  }
   const double part = lacking * lacking_part(total_load(result.points, begin), depth);
   pierced.finish(part, one.pose, result);
   in_one.lead_out(crossing, part, one.pose, result);

@@ -36,12 +36,10 @@ double largest_depth(const Contact &contact) {
 
 BodyPose at(double x, double y, double z) { return {{x, y, z}, {}}; }
 
-// The roof of an L, as the stress program found it: the part of an edge inside the ellipsoid is shorter than the pieces of
-// the ellipsoid's surface are off it.
-TEST(EdgeInRoundBody, EllipsoidOnTheEdgesOfAnAngle) {
-  const double a = 0.14125405647717162, h = 0.070627028238585812;
+// An L: a rectangle of half sizes a and b without a quarter, from -h to h.
+MeshData angle_mesh(double a, double b, double h) {
   MeshData data;
-  const double xs[] = {-a, a, a, 0, 0, -a}, ys[] = {-a, -a, 0, 0, a, a};
+  const double xs[] = {-a, a, a, 0, 0, -a}, ys[] = {-b, -b, 0, 0, b, b};
   for (const double z : {-h, h}) {
     for (int k = 0; k < 6; ++k) data.vertices.push_back({xs[k], ys[k], z});
   }
@@ -54,8 +52,15 @@ TEST(EdgeInRoundBody, EllipsoidOnTheEdgesOfAnAngle) {
     data.triangles.push_back({k, next, next + 6});
     data.triangles.push_back({k, next + 6, k + 6});
   }
+  return data;
+}
+
+// The roof of an L, as the stress program found it: the part of an edge inside the ellipsoid is shorter than the pieces of
+// the ellipsoid's surface are off it.
+TEST(EdgeInRoundBody, EllipsoidOnTheEdgesOfAnAngle) {
+  const double a = 0.14125405647717162, h = 0.070627028238585812;
   const std::string body = "cmb/1 ellipsoid size=1.0648032008156281,1.6290731915290635,2";
-  const PairScene scene(body, mesh_text(data));
+  const PairScene scene(body, mesh_text(angle_mesh(a, a, h)));
   const PairScene parts(body, "cmb/1 box size=" + std::to_string(2 * a) + "," + std::to_string(a) + "," +
                                   std::to_string(2 * h) + " position=0," + std::to_string(-0.5 * a) + ",0");
   const double s = std::sqrt(0.5);
@@ -177,6 +182,21 @@ TEST(PiercedBody, BallWithItsCentreOnAnEdgeIsPushedToTheFront) {
     const double along = random.uniform(-1, 1);
     const Contact contact = scene.query(k % 2 == 0 ? at(along, along, 0.0) : at(2.4 * (2.0 / 7.0 - 0.5), along, 0.0), {});
     EXPECT_NEAR(contact.load().z, 0.2, 1e-12) << along;
+  }
+}
+
+// The sides of an angle that stands about a sheet's corner are the shorter ways out, but a sheet has but one front.
+TEST(PiercedBody, SheetPushesMeshesToItsFront) {
+  const auto height = [](double x, double y) { return 2e-4 * std::sin(5 * x + 1) * std::cos(2 * y); };
+  const PairScene scene(mesh_text(angle_mesh(1, 0.13, 0.1)), mesh_text(sheet_mesh(24.0, 16, height)));
+  Random random(21);
+  for (int k = 0; k < 2000; ++k) {
+    const double inclination = k % 2 == 0 ? 0.0 : random.uniform(-0.7, 0.7);
+    const BodyPose pose{{random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), random.uniform(-0.2, 0.2)},
+                        rotation_about({0, 1, 0}, (k % 4 < 2 ? 1.5707963267948966 : -1.5707963267948966) + inclination)};
+    const Contact contact = scene.query(pose, {});
+    EXPECT_LT(contact.distance, 0.0);
+    EXPECT_GT(contact.load().z, 0.0) << k;
   }
 }
 
