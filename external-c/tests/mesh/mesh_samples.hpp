@@ -84,6 +84,25 @@ inline MeshData sphere_mesh(double radius, int levels) {
   return data;
 }
 
+// A prism on an L whose corners run around it from its outer one, the inner one being the fourth.
+inline MeshData angle_prism(const double (&xs)[6], const double (&ys)[6], double bottom, double top) {
+  MeshData data;
+  for (const double z : {bottom, top}) {
+    for (int k = 0; k < 6; ++k) data.vertices.push_back({xs[k], ys[k], z});
+  }
+  const std::uint32_t cap[][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+  for (const auto &t : cap) {
+    data.triangles.push_back({t[0], t[2], t[1]});
+    data.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
+  }
+  for (std::uint32_t k = 0; k < 6; ++k) {
+    const std::uint32_t next = (k + 1) % 6;
+    data.triangles.push_back({k, next, next + 6});
+    data.triangles.push_back({k, next + 6, k + 6});
+  }
+  return data;
+}
+
 // A sheet over [-size/2, size/2]^2, z = height(x, y), n x n squares, diagonals in turn.
 template <typename Height>
 MeshData sheet_mesh(double size, std::uint32_t n, Height &&height) {

@@ -15,6 +15,7 @@ namespace {
 
 using namespace cmb::test;
 using cmb::convex::ConvexBody;
+using mesh_samples::angle_prism;
 using mesh_samples::box_mesh;
 using mesh_samples::mesh_text;
 using mesh_samples::MeshData;
@@ -38,21 +39,7 @@ BodyPose at(double x, double y, double z) { return {{x, y, z}, {}}; }
 
 // An L: a rectangle of half sizes a and b without a quarter, from -h to h.
 MeshData angle_mesh(double a, double b, double h) {
-  MeshData data;
-  const double xs[] = {-a, a, a, 0, 0, -a}, ys[] = {-b, -b, 0, 0, b, b};
-  for (const double z : {-h, h}) {
-    for (int k = 0; k < 6; ++k) data.vertices.push_back({xs[k], ys[k], z});
-  }
-  for (const auto &t : {cmb::mesh::Triangle{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}) {
-    data.triangles.push_back({t[0], t[2], t[1]});
-    data.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
-  }
-  for (std::uint32_t k = 0; k < 6; ++k) {
-    const std::uint32_t next = (k + 1) % 6;
-    data.triangles.push_back({k, next, next + 6});
-    data.triangles.push_back({k, next + 6, k + 6});
-  }
-  return data;
+  return angle_prism({-a, a, a, 0, 0, -a}, {-b, -b, 0, 0, b, b}, -h, h);
 }
 
 // The roof of an L, as the stress program found it: the part of an edge inside the ellipsoid is shorter than the pieces of

@@ -202,23 +202,9 @@ inline Solid mesh_of(const mesh_samples::MeshData &data, Solid parts) {
 
 // An L: [0, a] x [0, 1] x [0, b] and [0, 1] x [0, a] x [0, b] in units of `unit`, about its middle.
 inline Solid angle_mesh(double unit, double a, double b) {
-  const double xs[] = {0, a, a, 1, 1, 0}, ys[] = {0, 0, 1, 1, a, a};
-  mesh_samples::MeshData data;
-  for (const double z : {0.0, b}) {
-    for (int k = 0; k < 6; ++k) {
-      data.vertices.push_back({unit * (xs[k] - 0.5 * a), unit * (ys[k] - 0.5 * a), unit * (z - 0.5 * b)});
-    }
-  }
-  const std::uint32_t cap[][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
-  for (const auto &t : cap) {
-    data.triangles.push_back({t[0], t[2], t[1]});
-    data.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
-  }
-  for (std::uint32_t k = 0; k < 6; ++k) {
-    const std::uint32_t next = (k + 1) % 6;
-    data.triangles.push_back({k, next, next + 6});
-    data.triangles.push_back({k, next + 6, k + 6});
-  }
+  double xs[] = {0, a, a, 1, 1, 0}, ys[] = {0, 0, 1, 1, a, a};
+  for (int k = 0; k < 6; ++k) xs[k] = unit * (xs[k] - 0.5 * a), ys[k] = unit * (ys[k] - 0.5 * a);
+  const mesh_samples::MeshData data = mesh_samples::angle_prism(xs, ys, unit * (0.0 - 0.5 * b), unit * (b - 0.5 * b));
   std::vector<Part> parts;
   for (const bool along_x : {true, false}) {
     const double x = along_x ? a : 1.0, y = along_x ? 1.0 : a;

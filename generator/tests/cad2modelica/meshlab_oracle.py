@@ -8,16 +8,14 @@ as faces for it.
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 from cad2modelica.primitive_meshes import SEGMENTS
 from cad2modelica.surface_distance import Surface
+from oracle_process import imported
 
-# In a process of its own, because the importer crashes on some files.
 _IMPORT = """
 import sys
 import numpy as np
@@ -69,12 +67,7 @@ def meshlab_triangles(file: Path, folder: Path) -> np.ndarray | None:
         file: a VRML file, not compressed.
         folder: for intermediate files.
     """
-    result = folder / "triangles.npy"
-    try:
-        run = subprocess.run([sys.executable, "-c", _IMPORT, str(file), str(result)], capture_output=True, timeout=120)
-    except subprocess.TimeoutExpired:
-        return None
-    return np.load(result) if run.returncode == 0 else None
+    return imported(_IMPORT, file, folder / "triangles.npy")
 
 
 def distances(ours: np.ndarray, theirs: np.ndarray) -> tuple[float, float]:

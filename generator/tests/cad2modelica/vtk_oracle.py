@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import gzip
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
+from oracle_process import imported
 from scipy.spatial import cKDTree
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
@@ -25,7 +24,6 @@ _BEYOND = re.compile(
 )
 _LARGEST_TEXT = 3_000_000
 
-# In a process of its own, because the importer crashes on some files.
 _IMPORT = """
 import sys
 import numpy as np
@@ -64,12 +62,7 @@ def vtk_points(file: Path, folder: Path) -> np.ndarray | None:
         file: a VRML file of plain Transforms and IndexedFaceSets.
         folder: for intermediate files.
     """
-    result = folder / "points.npy"
-    try:
-        run = subprocess.run([sys.executable, "-c", _IMPORT, str(file), str(result)], capture_output=True, timeout=120)
-    except subprocess.TimeoutExpired:
-        return None
-    return np.load(result) if run.returncode == 0 else None
+    return imported(_IMPORT, file, folder / "points.npy")
 
 
 def distance_of_sets(first: np.ndarray, second: np.ndarray) -> float:
