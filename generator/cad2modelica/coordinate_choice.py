@@ -74,7 +74,7 @@ def choose_coordinates(
     found = []
     if count == 1:
         for way, base in zip(ways, bases, strict=True):
-            passed = _passed(base, best)
+            passed = _passed(_determinants(base, best))
             if passed < ENDLESS:
                 # The first base of a way is that of the start.
                 found.append(float(way[passed - 1].coordinates[best[0]]) if passed > 0 else 0.0)
@@ -96,15 +96,15 @@ def _determinants(bases: Sequence[Array], choice: Sequence[int]) -> Array:
     return np.asarray(np.linalg.det(np.array([base[list(choice)] for base in bases])))
 
 
-def _passed(bases: Sequence[Array], choice: Sequence[int]) -> int:
+def _passed(determinants: Array) -> int:
     """How many steps of a way lie before a dead centre."""
-    values = _determinants(bases, choice)
-    flat = np.flatnonzero(values * np.sign(values[0]) < FLAT)
+    flat = np.flatnonzero(determinants * np.sign(determinants[0]) < FLAT)
     return int(flat[0]) if len(flat) else ENDLESS
 
 
 def _reach(ways: Sequence[Sequence[Array]], choice: Sequence[int]) -> tuple[int, float]:
     """Steps to the nearest dead centre, and the smallest determinant before it; rounding decides nothing."""
-    steps = min((_passed(bases, choice) for bases in ways), default=ENDLESS)
-    least = min((float(np.abs(_determinants(bases[: steps + 1], choice)).min()) for bases in ways), default=0.0)
+    found = [_determinants(bases, choice) for bases in ways]
+    steps = min(map(_passed, found), default=ENDLESS)
+    least = min((float(np.abs(values[: steps + 1]).min()) for values in found), default=0.0)
     return steps, float(f"{least:.2g}")
