@@ -116,7 +116,7 @@ ShapeOverlap curved_overlap(const Shape &a, const Pose &pose_a, const Shape &b, 
     add_guess(point[k], middle[k], polytope, poses[other], solid[other], guess, guesses);
     add_guess(middle[k], middle[other], polytope, poses[other], solid[other], guess, guesses);
   }
-  return shape_overlap(scratch.slices.measure(scratch.flat, rounds, round_count, guess, guesses, 3e-11).solid, axes);
+  return shape_overlap(scratch.slices.measure({&scratch.flat, rounds, round_count}, guess, guesses, 3e-11).solid, axes);
 }
 
 }  // namespace cmb::overlap

@@ -93,7 +93,7 @@ SolidSums round_part(const Shape &shape, const Pose &pose, const mesh::TriangleM
     }
     if (!flat.faces().empty()) flat.cut(up, dot(up, corner[0]), triangle_face, false);
     if (flat.faces().empty()) return;
-    const SlicedSums part = scratch.curved.slices.measure(flat, &solid, 1, nullptr, 0, 1e-8, triangle_face);
+    const SlicedSums part = scratch.curved.slices.measure({&flat, &solid, 1, triangle_face}, nullptr, 0, 1e-8);
     sums.add(part.solid, sign);
     if (sign < 0.0) {
       // The triangle itself belongs to the lower side.

@@ -1,0 +1,14 @@
+// Which slices y = const of a convex solid are not empty.
+#pragma once
+
+#include "overlap/edge_crossings.hpp"
+#include "overlap/solid_slice.hpp"
+
+namespace cmb::overlap {
+
+// Finds the stretch of y whose slices are not empty; empty itself where there is none. guess: y that may be inside.
+// `slice` cuts `solid`, also afterwards; `crossings` are those of `solid` afterwards.
+Stretch find_slice_range(const CommonSolid &solid, const double *guess, int guess_count, SolidSlice &slice,
+                         EdgeCrossings &crossings);
+
+}  // namespace cmb::overlap
