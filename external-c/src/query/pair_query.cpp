@@ -80,11 +80,12 @@ void fade_to_gap(const BoundGap &gap, double exact_within, ContactSet &result) {
 // Of two shapes, the one with the higher rank is the second body.
 int rank(const Shape &shape) { return shape.kind == ShapeKind::halfspace ? 2 : shape.kind == ShapeKind::mesh ? 1 : 0; }
 
-// Of an orthonormal rotation the diagonal tells.
+// Of an orthonormal rotation the diagonal tells. One comparison, for a branch each costs more.
 bool is_identity(const Pose &pose) {
   const Mat3 &r = pose.rotation;
   const Vec3 &t = pose.translation;
-  return r.row[0].x == 1.0 && r.row[1].y == 1.0 && r.row[2].z == 1.0 && t.x == 0.0 && t.y == 0.0 && t.z == 0.0;
+  return std::fabs(r.row[0].x - 1.0) + std::fabs(r.row[1].y - 1.0) + std::fabs(r.row[2].z - 1.0) + std::fabs(t.x) +
+             std::fabs(t.y) + std::fabs(t.z) == 0.0;
 }
 
 // Where a shape is whose body is at `body`: that pose, or `placed`, which receives the shape's own.
@@ -116,7 +117,7 @@ void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const 
     mesh_contact(a, pose_a, b, pose_b, scratch.mesh, result);
     return;
   }
-  ConvexAnswer answer;
+  ConvexAnswer &answer = scratch.answer;
   find_answer(scene, a, pose_a, b, pose_b, scratch.backend, answer, who);
   convex_contact(a, pose_a, b, pose_b, answer, scratch.backend.distance, scratch.manifold, result);
 }
@@ -181,8 +182,7 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
   report = {};
   const bool single = a.size() == 1 && b.size() == 1;
   if (single && !(a[0].kind == ShapeKind::halfspace && b[0].kind == ShapeKind::halfspace)) {
-    Pose placed_a, placed_b;
-    const Pose &at_a = shape_pose(pose_a, a[0], placed_a), &at_b = shape_pose(pose_b, b[0], placed_b);
+    const Pose &at_a = shape_pose(pose_a, a[0], scratch.placed_a), &at_b = shape_pose(pose_b, b[0], scratch.placed_b);
     if (exact_within == std::numeric_limits<double>::infinity()) {
       query_shapes(scene, a[0], at_a, b[0], at_b, scratch, result, report.backend);
     } else {

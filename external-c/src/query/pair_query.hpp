@@ -23,6 +23,8 @@ struct QueryScratch {
   ContactSet shape_contact;
   std::vector<Pose> body_poses;        // of a scene
   std::vector<Pose> poses_a, poses_b;  // of the shapes of two compounds
+  Pose placed_a, placed_b;             // of two single shapes that are not where their bodies are
+  ConvexAnswer answer;                 // kept here, where it need not be cleared for each pair
 };
 
 // This thread's scratch.
