@@ -31,4 +31,16 @@ struct GaussRule {
   }
 };
 
+// Made when the program is loaded, not while others may ask.
+template <int n>
+inline const GaussRule<n> gauss_rule;
+
+// Any of them.
+struct GaussNodes {
+  const double *node, *weight;
+  std::size_t count;
+  template <int n>
+  explicit GaussNodes(const GaussRule<n> &rule) : node(rule.node.data()), weight(rule.weight.data()), count(n) {}
+};
+
 }  // namespace cmb::overlap

@@ -13,10 +13,10 @@ constexpr double apart = 1e-9;                    // of the whole length: shorte
 
 }  // namespace
 
-// The y between `low`, where the order is `at_low`, and `high`, where it is another one, at which it first differs.
+// The y between `low`, where the order is `at_low`, and `high` above it, where it is another one, at which it changes.
 double SlicedOverlap::order_change(double low, std::uint64_t at_low, double high) {
   const double precision = 1e-10 * (range_.end - range_.begin);
-  while (high - low > precision || low - high > precision) {
+  while (high - low > precision) {
     const double middle = 0.5 * (low + high);
     (slice_.order(middle) == at_low ? low : high) = middle;
   }

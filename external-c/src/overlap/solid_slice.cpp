@@ -72,7 +72,7 @@ void SolidSlice::add_side(const Side &side, bool upper, double y, double from, d
     axz += weight * x * z;
   };
   if (side.segment >= 0) {
-    static const GaussRule<2> rule;
+    const GaussRule<2> &rule = gauss_rule<2>;
     const FlatSection::Segment &segment = flat_.segment(side.segment);
     for (std::size_t k = 0; k < rule.node.size(); ++k) {
       const double x = from + (to - from) * rule.node[k];

@@ -11,7 +11,7 @@ namespace cmb {
 
 namespace {
 
-using overlap::GaussRule;
+using overlap::gauss_rule;
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -19,7 +19,7 @@ constexpr double pi = 3.14159265358979323846;
 // Towards the ends of a stretch nodes crowd, so that roots there do no harm.
 template <typename Visit>
 void integrate(double begin, double end, std::array<double, 6> between, int count, Visit visit) {
-  static const GaussRule<20> rule;
+  const auto &rule = gauss_rule<20>;
   for (int k = 1; k < count; ++k) {  // in order; there are few
     for (int j = k; j > 0 && between[static_cast<std::size_t>(j)] < between[static_cast<std::size_t>(j - 1)]; --j) {
       std::swap(between[static_cast<std::size_t>(j)], between[static_cast<std::size_t>(j - 1)]);
@@ -97,7 +97,7 @@ struct Axes {
 // The surface that a straight line sweeps about the axis, from radius r0 at z0 to r1 at z1, outward on the right-hand side
 // of that way: a side, a mantle, an end.
 void add_swept_line(const Vec3 &center, const Axes &axes, double r0, double z0, double r1, double z1, Surface &surface) {
-  static const GaussRule<3> rule;  // cubic along the line
+  const auto &rule = gauss_rule<3>;  // cubic along the line
   const double dr = r1 - r0, dz = z1 - z0;
   const double h0 = surface.height(center + z0 * axes.axis), h1 = surface.height(center + z1 * axes.axis);
   Angles angles;
@@ -127,7 +127,7 @@ void add_swept_line(const Vec3 &center, const Axes &axes, double r0, double z0, 
 template <typename Visit>
 void visit_sphere(double height, const Vec3 &up, const Vec3 &pole, Visit visit) {
   if (height <= -1.0) return;
-  static const GaussRule<20> rule;
+  const auto &rule = gauss_rule<20>;
   const Axes axes(up, pole);  // circles of equal height, seen from the pole's side
   const double deepest = std::acos(std::fmin(height, 1.0));  // angle from the top to the plane
   // Angles from the lowest point; on the pole's side the circle's angle ends where its height's cotangent says.
