@@ -52,8 +52,9 @@ void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const
                     MeshContactScratch &scratch, ContactSet &result);
 
 // Two meshes, A and B; normals point out of B. One mesh's triangles push the other's surface as they push a polytope's:
-// a sheet's those of a closed mesh, else the larger mesh's those of the smaller one. Exchanging meshes of different size
-// gives the same points with normals reversed.
+// a sheet's those of a closed mesh, of two closed ones the larger one's those of the smaller one. Two sheets touch where they
+// cross, and push each other, half each. Exchanging meshes gives the same points with normals reversed, but for closed meshes of
+// one size.
 void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
                        MeshContactScratch &scratch, ContactSet &result);
 

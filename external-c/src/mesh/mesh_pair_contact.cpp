@@ -32,18 +32,23 @@ struct PlacedMesh {
 
 // Appends what the triangles of `one` push of the surface of `other`, whose pose in its frame is `place`; normals point
 // out of `one`.
-void push(const PlacedMesh &one, const TriangleMesh &other, const Pose &place, MeshContactScratch &scratch,
-          ContactSet &result) {
-  PatchLoad load(one.mesh, one.pose, common_center(one.mesh, other, place), scratch.patch);
+void push(const PlacedMesh &one, const TriangleMesh &other, const Pose &place, PushedSurface pushed,
+          MeshContactScratch &scratch, ContactSet &result) {
+  PatchLoad load(one.mesh, one.pose, common_center(one.mesh, other, place), scratch.patch, pushed);
   push_pair_patches(one.mesh, other, place, scratch.pair, scratch.patch, load);
   if (load.touches()) load.finish(result);
 }
 
-// Adds the contact in `from`, reversed, its load multiplied by `part`.
+// Multiplies the load of the points from `begin` on by `part`.
+void scale(std::vector<ContactPoint> &points, std::size_t begin, double part) {
+  for (std::size_t k = begin; k < points.size(); ++k) points[k].weight *= part;
+}
+
+// Adds the contact in `from`, reversed, its load and depth multiplied by `part`.
 void add_reversed(ContactSet &from, double part, ContactSet &result) {
   reverse(from);
-  for (ContactPoint &point : from.points) {
-    point.weight *= part;
+  scale(from.points, 0, part);
+  for (const ContactPoint &point : from.points) {
     if (point.weight > 0.0) result.points.push_back(point);
   }
   if (!(part * from.distance < result.distance)) return;
@@ -52,17 +57,21 @@ void add_reversed(ContactSet &from, double part, ContactSet &result) {
   result.witness = from.witness;
 }
 
-// The contact of two meshes of which `one` pushes; normals point out of it. Where that carries too little of what crosses,
-// the other one pushes too, unless `one` is a sheet and the other is not, and if it cannot either, the crossing triangles
-// do. Returns whether the meshes touch.
+// Crossings of triangles that are no deeper than this are due to rounding.
+double negligible(const TriangleMesh &a, const TriangleMesh &b) {
+  return rounding * (a.bound_radius() + b.bound_radius());
+}
+
+// The contact of two meshes, not both sheets, of which `one` pushes; normals point out of it. Where that carries too little
+// of what crosses, the other one pushes too, unless `one` is a sheet, and if it cannot either, the crossing triangles do.
+// Returns whether the meshes touch.
 bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
   const std::size_t begin = result.points.size();
   const Pose place = relative_pose(one.pose, other.pose);
-  push(one, other.mesh, place, scratch, result);
+  push(one, other.mesh, place, PushedSurface::of_solid, scratch, result);
   const double load = total_load(result.points, begin);
-  const double nothing = rounding * (one.mesh.bound_radius() + other.mesh.bound_radius());
-  const double crossing =
-      deepest_crossing(one.mesh, other.mesh, place, scratch.pair, std::fmax(nothing, least_load_part * load));
+  const double crossing = deepest_crossing(one.mesh, other.mesh, place, scratch.pair,
+                                           std::fmax(negligible(one.mesh, other.mesh), least_load_part * load));
   if (load > 0.0 && crossing == 0.0) return true;
   // A place of each may lie in the other; so it is where one has swallowed the other.
   const Pose back = place.inverse();
@@ -75,10 +84,10 @@ bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch 
   ContactSet &reaction = scratch.reaction;
   const double lacking = load > 0.0 ? lacking_part(load, crossing) : 1.0;
   // A sheet pushes to its front alone, whatever the sides of the body that passes through it would do.
-  if (one.mesh.closed() || !other.mesh.closed()) {
+  if (one.mesh.closed()) {
     reaction.points.clear();
     reaction.distance = 0.0;
-    push(other, one.mesh, back, scratch, reaction);
+    push(other, one.mesh, back, PushedSurface::of_solid, scratch, reaction);
     add_reversed(reaction, lacking, result);
   }
   const double part = lacking * lacking_part(total_load(result.points, begin), depth);
@@ -89,6 +98,43 @@ bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch 
   in_other.lead_out(std::fmax(crossing, in_one.depth()), part, other.pose, reaction);
   add_reversed(reaction, 1.0, result);
   return result.distance < 0.0;
+}
+
+// The contact of two sheets; normals point out of `one`. Both push, half each, what of the other's front is behind their own.
+// Nothing says where behind a sheet that ends. But sheets that touch from elsewhere than their fronts have hardly come through
+// at first, and those that have come through nearly altogether hardly hang together any more: their crossings are small.
+// So the load is least_load_part times what these are deep together, at most. Where it is too little for the deepest of them,
+// the crossing triangles push as well. Returns whether the sheets touch, which is whether they cross.
+bool sheet_contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
+  const std::size_t begin = result.points.size();
+  const Pose place = relative_pose(one.pose, other.pose), back = relative_pose(other.pose, one.pose);
+  result.distance = 0.0;
+  push(one, other.mesh, place, PushedSurface::of_sheet, scratch, result);
+  PiercedLoad pierced(common_center(one.mesh, other.mesh, place)), piercing(common_center(other.mesh, one.mesh, back));
+  push_sheet_crossings(one.mesh, other.mesh, place, scratch.pair, negligible(one.mesh, other.mesh), pierced, piercing);
+  const double crossing = pierced.deepest();
+  if (!(crossing > 0.0)) {
+    result.points.resize(begin);
+    return false;
+  }
+  ContactSet &reaction = scratch.reaction;
+  reaction.points.clear();
+  reaction.distance = 0.0;
+  push(other, one.mesh, back, PushedSurface::of_sheet, scratch, reaction);
+  scale(result.points, begin, 0.5);
+  scale(reaction.points, 0, 0.5);
+  const double load = total_load(result.points, begin) + total_load(reaction.points);
+  const double limit = least_load_part * pierced.depths(), part = load > limit ? limit / load : 1.0;
+  scale(result.points, begin, part);
+  result.distance *= part;
+  add_reversed(reaction, part, result);
+  const double lacking = lacking_part(part * load, crossing), count = pierced.count() + piercing.count();
+  pierced.finish(lacking, one.pose, result, pierced.count() / count);
+  reaction.points.clear();
+  reaction.distance = 0.0;
+  piercing.finish(lacking, other.pose, reaction, piercing.count() / count);
+  add_reversed(reaction, 1.0, result);
+  return true;
 }
 
 // Whether the first mesh pushes the second one's surface rather than the other way round: sheets do, which have no
@@ -103,12 +149,13 @@ bool pushes(const TriangleMesh &one, const TriangleMesh &other) {
 void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
                        MeshContactScratch &scratch, ContactSet &result) {
   const PlacedMesh first{a, pose_a}, second{b, pose_b};
+  const auto touch = a.closed() || b.closed() ? contact : sheet_contact;
   if (pushes(a, b)) {
-    if (contact(first, second, scratch, result)) {
+    if (touch(first, second, scratch, result)) {
       reverse(result);
       return;
     }
-  } else if (contact(second, first, scratch, result)) {
+  } else if (touch(second, first, scratch, result)) {
     return;
   }
   const TrianglePair nearest = mesh_pair_distance(a, b, relative_pose(pose_a, pose_b));

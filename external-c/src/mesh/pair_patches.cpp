@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/pair_walk.hpp"
+#include "mesh/sheet_crossing.hpp"
 #include "mesh/triangle_crossing.hpp"
 #include "mesh/triangle_wedge.hpp"
 
@@ -184,18 +185,45 @@ double deepest_crossing(const TriangleMesh &mesh, const TriangleMesh &body, cons
   return deepest;
 }
 
+namespace {
+
+// How far the mesh's box reaches behind the plane through `place`, in the mesh's frame.
+double behind(const TriangleMesh &mesh, const Vec3 &normal, const Vec3 &place) {
+  const Bounds &box = mesh.hierarchy().bounds();
+  double least = 0.0;
+  for (int k = 0; k < 3; ++k) least += std::fmin(normal[k] * (box.low[k] - place[k]), normal[k] * (box.high[k] - place[k]));
+  return -least;
+}
+
+double area_of(const TriangleMesh &mesh, std::uint32_t t) {
+  return 0.5 * norm(cross(mesh.corner(t, 1) - mesh.corner(t, 0), mesh.corner(t, 2) - mesh.corner(t, 0)));
+}
+
+}  // namespace
+
 void push_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const PairScratch &scratch,
                     PiercedLoad &load) {
-  const Bounds bounds = moved(body.hierarchy().bounds(), place);
-  const Vec3 middle = 0.5 * (bounds.low + bounds.high), half = 0.5 * (bounds.high - bounds.low);
+  const Pose back = place.inverse();
   for (const PairScratch::Cut &cut : scratch.cuts) {
     const TriangleSection crossing = crossing_of(mesh, body, place, cut.pair, 0.0);
     if (!(crossing.depth > 0.0)) continue;
     const std::uint32_t t = cut.pair.triangle;
-    const Vec3 &n = mesh.face_normal(t), &corner = mesh.corner(t, 0);
-    const double reach = std::fabs(n.x) * half.x + std::fabs(n.y) * half.y + std::fabs(n.z) * half.z;
-    load.add(crossing, n, dot(n, corner - middle) + reach,
-             0.5 * norm(cross(mesh.corner(t, 1) - corner, mesh.corner(t, 2) - corner)));
+    const Vec3 &n = mesh.face_normal(t);
+    load.add(crossing, n, behind(body, back.rotation * n, back(mesh.corner(t, 0))), area_of(mesh, t));
+  }
+}
+
+void push_sheet_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place,
+                          const PairScratch &scratch, double enough, PiercedLoad &load, PiercedLoad &reaction) {
+  const Pose back = place.inverse();
+  for (const PairScratch::Cut &cut : scratch.cuts) {
+    const std::uint32_t t = cut.pair.triangle, facet = cut.pair.facet;
+    const TriangleSection crossing = sheet_crossing(mesh, t, body, facet, place, enough);
+    if (!(crossing.depth > 0.0)) continue;
+    const Vec3 &n = mesh.face_normal(t), &m = body.face_normal(facet);
+    load.add(crossing, n, behind(body, back.rotation * n, back(mesh.corner(t, 0))), area_of(mesh, t));
+    reaction.add({crossing.depth, back(crossing.place)}, m, behind(mesh, place.rotation * m, place(body.corner(facet, 0))),
+                 area_of(body, facet));
   }
 }
 

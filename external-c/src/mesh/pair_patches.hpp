@@ -59,4 +59,9 @@ double deepest_crossing(const TriangleMesh &mesh, const TriangleMesh &body, cons
 void push_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const PairScratch &scratch,
                     PiercedLoad &load);
 
+// Adds every crossing of two sheets (sheet_crossing) deeper than `enough` to `load`, where the triangles of `mesh` push, and to
+// `reaction`, in the body's frame, where those of `body` do.
+void push_sheet_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place,
+                          const PairScratch &scratch, double enough, PiercedLoad &load, PiercedLoad &reaction);
+
 }  // namespace cmb::mesh

@@ -28,7 +28,13 @@ bool PatchLoad::push(const TriangleWedge &wedge, const Vec3 &normal, double fact
   wedge.clip(polygon, scratch_.clipped);
   if (polygon.size() < 3) return false;
   const double cosine = -dot(normal, wedge.normal());
-  if (cosine > 0.0) add_patch(wedge, cosine, factor);
+  if (cosine > 0.0) {
+    add_patch(wedge, cosine, factor);
+  } else if (pushed_ == PushedSurface::of_sheet) {
+    const double area = integrate(polygon, wedge, -cosine).area;
+    area_ += area;
+    carrying_area_ += area;
+  }
   return true;
 }
 
@@ -38,10 +44,11 @@ void PatchLoad::add_patch(const TriangleWedge &wedge, double cosine, double fact
   Vec3 middle;
   for (const Vec3 &p : polygon) middle = middle + p;
   middle = (1.0 / static_cast<double>(polygon.size())) * middle;
+  const double frontal = pushed_ == PushedSurface::of_sheet ? std::fmin(1.0, 4.0 * cosine * cosine) : 1.0;
   const double carried = inside_share(middle, wedge.depth(middle), wedge.triangle());
   if (carried > 0.0) {
     for (const Vec3 &p : polygon) {
-      const double depth = wedge.depth(p);
+      const double depth = frontal * wedge.depth(p);
       if (!(depth > deepest_)) continue;
       deepest_ = depth;
       deepest_place_ = p;
@@ -64,7 +71,7 @@ void PatchLoad::add_patch(const TriangleWedge &wedge, double cosine, double fact
     carrying_area_ += carried * integral.area;
     if (!(integral.load > 0.0)) return;
     most_carried_ = std::fmax(most_carried_, carried);
-    add(integral, quadrant, n, factor * carried);
+    add(integral, quadrant, n, factor * frontal * carried);
   };
   const auto split_second = [&](std::size_t quadrant) {
     const int side = side_of(polygon, second);

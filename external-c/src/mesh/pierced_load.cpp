@@ -10,17 +10,18 @@ void PiercedLoad::add(const TriangleSection &section, const Vec3 &normal, double
   const double depth = section.depth, ratio = below > depth ? depth / below : 1.0;
   const double count = ratio * ratio * ratio * ratio * std::fmin(area, depth * depth);
   count_ += count;
+  depths_ += depth;
   sums_.add(count * depth, count * depth * depth, (count * depth) * (section.place - depth * normal - center_), normal);
   if (!(depth > deepest_.depth)) return;
   deepest_ = section;
   deepest_normal_ = normal;
 }
 
-void PiercedLoad::finish(double part, const Pose &pose, ContactSet &result) const {
+void PiercedLoad::finish(double part, const Pose &pose, ContactSet &result, double share) const {
   if (!(count_ > 0.0) || !(part > 0.0)) return;
   for (std::size_t direction = 0; direction < DirectionSums::directions; ++direction) {
     ContactPoint point;
-    if (!sums_.point(direction, center_, part / count_, point)) continue;
+    if (!sums_.point(direction, center_, share * part / count_, point)) continue;
     point.normal = pose.rotation * point.normal;
     point.position = pose(point.position);
     result.points.push_back(point);

@@ -27,15 +27,20 @@ class PiercedLoad {
   // `below`: how far the body reaches behind the triangle's plane. `area`: of the triangle.
   void add(const TriangleSection &section, const Vec3 &normal, double below, double area);
   double deepest() const { return deepest_.depth; }
+  // The sum of the sections' depths.
+  double depths() const { return depths_; }
 
-  // Appends the points, the load multiplied by `part`; where the contact's distance is greater, sets distance, normal and
-  // witness to those of the deepest section, its depth multiplied by `part`.
-  void finish(double part, const Pose &pose, ContactSet &result) const;
+  // How much its sections count together.
+  double count() const { return count_; }
+
+  // Appends the points, the load multiplied by `part` and by `share`; where the contact's distance is greater, sets distance,
+  // normal and witness to those of the deepest section, its depth multiplied by `part`.
+  void finish(double part, const Pose &pose, ContactSet &result, double share = 1.0) const;
 
  private:
   Vec3 center_;
   DirectionSums sums_;
-  double count_ = 0.0;
+  double count_ = 0.0, depths_ = 0.0;
   TriangleSection deepest_;
   Vec3 deepest_normal_;
 };

@@ -44,6 +44,16 @@ Interval on_line(const Vec3 (&corner)[3], const Vec3 &normal, const Vec3 &from, 
 
 }  // namespace
 
+TriangleSection common_segment(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b) {
+  const Vec3 line = cross(normal_a, normal_b);
+  Vec3 low_a, high_a, low_b, high_b;
+  const Interval first = on_line(a, normal_b, b[0], line, a[0], low_a, high_a);
+  const Interval second = on_line(b, normal_a, a[0], line, a[0], low_b, high_b);
+  const Vec3 &low_at = first.low > second.low ? low_a : low_b, &high_at = first.high < second.high ? high_a : high_b;
+  const double along = std::fmin(first.high, second.high) - std::fmax(first.low, second.low);
+  return {along > 0.0 ? norm(high_at - low_at) : 0.0, 0.5 * (low_at + high_at)};
+}
+
 TriangleSection triangle_crossing(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b,
                                   double enough) {
   const Vec3 &origin = a[0];
@@ -62,12 +72,7 @@ TriangleSection triangle_crossing(const Vec3 (&a)[3], const Vec3 &normal_a, cons
       if (!still_crosses((1.0 / std::sqrt(length2)) * axis)) return {};
     }
   }
-  const Vec3 line = cross(normal_a, normal_b);
-  Vec3 low_a, high_a, low_b, high_b;
-  const Interval first = on_line(a, normal_b, b[0], line, origin, low_a, high_a);
-  const Interval second = on_line(b, normal_a, a[0], line, origin, low_b, high_b);
-  const Vec3 &low_at = first.low > second.low ? low_a : low_b, &high_at = first.high < second.high ? high_a : high_b;
-  return {depth, 0.5 * (low_at + high_at)};
+  return {depth, common_segment(a, normal_a, b, normal_b).place};
 }
 
 }  // namespace cmb::mesh

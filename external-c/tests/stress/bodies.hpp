@@ -22,7 +22,6 @@ inline bool is_hull(const Solid &solid) { return is_single(solid) && solid.parts
 inline bool is_sheet(const Solid &solid) {
   return solid.nature == Nature::flat_sheet || solid.nature == Nature::rough_sheet;
 }
-inline bool is_mesh(const Solid &solid) { return solid.nature == Nature::closed_mesh || is_sheet(solid); }
 // Parts that stand for the body as far as its distance is concerned.
 inline bool has_parts(const Solid &solid) { return !solid.parts.empty(); }
 inline double size_of(const Bodies &bodies) { return 2.0 * std::max(bodies.a.radius, bodies.b.radius); }
