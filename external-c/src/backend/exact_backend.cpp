@@ -42,8 +42,9 @@ void set_answer(const convex::SignedDistance &found, const Pose &frame, ConvexAn
 }
 
 void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer) {
-  const Vec3 half_a = a.body.half.z * pose_a.rotation.column(2), half_b = b.body.half.z * pose_b.rotation.column(2);
-  const convex::CoreDistance axes = convex::distance_of_segments(half_a, half_b, pose_b.translation - pose_a.translation);
+  const convex::CoreDistance axes =
+      convex::distance_of_segments(pose_a.rotation.column(2), a.body.half.z, pose_b.rotation.column(2), b.body.half.z,
+                                   pose_b.translation - pose_a.translation);
   const double radius_a = a.body.radius, radius_b = b.body.radius;
   answer.distance = axes.distance - radius_a - radius_b;
   answer.normal = answer.mean_normal = -axes.direction;

@@ -1,7 +1,6 @@
 #include "closed_distance.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace cmb::convex {
 
@@ -14,31 +13,15 @@ CoreDistance from_gap(const Vec3 &a, const Vec3 &b, const Vec3 &if_zero) {
 
 }  // namespace
 
-CoreDistance distance_of_segments(const Vec3 &half_a, const Vec3 &half_b, const Vec3 &t) {
-  const double aa = norm2(half_a), bb = norm2(half_b), ab = dot(half_a, half_b);
-  const double at = dot(half_a, t), bt = dot(half_b, t);
-  // 0 where one is a point.
-  constexpr double least = std::numeric_limits<double>::min();
-  const double per_aa = aa >= least ? 1.0 / aa : 0.0, per_bb = bb >= least ? 1.0 / bb : 0.0;
-  const double denominator = aa * bb - ab * ab;
-  // Minimise |s half_a - t - r half_b| over s, r in [-1, 1].
-  double s = 0.0, r = 0.0;
-  if (denominator > 1e-14 * aa * bb) {
-    s = std::clamp((at * bb - ab * bt) / denominator, -1.0, 1.0);
-  } else if (aa > 0.0 && bb > 0.0) {
-    // Parallel: the middle of the common stretch.
-    const double middle = at * per_aa, reach = std::fabs(ab) * per_aa;
-    const double low = std::max(-1.0, middle - reach), high = std::min(1.0, middle + reach);
-    s = std::clamp(0.5 * (low + high), -1.0, 1.0);
-  }
-  r = std::clamp((s * ab - bt) * per_bb, -1.0, 1.0);
-  s = std::clamp((at + r * ab) * per_aa, -1.0, 1.0);
-  r = std::clamp((s * ab - bt) * per_bb, -1.0, 1.0);
-  const Vec3 a = s * half_a, b = t + r * half_b, gap = b - a;
+CoreDistance distance_of_segments(const Vec3 &axis_a, double half_a, const Vec3 &axis_b, double half_b, const Vec3 &t) {
+  const NearestOnSegments nearest = nearest_on_segments(axis_a, half_a, axis_b, half_b, t);
+  const Vec3 a = nearest.place_a * axis_a, b = t + nearest.place_b * axis_b, gap = b - a;
   const double distance = norm(gap);
   if (distance > 0.0) return {distance, (1.0 / distance) * gap, a, b, DistanceMethod::closed_form, true};
-  Vec3 across = cross(half_a, half_b);
-  if (!(norm2(across) > 1e-24 * aa * bb)) across = any_perpendicular(normalized(aa > bb ? half_a : half_b));
+  Vec3 across = cross(axis_a, axis_b);
+  if (!(std::min(half_a, half_b) > 0.0) || !(norm2(across) > 1e-24)) {
+    across = any_perpendicular(half_a > half_b ? axis_a : axis_b);
+  }
   return {0.0, normalized(across), a, b, DistanceMethod::closed_form, true};
 }
 

@@ -17,10 +17,35 @@ struct CoreDistance {
   double ball = 0.0;  // as SignedDistance's, of the cores
 };
 
-// Of segments (points where half lengths are zero) with the half lengths half_a, half_b as vectors; A's middle is the
-// origin, B's is t. Those parallel to 1e-7 rad touch in the middle of their common stretch,
-// where the distance may be that angle times the stretch greater than the least.
-CoreDistance distance_of_segments(const Vec3 &half_a, const Vec3 &half_b, const Vec3 &t);
+// Two segments (points where half lengths are zero) along unit vectors, A's middle being the origin and B's t: where they are
+// nearest. Those parallel to 1e-7 rad touch in the middle of their common stretch, where the distance may be that angle
+// times the stretch greater than the least.
+struct NearestOnSegments {
+  double cosine;            // of the angle between them
+  double foot_a, foot_b;    // where the other's middle is nearest, along A from its middle and along B from its
+  double place_a, place_b;  // where they are nearest
+};
+
+inline NearestOnSegments nearest_on_segments(const Vec3 &axis_a, double half_a, const Vec3 &axis_b, double half_b,
+                                             const Vec3 &t) {
+  // By values, not references as std::clamp, so that no branch is made of it, which would be anyone's guess.
+  const auto within = [](double half, double x) { return std::min(std::max(x, -half), half); };
+  const double cosine = dot(axis_a, axis_b), foot_a = dot(axis_a, t), foot_b = -dot(axis_b, t);
+  const double sine2 = 1.0 - cosine * cosine;
+  double a;
+  if (sine2 > 1e-14) {
+    a = within(half_a, (foot_a + cosine * foot_b) / sine2);
+  } else {
+    // Parallel: the middle of the common stretch.
+    const double reach = std::fabs(cosine) * half_b;
+    a = within(half_a, 0.5 * (std::max(-half_a, foot_a - reach) + std::min(half_a, foot_a + reach)));
+  }
+  const double b = within(half_b, a * cosine + foot_b);
+  return {cosine, foot_a, foot_b, within(half_a, b * cosine + foot_a), b};
+}
+
+// Their distance.
+CoreDistance distance_of_segments(const Vec3 &axis_a, double half_a, const Vec3 &axis_b, double half_b, const Vec3 &t);
 
 // Whether distance_of_point knows a core: box, cylinder, cone.
 bool has_point_formula(CoreShape core);

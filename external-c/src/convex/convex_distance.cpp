@@ -115,7 +115,7 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
 CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose &pose, DistanceScratch &scratch,
                            bool with_mean) {
   if (lies_on_line(a.core) && lies_on_line(b.core)) {
-    return distance_of_segments(a.half, pose.rotation * b.half, pose.translation);
+    return distance_of_segments({0, 0, 1}, a.half.z, normalized(pose.rotation.column(2)), b.half.z, pose.translation);
   }
   if (b.core == CoreShape::point && has_point_formula(a.core)) return distance_of_point(a, pose.translation);
   if (a.core == CoreShape::point && has_point_formula(b.core)) {

@@ -4,11 +4,17 @@
 namespace cmb {
 
 // The part that the end nearer to the obstacle carries, minus the other end's, where `sine` is that of the
-// rod's inclination to the contact plane, in [-1, 1]: 0 lying, 1 upright, smooth at both.
-inline double end_share_difference(double sine) { return 0.5 * sine * (3.0 - sine * sine); }
+// rod's inclination to the contact plane, in [-1, 1]: 0 lying, 1 upright, smooth at both. Of one number or several at once.
+template <typename Number>
+inline Number end_share_difference(Number sine) {
+  return 0.5 * sine * (3.0 - sine * sine);
+}
 
 // Its derivative by `sine`.
-inline double end_share_slope(double sine) { return 1.5 * (1.0 - sine * sine); }
+template <typename Number>
+inline Number end_share_slope(Number sine) {
+  return 1.5 * (1.0 - sine * sine);
+}
 
 // Stations of a line nearer than this, relative to half its length, count as one.
 constexpr double station_spacing = 1e-9;

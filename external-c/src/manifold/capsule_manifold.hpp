@@ -14,4 +14,8 @@ namespace cmb {
 bool capsule_on_capsule(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
                         std::vector<ContactPoint> &points);
 
+// The contact of capsules A and B, from their poses at once: writes distance, normal and witness of `result` and appends to its
+// points. False, and nothing written, where the axes meet or are so near that there may be several ways out.
+bool capsule_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ContactSet &result);
+
 }  // namespace cmb

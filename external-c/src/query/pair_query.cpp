@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/pose_algebra.hpp"
+#include "manifold/capsule_manifold.hpp"
 #include "manifold/halfspace_manifold.hpp"
 #include "query/mesh_halfspace.hpp"
 #include "query/mesh_query.hpp"
@@ -117,6 +118,8 @@ void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const 
     mesh_contact(a, pose_a, b, pose_b, scratch.mesh, result);
     return;
   }
+  const bool capsules = a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule;
+  if (capsules && distance_library(scene.backend) == nullptr && capsule_contact(a, pose_a, b, pose_b, result)) return;
   ConvexAnswer &answer = scratch.answer;
   find_answer(scene, a, pose_a, b, pose_b, scratch.backend, answer, who);
   convex_contact(a, pose_a, b, pose_b, answer, scratch.backend.distance, scratch.manifold, result);

@@ -37,7 +37,7 @@ TEST(Segments, NoPointsAreNearer) {
     if (k % 4 == 1) half_b = random.uniform(-2.0, 2.0) * half_a;                            // parallel
     if (k % 4 == 2) half_b = half_a + random.log_uniform(1e-9, 1e-2) * random.direction();  // nearly so
     const Vec3 t = random.log_uniform(1e-1, 10.0) * random.direction();
-    const CoreDistance found = distance_of_segments(half_a, half_b, t);
+    const CoreDistance found = distance_of_segments(normalized(half_a), norm(half_a), normalized(half_b), norm(half_b), t);
     const double s = dot(found.a, half_a) / norm2(half_a), r = dot(found.b - t, half_b) / norm2(half_b);
     const double size = norm(half_a) + norm(half_b) + norm(t);
     EXPECT_LE(norm(found.a - s * half_a), 1e-14 * size);
@@ -56,12 +56,13 @@ TEST(Segments, NoPointsAreNearer) {
 }
 
 TEST(Segments, APointIsASegmentWithoutLength) {
-  const CoreDistance found = distance_of_segments({0, 0, 2}, {}, {3, 0, 1});
+  const Vec3 z{0, 0, 1};
+  const CoreDistance found = distance_of_segments(z, 2.0, z, 0.0, {3, 0, 1});
   EXPECT_EQ(found.distance, 3.0);
   EXPECT_EQ(norm(found.a - Vec3{0, 0, 1}), 0.0);
   EXPECT_EQ(norm(found.b - Vec3{3, 0, 1}), 0.0);
-  EXPECT_EQ(distance_of_segments({}, {0, 0, 2}, {3, 0, 1}).distance, 3.0);
-  EXPECT_EQ(distance_of_segments({}, {}, {3, 0, 4}).distance, 5.0);
+  EXPECT_EQ(distance_of_segments(z, 0.0, z, 2.0, {3, 0, 1}).distance, 3.0);
+  EXPECT_EQ(distance_of_segments(z, 0.0, z, 0.0, {3, 0, 4}).distance, 5.0);
 }
 
 // Boxes in all attitudes, also with parallel and nearly parallel edges and faces, segments and points among them.
