@@ -62,16 +62,26 @@ double negligible(const TriangleMesh &a, const TriangleMesh &b) {
   return rounding * (a.bound_radius() + b.bound_radius());
 }
 
-// The contact of two meshes, not both sheets, of which `one` pushes; normals point out of it. Where that carries too little
-// of what crosses, the other one pushes too, unless `one` is a sheet, and if it cannot either, the crossing triangles do.
-// Returns whether the meshes touch.
+// The contact of two meshes, not both sheets, of which `one` pushes; normals point out of it. Of what is behind a sheet it
+// carries least_load_part times what crosses at most. Where it carries too little of what crosses, the other one pushes too,
+// unless `one` is a sheet, and if it cannot either, the crossing triangles do. Returns whether the meshes touch.
 bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
   const std::size_t begin = result.points.size();
   const Pose place = relative_pose(one.pose, other.pose);
+  const double nothing = negligible(one.mesh, other.mesh);
   push(one, other.mesh, place, PushedSurface::of_solid, scratch, result);
-  const double load = total_load(result.points, begin);
-  const double crossing = deepest_crossing(one.mesh, other.mesh, place, scratch.pair,
-                                           std::fmax(negligible(one.mesh, other.mesh), least_load_part * load));
+  double load = total_load(result.points, begin);
+  if (!one.mesh.closed() && load > 0.0) {
+    const double depths =
+        depths_of_crossings(one.mesh, other.mesh, place, scratch.pair, nothing, load / least_load_part);
+    const double part = std::fmin(1.0, least_load_part * depths / load);
+    load *= part;
+    result.distance *= part;
+    scale(result.points, begin, part);
+    if (!(load > 0.0)) result.points.resize(begin);
+  }
+  const double crossing =
+      deepest_crossing(one.mesh, other.mesh, place, scratch.pair, std::fmax(nothing, least_load_part * load));
   if (load > 0.0 && crossing == 0.0) return true;
   // A place of each may lie in the other; so it is where one has swallowed the other.
   const Pose back = place.inverse();

@@ -213,6 +213,16 @@ void push_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Po
   }
 }
 
+double depths_of_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const PairScratch &scratch,
+                           double negligible, double enough) {
+  double sum = 0.0;
+  for (const PairScratch::Cut &cut : scratch.cuts) {
+    sum += sheet_crossing(mesh, cut.pair.triangle, body, cut.pair.facet, place, negligible).depth;
+    if (sum > enough) break;
+  }
+  return sum;
+}
+
 void push_sheet_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place,
                           const PairScratch &scratch, double enough, PiercedLoad &load, PiercedLoad &reaction) {
   const Pose back = place.inverse();

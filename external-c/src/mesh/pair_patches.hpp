@@ -59,6 +59,11 @@ double deepest_crossing(const TriangleMesh &mesh, const TriangleMesh &body, cons
 void push_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const PairScratch &scratch,
                     PiercedLoad &load);
 
+// The sum of the depths of all crossings with a sheet (sheet_crossing) deeper than `negligible`; as soon as it is more than
+// `enough`, any sum more than that.
+double depths_of_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const PairScratch &scratch,
+                           double negligible, double enough);
+
 // Adds every crossing of two sheets (sheet_crossing) deeper than `enough` to `load`, where the triangles of `mesh` push, and to
 // `reaction`, in the body's frame, where those of `body` do.
 void push_sheet_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place,

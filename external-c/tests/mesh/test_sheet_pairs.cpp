@@ -1,4 +1,5 @@
-// Two sheets: they touch where their surfaces cross, the same in either order, and the load comes and goes without jumps.
+// Sheets with each other and with closed meshes: they touch where their surfaces cross, in either order, and the load comes and goes
+// without jumps.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -7,6 +8,7 @@
 
 #include "../convex/random_bodies.hpp"
 #include "../path_sums.hpp"
+#include "mesh/mesh_pair_distance.hpp"
 #include "mesh_text.hpp"
 
 namespace {
@@ -209,6 +211,52 @@ TEST(SheetPairs, LoadOfRoughOnesHasNoJumps) {
     const PathSums sums = follow(PairScene(path.a, path.b), path.pose, {}, 200, 6);
     EXPECT_GT(sums.largest_load, 1e-3) << path.name;
     EXPECT_LT(sums.largest_jump, 1e-5 * sums.largest_load) << path.name;
+  }
+}
+
+// What a sheet does not cross it does not push, however near behind it that is.
+TEST(MeshAndSheet, TouchWhereTheyCross) {
+  const mesh_samples::MeshData ground = sheet_mesh(3.0, 12, hills);
+  Random random(5);
+  for (const mesh_samples::MeshData &data :
+       {mesh_samples::box_mesh({0.4, 0.3, 0.5}, 1), mesh_samples::box_mesh({0.4, 0.3, 0.5}, 2), mesh_samples::sphere_mesh(0.25, 1)}) {
+    const PairScene scene(mesh_text(data), mesh_text(ground));
+    const cmb::mesh::TriangleMesh body = mesh_samples::mesh(data), sheet = mesh_samples::mesh(ground);
+    int behind = 0;
+    for (int k = 0; k < 1500; ++k) {
+      const BodyPose pose{{random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7), random.uniform(-0.4, 0.4)}, random_rotation(random)};
+      const double gap = mesh_pair_distance(sheet, body, {pose.rotation, pose.position}).distance;
+      const Contact contact = scene.query(pose, {});
+      if (gap > 1e-12) {
+        ASSERT_NEAR(contact.distance, gap, 1e-12) << k;
+        ASSERT_EQ(load_size(contact), 0.0) << k;
+        behind += pose.position.z < -0.2;
+      } else {
+        ASSERT_LT(contact.distance, 0.0) << k;
+      }
+    }
+    EXPECT_GT(behind, 150);
+  }
+}
+
+// From above the ground to below it, and back through it from there.
+TEST(MeshAndSheet, LoadHasNoJumpsRightThrough) {
+  const std::string ground = height_field_text(3.0, 13, hills), bodies[] = {mesh_text(mesh_samples::box_mesh({0.4, 0.3, 0.5}, 2)),
+                                                                          mesh_text(mesh_samples::sphere_mesh(0.25, 1))};
+  Random random(7);
+  for (const std::string &body : bodies) {
+    const PairScene scene(body, ground);
+    for (int path = 0; path < 3; ++path) {
+      const Mat3 first = random_rotation(random);
+      const PathSums sums = follow(
+          scene,
+          [&](double s) {
+            return BodyPose{{0.1 + 0.2 * s, 0.2, 0.5 - s}, product(rotation_about({0.6, 0.8, 0}, 0.5 * s), first)};
+          },
+          {}, 120, 6);
+      EXPECT_GT(sums.largest_load, 0.1);
+      EXPECT_LT(sums.largest_jump, 1e-5 * sums.largest_load) << path;
+    }
   }
 }
 
