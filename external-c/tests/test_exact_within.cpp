@@ -121,4 +121,15 @@ TEST(WithinArguments, NeedAPositiveLength) {
   }
 }
 
+// Bounding spheres about one middle have no direction between them; what they bound overlaps.
+TEST(Within, BodiesAboutOneMiddleAreAnsweredExactly) {
+  for (const std::string &body : {bodies[1], bodies[2], bodies[4]}) {
+    const PairScene scene(body, "cmb/1 box size=0.5,0.5,0.5");
+    const Answer full = ask(scene.handle(), 0.0, {}, {}), within = ask(scene.handle(), 0.1, {}, {});
+    EXPECT_LT(full.distance, 0.0) << body;
+    EXPECT_EQ(within.distance, full.distance) << body;
+    EXPECT_EQ(norm(within.first_normal() - full.first_normal()), 0.0) << body;
+  }
+}
+
 }  // namespace

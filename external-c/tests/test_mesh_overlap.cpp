@@ -144,18 +144,30 @@ TEST(MeshOverlap, SwallowedBodiesAreWhole) {
   EXPECT_NEAR(overlap_of(PairScene(mesh, mesh_text(box_mesh({2, 2, 2}, 2))), at, {}).volume, whole, 1e-12);
 }
 
-TEST(MeshOverlap, SheetsHaveNone) {
-  const PairScene scene("cmb/1 sphere radius=0.5",
-                        mesh_samples::height_field_text(3.0, 5, [](double, double) { return 0.0; }));
-  double position[6] = {0, 0, 0.4, 0, 0, 0};
-  const double rotation[18] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+// Whether an overlap is known; of one that is not, everything is 0.
+int known(const PairScene &scene, double height) {
+  const PairPoses poses({{0.01, 0.02, height}, {}}, {});
   cmb_overlap overlap;
-  ASSERT_EQ(cmb_query_overlap(scene.handle(), 0, position, rotation, 2, &overlap), CMB_OK);
-  EXPECT_EQ(overlap.known, 0);
+  EXPECT_EQ(cmb_query_overlap(scene.handle(), 0, poses.position, poses.rotation, 2, &overlap), CMB_OK);
   EXPECT_EQ(overlap.volume, 0.0);
-  position[2] = 0.6;
-  ASSERT_EQ(cmb_query_overlap(scene.handle(), 0, position, rotation, 2, &overlap), CMB_OK);
-  EXPECT_EQ(overlap.known, 1);
+  return overlap.known;
+}
+
+TEST(MeshOverlap, SheetsHaveNone) {
+  // Known to be none where they touch nothing.
+  const std::string sheet = mesh_samples::height_field_text(3.0, 5, [](double, double) { return 0.0; }),
+                    cube = mesh_text(box_mesh({1, 1, 1}));
+  for (const std::string body : {"cmb/1 sphere radius=0.5", "cmb/1 box size=1,1,1"}) {
+    EXPECT_EQ(known({body, sheet}, 0.4), 0) << body;
+    EXPECT_EQ(known({body, sheet}, 0.6), 1) << body;
+    EXPECT_EQ(known({sheet, body}, -0.4), 0) << body;
+    EXPECT_EQ(known({sheet, body}, -0.6), 1) << body;
+  }
+  EXPECT_EQ(known({cube, sheet}, 0.4), 0);
+  EXPECT_EQ(known({cube, sheet}, 0.6), 1);
+  EXPECT_EQ(known({sheet, cube}, -0.4), 0);
+  EXPECT_EQ(known({sheet, "cmb/1 halfspace"}, -0.1), 0);
+  EXPECT_EQ(known({sheet, "cmb/1 halfspace"}, 0.1), 1);
 }
 
 }  // namespace

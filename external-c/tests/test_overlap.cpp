@@ -130,6 +130,34 @@ TEST(Overlap, SpheresAtAnyDepth) {
   const cmb_overlap inside = overlap_of(PairScene("cmb/1 sphere radius=0.2", "cmb/1 sphere radius=1"), {0.1, 0, 0});
   EXPECT_NEAR(inside.volume, 4.0 / 3.0 * pi * 0.008, 1e-15);
   EXPECT_NEAR(inside.centroid[0], 0.1, 1e-15);
+  const cmb_overlap around = overlap_of(PairScene("cmb/1 sphere radius=1", "cmb/1 sphere radius=0.2"), {0.1, 0, 0});
+  EXPECT_NEAR(around.volume, 4.0 / 3.0 * pi * 0.008, 1e-15);
+  EXPECT_NEAR(around.centroid[0], 0.0, 1e-15);
+  const cmb_overlap apart = overlap_of(PairScene("cmb/1 sphere radius=1", "cmb/1 sphere radius=0.2"), {1.3, 0, 0});
+  EXPECT_EQ(apart.known, 1);
+  EXPECT_EQ(apart.volume, 0.0);
+}
+
+TEST(Overlap, CrossedCapsulesAreCrossedCylinders) {
+  // Of equal tubes at a right angle, their axes `off` apart: slices along both axes are rectangles.
+  const double r = 0.3;
+  const PairScene capsules("cmb/1 capsule radius=0.3 length=2", "cmb/1 capsule radius=0.3 length=2");
+  const PairScene cylinders("cmb/1 cylinder radius=0.3 length=3", "cmb/1 cylinder radius=0.3 length=3");
+  const Mat3 along_x = rotation_about({0, 1, 0}, 0.5 * pi);
+  for (const double off : {0.05, 0.2, 0.4, 0.55}) {
+    // Chebyshev's rule for the square root at both ends of the common stretch, the other factor being smooth.
+    constexpr int count = 400;
+    const double half = 0.5 * (2.0 * r - off);
+    double volume = 0.0;
+    for (int k = 1; k <= count; ++k) {
+      const double angle = pi * k / (count + 1), y = half * std::cos(angle);  // from the middle of the stretch
+      const double a = (half - y) * (half + y + off), b = (half + y) * (half - y + off);
+      volume += pi / (count + 1) * half * std::sin(angle) * 4.0 * std::sqrt(a * b);
+    }
+    // Along y both axes are apart, so that the contact's normal is it.
+    EXPECT_NEAR(overlap_of(capsules, {0, off, 0}, along_x).volume, volume, 1e-9) << off;
+    EXPECT_NEAR(overlap_of(cylinders, {0, off, 0}, along_x).volume, volume, 1e-9) << off;
+  }
 }
 
 TEST(Overlap, CompoundsAddUp) {

@@ -63,4 +63,62 @@ TEST(ParallelogramSolidAngle, IsThatOfItsRays) {
   }
 }
 
+// Rays on a circle about an axis: a pyramid, by its angle defect.
+TEST(DirectionCone, OfARegularPyramid) {
+  for (const int count : {3, 4, 7, 60, 128}) {
+    for (const double open : {0.01, 0.7, 1.5}) {
+      DirectionCone cone;
+      for (int k = 0; k < count; ++k) {
+        const double angle = 2.0 * pi * k / count;
+        cone.add({std::sin(open) * std::cos(angle), std::sin(open) * std::sin(angle), std::cos(open)});
+      }
+      // Half the angle at each corner of the spherical polygon: cot(x) = cos(open) tan(pi/n).
+      const double corner = 2.0 * std::atan2(1.0, std::cos(open) * std::tan(pi / count));
+      EXPECT_NEAR(cone.solid_angle(), count * corner - (count - 2) * pi, 1e-12 * count) << count << " " << open;
+    }
+  }
+}
+
+TEST(DirectionCone, DoesNotDependOnTheRaysLengths) {
+  const Vec3 rays[] = {{1, 0.1, 0.5}, {0.3, 1, 0.4}, {-0.6, 0.8, 0.7}, {-1, -0.5, 0.6}, {0.2, -1, 0.3}};
+  DirectionCone unit;
+  for (const Vec3 &ray : rays) unit.add(ray);
+  for (const double length : {1e-60, 1e-35, 1e35, 1e60}) {
+    DirectionCone scaled, mixed;
+    for (int k = 0; k < 5; ++k) {
+      scaled.add(length * rays[k]);
+      mixed.add((k % 2 == 0 ? length : 1.0 / length) * rays[k]);
+    }
+    EXPECT_NEAR(scaled.solid_angle(), unit.solid_angle(), 1e-14) << length;
+    EXPECT_NEAR(mixed.solid_angle(), unit.solid_angle(), 1e-14) << length;
+  }
+}
+
+TEST(DirectionCone, OfFlatOnesIsNothing) {
+  DirectionCone cone;
+  EXPECT_TRUE(cone.empty());
+  EXPECT_EQ(cone.solid_angle(), 0.0);
+  cone.add({1, 0, 0}), cone.add({0, 1, 0});
+  EXPECT_TRUE(cone.empty());
+  EXPECT_EQ(cone.solid_angle(), 0.0);
+  cone.add({-1, 0, 0});  // the half plane
+  EXPECT_EQ(cone.solid_angle(), 0.0);
+  EXPECT_EQ(triangle_solid_angle({1, 0, 0}, {0, 1, 0}, {1, 1, 0}), 0.0);
+  EXPECT_NEAR(triangle_solid_angle({1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 0.5 * pi, 1e-15);
+  EXPECT_NEAR(triangle_solid_angle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}), -0.5 * pi, 1e-15);
+}
+
+TEST(DirectionCone, LeavesOutRaysBeyondItsCapacity) {
+  // A right circular cone of half angle pi/3 has the solid angle pi; 200 rays of which 128 count lose the rest's sector.
+  DirectionCone cone;
+  for (int k = 0; k < 200; ++k) {
+    const double angle = 2.0 * pi * k / 200;
+    cone.add({std::sqrt(0.75) * std::cos(angle), std::sqrt(0.75) * std::sin(angle), 0.5});
+  }
+  EXPECT_EQ(cone.size(), DirectionCone::capacity);
+  EXPECT_EQ(cone[5].z, 0.5);
+  EXPECT_LT(cone.solid_angle(), pi);
+  EXPECT_GT(cone.solid_angle(), 0.5 * pi);
+}
+
 }  // namespace

@@ -68,11 +68,11 @@ BoundGap bound_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
           0.5 * (center_a + center_b + (b.bound_radius - a.bound_radius) * normal)};
 }
 
-// From the exact answer to that of the bounding spheres.
+// From the exact answer to that of the bounding spheres, which are less than 2 exact_within apart.
 void fade_to_gap(const BoundGap &gap, double exact_within, ContactSet &result) {
   const double x = gap.distance / exact_within - 1.0;
   if (!(x > 0.0)) return;
-  const double part = x >= 1.0 ? 1.0 : x * x * (3.0 - 2.0 * x);
+  const double part = x * x * (3.0 - 2.0 * x);
   result.distance += part * (gap.distance - result.distance);
   result.normal = normalized((1.0 - part) * result.normal + part * gap.normal, gap.normal);
   result.witness = (1.0 - part) * result.witness + part * gap.witness;
