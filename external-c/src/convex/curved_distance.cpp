@@ -21,6 +21,9 @@ constexpr double rough_depth = 1e-3;
 constexpr std::int32_t rough_points = 40;
 // Agreement of the bounds, relative to the bodies.
 constexpr double relative_tolerance = 1e-11;
+// Agreement of a minimum, sharpened by Newton's method, with a search's lower bound that proves it the least, relative to the
+// bodies; and of the search's own bounds.
+constexpr double proof = 1e-8, searched = 0.9 * proof;
 // Bodies shrink by this part of the greatest balls in them; the gap between the bounds of their distance, relative to it.
 constexpr double shrinkage = 0.05, shrunk_gap = 0.02;
 // One minus the cosine up to which directions belong to one minimum.
@@ -138,7 +141,7 @@ Quick find_quickly(const MinkowskiDifference &difference, const Vec3 &first, Cor
 CoreDistance refined(const MinkowskiDifference &difference, const CoreDistance &rough, double best_possible,
                      DistanceScratch &scratch) {
   const RefinedDirection r = refine_direction(difference, rough.direction, rough.a, rough.b);
-  const bool proven = best_possible + r.height <= 1e-8 * difference.scale;
+  const bool proven = best_possible + r.height <= proof * difference.scale;
   if (!proven) ++scratch.counters.unproven;
   return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, proven};
 }
@@ -157,14 +160,14 @@ bool find_from_rough_bounds(const MinkowskiDifference &difference, const GjkResu
 
 CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult &gjk, DistanceScratch &scratch) {
   const PenetrationResult inside =
-      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, 1e-9 * difference.scale, 160);
+      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, searched * difference.scale, 160);
   const CoreDistance result{-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope,
                             inside.proven, {}};
   // Where the search proved the depth, the feature that it ended at has the minimum.
   RefinedDirection there;
   const Vec3 b_local = transposed_times(difference.b_in_a.rotation, inside.b - difference.b_in_a.translation);
   if (inside.proven && touching_direction(difference, inside.direction, inside.a, b_local, there) &&
-      there.height <= inside.depth && there.height - inside.lower <= 1e-8 * difference.scale &&
+      there.height <= inside.depth && there.height - inside.lower <= proof * difference.scale &&
       dot(there.direction, inside.direction) > 1.0 - same_minimum) {
     return {-there.height, there.direction, there.a, there.b, DistanceMethod::refined, true, {}};
   }
