@@ -1,6 +1,9 @@
 // Back ends: selected, checked, and answered for where they fail.
 #include <random>
 
+#include "backend/distance_backend.hpp"
+#include "mesh/mesh_text.hpp"
+#include "scene/descriptor.hpp"
 #include "scene_query.hpp"
 
 namespace {
@@ -119,6 +122,52 @@ TEST_P(Libraries, WhoAnsweredCanBeAsked) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Libraries, testing::Values(CMB_BACKEND_LIBCCD, CMB_BACKEND_FCL, CMB_BACKEND_COAL));
+
+// What a library has not been given it does not answer for.
+TEST(LibraryShapes, AreAnsweredForWhereTheyAreHeldAlone) {
+  using namespace cmb;
+  for (const cmb_backend backend : {CMB_BACKEND_LIBCCD, CMB_BACKEND_FCL, CMB_BACKEND_COAL}) {
+    EXPECT_NE(distance_library(backend), nullptr);
+  }
+  EXPECT_EQ(distance_library(CMB_BACKEND_AUTO), nullptr);
+  EXPECT_EQ(distance_library(CMB_BACKEND_ANALYTIC), nullptr);
+  const Shape cube = parse_descriptor("cmb/1 box size=1,1,1").front();
+  const Shape mesh = parse_descriptor(mesh_samples::mesh_text(mesh_samples::box_mesh({1, 1, 1}))).front();
+  const Shape halfspace = parse_descriptor("cmb/1 halfspace").front();
+  EXPECT_EQ(make_fcl_shape(mesh), nullptr);
+  EXPECT_NE(make_fcl_shape(halfspace), nullptr);
+  Shape held = cube;
+  held.in_library = make_fcl_shape(cube);
+  ASSERT_NE(held.in_library, nullptr);
+  BackendScratch scratch;
+  const Pose apart{Mat3{}, {1.5, 0, 0}};
+  EXPECT_NEAR(fcl_distance(held, apart, held, {}, scratch).value().distance, 0.5, 1e-6);
+  for (const DistanceFunction distance : {fcl_distance, coal_distance}) {
+    EXPECT_FALSE(distance(cube, apart, cube, {}, scratch));
+    EXPECT_FALSE(distance(held, apart, cube, {}, scratch));
+    EXPECT_FALSE(distance(cube, apart, held, {}, scratch));
+  }
+  EXPECT_EQ(make_coal_shape(cube) != nullptr, coal_is_available());
+}
+
+// A sphere of radius 1 at 2.5 from another one: what is true of them, and what is not.
+TEST(AnswerCheck, TakesWhatIsTrueAlone) {
+  using namespace cmb;
+  const Shape ball = parse_descriptor("cmb/1 sphere radius=1").front();
+  const Pose right{Mat3{}, {2.5, 0, 0}};
+  ConvexAnswer truth;
+  truth.distance = 0.5, truth.normal = {1, 0, 0}, truth.point_a = {1.5, 0, 0}, truth.point_b = {1, 0, 0};
+  const auto holds = [&](const ConvexAnswer &answer) { return answer_holds(answer, ball, right, ball, {}, 1e-6); };
+  EXPECT_TRUE(holds(truth));
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    ConvexAnswer distance = truth, normal = truth, point_a = truth, point_b = truth;
+    distance.distance = bad, normal.normal.y = bad, point_a.point_a.z = bad, point_b.point_b.x = bad;
+    for (const ConvexAnswer &answer : {distance, normal, point_a, point_b}) EXPECT_FALSE(holds(answer)) << bad;
+  }
+  ConvexAnswer longer = truth, aside = truth, nearer = truth, elsewhere = truth;
+  longer.normal.x = 1.0 + 1e-6, aside.normal = {0.8, 0.6, 0}, nearer.distance = 0.49, elsewhere.point_a.y = 0.01;
+  for (const ConvexAnswer &answer : {longer, aside, nearer, elsewhere}) EXPECT_FALSE(holds(answer));
+}
 
 TEST(Boxes, DepthOnTheDiagonalIsTheShortestWayOut) {
   // A cube stands on its diagonal, 0.2 deep in a wide table: other engines say 0.346.

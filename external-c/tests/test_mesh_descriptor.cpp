@@ -223,4 +223,25 @@ TEST_F(MeshFiles, InlinedDescriptorsNeedNoFiles) {
   EXPECT_EQ(cmb_inline_files(nullptr, "", nullptr, 0, &length), CMB_ERROR_ARGUMENT);
 }
 
+// A descriptor that is as long as may be has no room for what a file holds.
+TEST_F(MeshFiles, DescriptorsTooLongWithTheirFilesAreRefusedByName) {
+  const std::string begin = "cmb/1 hull file=tetrahedron.obj position=0.", end = ",0,0";
+  const std::string text = begin + std::string(cmb::DescriptorLimits::characters - begin.size() - end.size(), '0') + end;
+  EXPECT_EQ(complaint(text), "");
+  std::size_t length = 77;
+  ASSERT_EQ(cmb_inline_files(text.c_str(), path("").c_str(), nullptr, 0, &length), CMB_ERROR_DESCRIPTOR);
+  EXPECT_EQ(length, 77u);
+  const std::string said = cmb_last_error();
+  EXPECT_NE(said.find("tetrahedron.obj"), std::string::npos) << said;
+  EXPECT_NE(said.find(std::to_string(cmb::DescriptorLimits::characters)), std::string::npos) << said;
+}
+
+// One polygon of as many corners as make one triangle too many.
+TEST_F(MeshFiles, PolygonsOfTooManyTrianglesAreRefused) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+  for (std::size_t k = 0; k < cmb::mesh::MeshLimits::triangles + 3; ++k) text += " 1";
+  write("wide.obj", text + "\n");
+  refuses("cmb/1 mesh file=wide.obj", 17, "5000000 triangles");
+}
+
 }  // namespace

@@ -81,6 +81,26 @@ TEST(VolumeLaw, FollowsTheNormalIntoEveryAxis) {
   }
 }
 
+TEST(VolumeLaw, HoldsForWallsAtAnySlant) {
+  // Whatever axes the points are placed along: the cap's volume, its disc's second moment across the normal, none along it.
+  const double r = 0.5, d = 0.1, pi = 3.14159265358979323846;
+  const double area = pi * d * (2.0 * r - d), volume = pi * d * d * (r - d / 3.0);
+  for (const Vec3 &direction : {Vec3{1, 2, 3}, Vec3{3, 1, 2}, Vec3{2, 3, 1}, Vec3{-1, 3, 2}, Vec3{2, -1, 3}, Vec3{3, 2, -1}}) {
+    const Vec3 normal = normalized(direction), u = cmb::convex::any_perpendicular(normal), v = cross(normal, u);
+    double rotation[18] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    for (int i = 0; i < 3; ++i) rotation[9 + i] = u[i], rotation[12 + i] = v[i], rotation[15 + i] = normal[i];
+    const VolumePoints cap("cmb/1 sphere radius=0.5", "cmb/1 halfspace", (r - d) * normal, rotation);
+    EXPECT_NEAR(cap.volume(), volume, 1e-12);
+    double along = 0.0, trace = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      trace += cap.second_moment(i, i);
+      for (int j = 0; j < 3; ++j) along += normal[i] * cap.second_moment(i, j) * normal[j];
+    }
+    EXPECT_NEAR(along, 0.0, 1e-14);
+    EXPECT_NEAR(trace, area / (2.0 * pi), 1e-13) << "twice a quarter of the radius squared";
+  }
+}
+
 TEST(VolumeLaw, SphereHasItsCapsVolume) {
   const double r = 0.5, d = 0.1;
   const VolumePoints cap("cmb/1 sphere radius=0.5", "cmb/1 halfspace", {0, 0, r - d});

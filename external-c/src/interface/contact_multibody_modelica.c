@@ -7,17 +7,19 @@
 /* Supplied by the Modelica tool (ModelicaUtilities.h of the Modelica specification); does not return. */
 extern void ModelicaFormatError(const char *string, ...);
 
+static void report(cmb_status status) {
+  if (status != CMB_OK) {
+    ModelicaFormatError("ContactMultiBody: %s: %s\n", cmb_status_text(status), cmb_last_error());
+  }
+}
+
 /* A model is trusted as code is: it may name any file. */
 static const char *const all_files = "/";
 
 int cmb_modelica_intern(const char **geometry, size_t body_count, const int *pairs, size_t pair_count, int backend) {
   cmb_scene scene = 0;
-  const cmb_status status =
-      cmb_intern_with_files((const char *const *)geometry, body_count, pairs, pair_count, (cmb_backend)backend,
-                            all_files, &scene);
-  if (status != CMB_OK) {
-    ModelicaFormatError("ContactMultiBody: %s: %s\n", cmb_status_text(status), cmb_last_error());
-  }
+  report(cmb_intern_with_files((const char *const *)geometry, body_count, pairs, pair_count, (cmb_backend)backend,
+                               all_files, &scene));
   return scene;
 }
 
@@ -31,11 +33,8 @@ void cmb_modelica_query(int scene, const double *position, size_t body_count, co
 void cmb_modelica_query_within(int scene, double exact_within, const double *position, size_t body_count,
                                const double *rotation, size_t pair_count, size_t point_capacity, double *distance,
                                double *depth, double *weight, double *normal, double *point) {
-  const cmb_status status = cmb_query_scene_within(scene, exact_within, position, rotation, body_count, pair_count,
-                                                   point_capacity, distance, depth, weight, normal, point);
-  if (status != CMB_OK) {
-    ModelicaFormatError("ContactMultiBody: %s: %s\n", cmb_status_text(status), cmb_last_error());
-  }
+  report(cmb_query_scene_within(scene, exact_within, position, rotation, body_count, pair_count, point_capacity, distance,
+                                depth, weight, normal, point));
 }
 
 enum { volume_points = 4 };
@@ -86,10 +85,7 @@ void cmb_modelica_query_volume(int scene, const double *position, size_t body_co
     }
     if (distance[i] >= 0.0) continue;
     cmb_overlap overlap;
-    const cmb_status status = cmb_query_overlap(scene, i, position, rotation, body_count, &overlap);
-    if (status != CMB_OK) {
-      ModelicaFormatError("ContactMultiBody: %s: %s\n", cmb_status_text(status), cmb_last_error());
-    }
+    report(cmb_query_overlap(scene, i, position, rotation, body_count, &overlap));
     if (!overlap.known) {
       ModelicaFormatError(
           "ContactMultiBody: the overlap of pair %u is not known: open meshes and height fields have no volume; close the "
