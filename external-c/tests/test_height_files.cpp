@@ -1,7 +1,9 @@
 // Files of heights, and where geometry files may lie: what is read, and what is said of the rest.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "mesh/mesh_data.hpp"
 #include "scene/geometry_files.hpp"
@@ -80,6 +82,20 @@ TEST_F(HeightFiles, FoldersAndNamesThatAreNoneAreRefused) {
   EXPECT_NE(complaint(path(""), beside() + "/z.txt").find("lies outside"), std::string::npos);
   EXPECT_NE(complaint(path(""), std::string(5000, 'a')), "");
   EXPECT_NE(complaint(path(""), "none.txt").find("no such file"), std::string::npos);
+}
+
+// The kernel says of its files that they hold a page, of which there are a few characters.
+TEST(HeightFile, ThatEndsBeforeItsSizeIsRefused) {
+  const std::string folder = "/sys/devices/system/cpu", name = "online";
+  std::error_code error;
+  if (std::filesystem::file_size(folder + "/" + name, error) < 64 || error) GTEST_SKIP() << "no " << folder << "/" << name;
+  try {
+    GeometryFiles(folder).table(name);
+    FAIL() << "accepted";
+  } catch (const MeshError &refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("online: cannot be read; check its permissions"), std::string::npos)
+        << refusal.what();
+  }
 }
 
 }  // namespace
