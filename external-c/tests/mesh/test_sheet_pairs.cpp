@@ -9,6 +9,7 @@
 #include "../convex/random_bodies.hpp"
 #include "../path_sums.hpp"
 #include "mesh/mesh_pair_distance.hpp"
+#include "level_sheets.hpp"
 #include "mesh_text.hpp"
 
 namespace {
@@ -53,28 +54,6 @@ TEST(SheetPairs, BordersThatCrossByRoundingHardlyTouch) {
   }
 }
 
-// Where the rectangle |x|, |y| <= half of `pose`, seen from `other`, meets the plane of `other` within its rectangle: the length
-// of what the two have in common, negative where they are apart on the line in which the planes meet.
-double common_length(const BodyPose &pose, const BodyPose &other, double half) {
-  const Vec3 n = pose.rotation.column(2), m = other.rotation.column(2);
-  const Vec3 line = normalized(cross(n, m));
-  // A point on both planes.
-  const double c = dot(n, m), p = dot(n, pose.position), q = dot(m, other.position), s = 1.0 - c * c;
-  const Vec3 origin = ((p - c * q) / s) * n + ((q - c * p) / s) * m;
-  double low = -1e300, high = 1e300;
-  for (const BodyPose *sheet : {&pose, &other}) {
-    for (int axis = 0; axis < 2; ++axis) {
-      const Vec3 e = sheet->rotation.column(axis);
-      const double at = dot(e, origin - sheet->position), slope = dot(e, line);
-      double from = (-half - at) / slope, to = (half - at) / slope;
-      if (from > to) std::swap(from, to);
-      low = std::max(low, from);
-      high = std::min(high, to);
-    }
-  }
-  return high - low;
-}
-
 TEST(SheetPairs, LevelOnesTouchWhereTheyCross) {
   const std::string sheet = mesh_text(sheet_mesh(1.0, 4, level));
   const PairScene scene(sheet, sheet);
@@ -82,7 +61,8 @@ TEST(SheetPairs, LevelOnesTouchWhereTheyCross) {
   int touching = 0, apart = 0;
   for (int k = 0; k < 3000; ++k) {
     const BodyPose a{random.uniform(0, 1) * random.direction(), random_rotation(random)}, b{{}, random_rotation(random)};
-    const double common = common_length(a, b, 0.5);
+    const double common =
+        mesh_samples::common_extent({a.rotation, a.position}, {b.rotation, b.position}, 0.5);
     if (std::fabs(common) < 1e-9) continue;
     const Contact contact = scene.query(a, b);
     ASSERT_EQ(contact.distance < 0.0, common > 0.0) << k;

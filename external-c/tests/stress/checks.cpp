@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../mesh/level_sheets.hpp"
 #include "geometry/pose_algebra.hpp"
 
 namespace cmb::stress {
@@ -101,6 +102,17 @@ Fault check_ground(Sample &s, const Solid &solid, const Pose &pose, const Solid 
   return {};
 }
 
+// Level sheets touch where the squares they are cross.
+Fault check_level_sheets(const Sample &s) {
+  const double sine = norm(cross(s.a.rotation.column(2), s.b.rotation.column(2)));
+  if (!(sine > 1e-6)) return {};
+  const double common = mesh_samples::common_extent(s.a, s.b, detail::sheet_half);
+  if (std::fabs(common) > s.slack / sine && (s.answer.distance < 0.0) != (common > 0.0)) {
+    return too_far("level sheets that have this in common", s.answer.distance, common);
+  }
+  return {};
+}
+
 // Closed meshes and compounds against the convex parts they stand for.
 Fault check_parts(Sample &s) {
   double least = 1e300;
@@ -182,6 +194,8 @@ Fault check(Sample &s, Random &random, long sample) {
     if (auto fault = check_ground(s, b, s.b, a, s.a)) return fault;
   } else if (has_parts(a) && !has_parts(b)) {
     if (auto fault = check_ground(s, a, s.a, b, s.b)) return fault;
+  } else if (a.nature == Nature::flat_sheet && b.nature == Nature::flat_sheet) {
+    if (auto fault = check_level_sheets(s)) return fault;
   } else if (has_parts(a) && has_parts(b) && sample % 2 == 0) {
     if (auto fault = check_parts(s)) return fault;
   }

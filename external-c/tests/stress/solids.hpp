@@ -224,6 +224,9 @@ inline Part hull_part(std::vector<Vec3> points) {
   return part;
 }
 
+// So wide that no body used here reaches its border.
+constexpr double sheet_half = 12.0;
+
 inline Solid sheet(Random &random, bool flat) {
   Solid solid;
   solid.nature = flat ? Nature::flat_sheet : Nature::rough_sheet;
@@ -231,10 +234,9 @@ inline Solid sheet(Random &random, bool flat) {
   solid.low = -height;
   solid.high = height;
   const double turn = random.uniform(0, 6.28);
-  // So wide that no body used here reaches its border.
   solid.extent = 20.0;
   solid.text = mesh_samples::height_field_text(
-      24.0, 17, [&](double x, double y) { return height * std::sin(1.3 * x + turn) * std::cos(1.7 * y); });
+      2.0 * sheet_half, 17, [&](double x, double y) { return height * std::sin(1.3 * x + turn) * std::cos(1.7 * y); });
   return solid;
 }
 

@@ -8,6 +8,7 @@
 //  - of boxes and hulls, the depth is that of the separating axes; of others, no direction leads out sooner;
 //  - on half-spaces, the distance is the lowest point's;
 //  - closed meshes, compounds and level height fields agree with the convex bodies or the half-space they stand for;
+//  - two level height fields touch where their squares cross;
 //  - the same bits again, the same distance reversed, and changes no greater than the motion that makes them;
 //  - FCL and libccd as back ends change nothing by more than they may.
 // A failure, or a signal that ends the program, prints the second line, which asks for that pose alone.
