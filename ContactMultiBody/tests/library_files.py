@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -65,6 +66,13 @@ def read_class(path: Path) -> ClassFile:
 @cache
 def class_files() -> tuple[ClassFile, ...]:
     return tuple(read_class(path) for package in PACKAGES for path in sorted((REPOSITORY / package).rglob("*.mo")))
+
+
+@cache
+def case_models() -> frozenset[str]:
+    """Models that a regression case builds and simulates."""
+    cases = (REPOSITORY / "regression" / "cases").rglob("*.toml")
+    return frozenset(tomllib.loads(path.read_text("utf-8"))["case"]["model"] for path in cases)
 
 
 def runnable_models() -> list[str]:

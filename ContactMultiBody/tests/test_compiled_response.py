@@ -41,13 +41,13 @@ pytestmark = pytest.mark.skipif(
 
 
 @pytest.fixture(scope="module")
-def trajectories(tmp_path_factory: pytest.TempPathFactory) -> Trajectories:
+def trajectories(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Trajectories:
     folder: Path = tmp_path_factory.mktemp("both_ways")
 
     @cache
     def trajectory(model: str, parts: tuple[str, ...]) -> NDArray[np.void]:
         sources = [REPOSITORY / "ContactMultiBodyTest", REPOSITORY / "ContactMultiBody"]
-        options = BuildOptions(msl=REPOSITORY / "Resources" / "MultiBodyCore")
+        options = BuildOptions(msl=REPOSITORY / "Resources" / "MultiBodyCore", cache=fmu_cache)
         report = build_fmu(f"ContactMultiBodyTest.{model}", sources, folder / f"{model}.fmu", options)
         names = [f"{part}.comparison.{name}" for part in parts for pair in DIFFERENCES for name in pair]
         result: NDArray[np.void] = simulate_fmu(

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from pathlib import Path
 
 import pymoca.parser  # type: ignore[import-untyped]
 import pytest
 from library_compiler import PACKAGES, REPOSITORY
-from library_files import ClassFile, class_files
+from library_files import ClassFile, case_models, class_files
 from lxml import etree
 
 FILES = class_files()
@@ -165,8 +164,7 @@ def test_examples_have_one_experiment() -> None:
 
 
 def test_every_example_is_run_by_a_regression_case() -> None:
-    cases = (REPOSITORY / "regression" / "cases").rglob("*.toml")
-    run = {tomllib.loads(path.read_text("utf-8"))["case"]["model"] for path in cases}
+    run = case_models()
     extended = {base for file in FILES if file.full_name in run for base in re.findall(r"extends ([\w.]+)", file.text)}
     examples = {file.full_name for file in FILES if ".Examples." in file.full_name and file.is_model}
     assert len(examples) > 20

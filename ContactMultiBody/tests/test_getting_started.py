@@ -38,10 +38,10 @@ def finished_model() -> str:
     return "\n".join([head, f"{body[:-2]},\n{shape.rstrip()});", floor, manager, end, ""])
 
 
-def test_five_steps_make_a_ball_that_bounces_and_rests(tmp_path: Path) -> None:
+def test_five_steps_make_a_ball_that_bounces_and_rests(tmp_path: Path, fmu_cache: Path) -> None:
     source = tmp_path / "Bounce.mo"
     source.write_text(finished_model(), encoding="utf-8")
-    options = BuildOptions(msl=REPOSITORY / "Resources" / "MultiBodyCore")
+    options = BuildOptions(msl=REPOSITORY / "Resources" / "MultiBodyCore", cache=fmu_cache)
     report = build_fmu("Bounce", [source, REPOSITORY / "ContactMultiBody"], tmp_path / "Bounce.fmu", options)
     result = simulate_fmu(
         str(report.fmu),

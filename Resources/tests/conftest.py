@@ -26,7 +26,7 @@ def msl() -> Path:
 
 
 @pytest.fixture(scope="session")
-def simulate(tmp_path_factory: pytest.TempPathFactory) -> Simulator:
+def simulate(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Simulator:
     """Simulates a test model: ``simulate(name, stop, interval, library)``, all continuous variables by name.
 
     Rows are those of the regular output grid.
@@ -39,7 +39,9 @@ def simulate(tmp_path_factory: pytest.TempPathFactory) -> Simulator:
         if key not in known:
             fmu = folder / f"{name}_{'core' if library == core_models.CORE else 'msl'}.fmu"
             if not fmu.exists():
-                build_fmu(f"CoreFixtures.{name}", [core_models.FIXTURES], fmu, BuildOptions(msl=library))
+                build_fmu(
+                    f"CoreFixtures.{name}", [core_models.FIXTURES], fmu, BuildOptions(msl=library, cache=fmu_cache)
+                )
             variables = read_model_description(str(fmu)).modelVariables
             names = [item.name for item in variables if item.type == "Real" and item.name != "time"]
             result = simulate_fmu(

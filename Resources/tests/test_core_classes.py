@@ -7,18 +7,10 @@ from pathlib import Path
 
 import core_models
 import pytest
-import rumoca
 
 CLASSES = list(core_models.core_classes())
 # Not instantiated by themselves: connectors live in components, types and packages have no instances.
 _INSTANTIATED = ("model", "block")
-
-
-@pytest.mark.parametrize("name", core_models.fixture_names())
-def test_rumoca_loads_every_fixture(name: str) -> None:
-    session = rumoca.Session([str(core_models.CORE), str(core_models.MODELS)])
-    model = session.load(str(core_models.fixture_file(name)), model=f"CoreFixtures.{name}")
-    assert model.to_dict("flat")["variables"]
 
 
 def test_every_component_class_and_function_is_used_by_a_fixture() -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from cmb.fmu_provider import FmuProvider
+from cmb.main import main
 from cmb.project import LIBRARY
 from cmb_base.progress import silent
 from fmu_regression.case import load_case
@@ -19,12 +20,11 @@ from program import HAMMER, CaseCheck, Cmb
 
 
 @pytest.fixture(scope="session")
-def cmb(tmp_path_factory: pytest.TempPathFactory) -> Cmb:
-    """Runs the program as a user does, with a cache of its own; the words after ``cmb`` in, status and output out."""
-    cache = str(tmp_path_factory.mktemp("cache"))
+def cmb(cache_home: Path) -> Cmb:
+    """Runs the program as a user does, with the tests' cache; the words after ``cmb`` in, status and output out."""
 
     def call(*words: str | Path, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-        environment = {"XDG_CACHE_HOME": cache, **os.environ}
+        environment = {"XDG_CACHE_HOME": str(cache_home), **os.environ}
         environment.pop("MODELICAPATH", None)
         return subprocess.run(
             [sys.executable, "-m", "cmb.main", *map(str, words)],
@@ -34,6 +34,26 @@ def cmb(tmp_path_factory: pytest.TempPathFactory) -> Cmb:
             text=True,
             timeout=300,
         )
+
+    return call
+
+
+@pytest.fixture
+def cmb_here(cache_home: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Cmb:
+    """The same in the tests' own process, which spares the program's start; what it does not catch fails the test."""
+
+    def call(*words: str | Path, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+        capfd.readouterr()
+        with monkeypatch.context() as there:
+            there.setenv("XDG_CACHE_HOME", os.environ.get("XDG_CACHE_HOME", str(cache_home)))
+            there.delenv("MODELICAPATH", raising=False)
+            there.chdir(cwd or Path.cwd())
+            try:
+                status: object = main([str(word) for word in words])
+            except SystemExit as end:  # by which argparse ends
+                status = end.code
+        assert isinstance(status, int)
+        return subprocess.CompletedProcess([str(word) for word in words], status, *capfd.readouterr())
 
     return call
 
@@ -56,9 +76,9 @@ def hammer(cmb: Cmb, engine: None, tmp_path_factory: pytest.TempPathFactory) -> 
 
 
 @pytest.fixture(scope="session")
-def provide_fmu(engine: None, tmp_path_factory: pytest.TempPathFactory) -> FmuProvider:  # noqa: ARG001
+def provide_fmu(engine: None, fmu_cache: Path, tmp_path_factory: pytest.TempPathFactory) -> FmuProvider:  # noqa: ARG001
     """Builds the FMU of a regression case's model, each model once."""
-    return FmuProvider(tmp_path_factory.mktemp("fmus"), BuildOptions(cache=tmp_path_factory.mktemp("cache")), silent)
+    return FmuProvider(tmp_path_factory.mktemp("fmus"), BuildOptions(cache=fmu_cache), silent)
 
 
 @pytest.fixture

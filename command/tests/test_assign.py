@@ -2,14 +2,29 @@
 
 from __future__ import annotations
 
+import io
 import shutil
 import subprocess
 import sys
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from program import HAMMER
+from program import HAMMER, Cmb
+
+Assign = Callable[[str], "subprocess.CompletedProcess[str]"]
+
+
+@pytest.fixture
+def assign_here(hammer_copy: Path, cmb_here: Cmb, monkeypatch: pytest.MonkeyPatch) -> Assign:
+    """The same for answers in the tests' own process."""
+
+    def call(answers: str) -> subprocess.CompletedProcess[str]:
+        monkeypatch.setattr(sys, "stdin", io.StringIO(answers))
+        return cmb_here("assign", hammer_copy)
+
+    return call
 
 
 @pytest.fixture
@@ -52,23 +67,23 @@ def test_answers_become_a_file_that_generates(hammer_copy: Path) -> None:
     assert "start=0.3" in text
 
 
-def test_what_is_there_stays_and_can_be_removed(hammer_copy: Path) -> None:
+def test_what_is_there_stays_and_can_be_removed(hammer_copy: Path, assign_here: Assign) -> None:
     file = hammer_copy / "actuators.toml"
-    assert assign(hammer_copy, "shoulder\nTorque\n\n\n").returncode == 0
+    assert assign_here("shoulder\nTorque\n\n\n").returncode == 0
     before = file.read_bytes()
-    assert assign(hammer_copy, "").returncode == 0
+    assert assign_here("").returncode == 0
     assert file.read_bytes() == before
-    assert assign(hammer_copy, "elbow\nTorque\n7\n\nq\n").returncode == 0
+    assert assign_here("elbow\nTorque\n7\n\nq\n").returncode == 0
     assert file.read_bytes() == before
-    done = assign(hammer_copy, "elbow\nTorque\n7\n\n")
+    done = assign_here("elbow\nTorque\n7\n\n")
     assert "shoulder" in done.stdout
     assert [entry["joint"] for entry in tomllib.loads(file.read_text())["actuator"]] == ["shoulder", "elbow"]
-    assert assign(hammer_copy, "1\n-\n2\n-\n\n").returncode == 0
+    assert assign_here("1\n-\n2\n-\n\n").returncode == 0
     assert not file.exists()
 
 
-def test_wrong_answers_are_asked_again(hammer_copy: Path) -> None:
-    done = assign(hammer_copy, "knee\n1\nMagic\nFriction\nmuch\n-3\n0.5\n\n\n\n")
+def test_wrong_answers_are_asked_again(hammer_copy: Path, assign_here: Assign) -> None:
+    done = assign_here("knee\n1\nMagic\nFriction\nmuch\n-3\n0.5\n\n\n\n")
     assert done.returncode == 0, done.stderr
     for words in ("no joint 'knee'", "no component 'Magic'", "d must be a finite number", "d must not be negative"):
         assert words in done.stdout

@@ -72,7 +72,7 @@ def libraries() -> dict[str, Path | None]:
     return found
 
 
-def built(folder: Path, name: str, parts: str, msl: Path | None) -> Path:
+def built(folder: Path, name: str, parts: str, options: BuildOptions) -> Path:
     declarations, equations, _ = MODELS[name]
     text = f"""model {name}
   import ContactMultiBody;
@@ -87,7 +87,7 @@ end {name};
     home.mkdir()
     source = home / f"{name}.mo"
     source.write_text(text.replace(PARTS, parts), encoding="utf-8")
-    build_fmu(name, (source, LIBRARY), home / f"{name}.fmu", BuildOptions(msl=msl))
+    build_fmu(name, (source, LIBRARY), home / f"{name}.fmu", options)
     return home / f"{name}.fmu"
 
 
@@ -102,10 +102,10 @@ def run(fmu: Path, signals: tuple[str, ...]) -> SimulationResult:
 
 @pytest.mark.parametrize("library", libraries())
 @pytest.mark.parametrize("name", MODELS)
-def test_nothing_changes(tmp_path: Path, name: str, library: str) -> None:
-    msl = libraries()[library]
-    theirs = built(tmp_path, name, THEIRS, msl)
-    ours = built(tmp_path, name, OURS, msl)
+def test_nothing_changes(tmp_path: Path, fmu_cache: Path, name: str, library: str) -> None:
+    options = BuildOptions(msl=libraries()[library], cache=fmu_cache)
+    theirs = built(tmp_path, name, THEIRS, options)
+    ours = built(tmp_path, name, OURS, options)
     before, after = described(theirs), described(ours)
     added = set(after.variables) - set(before.variables)
     assert set(before.variables) <= set(after.variables)

@@ -70,7 +70,7 @@ def test_advice_on_a_users_model(cmb: Cmb, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("command", ["effects", "advise"])
-def test_wrong_input(command: str, cmb: Cmb, tmp_path: Path) -> None:
+def test_wrong_input(command: str, cmb_here: Cmb, tmp_path: Path) -> None:
     (tmp_path / "Decay.mo").write_text(
         'model Decay "Has no bodies"\n  Real x(start=1, fixed=true);\nequation\n  der(x) = -x;\nend Decay;\n'
     )
@@ -79,7 +79,7 @@ def test_wrong_input(command: str, cmb: Cmb, tmp_path: Path) -> None:
         (["ContactMultiBody.Examples.NoSuchExample"], "NoSuchExample"),
         (["Decay"], "no ContactMultiBody.ContactManager"),
     ):
-        done = cmb(command, *words, cwd=tmp_path)
+        done = cmb_here(command, *words, cwd=tmp_path)
         assert done.returncode == 2, done.stderr
         assert said in done.stderr
         assert "Traceback" not in done.stderr

@@ -22,18 +22,19 @@ end Falling;
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with a model and an empty cache."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+def folder(tmp_path: Path) -> Path:
+    """A folder with a model."""
     work = tmp_path / "work"
     work.mkdir()
     (work / "Falling.mo").write_text(FALLING)
     return work
 
 
-def test_unchanged_files_come_from_the_cache(folder: Path, cmb: Cmb) -> None:
+def test_unchanged_files_come_from_the_cache(folder: Path, cmb_here: Cmb, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(folder.parent / "cache"))
+
     def build(*words: str) -> tuple[bool, bytes]:
-        done = cmb("fmu", "Falling", "--output", "falling.fmu", *words, cwd=folder)
+        done = cmb_here("fmu", "Falling", "--output", "falling.fmu", *words, cwd=folder)
         assert done.returncode == 0, done.stderr
         assert "2 states" in done.stdout
         return "from the cache" in done.stdout, (folder / "falling.fmu").read_bytes()
@@ -67,21 +68,21 @@ def test_solver_options_become_the_fmus_defaults(folder: Path, cmb: Cmb) -> None
     assert [float(start or "nan") for start in starts] == [1e-5, 0.25, 5000]
 
 
-def test_the_log_says_what_was_chosen(folder: Path, cmb: Cmb) -> None:
-    done = cmb("fmu", "Falling", "--log", "build.log", cwd=folder)
+def test_the_log_says_what_was_chosen(folder: Path, cmb_here: Cmb) -> None:
+    done = cmb_here("fmu", "Falling", "--log", "build.log", cwd=folder)
     assert done.returncode == 0, done.stderr
     log = (folder / "build.log").read_text()
     assert re.search(r"^states +2: h, v$", log, re.MULTILINE)
     assert re.search(r"^standard library +\S+", log, re.MULTILINE)
     assert re.search(r"^seconds .*load [\d.]+, .*compile [\d.]+, link [\d.]+, pack [\d.]+", log, re.MULTILINE)
-    printed = cmb("fmu", "Falling", "--log", cwd=folder).stdout
+    printed = cmb_here("fmu", "Falling", "--log", cwd=folder).stdout
     assert "taken from the cache" in printed
     assert log.splitlines()[0] in printed
 
 
-def test_openmodelica_where_it_is_not_installed(folder: Path, cmb: Cmb, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_openmodelica_where_it_is_not_installed(folder: Path, cmb_here: Cmb, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("OPENMODELICAHOME", str(folder / "nowhere"))
-    done = cmb("fmu", "Falling", "--tool", "omc", cwd=folder)
+    done = cmb_here("fmu", "Falling", "--tool", "omc", cwd=folder)
     assert done.returncode == 1
     assert "omc is not in" in done.stderr
     assert "--tool builtin" in done.stderr
@@ -105,8 +106,8 @@ def test_openmodelica_where_it_is_not_installed(folder: Path, cmb: Cmb, monkeypa
         (["Falling", "--tool", "omc", "--tolerance", "1e-4"], "--tolerance is for the built-in translator"),
     ],
 )
-def test_wrong_options(words: list[str], said: str, folder: Path, cmb: Cmb) -> None:
-    done = cmb("fmu", *words, cwd=folder)
+def test_wrong_options(words: list[str], said: str, folder: Path, cmb_here: Cmb) -> None:
+    done = cmb_here("fmu", *words, cwd=folder)
     assert done.returncode == 2, done.stderr
     assert said in done.stderr
     assert "Traceback" not in done.stderr

@@ -56,12 +56,12 @@ WRONG = {
 
 
 @pytest.mark.parametrize("case", WRONG)
-def test_wrong_assembly(case: str, cmb: Cmb, tmp_path: Path) -> None:
+def test_wrong_assembly(case: str, cmb_here: Cmb, tmp_path: Path) -> None:
     change, words = WRONG[case]
     folder = tmp_path / "assembly"
     shutil.copytree(HAMMER, folder)
     change(folder)
-    done = cmb("run", folder, "--output", tmp_path / "out", cwd=tmp_path)
+    done = cmb_here("run", folder, "--output", tmp_path / "out", cwd=tmp_path)
     assert done.returncode == 2, done.stderr
     assert done.stdout == ""
     assert "Traceback" not in done.stderr
@@ -104,17 +104,17 @@ def test_model_the_builder_cannot_translate(cmb: Cmb, tmp_path: Path) -> None:
         (["frobnicate"], "frobnicate"),
     ],
 )
-def test_wrong_command_line(words: list[str], said: str, cmb: Cmb, tmp_path: Path) -> None:
-    done = cmb(*words, cwd=tmp_path)
+def test_wrong_command_line(words: list[str], said: str, cmb_here: Cmb, tmp_path: Path) -> None:
+    done = cmb_here(*words, cwd=tmp_path)
     assert done.returncode == 2, done.stderr
     assert said in done.stderr
     assert "Traceback" not in done.stderr
     assert list(tmp_path.iterdir()) == []
 
 
-def test_every_command_has_help_with_examples(cmb: Cmb) -> None:
-    overview = cmb("--help")
+def test_every_command_has_help_with_examples(cmb_here: Cmb) -> None:
+    overview = cmb_here("--help")
     assert overview.returncode == 0
     for name in ("run", "generate", "fmu", "simulate", "report", "regress", "accuracy", "effects", "advise", "msl"):
         assert name in overview.stdout
-        assert "examples:" in cmb(name, "--help").stdout
+        assert "examples:" in cmb_here(name, "--help").stdout

@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 
 from cmb_base.errors import BuildError
@@ -88,6 +89,7 @@ def bundle_libraries(library: Path, directories: Sequence[Path]) -> dict[str, Pa
     return needed
 
 
+@cache
 def licence_of(name: str, library: Path) -> Path | None:
     """The licence text that Debian keeps of the package a library comes from; ``None`` where there is none.
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from fmpy import simulate_fmu
 from mechanics_simulation import ROOT
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
@@ -116,18 +116,19 @@ end SlidingBench;
 """
 
 
-def run(text: str, folder: Path, names: tuple[str, ...]) -> Any:
+def run(text: str, folder: Path, cache: Path, names: tuple[str, ...]) -> Any:
     name = text.split()[1]
     file = folder / f"{name}.mo"
     file.write_text(text)
-    report = build_fmu(name, [file, ROOT / "ContactMultiBody"], folder / f"{name}.fmu")
+    sources, options = [file, ROOT / "ContactMultiBody"], BuildOptions(cache=cache)
+    report = build_fmu(name, sources, folder / f"{name}.fmu", options)
     return simulate_fmu(
         str(report.fmu), stop_time=1.0, relative_tolerance=1e-10, output_interval=0.005, output=list(names)
     )
 
 
 @pytest.fixture(scope="module")
-def rotating(tmp_path_factory: pytest.TempPathFactory) -> Any:
+def rotating(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Any:
     wheels = ("positioned", "turned", "held", "weakly", "tracked", "spun", "started", "rubbed", "steered", "sprung")
     names = [
         f"{wheel}.{value}" for wheel in (*wheels, "slowed", "braked", "rotor", "housing") for value in ("phi", "w")
@@ -147,15 +148,15 @@ def rotating(tmp_path_factory: pytest.TempPathFactory) -> Any:
     )
     names += [f"{drive}.{value}" for drive in drives for value in ("phi", "w", "tau")]
     names += [f"{motor}.i" for motor in ("free", "limited", "rubbing", "stalled", "cut")]
-    return run(ROTATING, tmp_path_factory.mktemp("rotating"), tuple(names))
+    return run(ROTATING, tmp_path_factory.mktemp("rotating"), fmu_cache, tuple(names))
 
 
 @pytest.fixture(scope="module")
-def sliding(tmp_path_factory: pytest.TempPathFactory) -> Any:
+def sliding(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Any:
     slides = ("positioned", "pushed", "held", "spun", "steered", "bouncing", "damped", "braked", "sprung", "measured")
     names = [f"{slide}.{value}" for slide in slides for value in ("s", "v")]
     names += ["stalled.f", "stalled.i", "stalled.s", "elastic.depth", "force.f", "sensor.s", "sensor.v", "sensor.f"]
-    return run(SLIDING, tmp_path_factory.mktemp("sliding"), tuple(names))
+    return run(SLIDING, tmp_path_factory.mktemp("sliding"), fmu_cache, tuple(names))
 
 
 def oscillation(time: np.ndarray, frequency: float, ratio: float) -> np.ndarray:

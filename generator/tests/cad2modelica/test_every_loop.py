@@ -19,7 +19,7 @@ from constrained_bodies import ConstrainedBodies
 from fmpy import simulate_fmu
 from loop_mechanisms import GROUPS, Mechanism, body, concurrent, reach
 from mechanics_simulation import ROOT
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
 
 TIMES = np.linspace(0.0, 0.4, 5)
 KINDS = [(group, name) for group, mechanisms in GROUPS.items() for name in mechanisms]
@@ -40,13 +40,14 @@ class Simulated:
         return origin, turn.transpose(2, 1, 0)
 
 
-def simulated_group(group: str, folder: Path) -> Simulated:
+def simulated_group(group: str, folder: Path, cache: Path) -> Simulated:
     mechanisms = GROUPS[group].values()
     parts = [text for mechanism in mechanisms for text in mechanism.parts]
     joints = [text for mechanism in mechanisms for text in mechanism.joints]
     file = write_assembly(folder / "loops.xml", parts, joints, name=f"{group} loops")
     package = generate(file, folder / "out")
-    fmu = build_fmu(package.mechanics, [package.root, ROOT / "ContactMultiBody"], folder / "loops.fmu").fmu
+    sources, options = [package.root, ROOT / "ContactMultiBody"], BuildOptions(cache=cache)
+    fmu = build_fmu(package.mechanics, sources, folder / "loops.fmu", options).fmu
     bodies = json.loads(package.scene.read_text())["bodies"]
     variables = {body["label"]: body["variable"] for body in bodies}
     names = [f"{variable}.frame_a.r_0[{k}]" for variable in variables.values() for k in (1, 2, 3)]
@@ -62,14 +63,15 @@ def simulated_group(group: str, folder: Path) -> Simulated:
 class SimulatedGroups:
     """Groups, each built once, when the first of its mechanisms is looked at; what failed is not tried again."""
 
-    def __init__(self, factory: pytest.TempPathFactory) -> None:
+    def __init__(self, factory: pytest.TempPathFactory, cache: Path) -> None:
         self._factory = factory
+        self._cache = cache
         self._found: dict[str, Simulated | Exception] = {}
 
     def __getitem__(self, group: str) -> Simulated:
         if group not in self._found:
             try:
-                self._found[group] = simulated_group(group, self._factory.mktemp(group))
+                self._found[group] = simulated_group(group, self._factory.mktemp(group), self._cache)
             except Exception as error:
                 self._found[group] = error
         found = self._found[group]
@@ -79,8 +81,8 @@ class SimulatedGroups:
 
 
 @pytest.fixture(scope="module")
-def groups(tmp_path_factory: pytest.TempPathFactory) -> SimulatedGroups:
-    return SimulatedGroups(tmp_path_factory)
+def groups(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> SimulatedGroups:
+    return SimulatedGroups(tmp_path_factory, fmu_cache)
 
 
 @pytest.mark.parametrize(("group", "name"), KINDS)

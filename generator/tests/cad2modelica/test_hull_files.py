@@ -138,12 +138,12 @@ def test_a_file_of_ones_own_is_not_written_over(tmp_path: Path, link: bool) -> N
 
 
 @pytest.mark.skipif(not ENGINE.is_file(), reason="the contact engine is not installed")
-def test_fmu_runs_without_the_package(tmp_path: Path) -> None:
+def test_fmu_runs_without_the_package(tmp_path: Path, fmu_cache: Path) -> None:
     """The frustum rests on its face of seven corners, as deep as stiffness and weight say."""
     package = generate(write_frustum(tmp_path / "cad", -1000 * 9.81 / 1e5), tmp_path / "made" / "out")
     assert (package.root / FOLDER / "foot-1.stl").is_file()
     fmu = tmp_path / "stand.fmu"
-    core = BuildOptions(msl=ROOT / "Resources" / "MultiBodyCore")
+    core = BuildOptions(msl=ROOT / "Resources" / "MultiBodyCore", cache=fmu_cache)
     build_fmu(package.mechatronics, [package.root, LIBRARY], fmu, core)
     moved = tmp_path / "another place"
     moved.mkdir()

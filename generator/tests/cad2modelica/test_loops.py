@@ -19,7 +19,7 @@ from cad2modelica.spherical_axes import with_spherical_axes
 from cmb_base.errors import InputError
 from fmpy import simulate_fmu
 from mechanics_simulation import ROOT
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
 
 FIXTURE = Path(__file__).parent / "fixtures" / "two_loops.xml"
 ACROSS = (0, 1, 0)
@@ -52,10 +52,11 @@ class Motion:
         return np.asarray(kinetic + mass * 9.81 * height)
 
 
-def moved(file: Path, folder: Path, bodies: Sequence[str], stop: float) -> Motion:
+def moved(file: Path, folder: Path, cache: Path, bodies: Sequence[str], stop: float) -> Motion:
     """Generates, builds and simulates."""
     package = generate(file, folder / "out")
-    fmu = build_fmu(package.mechatronics, [package.root, ROOT / "ContactMultiBody"], folder / "model.fmu").fmu
+    sources, options = [package.root, ROOT / "ContactMultiBody"], BuildOptions(cache=cache)
+    fmu = build_fmu(package.mechatronics, sources, folder / "model.fmu", options).fmu
     names = [f"{body}.frame_a.r_0[{i}]" for body in bodies for i in (1, 2, 3)]
     names += [f"{body}.frame_a.R.T[{i},{j}]" for body in bodies for i in (1, 2, 3) for j in (1, 2, 3)]
     names += [f"{body}.{value}[{i}]" for body in bodies for value in ("v_0", "w_a") for i in (1, 2, 3)]
@@ -90,8 +91,8 @@ def test_eight_bodies_and_nine_joints_have_two_cut_joints(tmp_path: Path) -> Non
     assert text.count("Joints.RevolutePlanarLoopConstraint ") == 2
 
 
-def test_two_loops_that_share_bodies_stay_closed(tmp_path: Path) -> None:
-    motion = moved(FIXTURE, tmp_path, ["crank", "coupler", "rocker", "link", "lever", "hand"], 0.5)
+def test_two_loops_that_share_bodies_stay_closed(tmp_path: Path, fmu_cache: Path) -> None:
+    motion = moved(FIXTURE, tmp_path, fmu_cache, ["crank", "coupler", "rocker", "link", "lever", "hand"], 0.5)
     points = {name: np.array(value) for name, value in make_two_loops.POINTS.items()}
     joints = [
         ("coupler", "b", "rocker", "d", "c"),
@@ -125,7 +126,7 @@ def spatial_crank(first: str, axes: dict[str, Any]) -> tuple[list[str], list[str
     return parts, joints
 
 
-def test_loop_with_two_spherical_joints_stays_closed_and_keeps_its_energy(tmp_path: Path) -> None:
+def test_loop_with_two_spherical_joints_stays_closed_and_keeps_its_energy(tmp_path: Path, fmu_cache: Path) -> None:
     """Two freedoms: the crank's turn, and the spin of the coupler about its own line, which the model can start."""
     file = write_assembly(tmp_path / "rssr.xml", *spatial_crank("spherical", {}), name="Rssr")
     tree, loops = analysed(file)
@@ -133,7 +134,7 @@ def test_loop_with_two_spherical_joints_stays_closed_and_keeps_its_energy(tmp_pa
     assert loops.planar_constraints == frozenset()
     assert loops.freedoms == 2
     # Shortly after 0.5 s the crank, whose angle is the state, stands in a dead centre.
-    motion = moved(file, tmp_path, ["crank", "coupler", "rocker"], 0.4)
+    motion = moved(file, tmp_path, fmu_cache, ["crank", "coupler", "rocker"], 0.4)
     gap = motion.point("coupler", (0.3, 0.2, 0.05)) - motion.point("rocker", (0, 0.1, 0.1))
     assert np.abs(gap).max() < 1e-8
     assert np.abs(motion.point("coupler", (-0.2, -0.1, -0.05)) - motion.point("crank", (0.05, 0, 0.05))).max() < 1e-8
@@ -143,7 +144,7 @@ def test_loop_with_two_spherical_joints_stays_closed_and_keeps_its_energy(tmp_pa
     assert np.abs(energy - energy[0]).max() < 1e-5
 
 
-def test_planar_loop_beside_a_spatial_one(tmp_path: Path) -> None:
+def test_planar_loop_beside_a_spatial_one(tmp_path: Path, fmu_cache: Path) -> None:
     """A four-bar linkage whose rocker moves a lever in another plane: one planar constraint, one cut in space."""
     parts = [
         part("crank"),
@@ -167,13 +168,13 @@ def test_planar_loop_beside_a_spatial_one(tmp_path: Path) -> None:
     assert [joint.name for joint in tree.cut_joints] == ["j4", "s"]
     assert loops.freedoms == 1
     assert loops.rates["j1"] == (1.0,)
-    motion = moved(file, tmp_path, ["coupler", "rocker", "link", "lever"], 0.5)
+    motion = moved(file, tmp_path, fmu_cache, ["coupler", "rocker", "link", "lever"], 0.5)
     assert np.abs(motion.point("coupler", (1.1, 0, 0.1)) - motion.point("rocker", (0.1, 0, 0.4))).max() < 1e-8
     assert np.abs(motion.point("link", (0.5, 0.3, 0)) - motion.point("lever", (0, 0, 0.3))).max() < 1e-8
     assert np.ptp(motion.point("lever", (0, 0, 0.3)), axis=0).max() > 0.005
 
 
-def test_loops_planar_through_fixed_rotations_and_parallelogram(tmp_path: Path) -> None:
+def test_loops_planar_through_fixed_rotations_and_parallelogram(tmp_path: Path, fmu_cache: Path) -> None:
     """A slider-crank whose rod is welded from two turned parts, and a parallelogram; both in one model."""
     parts = [
         part("crank"),
@@ -199,7 +200,7 @@ def test_loops_planar_through_fixed_rotations_and_parallelogram(tmp_path: Path) 
     _, loops = analysed(file)
     assert loops.planar_constraints == {"eye", "r1"}
     assert loops.freedoms == 2
-    motion = moved(file, tmp_path, ["rod", "slider", "top", "right"], 0.5)
+    motion = moved(file, tmp_path, fmu_cache, ["rod", "slider", "top", "right"], 0.5)
     assert np.abs(motion.point("rod", (0.3, 0, -0.05)) - motion.point("slider", (0, 0, 0))).max() < 1e-8
     assert np.abs(motion.point("top", (1.1, 0, 0)) - motion.point("right", (0.1, 0, -0.3))).max() < 1e-8
     level = motion.point("top", (1, 0, 0)) - motion.point("top", (0, 0, 0))

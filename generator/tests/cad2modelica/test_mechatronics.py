@@ -11,7 +11,7 @@ from assembly_text import joint, part, write_assembly
 from cad2modelica import generate
 from fmpy import read_model_description, simulate_fmu
 from mechanics_simulation import ROOT
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
 
 ACTUATORS = """
 [[actuator]]
@@ -39,7 +39,7 @@ OUTPUTS = ["shoulderAngle", "shoulderTorque", "elbowAngle", "elbowTorque", "spin
 
 
 @pytest.fixture(scope="module")
-def fmu(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def fmu(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Path:
     """An arm of two links, a nut on a vertical spindle, and a sled; each joint driven in another way."""
     folder = tmp_path_factory.mktemp("mechatronics")
     inertia = (0.02, 0.03, 0.04)
@@ -58,7 +58,8 @@ def fmu(tmp_path_factory: pytest.TempPathFactory) -> Path:
     file = write_assembly(folder / "robot.xml", parts, joints, name="Robot")
     (folder / "actuators.toml").write_text(ACTUATORS)
     package = generate(file, folder / "out")
-    return build_fmu(package.mechatronics, [package.root, ROOT / "ContactMultiBody"], folder / "robot.fmu").fmu
+    sources, options = [package.root, ROOT / "ContactMultiBody"], BuildOptions(cache=fmu_cache)
+    return build_fmu(package.mechatronics, sources, folder / "robot.fmu", options).fmu
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ import pytest
 from cad2modelica import GenerateOptions, generate, read_assembly
 from fmpy import simulate_fmu
 from mechanics_simulation import ROOT
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
 from scipy.integrate import solve_ivp
 
 GRAVITY = 9.81
@@ -93,10 +93,11 @@ EFFORTS = {
 }
 
 
-def test_joints_follow_and_share_their_forces(tmp_path: Path) -> None:
+def test_joints_follow_and_share_their_forces(tmp_path: Path, fmu_cache: Path) -> None:
     """All four pairs of kinds, and one that follows a follower."""
     package = generate(coupled(tmp_path), tmp_path / "out")
-    fmu = build_fmu(package.mechatronics, [package.root, ROOT / "ContactMultiBody"], tmp_path / "robot.fmu").fmu
+    sources, options = [package.root, ROOT / "ContactMultiBody"], BuildOptions(cache=fmu_cache)
+    fmu = build_fmu(package.mechatronics, sources, tmp_path / "robot.fmu", options).fmu
     groups = (ARMS | CHAIN, LIFTS)
     letters = {
         name: "s" if kind in ("lift", "sled") else "phi" for group in groups for name, (_, kind, *_) in group.items()

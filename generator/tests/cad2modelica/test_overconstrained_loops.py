@@ -18,7 +18,7 @@ from cad2modelica.spatial import Pose, rotation_about
 from cmb_base.errors import InputError
 from fmpy import simulate_fmu
 from mechanics_simulation import ROOT
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
 from scipy.linalg import expm
 
 GRAVITY = 9.81
@@ -355,7 +355,7 @@ BODIES = {
 
 
 @pytest.fixture(scope="module")
-def simulated(tmp_path_factory: pytest.TempPathFactory) -> Simulated:
+def simulated(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Simulated:
     """All movable mechanisms of this file in one model: one FMU to build."""
     folder = tmp_path_factory.mktemp("overconstrained")
     mechanisms = (bennett(), bricard(), sarrus(), three_cranks(), spindle(), flap(), lid(), guided_ball())
@@ -366,7 +366,8 @@ def simulated(tmp_path_factory: pytest.TempPathFactory) -> Simulated:
     text = (package.root / "Mechanics.mo").read_text()
     # The lid's ball has nothing to hold.
     assert text.count("ContactMultiBody.Joints.LoopClosure ") == len(mechanisms) - 1
-    fmu = build_fmu(package.mechanics, [package.root, ROOT / "ContactMultiBody"], folder / "linkages.fmu").fmu
+    sources, options = [package.root, ROOT / "ContactMultiBody"], BuildOptions(cache=fmu_cache)
+    fmu = build_fmu(package.mechanics, sources, folder / "linkages.fmu", options).fmu
     bodies = [body for group in BODIES.values() for body in group]
     names = [f"{body}.{vector}[{k}]" for body in bodies for vector in ("frame_a.r_0", "v_0", "w_a") for k in (1, 2, 3)]
     names += [f"{body}.frame_a.R.T[{i},{j}]" for body in bodies for i in (1, 2, 3) for j in (1, 2, 3)]

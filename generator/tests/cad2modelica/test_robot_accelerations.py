@@ -42,13 +42,13 @@ class Motion:
     acceleration: np.ndarray
 
 
-def fall(file: Path, joints: list[str], folder: Path, options: GenerateOptions) -> Motion:
+def fall(file: Path, joints: list[str], folder: Path, cache: Path, options: GenerateOptions) -> Motion:
     """Generates a robot, builds its mechanics as an FMU, and lets it fall from joint position zero."""
     assembly = read_assembly(file)
     kinds = {joint.name: joint.type for joint in assembly.joints}
     package = generate(file, folder / "package", options)
     sources = [package.root, ROOT / "ContactMultiBody"]
-    report = build_fmu(package.mechanics, sources, folder / "robot.fmu", BuildOptions(msl=core_subset()))
+    report = build_fmu(package.mechanics, sources, folder / "robot.fmu", BuildOptions(msl=core_subset(), cache=cache))
     names = [NamePool().instance(name) for name in joints]
     turning = [kinds[name] is JointType.REVOLUTE for name in joints]
     output = [f"{name}.{'phi' if turns else 's'}" for name, turns in zip(names, turning, strict=True)]
@@ -68,7 +68,7 @@ def fall(file: Path, joints: list[str], folder: Path, options: GenerateOptions) 
     return Motion(*np.split(rows, 3, axis=1))
 
 
-def test_double_pendulum_falls_as_its_mass_matrix_says(tmp_path: Path) -> None:
+def test_double_pendulum_falls_as_its_mass_matrix_says(tmp_path: Path, fmu_cache: Path) -> None:
     file = tmp_path / "pendulum.urdf"
     file.write_text(PENDULUM)
     # Both links lie along x: M a = Q with moments about the axes y.
@@ -77,7 +77,7 @@ def test_double_pendulum_falls_as_its_mass_matrix_says(tmp_path: Path) -> None:
     mass = [[0.02 + 0.25**2 + 0.01 + 0.7 * far**2, coupling], [coupling, 0.01 + 0.7 * 0.2**2]]
     expected = np.linalg.solve(mass, [9.81 * (0.25 + 0.7 * far), 9.81 * 0.7 * 0.2])
     np.testing.assert_allclose(
-        fall(file, ["r1", "r2"], tmp_path, GenerateOptions()).acceleration[0], expected, rtol=1e-6
+        fall(file, ["r1", "r2"], tmp_path, fmu_cache, GenerateOptions()).acceleration[0], expected, rtol=1e-6
     )
 
 
@@ -91,7 +91,7 @@ def without_geometry_and_friction(file: Path, target: Path) -> Path:
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_robot_in_circulation_falls_as_pinocchio_says(tmp_path: Path, name: str) -> None:
+def test_robot_in_circulation_falls_as_pinocchio_says(tmp_path: Path, fmu_cache: Path, name: str) -> None:
     """At the start and on the way: Pinocchio's accelerations at the FMU's own coordinates and rates."""
     if "CMB_ROBOTS" not in os.environ:
         pytest.skip("CMB_ROBOTS names no folder of robot descriptions")
@@ -106,7 +106,7 @@ def test_robot_in_circulation_falls_as_pinocchio_says(tmp_path: Path, name: str)
     assert all(joint.nv == 1 for joint in joints)
     held = tuple(part.name for part in read_assembly(file).parts if part.name == model.frames[1].name)
     # Pinocchio lets joints move by themselves that are to follow others.
-    motion = fall(file, names, tmp_path, GenerateOptions(ground=held, couple=False))
+    motion = fall(file, names, tmp_path, fmu_cache, GenerateOptions(ground=held, couple=False))
     data = model.createData()
     for position, speed, found in zip(motion.position, motion.speed, motion.acceleration, strict=True):
         q, v, a = pinocchio.neutral(model), np.zeros(model.nv), np.zeros(model.nv)

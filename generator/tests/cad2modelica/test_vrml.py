@@ -314,7 +314,8 @@ def test_damaged_text_never_fails_unexpectedly(data: st.DataObject, tmp_path_fac
     piece = data.draw(
         st.sampled_from(["", "{", "}", "[", "]", '"', "DEF", "USE x", "-", "1e999", "TRUE", "\x00", "é", "#"])
     )
-    folder = tmp_path_factory.mktemp("damaged")
+    folder = tmp_path_factory.getbasetemp() / "damaged"
+    folder.mkdir(exist_ok=True)
     file = folder / "scene.wrl"
     file.write_text(text[:position] + piece + text[position + length :])
     with contextlib.suppress(InputError):

@@ -17,11 +17,18 @@ Packager = Callable[[ModelDescription, str], Path]
 
 
 @pytest.fixture(scope="session")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Packager:
+def objects(fmu_cache: Path) -> Path:
+    """Objects of the runtime, kept for all FMUs that are not about how it is compiled."""
+    return fmu_cache / "objects"
+
+
+@pytest.fixture(scope="session")
+def package(tmp_path_factory: pytest.TempPathFactory, objects: Path) -> Packager:
     """Packages a fixture by its description and the name of its C file."""
 
     def build(description: ModelDescription, name: str) -> Path:
-        return package_fmu(description, models.source(name), tmp_path_factory.mktemp("fmu") / f"{name}.fmu")
+        target = tmp_path_factory.mktemp("fmu") / f"{name}.fmu"
+        return package_fmu(description, models.source(name), target, objects_folder=objects)
 
     return build
 
@@ -71,12 +78,13 @@ def guarded(package: Packager, external_code: ExternalCode) -> Path:
 
 
 @pytest.fixture(scope="session")
-def package3(tmp_path_factory: pytest.TempPathFactory) -> Packager:
+def package3(tmp_path_factory: pytest.TempPathFactory, objects: Path) -> Packager:
     """The same for FMI 3.0."""
 
     def build(description: ModelDescription, name: str) -> Path:
         target = tmp_path_factory.mktemp("fmu3") / f"{name}.fmu"
-        return package_fmu(description, models.source(name), target, version=FmiVersion.FMI3)
+        source = models.source(name)
+        return package_fmu(description, source, target, version=FmiVersion.FMI3, objects_folder=objects)
 
     return build
 

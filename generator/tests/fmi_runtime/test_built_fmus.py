@@ -42,11 +42,11 @@ GRAVITY, MASS, RADIUS, STIFFNESS = 9.81, 1.0, 0.1, 1e6
 
 
 @pytest.fixture(scope="session", params=list(FmiVersion), ids=lambda version: f"fmi{version}")
-def ball_on_floor(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def ball_on_floor(request: pytest.FixtureRequest, fmu_cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     if not any((LIBRARY / "Resources" / "Library").glob("*/libContactMultiBody.a")):
         pytest.skip("the contact engine is not built; run scripts/setup")
     target = tmp_path_factory.mktemp("ball") / "ball.fmu"
-    report = build_fmu(MODEL, [LIBRARY], target, BuildOptions(fmi=request.param))
+    report = build_fmu(MODEL, [LIBRARY], target, BuildOptions(fmi=request.param, cache=fmu_cache))
     assert report.fmi == request.param
     return report.fmu
 

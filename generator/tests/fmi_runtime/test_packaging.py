@@ -157,7 +157,7 @@ def test_the_documentation_shows_what_can_be_set(oscillator: Path) -> None:
     assert "frequency" not in texts
 
 
-def test_licences_of_bundled_debian_libraries_come_along(tmp_path: Path) -> None:
+def test_licences_of_bundled_debian_libraries_come_along(tmp_path: Path, objects: Path) -> None:
     """A copy that lies outside the package's folder is recognized by its name."""
     system = Path("/usr/lib/x86_64-linux-gnu/libccd.so.2")
     if not system.exists():
@@ -166,15 +166,17 @@ def test_licences_of_bundled_debian_libraries_come_along(tmp_path: Path) -> None
     (tmp_path / "libccd.so").symlink_to("libccd.so.2")
     external = ExternalCode(libraries=("ccd",), library_directories=(tmp_path,))
     source = broken_source("void ccdVec3PointSegmentDist2(void);" + USED + "{ ccdVec3PointSegmentDist2(); }\n")
-    fmu = package_fmu(replace(models.OSCILLATOR, external=external), source, tmp_path / "o.fmu")
+    model = replace(models.OSCILLATOR, external=external)
+    fmu = package_fmu(model, source, tmp_path / "o.fmu", objects_folder=objects)
     with zipfile.ZipFile(fmu) as archive:
         assert "binaries/linux64/libccd.so.2" in archive.namelist()
         assert b"Fiser" in archive.read("documentation/licenses/libccd.so.2.txt")
 
 
-def test_solver_defaults_reach_the_fmu(tmp_path: Path) -> None:
+def test_solver_defaults_reach_the_fmu(tmp_path: Path, objects: Path) -> None:
     options = SolverOptions(relative_tolerance=1e-4, absolute_tolerance=1e-9, maximum_step=0.25)
-    fmu = package_fmu(models.OSCILLATOR, models.source("oscillator"), tmp_path / "o.fmu", options=options)
+    source = models.source("oscillator")
+    fmu = package_fmu(models.OSCILLATOR, source, tmp_path / "o.fmu", options=options, objects_folder=objects)
     starts = {v.name: v.start for v in read_model_description(str(fmu)).modelVariables if "cmbSolver" in v.name}
     assert [float(starts[f"cmbSolver.{n}"]) for n in ("relativeTolerance", "absoluteTolerance", "maximumStep")] == [
         1e-4, 1e-9, 0.25,
@@ -187,11 +189,11 @@ def test_special_characters_stay_what_they_are(oscillator: Path) -> None:
     assert root.find(".//ScalarVariable[@name='s']").get("description") == 'Position "s" <&>'
 
 
-def test_resources_are_packed(tmp_path: Path) -> None:
+def test_resources_are_packed(tmp_path: Path, objects: Path) -> None:
     data = tmp_path / "table.txt"
     data.write_text("1 2 3", encoding="ascii")
     description = replace(models.OSCILLATOR, resources=(Resource(data, "tables/table.txt"),))
-    fmu = package_fmu(description, models.source("oscillator"), tmp_path / "o.fmu")
+    fmu = package_fmu(description, models.source("oscillator"), tmp_path / "o.fmu", objects_folder=objects)
     with zipfile.ZipFile(fmu) as archive:
         assert archive.read("resources/tables/table.txt") == b"1 2 3"
 
@@ -234,12 +236,17 @@ def variables_with(**change: object) -> tuple[object, ...]:
     ],
 )  # fmt: skip
 def test_what_cannot_be_packaged_says_why_and_leaves_nothing(
-    description: ModelDescription, sources: list[GeneratedSource], error: type[CmbError], text: str, tmp_path: Path
+    description: ModelDescription,
+    sources: list[GeneratedSource],
+    error: type[CmbError],
+    text: str,
+    tmp_path: Path,
+    objects: Path,
 ) -> None:
     output = tmp_path / "o.fmu"
     output.write_bytes(b"what was there before")
     with pytest.raises(error, match=text):
-        package_fmu(description, sources, output)
+        package_fmu(description, sources, output, objects_folder=objects)
     assert [path.name for path in tmp_path.iterdir()] == ["o.fmu"]
     assert output.read_bytes() == b"what was there before"
 
@@ -256,7 +263,7 @@ def test_a_missing_compiler_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyP
         package_fmu(models.OSCILLATOR, models.source("oscillator"), tmp_path / "o.fmu")
 
 
-def test_shared_libraries_that_report_errors_are_refused(tmp_path: Path) -> None:
+def test_shared_libraries_that_report_errors_are_refused(tmp_path: Path, objects: Path) -> None:
     """ModelicaError is not visible outside the FMU's library: only static libraries can call it."""
     source = tmp_path / "loud.c"
     source.write_text('void ModelicaError(const char *);\nvoid loud(void) { ModelicaError("no"); }\n', encoding="ascii")
@@ -264,8 +271,9 @@ def test_shared_libraries_that_report_errors_are_refused(tmp_path: Path) -> None
     description = replace(
         models.OSCILLATOR, external=ExternalCode(libraries=("loud",), library_directories=(tmp_path,))
     )
+    caller = broken_source("void loud(void);" + USED + "{ loud(); }\n")
     with pytest.raises(BuildError, match=r"libloud\.so calls ModelicaError,"):
-        package_fmu(description, broken_source("void loud(void);" + USED + "{ loud(); }\n"), tmp_path / "o.fmu")
+        package_fmu(description, caller, tmp_path / "o.fmu", objects_folder=objects)
 
 
 @pytest.mark.parametrize(
@@ -287,6 +295,6 @@ def test_the_naming_convention_is_the_one_that_holds(name: str, convention: str)
     assert etree.fromstring(fmi2_description(description)).get("variableNamingConvention") == convention
 
 
-def test_external_code_finds_the_usual_constants(tmp_path: Path) -> None:
+def test_external_code_finds_the_usual_constants(tmp_path: Path, objects: Path) -> None:
     source = broken_source("double half_turn(void);\ndouble half_turn(void) { return M_PI; }\n")
-    assert package_fmu(models.OSCILLATOR, source, tmp_path / "o.fmu").is_file()
+    assert package_fmu(models.OSCILLATOR, source, tmp_path / "o.fmu", objects_folder=objects).is_file()

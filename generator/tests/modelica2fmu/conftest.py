@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from fmpy import simulate_fmu
-from modelica2fmu.build import BuildReport, Translation, build_fmu, translate
+from modelica2fmu.build import BuildOptions, BuildReport, Translation, build_fmu, translate
 from modelica2fmu.standard_library import StandardLibrary, core_subset
 
 Builder = Callable[[str], BuildReport]
@@ -36,7 +36,7 @@ def write_model(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Pat
 
 
 @pytest.fixture(scope="session")
-def build(tmp_path_factory: pytest.TempPathFactory, write_model: Callable[[str], Path]) -> Builder:
+def build(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path, write_model: Callable[[str], Path]) -> Builder:
     """Builds the FMU of a text; the same text is built once."""
     reports: dict[str, BuildReport] = {}
 
@@ -44,7 +44,7 @@ def build(tmp_path_factory: pytest.TempPathFactory, write_model: Callable[[str],
         key = hashlib.sha256(text.encode()).hexdigest()
         if key not in reports:
             output = tmp_path_factory.mktemp("fmu") / "model.fmu"
-            reports[key] = build_fmu(model_name(text), [write_model(text)], output)
+            reports[key] = build_fmu(model_name(text), [write_model(text)], output, BuildOptions(cache=fmu_cache))
         return reports[key]
 
     return run

@@ -87,11 +87,11 @@ def library_folder() -> Path | None:
     return None if library.origin == "core subset" else library.folder
 
 
-def attempt(model: str, library: Path, folder: Path) -> Outcome:
+def attempt(model: str, library: Path, folder: Path, cache: Path | None = None) -> Outcome:
     """Builds and simulates an example; files go to ``folder``."""
     fmu = folder / "model.fmu"
     try:
-        report = build_fmu(model, [library / "Modelica"], fmu, BuildOptions(msl=library))
+        report = build_fmu(model, [library / "Modelica"], fmu, BuildOptions(msl=library, cache=cache))
     except CmbError as error:
         by = "front end" if isinstance(error.__cause__, rumoca.RumocaError) else "builder"
         return Outcome(model, by, f"{error.message.splitlines()[0]}")

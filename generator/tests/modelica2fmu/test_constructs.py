@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from cmb_base.errors import InputError
 from fmpy import simulate_fmu
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
 
 DOCUMENTATION = Path(__file__).resolve().parents[3] / "docs" / "fmu-builder.md"
 
@@ -26,12 +26,12 @@ def written(case, folder: Path) -> Path:
 
 @pytest.mark.parametrize("fmi_type", ["ModelExchange", "CoSimulation"])
 @pytest.mark.parametrize("case", table.COVERED, ids=lambda case: case.name)
-def test_constructs_compute_their_closed_forms(case, fmi_type, tmp_path_factory):
+def test_constructs_compute_their_closed_forms(case, fmi_type, fmu_cache, tmp_path_factory):
     folder = tmp_path_factory.getbasetemp() / f"constructs-{case.name}"
     fmu = folder / "model.fmu"
     if not fmu.exists():
         folder.mkdir(exist_ok=True)
-        build_fmu(f"Constructs.{case.name}", [written(case, folder)], fmu)
+        build_fmu(f"Constructs.{case.name}", [written(case, folder)], fmu, BuildOptions(cache=fmu_cache))
     names = [name for name, _ in case.expected.values()]
     grid = np.arange(0.05, 2.0, 0.05) + 1e-3  # beside the events, which are at multiples of 0.025 and 1/3
     result = simulate_fmu(

@@ -16,8 +16,9 @@ from modelica2fmu.unit_vectors import unit_vectors
 MODELS = Path(__file__).resolve().parents[3] / "Resources" / "reference" / "ReferenceModels.mo"
 
 
-def minute(model: str, names: list[str], folder: Path, tolerance: float, kind: str):
-    report = build_fmu(f"ReferenceModels.{model}", [MODELS], folder / "m.fmu", BuildOptions(msl=core_subset()))
+def minute(model: str, names: list[str], folder: Path, cache: Path, tolerance: float, kind: str):
+    options = BuildOptions(msl=core_subset(), cache=cache)
+    report = build_fmu(f"ReferenceModels.{model}", [MODELS], folder / "m.fmu", options)
     return simulate_fmu(
         str(report.fmu), fmi_type=kind, stop_time=60.0, relative_tolerance=tolerance, output=names,
         output_interval=0.05,
@@ -28,9 +29,9 @@ KINDS = ["CoSimulation", "ModelExchange"]
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_loop_of_a_four_bar_stays_closed(tmp_path, kind):
+def test_loop_of_a_four_bar_stays_closed(tmp_path, fmu_cache, kind):
     """Crank and coupler end where ground and rocker end, by the joints' angles alone."""
-    result = minute("PlanarFourBar", ["j1.phi", "j2.phi", "j4.phi"], tmp_path, 1e-6, kind)
+    result = minute("PlanarFourBar", ["j1.phi", "j2.phi", "j4.phi"], tmp_path, fmu_cache, 1e-6, kind)
     crank, coupler = result["j1.phi"], result["j1.phi"] + result["j2.phi"]
     chain = 0.2 * np.exp(1j * crank) + 0.5 * np.exp(1j * coupler)
     assert np.ptp(crank) > 0.5  # it moves
@@ -39,19 +40,19 @@ def test_loop_of_a_four_bar_stays_closed(tmp_path, kind):
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-8])
-def test_quaternion_of_a_tumbling_body_keeps_its_length(tmp_path, tolerance, kind):
+def test_quaternion_of_a_tumbling_body_keeps_its_length(tmp_path, fmu_cache, tolerance, kind):
     """Also where an importer integrates and interpolates: what is shown is the state over its length."""
     names = [f"body.Q[{number}]" for number in (1, 2, 3, 4)]
-    result = minute("TumblingBody", names, tmp_path, tolerance, kind)
+    result = minute("TumblingBody", names, tmp_path, fmu_cache, tolerance, kind)
     quaternion = np.array([result[name] for name in names])
     assert np.abs(np.linalg.norm(quaternion, axis=0) - 1).max() < 1e-12
     assert np.ptp(quaternion, axis=1).min() > 0.5  # it tumbles
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_what_is_integrated_for_a_quaternion_does_not_drift_away(tmp_path, kind):
+def test_what_is_integrated_for_a_quaternion_does_not_drift_away(tmp_path, fmu_cache, kind):
     names = [f"body.Q_integrated[{number}]" for number in (1, 2, 3, 4)]
-    result = minute("TumblingBody", names, tmp_path, 1e-6, kind)
+    result = minute("TumblingBody", names, tmp_path, fmu_cache, 1e-6, kind)
     length = np.linalg.norm([result[name] for name in names], axis=0)
     assert 0 < np.abs(length - 1).max() < 1e-4  # a few hundred times the tolerance, of a body that turns fast
 

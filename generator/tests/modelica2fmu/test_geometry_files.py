@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from cmb_base.errors import InputError
 from fmpy import simulate_fmu
-from modelica2fmu.build import build_fmu, translate
+from modelica2fmu.build import BuildOptions, build_fmu, translate
 from modelica2fmu.standard_library import StandardLibrary, core_subset, find_standard_library
 
 LIBRARY = Path(__file__).parents[3] / "ContactMultiBody"
@@ -59,10 +59,10 @@ def package(folder: Path, function: str, file: str) -> Path:
     return parts
 
 
-def test_fmu_carries_its_mesh(tmp_path: Path) -> None:
+def test_fmu_carries_its_mesh(tmp_path: Path, fmu_cache: Path) -> None:
     parts = package(tmp_path / "models", "meshFile", "modelica://MeshDemo/Resources/my cube.obj")
     output = tmp_path / "cube.fmu"
-    build_fmu("MeshDemo.Cube", [parts, LIBRARY], output)
+    build_fmu("MeshDemo.Cube", [parts, LIBRARY], output, BuildOptions(cache=fmu_cache))
     shutil.rmtree(parts)
     result = simulate_fmu(str(output), stop_time=1.0, fmi_type="CoSimulation", output=["cube.r_0[3]"])
     assert result["cube.r_0[3]"][-1] == pytest.approx(0.05 - 9.81e-5, abs=1e-8)

@@ -128,14 +128,15 @@ def test_annotations_that_make_no_sense_give_no_icon_or_an_empty_one(tmp_path, t
 @pytest.mark.parametrize(
     ("version", "place"), [(FmiVersion.FMI2, "model.png"), (FmiVersion.FMI3, "terminalsAndIcons/icon.png")]
 )
-def test_fmus_show_the_model_s_icon_or_the_default(tmp_path, version, place):
+def test_fmus_show_the_model_s_icon_or_the_default(tmp_path, fmu_cache, version, place):
     body = "Real x(start = 1, fixed = true);\nequation\n der(x) = -x;"
     shape = f"Ellipse(extent={{{{-50,-50}},{{50,50}}}}, fillColor={{0,0,255}}, {FILLED})"
     (tmp_path / "A.mo").write_text(f"model A\n{body}\n annotation (Icon(graphics={{{shape}}}));\nend A;\n")
     (tmp_path / "B.mo").write_text(f"model B\n{body}\nend B;\n")
     images = {}
+    options = BuildOptions(fmi=version, cache=fmu_cache)
     for name in ("A", "B"):
-        build_fmu(name, [tmp_path / f"{name}.mo"], tmp_path / f"{name}.fmu", BuildOptions(fmi=version))
+        build_fmu(name, [tmp_path / f"{name}.mo"], tmp_path / f"{name}.fmu", options)
         with zipfile.ZipFile(tmp_path / f"{name}.fmu") as archive:
             images[name] = archive.read(place)
     assert at(pixels(images["A"]), 0, 0) == BLUE

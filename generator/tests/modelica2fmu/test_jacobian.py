@@ -126,10 +126,11 @@ OPERATIONS: dict[str, Any] = {
 
 
 @pytest.mark.parametrize("name", ["DoublePendulum", "TumblingBody", "OffsetBody"])
-def test_jacobian_is_that_of_casadi(name, tmp_path):
+def test_jacobian_is_that_of_casadi(name, tmp_path, fmu_cache):
     library = StandardLibrary(core_subset(), "", "core subset")
     translation = translate(f"ReferenceModels.{name}", [MODELS], library)
-    report = build_fmu(f"ReferenceModels.{name}", [MODELS], tmp_path / "model.fmu", BuildOptions(msl=core_subset()))
+    options = BuildOptions(msl=core_subset(), cache=fmu_cache)
+    report = build_fmu(f"ReferenceModels.{name}", [MODELS], tmp_path / "model.fmu", options)
     slots = translation.generated.slots.of
     states = [slots[item].index for item in report.states]
     rates = [slots[f"der({item})"].index for item in report.states]
@@ -146,9 +147,10 @@ def test_jacobian_is_that_of_casadi(name, tmp_path):
             assert mine == pytest.approx(expected, rel=1e-9, abs=1e-9 * np.max(np.abs(expected)))
 
 
-def test_jacobian_of_a_kinematic_loop_is_that_of_differences(tmp_path):
+def test_jacobian_of_a_kinematic_loop_is_that_of_differences(tmp_path, fmu_cache):
     """Extrapolated central differences (Richardson), good to 1e-9 here."""
-    report = build_fmu("ReferenceModels.PlanarFourBar", [MODELS], tmp_path / "m.fmu", BuildOptions(msl=core_subset()))
+    options = BuildOptions(msl=core_subset(), cache=fmu_cache)
+    report = build_fmu("ReferenceModels.PlanarFourBar", [MODELS], tmp_path / "m.fmu", options)
     assert any(block.kind == "nonlinear" and len(block.torn) > 1 for block in report.simulation_blocks)
     names = {item.name: item.valueReference for item in read_model_description(str(report.fmu)).modelVariables}
     states = [names[item] for item in report.states]

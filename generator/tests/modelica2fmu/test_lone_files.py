@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from cmb_base.errors import InputError
 from fmpy import simulate_fmu
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
 
 DECAY = """
 model Decay
@@ -34,27 +34,27 @@ def final_value(fmu, name):
     return simulate_fmu(str(fmu), stop_time=1.0, relative_tolerance=1e-8, output=[name])[name][-1]
 
 
-def test_files_beside_a_model_are_not_loaded(folder):
+def test_files_beside_a_model_are_not_loaded(folder, fmu_cache):
     (folder / "Decay.mo").write_text(DECAY)
-    build_fmu("Decay", [folder / "Decay.mo"], folder / "m.fmu")
+    build_fmu("Decay", [folder / "Decay.mo"], folder / "m.fmu", BuildOptions(cache=fmu_cache))
     assert final_value(folder / "m.fmu", "x") == pytest.approx(np.exp(-1), rel=1e-6)
 
 
-def test_files_beside_a_package_in_one_file_are_not_loaded(folder):
+def test_files_beside_a_package_in_one_file_are_not_loaded(folder, fmu_cache):
     (folder / "Laws.mo").write_text(f"package Laws {DECAY} end Laws;")
     (folder / "User.mo").write_text("model User\n  Laws.Decay decay;\nend User;\n")
-    build_fmu("User", [folder / "User.mo", folder / "Laws.mo"], folder / "m.fmu")
+    build_fmu("User", [folder / "User.mo", folder / "Laws.mo"], folder / "m.fmu", BuildOptions(cache=fmu_cache))
     assert final_value(folder / "m.fmu", "decay.x") == pytest.approx(np.exp(-1), rel=1e-6)
 
 
-def test_files_of_a_package_folder_are_loaded(folder):
+def test_files_of_a_package_folder_are_loaded(folder, fmu_cache):
     package = folder / "Laws"
     package.mkdir()
     (package / "package.mo").write_text("package Laws\nend Laws;\n")
     (package / "package.order").write_text("Decay\nUser\n")
     (package / "Decay.mo").write_text(f"within Laws;{DECAY}")
     (package / "User.mo").write_text("within Laws;\nmodel User\n  Decay decay;\nend User;\n")
-    build_fmu("Laws.User", [package], folder / "m.fmu")
+    build_fmu("Laws.User", [package], folder / "m.fmu", BuildOptions(cache=fmu_cache))
     assert final_value(folder / "m.fmu", "decay.x") == pytest.approx(np.exp(-1), rel=1e-6)
 
 

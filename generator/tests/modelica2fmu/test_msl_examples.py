@@ -69,22 +69,22 @@ RUNNING_TOO = [
 
 
 @pytest.mark.parametrize("model", [*COMPARED, *(COMPARED_TOO if WHOLE else [])])
-def test_example_runs_as_the_front_end_simulates_it(model, tmp_path):
-    outcome = examples.attempt(model, LIBRARY, tmp_path)
+def test_example_runs_as_the_front_end_simulates_it(model, tmp_path, fmu_cache):
+    outcome = examples.attempt(model, LIBRARY, tmp_path, fmu_cache)
     assert (outcome.result, outcome.reason) == ("runs", "")
     assert outcome.deviation is not None, outcome.remark
     assert outcome.deviation < 1e-4
 
 
 @pytest.mark.parametrize("model", [*RUNNING, *(RUNNING_TOO if WHOLE else [])])
-def test_example_runs_to_its_end(model, tmp_path):
-    outcome = examples.attempt(model, LIBRARY, tmp_path)
+def test_example_runs_to_its_end(model, tmp_path, fmu_cache):
+    outcome = examples.attempt(model, LIBRARY, tmp_path, fmu_cache)
     assert (outcome.result, outcome.reason) == ("runs", "")
     assert outcome.deviation is None or outcome.deviation < 1e-4
 
 
 @pytest.fixture(scope="module")
-def braked(tmp_path_factory):
+def braked(tmp_path_factory, fmu_cache):
     """A wheel of inertia 2 kg.m2 with 5 rad/s, slowed by a bearing's friction of 10 N.m, and pushed from 4 s on."""
     folder = tmp_path_factory.mktemp("braked")
     (folder / "Braked.mo").write_text(
@@ -101,7 +101,7 @@ equation
 end Braked;
 """
     )
-    build_fmu("Braked", [folder / "Braked.mo"], folder / "m.fmu", BuildOptions(msl=LIBRARY))
+    build_fmu("Braked", [folder / "Braked.mo"], folder / "m.fmu", BuildOptions(msl=LIBRARY, cache=fmu_cache))
     return folder / "m.fmu"
 
 
@@ -122,9 +122,9 @@ def test_dry_friction_stops_sticks_and_lets_go(braked, kind):
     assert speed[pushed] == pytest.approx((5 * since + 5 * since**2) / 2, abs=1e-5)  # (15 + 10 since - 10)/2
 
 
-def test_linear_part_of_backlash_has_its_closed_form(tmp_path):
+def test_linear_part_of_backlash_has_its_closed_form(tmp_path, fmu_cache):
     fmu = tmp_path / "m.fmu"
-    build_fmu(f"{ROTATIONAL}.Backlash", [LIBRARY / "Modelica"], fmu, BuildOptions(msl=LIBRARY))
+    build_fmu(f"{ROTATIONAL}.Backlash", [LIBRARY / "Modelica"], fmu, BuildOptions(msl=LIBRARY, cache=fmu_cache))
     result = simulate_fmu(
         str(fmu), fmi_type="CoSimulation", stop_time=1.0, relative_tolerance=1e-8, output=["springDamper.phi_rel"]
     )
@@ -134,7 +134,7 @@ def test_linear_part_of_backlash_has_its_closed_form(tmp_path):
     assert angle == pytest.approx(np.pi / 2 * closed, abs=1e-5)
 
 
-def test_tables_over_time_jump_and_repeat(tmp_path):
+def test_tables_over_time_jump_and_repeat(tmp_path, fmu_cache):
     (tmp_path / "Saw.mo").write_text(
         """
 model Saw
@@ -148,7 +148,7 @@ equation
 end Saw;
 """
     )
-    build_fmu("Saw", [tmp_path / "Saw.mo"], tmp_path / "m.fmu", BuildOptions(msl=LIBRARY))
+    build_fmu("Saw", [tmp_path / "Saw.mo"], tmp_path / "m.fmu", BuildOptions(msl=LIBRARY, cache=fmu_cache))
     names = ["saw.y[1]", "saw.y[2]", "square.y[1]", "area"]
     result = simulate_fmu(
         str(tmp_path / "m.fmu"), fmi_type="CoSimulation", stop_time=2.5, relative_tolerance=1e-11, output_interval=0.02,

@@ -23,13 +23,13 @@ def real_library() -> Path | None:
 
 
 @pytest.fixture(scope="module")
-def built(tmp_path_factory):
+def built(tmp_path_factory, fmu_cache):
     reports: dict[str, BuildReport] = {}
 
     def run(name: str, library: Path | None = None) -> BuildReport:
         if name not in reports:
             output = tmp_path_factory.mktemp("reference") / f"{name}.fmu"
-            options = BuildOptions(msl=library or core_subset())
+            options = BuildOptions(msl=library or core_subset(), cache=fmu_cache)
             reports[name] = build_fmu(f"ReferenceModels.{name}", [MODELS], output, options)
         return reports[name]
 

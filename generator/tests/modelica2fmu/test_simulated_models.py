@@ -252,13 +252,13 @@ end Functions;
 """
 
 
-def test_functions_records_and_arrays_are_expanded(tmp_path):
+def test_functions_records_and_arrays_are_expanded(tmp_path, fmu_cache):
     from fmpy import simulate_fmu
-    from modelica2fmu.build import build_fmu
+    from modelica2fmu.build import BuildOptions, build_fmu
 
     source = tmp_path / "Functions.mo"
     source.write_text(FUNCTIONS, encoding="utf-8")
-    report = build_fmu("Functions.Use", [source], tmp_path / "use.fmu")
+    report = build_fmu("Functions.Use", [source], tmp_path / "use.fmu", BuildOptions(cache=fmu_cache))
     names = ["x", "p", "total", "ends[2]", "pair.first", "pair.second[2]", "b", "n", "m[1,2]", "m[2,2]", "s", "w"]
     result = simulate_fmu(str(report.fmu), fmi_type="CoSimulation", stop_time=1.0, output=names, output_interval=0.1)
     x = result["x"]
@@ -326,15 +326,15 @@ static int weigh(const double *matrix, size_t rows, size_t columns, const int *f
 
 
 @pytest.fixture(scope="module")
-def outside(tmp_path_factory):
-    from modelica2fmu.build import build_fmu
+def outside(tmp_path_factory, fmu_cache):
+    from modelica2fmu.build import BuildOptions, build_fmu
 
     folder = tmp_path_factory.mktemp("outside") / "Outside"
     include = folder / "Resources" / "Include"
     include.mkdir(parents=True)
     (include / "weigh.h").write_text(WEIGH, encoding="utf-8")
     (folder / "package.mo").write_text(EXTERNAL, encoding="utf-8")
-    return build_fmu("Outside.Use", [folder], folder.parent / "use.fmu")
+    return build_fmu("Outside.Use", [folder], folder.parent / "use.fmu", BuildOptions(cache=fmu_cache))
 
 
 def test_external_functions_get_arrays_strings_and_sizes(outside):

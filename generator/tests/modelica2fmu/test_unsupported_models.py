@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from cmb_base.errors import InputError, UnsupportedModelError
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
 
 
 def refused(text: str, folder: Path, error: type[InputError], **options: object) -> InputError:
@@ -79,10 +79,10 @@ def test_unbalanced_model_is_refused(tmp_path):
     refused("model Open\n  Real x, y;\nequation\n  x = time;\nend Open;\n", tmp_path, InputError)
 
 
-def test_parameter_without_value_is_warned_of(tmp_path):
+def test_parameter_without_value_is_warned_of(tmp_path, fmu_cache):
     source = tmp_path / "Unset.mo"
     source.write_text("model Unset\n  parameter Real p;\n  Real x = p*time;\nend Unset;\n", encoding="utf-8")
-    report = build_fmu("Unset", [source], tmp_path / "out.fmu")
+    report = build_fmu("Unset", [source], tmp_path / "out.fmu", BuildOptions(cache=fmu_cache))
     assert any("parameter p has no value" in warning for warning in report.warnings)
 
 

@@ -1,0 +1,51 @@
+"""What all tests share: their order, and a cache, so that what one test has built the others find."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from cmb_base.cache import user_cache
+
+# What takes longest comes first, so that no process is left alone with it in the end (scripts/test).
+LONGEST_FIRST = (
+    "generator/tests/cad2modelica/test_every_loop.py",
+    "command/tests/test_library_cases.py",
+    "command/tests/test_reference_cases.py",
+    "command/tests/test_known_answers.py",
+    "command/tests/test_hammer.py",
+    "command/tests/test_effects.py",
+    "command/tests/test_anton.py",
+    "command/tests/test_restitution_sweep.py",
+    "generator/tests/cad2modelica/test_loops.py",
+    "generator/tests/cad2modelica/test_overconstrained_loops.py",
+    "Resources/tests/test_core_motion.py",
+    "ContactMultiBody/tests/test_flatten.py",
+    "generator/tests/cad2modelica/test_decomposition.py",
+    "generator/tests/cad2modelica/test_generation.py",
+    "generator/tests/cad2modelica/test_drives.py",
+    "ContactMultiBody/tests/test_laws.py",
+    "ContactMultiBody/tests/test_compiled_response.py",
+    "generator/tests/fmi_runtime/test_built_fmus.py",
+    "generator/tests/fmi_runtime/test_sanitizers.py",
+)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Puts the longest files first; the rest stays in its order."""
+    place = {name: number for number, name in enumerate(LONGEST_FIRST)}
+    items.sort(key=lambda item: place.get(item.nodeid.split("::")[0], len(place)))
+
+
+@pytest.fixture(scope="session")
+def cache_home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """XDG_CACHE_HOME of a run of the tests: empty at its beginning, one folder for all of its processes."""
+    own = tmp_path_factory.getbasetemp()
+    return (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "cache"
+
+
+@pytest.fixture(scope="session")
+def fmu_cache(cache_home: Path) -> Path:
+    """``BuildOptions.cache`` of such tests as are not about building itself; the program finds it there too."""
+    return user_cache("fmu", {"XDG_CACHE_HOME": str(cache_home)})
