@@ -62,8 +62,10 @@ TEST_P(RareCurved, SumsHaveNoJumps) {
   EXPECT_GT(sums.largest_load, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, RareCurved,
-                         testing::Values(RarePath{"the ball touches a cone all along an arc", {"cone", "box"}, 5021, 0.004}));
+INSTANTIATE_TEST_SUITE_P(
+    All, RareCurved,
+    testing::Values(RarePath{"the ball touches a cone all along an arc", {"cone", "box"}, 5021, 0.004},
+                    RarePath{"a third place is nearer by less than a search tells", {"cone", "hull"}, 1085, 0.04}));
 
 std::vector<Kinds> all_kinds() {
   const char *const curved[] = {"sphere", "capsule", "cylinder", "cone", "ellipsoid"};

@@ -28,6 +28,9 @@ constexpr double proof = 1e-8, searched = 0.9 * proof;
 constexpr double shrinkage = 0.05, shrunk_gap = 0.02;
 // One minus the cosine up to which directions belong to one minimum.
 constexpr double same_minimum = 1e-5;
+// One minus the cosine up to which a direction is that of a place known to be near; how far places are from where a search saw
+// them (rad).
+constexpr double known_place = 1e-4, near_place = 0.05;
 // The ways out ask for balls of up to so many depths.
 constexpr double ways_reach = 1.5;
 
@@ -158,9 +161,14 @@ bool find_from_rough_bounds(const MinkowskiDifference &difference, const GjkResu
          r.height > 0.0 && proven(difference, r, result);
 }
 
-CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult &gjk, DistanceScratch &scratch) {
-  const PenetrationResult inside =
-      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, searched * difference.scale, 160);
+// Replaces a minimum by one that is lower.
+void take_lower(const MinkowskiDifference &difference, const RefinedDirection &r, CoreDistance &best) {
+  if (!(-r.height > best.distance + 1e-13 * difference.scale)) return;
+  best.distance = -r.height, best.direction = r.direction, best.a = r.a, best.b = r.b;
+}
+
+// The least depth to the tolerance of a search, `inside`, sharpened.
+CoreDistance sharpened(const MinkowskiDifference &difference, const PenetrationResult &inside, DistanceScratch &scratch) {
   const CoreDistance result{-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope,
                             inside.proven, {}};
   // Where the search proved the depth, the feature that it ended at has the minimum.
@@ -175,10 +183,26 @@ CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult 
   // other directions refined show whether one of them is nearer.
   CoreDistance best = refined(difference, result, -inside.lower, scratch);
   for (int k = 0; k < inside.other_count; ++k) {
-    const RefinedDirection r = refine_direction(difference, inside.other[k], result.a, result.b, 0.2);
-    if (-r.height > best.distance + 1e-13 * difference.scale) {
-      best.distance = -r.height, best.direction = r.direction, best.a = r.a, best.b = r.b;
-    }
+    take_lower(difference, refine_direction(difference, inside.other[k], result.a, result.b, 0.2), best);
+  }
+  return best;
+}
+
+CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult &gjk, DistanceScratch &scratch,
+                         const EquallyNear *known) {
+  PenetrationResult inside =
+      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, searched * difference.scale, 160);
+  CoreDistance best = sharpened(difference, inside, scratch);
+  if (known == nullptr) return best;
+  // What is nearer by less than the search tells.
+  const auto is_known = [known](const Vec3 &d) {
+    return std::any_of(known->direction, known->direction + known->count,
+                       [&d](const Vec3 &k) { return dot(k, d) > 1.0 - known_place; });
+  };
+  scratch.expanding_polytope.find_others(inside.depth, inside);
+  for (int k = 0; k < inside.other_count; ++k) {
+    if (is_known(inside.other[k])) continue;
+    take_lower(difference, refine_direction(difference, inside.other[k], best.a, best.b, near_place), best);
   }
   return best;
 }
@@ -186,7 +210,7 @@ CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult 
 }  // namespace
 
 CoreDistance curved_distance(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &b_in_a, const Vec3 &first,
-                             DistanceScratch &scratch, bool several_near) {
+                             DistanceScratch &scratch, const EquallyNear *known) {
   const MinkowskiDifference difference(body_a, body_b, b_in_a);
   const double tolerance = relative_tolerance * difference.scale;
   Vec3 coaxial_direction;
@@ -197,14 +221,14 @@ CoreDistance curved_distance(const ConvexBody &body_a, const ConvexBody &body_b,
     return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, r.height >= coaxial_depth - tolerance, {}};
   }
   CoreDistance result;
-  const Quick quick = several_near ? Quick::not_proven : find_quickly(difference, first, result);
+  const Quick quick = known != nullptr ? Quick::not_proven : find_quickly(difference, first, result);
   if (quick == Quick::found) return result;
   const GjkResult gjk = gjk_distance(difference, first, tolerance);
   const bool apart = gjk.status == GjkResult::Status::apart ||
                      (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0);
   if (!apart) {
     if (quick == Quick::too_deep && find_from_rough_bounds(difference, gjk, scratch, result)) return result;
-    return overlapping(difference, gjk, scratch);
+    return overlapping(difference, gjk, scratch, known);
   }
   result = {norm(gjk.closest), gjk.direction, {}, {}, DistanceMethod::gjk, true};
   nearest_points(gjk, result.a, result.b);

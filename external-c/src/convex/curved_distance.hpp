@@ -5,9 +5,16 @@
 
 namespace cmb::convex {
 
-// `first` is a direction from B to A (not zero) to begin with. Where several places of the difference's surface are known to
-// be equally near (`several_near`), none of the proofs for one alone is tried.
+// Directions (unit, from A to B) in which the difference's surface is known to be about as near as anywhere.
+struct EquallyNear {
+  static constexpr int most = 4;
+  Vec3 direction[most];
+  int count = 0;
+};
+
+// `first` is a direction from B to A (not zero) to begin with. Where places are known to be about equally near, none of the
+// proofs for one alone is tried, and further ones as near count to rounding, not to a search's tolerance.
 CoreDistance curved_distance(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &b_in_a, const Vec3 &first,
-                             DistanceScratch &scratch, bool several_near = false);
+                             DistanceScratch &scratch, const EquallyNear *known = nullptr);
 
 }  // namespace cmb::convex

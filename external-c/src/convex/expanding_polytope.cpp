@@ -203,15 +203,36 @@ void ExpandingPolytope::measure_surface(PenetrationResult &result, double size) 
   }
 }
 
+namespace {
+
+// The cosine up to which directions count as one, of those that may be nearer, and of those that may be as near.
+constexpr double same_if_nearer = 0.97, same_if_as_near = 0.9999;
+
+// Adds a direction that is well apart from those known.
+void add_other(const Vec3 &normal, double same, PenetrationResult &result) {
+  const auto near = [&](const Vec3 &d) { return dot(d, normal) > same; };
+  if (near(result.direction) || std::any_of(result.other, result.other + result.other_count, near)) return;
+  result.other[result.other_count++] = normal;
+}
+
+}  // namespace
+
 void ExpandingPolytope::other_directions(PenetrationResult &result) {
   while (!queue_.empty() && result.other_count < PenetrationResult::most_others) {
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
     const ExpandingHull::Face &face = hull_.face(queue_.back().second);
     queue_.pop_back();
-    if (!face.alive || face.offset >= result.depth) continue;
-    const auto near = [&face](const Vec3 &d) { return dot(d, face.normal) > 0.97; };
-    if (near(result.direction) || std::any_of(result.other, result.other + result.other_count, near)) continue;
-    result.other[result.other_count++] = face.normal;
+    if (face.alive && face.offset < result.depth) add_other(face.normal, same_if_nearer, result);
+  }
+}
+
+void ExpandingPolytope::find_others(double depth, PenetrationResult &result) const {
+  result.other_count = 0;
+  for (std::int32_t f = 0; f < hull_.face_count() && result.other_count < PenetrationResult::most_others; ++f) {
+    const ExpandingHull::Face &face = hull_.face(f);
+    if (face.alive && !face.sliver && face.offset < depth && hull_.distance(face) < depth) {
+      add_other(face.normal, same_if_as_near, result);
+    }
   }
 }
 

@@ -18,7 +18,8 @@ struct PenetrationResult {
   Vec3 a, b;           // witness points, in A's frame
   bool proven = false;
   int steps = 0;
-  // Where not proven: directions, well apart from each other, in which the surface may be nearer.
+  // Where not proven: directions, well apart from each other, in which the surface may be nearer. Where find_others was
+  // called: in which it may be as near.
   static constexpr int most_others = 24;
   Vec3 other[most_others];
   int other_count = 0;
@@ -37,6 +38,9 @@ class ExpandingPolytope {
   // surface_reach(depth, size), and `mean_outward` found.
   PenetrationResult depth(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count,
                           double tolerance, std::int32_t most_points, double size = 0.0);
+
+  // Of the depth found last: sets the other directions in which the surface may be no farther than `depth`.
+  void find_others(double depth, PenetrationResult &result) const;
 
  private:
   bool start(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count);

@@ -111,11 +111,13 @@ double ball_at(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, con
                             enough - swept, slack);
 }
 
-// Of bodies whose difference's surface may be equally near in several places; `direction` is from A to B.
-SignedDistance distance_at(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const Vec3 &direction,
-                           DistanceScratch &scratch) {
+// Of bodies whose difference's surface is about equally near at the cuts, and may be as near elsewhere.
+SignedDistance distance_beside(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const Cut *cuts, int count,
+                               DistanceScratch &scratch) {
   if (is_polyhedral(a.core) && is_polyhedral(b.core)) return signed_distance(a, b, b_in_a, scratch);
-  return swept_distance(curved_distance(a, b, b_in_a, -direction, scratch, true), a.radius, b.radius);
+  EquallyNear known;
+  for (; known.count < count; ++known.count) known.direction[known.count] = cuts[known.count].direction;
+  return swept_distance(curved_distance(a, b, b_in_a, -cuts[0].direction, scratch, &known), a.radius, b.radius);
 }
 
 WaysOut single(const SignedDistance &nearest) {
@@ -170,7 +172,8 @@ WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
       if (change <= rounding * size) break;
     }
     const Vec3 p = centre.value();
-    const SignedDistance there = distance_at(a, b, {b_in_a.rotation, b_in_a.translation + p}, cuts[0].direction, scratch);
+    const Pose moved{b_in_a.rotation, b_in_a.translation + p};
+    const SignedDistance there = distance_beside(a, b, moved, cuts, count, scratch);
     if (-there.distance >= radius - slack) break;
     cuts[count] = {-there.normal, -there.distance - dot(p, there.normal), there.point_a, there.point_b - p, 0.0};
     ++count;
