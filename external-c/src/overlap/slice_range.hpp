@@ -6,8 +6,8 @@
 
 namespace cmb::overlap {
 
-// Finds the stretch of y whose slices are not empty; empty itself where there is none. guess: y that may be inside.
-// `slice` cuts `solid`, also afterwards; `crossings` are those of `solid` afterwards.
+// The stretch of y whose slices are not empty; empty itself where there is none. guess: y that may be inside. Unless it is
+// empty, `slice` cuts `solid` and `crossings` are those of `solid` afterwards.
 Stretch find_slice_range(const CommonSolid &solid, const double *guess, int guess_count, SolidSlice &slice,
                          EdgeCrossings &crossings);
 
