@@ -74,11 +74,7 @@ bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch 
   if (!one.mesh.closed() && load > 0.0) {
     const double depths =
         depths_of_crossings(one.mesh, other.mesh, place, scratch.pair, nothing, load / least_load_part);
-    const double part = std::fmin(1.0, least_load_part * depths / load);
-    load *= part;
-    result.distance *= part;
-    scale(result.points, begin, part);
-    if (!(load > 0.0)) result.points.resize(begin);
+    load = limit_load(least_load_part * depths, begin, result);
   }
   const double crossing =
       deepest_crossing(one.mesh, other.mesh, place, scratch.pair, std::fmax(nothing, least_load_part * load));

@@ -33,33 +33,68 @@ void PiercedLoad::finish(double part, const Pose &pose, ContactSet &result, doub
   result.witness = pose(deepest_.place - (0.5 * depth) * deepest_normal_);
 }
 
+double limit_load(double limit, std::size_t begin, ContactSet &result) {
+  const double load = total_load(result.points, begin);
+  if (load <= limit) return load;
+  const double part = limit / load;
+  result.distance *= part;
+  for (std::size_t k = begin; k < result.points.size(); ++k) result.points[k].weight *= part;
+  if (!(limit > 0.0)) result.points.resize(begin);
+  return limit;
+}
+
+namespace {
+
+// What a sheet carries of a body is at most this times the deepest section. Plates on their edges and pins carry less from some
+// thirty times their thickness on.
+constexpr double most_sections = 64.0;
+
+// Calls act(corners, normal, how far the body reaches behind the plane, how far before it) for the triangles that may reach into
+// the body, whose box is `box`, until `stop`.
+template <typename Act>
+void visit_sections(const SectionedBody &body, const Bounds &box, const TriangleMesh &mesh, const bool &stop, Act &&act) {
+  mesh.hierarchy().visit_near(box, [&] { return stop ? -1.0 : 0.0; }, [&](std::uint32_t t) {
+    const Vec3 corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+    const Vec3 &normal = mesh.face_normal(t);
+    const double offset = dot(normal, corner[0]), below = body.reach(-normal) + offset;
+    const double above = body.reach(normal) - offset;
+    if (stop || !(below > 0.0) || !(above > 0.0) || distance2(bounds_of(corner), box) > 0.0) return;
+    act(corner, normal, below, above);
+  });
+}
+
+}  // namespace
+
+double limit_by_sections(const SectionedBody &body, const TriangleMesh &mesh, std::size_t begin, ContactSet &result) {
+  const double enough = total_load(result.points, begin) / most_sections;
+  if (!(enough > 0.0)) return 0.0;
+  double deepest = 0.0;
+  bool found = false;
+  visit_sections(body, body.bounds(), mesh, found, [&](const Vec3 (&corner)[3], const Vec3 &, double below, double above) {
+    if (std::fmin(below, above) <= deepest) return;
+    deepest = std::fmax(deepest, std::fmin(body.section(corner, deepest).depth, std::fmin(below, above)));
+    found = deepest > enough;
+  });
+  return limit_load(most_sections * deepest, begin, result);
+}
+
 bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, double load,
                       ContactSet &result) {
   if (!(load > 0.0)) result.distance = 0.0;
   const Vec3 center = body.center();
   const Bounds box = body.bounds();
-  const auto visit = [&](bool &stop, auto &&act) {
-    mesh.hierarchy().visit_near(box, [&] { return stop ? -1.0 : 0.0; }, [&](std::uint32_t t) {
-      const Vec3 corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
-      const Vec3 &normal = mesh.face_normal(t);
-      const double offset = dot(normal, corner[0]), below = body.reach(-normal) + offset;
-      const double above = body.reach(normal) - offset;
-      if (stop || !(below > 0.0) || !(above > 0.0) || distance2(bounds_of(corner), box) > 0.0) return;
-      act(corner, normal, below, above);
-    });
-  };
   const double enough = least_load_part * load;
   const SwallowedPlace middle(mesh, center);
   if (load > 0.0 && middle.depth() <= enough) {
     bool lacks = false;
-    visit(lacks, [&](const Vec3 (&corner)[3], const Vec3 &, double, double) {
+    visit_sections(body, box, mesh, lacks, [&](const Vec3 (&corner)[3], const Vec3 &, double, double) {
       lacks = body.section(corner, enough).depth > 0.0;
     });
     if (!lacks) return true;
   }
   PiercedLoad pierced(center);
   bool never = false;
-  visit(never, [&](const Vec3 (&corner)[3], const Vec3 &normal, double below, double above) {
+  visit_sections(body, box, mesh, never, [&](const Vec3 (&corner)[3], const Vec3 &normal, double below, double above) {
     TriangleSection section = body.section(corner);
     if (!(section.depth > 0.0)) return;
     // Of a body, no more is behind a triangle than behind its plane, nor is the way back longer than what is before it.

@@ -45,6 +45,14 @@ class PiercedLoad {
   Vec3 deepest_normal_;
 };
 
+// Scales the points from `begin` on, and the contact's depth, so that the load is `limit` at most; leaves no points where that is
+// 0. Returns the load.
+double limit_load(double limit, std::size_t begin, ContactSet &result);
+
+// Bounds what a sheet carries of a convex body, whose load are the points from `begin` on, by the deepest section, times as much
+// as leaves contacts from the front alone. A body wholly behind a sheet is free, and gets there without a jump. Returns the load.
+double limit_by_sections(const SectionedBody &body, const TriangleMesh &mesh, std::size_t begin, ContactSet &result);
+
 // Completes the contact of a convex body with a mesh. `load` is that of the points in `result`, which are those of the body's
 // surface that faces the mesh's triangles; distance, normal and witness are set where it is positive. Where it is too little for
 // what passes through the body, adds PiercedLoad; where a closed mesh has swallowed the body's middle, a point that leads it

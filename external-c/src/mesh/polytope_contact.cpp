@@ -36,7 +36,8 @@ class PolytopeQuery {
     if (load.touches()) load.finish(result_);
     const SectionedBody body(body_, place_, scratch_.body_vertices, scratch_.body_normals, scratch_.patch.polygon,
                              scratch_.patch.clipped);
-    if (!complete_contact(body, mesh_, pose_, total_load(result_.points, begin), result_)) apart();
+    const double carried = mesh_.closed() ? total_load(result_.points, begin) : limit_by_sections(body, mesh_, begin, result_);
+    if (!complete_contact(body, mesh_, pose_, carried, result_)) apart();
   }
 
  private:

@@ -42,7 +42,9 @@ class SmoothQuery {
     }
     const std::size_t begin = result_.points.size();
     if (load.touches()) load.finish(result_);
-    if (!complete_contact(sectioned_, mesh_, pose_, total_load(result_.points, begin), result_)) apart();
+    const double carried =
+        mesh_.closed() ? total_load(result_.points, begin) : limit_by_sections(sectioned_, mesh_, begin, result_);
+    if (!complete_contact(sectioned_, mesh_, pose_, carried, result_)) apart();
   }
 
  private:
