@@ -65,7 +65,8 @@ TEST_P(RareCurved, SumsHaveNoJumps) {
 INSTANTIATE_TEST_SUITE_P(
     All, RareCurved,
     testing::Values(RarePath{"the ball touches a cone all along an arc", {"cone", "box"}, 5021, 0.004},
-                    RarePath{"a third place is nearer by less than a search tells", {"cone", "hull"}, 1085, 0.04}));
+                    RarePath{"a third place is nearer by less than a search tells", {"cone", "hull"}, 1085, 0.04},
+                    RarePath{"a cone's side is equally near along an arc to its end", {"cone", "box"}, 1383, 0.004}));
 
 std::vector<Kinds> all_kinds() {
   const char *const curved[] = {"sphere", "capsule", "cylinder", "cone", "ellipsoid"};

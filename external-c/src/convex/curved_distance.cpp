@@ -23,7 +23,7 @@ constexpr std::int32_t rough_points = 40;
 constexpr double relative_tolerance = 1e-11;
 // Agreement of a minimum, sharpened by Newton's method, with a search's lower bound that proves it the least, relative to the
 // bodies; and of the search's own bounds.
-constexpr double proof = 1e-8, searched = 0.9 * proof;
+constexpr double proof = 1e-8, searched = 1e-9;
 // Bodies shrink by this part of the greatest balls in them; the gap between the bounds of their distance, relative to it.
 constexpr double shrinkage = 0.05, shrunk_gap = 0.02;
 // One minus the cosine up to which directions belong to one minimum.
@@ -31,6 +31,8 @@ constexpr double same_minimum = 1e-5;
 // One minus the cosine up to which a direction is that of a place known to be near; how far places are from where a search saw
 // them (rad).
 constexpr double known_place = 1e-4, near_place = 0.05;
+// Difference of slopes up to which directions are at right angles to one side of a cone.
+constexpr double same_slope = 1e-7;
 // The ways out ask for balls of up to so many depths.
 constexpr double ways_reach = 1.5;
 
@@ -188,6 +190,17 @@ CoreDistance sharpened(const MinkowskiDifference &difference, const PenetrationR
   return best;
 }
 
+// Whether a direction is at right angles to a cone's side, as one that is known is: where a corner is on the cone's axis, the
+// side is equally near all round, and which of its lines tells so is of no meaning.
+bool on_same_side(const MinkowskiDifference &difference, const Vec3 &direction, const EquallyNear &known) {
+  const auto on_side = [&](CoreShape core, const Vec3 &axis) {
+    return core == CoreShape::cone && std::any_of(known.direction, known.direction + known.count, [&](const Vec3 &k) {
+             return std::fabs(dot(axis, direction - k)) <= same_slope;
+           });
+  };
+  return on_side(difference.body_a.core, {0, 0, 1}) || on_side(difference.body_b.core, difference.b_in_a.rotation.column(2));
+}
+
 CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult &gjk, DistanceScratch &scratch,
                          const EquallyNear *known) {
   PenetrationResult inside =
@@ -202,7 +215,8 @@ CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult 
   scratch.expanding_polytope.find_others(inside.depth, inside);
   for (int k = 0; k < inside.other_count; ++k) {
     if (is_known(inside.other[k])) continue;
-    take_lower(difference, refine_direction(difference, inside.other[k], best.a, best.b, near_place), best);
+    const RefinedDirection r = refine_direction(difference, inside.other[k], best.a, best.b, near_place);
+    if (!on_same_side(difference, r.direction, *known)) take_lower(difference, r, best);
   }
   return best;
 }

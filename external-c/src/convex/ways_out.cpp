@@ -111,13 +111,14 @@ double ball_at(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, con
                             enough - swept, slack);
 }
 
-// Of bodies whose difference's surface is about equally near at the cuts, and may be as near elsewhere.
-SignedDistance distance_beside(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const Cut *cuts, int count,
-                               DistanceScratch &scratch) {
-  if (is_polyhedral(a.core) && is_polyhedral(b.core)) return signed_distance(a, b, b_in_a, scratch);
+// Of bodies, B moved by p, whose difference's surface is about equally near at the cuts, and may be as near elsewhere.
+SignedDistance distance_beside(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const Vec3 &p, const Cut *cuts,
+                               int count, DistanceScratch &scratch) {
+  const Pose moved{b_in_a.rotation, b_in_a.translation + p};
+  if (is_polyhedral(a.core) && is_polyhedral(b.core)) return signed_distance(a, b, moved, scratch);
   EquallyNear known;
   for (; known.count < count; ++known.count) known.direction[known.count] = cuts[known.count].direction;
-  return swept_distance(curved_distance(a, b, b_in_a, -cuts[0].direction, scratch, &known), a.radius, b.radius);
+  return swept_distance(curved_distance(a, b, moved, -cuts[0].direction, scratch, &known), a.radius, b.radius);
 }
 
 WaysOut single(const SignedDistance &nearest) {
@@ -172,8 +173,7 @@ WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
       if (change <= rounding * size) break;
     }
     const Vec3 p = centre.value();
-    const Pose moved{b_in_a.rotation, b_in_a.translation + p};
-    const SignedDistance there = distance_beside(a, b, moved, cuts, count, scratch);
+    const SignedDistance there = distance_beside(a, b, b_in_a, p, cuts, count, scratch);
     if (-there.distance >= radius - slack) break;
     cuts[count] = {-there.normal, -there.distance - dot(p, there.normal), there.point_a, there.point_b - p, 0.0};
     ++count;
