@@ -209,6 +209,34 @@ TEST(Properties, RestingFacesOfBoxesOnBoxesCarryWholly) {
   }
 }
 
+// A prism on a regular polygon of radius 0.5 and height 1.
+std::string prism(int corners) {
+  constexpr double pi = 3.14159265358979323846;
+  std::string text = "cmb/1 hull vertices=";
+  for (int k = 0; k < 2 * corners; ++k) {
+    const double angle = 2.0 * pi * (k / 2) / corners;
+    text += (k > 0 ? "," : "") + digits(0.5 * std::cos(angle)) + "," + digits(0.5 * std::sin(angle)) + "," +
+            (k % 2 == 0 ? "0.5" : "-0.5");
+  }
+  return text;
+}
+
+// Whatever polygon the faces have in common: its corners are crossings of edges, and corners of either prism.
+TEST(Properties, PolygonalFacesOnEachOtherCarryWholly) {
+  const double depth = 1e-4;
+  Random random(17);
+  for (const auto &[below, above] : {std::pair{6, 6}, {3, 5}, {7, 4}, {12, 6}}) {
+    const PairScene scene(prism(above), prism(below));
+    for (int k = 0; k < 20; ++k) {
+      const BodyPose pose{{random(-0.3, 0.3), random(-0.3, 0.3), 1.0 - depth},
+                          rotation_about({0, 0, 1}, random(-3.0, 3.0))};
+      const Contact contact = scene.query(pose, {}, 64);
+      EXPECT_NEAR(contact.total_weight(), 1.0, 1e-9) << below << " " << above << " " << k;
+      EXPECT_NEAR(contact.load().z, depth, 1e-12);
+    }
+  }
+}
+
 TEST(Properties, OverhangingBoxIsSupportedUpToTheBorder) {
   // A box whose middle is 0.2 m inside the table's border at x = 2: supported from x = 1.3 to x = 2.
   const PairScene scene("cmb/1 box size=1,1,1", "cmb/1 box size=4,4,1");

@@ -9,6 +9,9 @@ namespace cmb::convex {
 
 namespace {
 
+// Candidates of a cell of the support table come in groups of so many.
+constexpr std::size_t compared_at_once = 4;
+
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool fail(std::string *problem, std::string reason) {
@@ -154,8 +157,8 @@ Polytope Polytope::box(const Vec3 &size) {
 }
 
 void Polytope::build_support_table() {
-  // About two cells for each vertex.
-  cells_ = std::clamp(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(vertices_.size()) / 3.0))), 2, 24);
+  // About eight cells for each vertex: most have no more candidates than are compared at once.
+  cells_ = std::clamp(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(vertices_.size()) * 4.0 / 3.0))), 2, 40);
   const double slack = 1e-12 * radius_;
   std::vector<std::int32_t> last_cell(vertices_.size(), -1), kept;
   std::int32_t start = 0;
@@ -187,22 +190,28 @@ void Polytope::build_support_table() {
         if (!surpassed(vertices_[index(next)])) kept.push_back(next);
       }
     }
-    for (const std::int32_t vertex : kept) candidates_.push_back({vertices_[index(vertex)], vertex});
+    while (kept.size() % compared_at_once != 0) kept.push_back(kept.back());
+    candidates_.insert(candidates_.end(), kept.begin(), kept.end());
     cell_begin_.push_back(static_cast<std::int32_t>(candidates_.size()));
   }
 }
 
 std::int32_t Polytope::support_vertex(const Vec3 &d) const {
   const int cell = cube_cell(d, cells_);
-  const Candidate *candidate = candidates_.data() + cell_begin_[index(cell)];
-  const Candidate *const end = candidates_.data() + cell_begin_[index(cell) + 1];
-  std::int32_t best = candidate->vertex;
-  double height = dot(d, candidate->at);
-  while (++candidate != end) {
-    const double here = dot(d, candidate->at);
-    best = here > height ? candidate->vertex : best;
-    height = here > height ? here : height;
-  }
+  const std::int32_t *candidate = candidates_.data() + cell_begin_[index(cell)];
+  const std::int32_t *const end = candidates_.data() + cell_begin_[index(cell) + 1];
+  const Vec3 *const places = vertices_.data();
+  std::int32_t best = *candidate;
+  double height = -HUGE_VAL;
+  do {
+    for (std::size_t k = 0; k < compared_at_once; ++k) {
+      const std::int32_t vertex = candidate[k];
+      const double here = dot(d, places[vertex]);
+      best = here > height ? vertex : best;
+      height = here > height ? here : height;
+    }
+    candidate += compared_at_once;
+  } while (candidate != end);
   return best;
 }
 

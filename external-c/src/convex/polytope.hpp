@@ -62,10 +62,6 @@ class Polytope {
   std::int32_t support_vertex(const Vec3 &d) const;
 
  private:
-  struct Candidate {
-    Vec3 at;
-    std::int32_t vertex;
-  };
   void build_support_table();
   // The same by hill climbing from a vertex.
   std::int32_t climb(const Vec3 &d, std::int32_t start) const;
@@ -82,7 +78,7 @@ class Polytope {
   // For each cell of a cube's surface (cells_ x cells_ on each side) the vertices that are farthest along some direction
   // that leaves through the cell: candidates_[cell_begin_[cell] .. cell_begin_[cell + 1]).
   int cells_ = 1;
-  std::vector<Candidate> candidates_;
+  std::vector<std::int32_t> candidates_;
   std::vector<std::int32_t> cell_begin_;
   double radius_ = 0.0;
   Vec3 center_;

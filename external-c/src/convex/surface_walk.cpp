@@ -159,7 +159,9 @@ bool SurfaceWalk::start(const Vec3 &first, Facet &facet, Vec3 &apart) {
     for (std::int32_t slot = polytope.neighbour_begin(vertex[k]); slot < end; ++slot) {
       const Vec3 &way = polytope.neighbour_ways()[index(slot)];
       const double rate = dot(local_turn, way), at = -dot(local_first, way) / rate;
-      if (rate > 0.0 && at < soonest) soonest = at, body = k, leaving = slot;
+      const bool sooner = (rate > 0.0) & (at < soonest);
+      soonest = sooner ? at : soonest;
+      body = sooner ? k : body, leaving = sooner ? slot : leaving;
     }
   }
   if (leaving < 0) return false;

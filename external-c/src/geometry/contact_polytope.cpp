@@ -17,7 +17,7 @@ constexpr double smallest_angle_term = 1e-14;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-struct FaceCorner {
+struct Neighbourhood {
   std::int32_t face;
   std::int32_t next;  // vertex after this one in the face
   std::int32_t previous;
@@ -28,7 +28,7 @@ struct FaceCorner {
 
 ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::move(geometry)) {
   const std::size_t vertex_count = geometry_.vertices().size();
-  std::vector<std::vector<FaceCorner>> around(vertex_count);
+  std::vector<std::vector<Neighbourhood>> around(vertex_count);
   for (std::size_t f = 0; f < geometry_.faces().size(); ++f) {
     const convex::Polytope::Face &face = geometry_.faces()[f];
     double sum = 0.0;
@@ -49,7 +49,7 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::mov
     }
   }
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    std::vector<FaceCorner> &corners = around[v];
+    std::vector<Neighbourhood> &corners = around[v];
     // In turn: each face's previous vertex is the next vertex of the face that follows counter-clockwise.
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
       const std::int32_t shared = corners[i].previous;
@@ -63,9 +63,9 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::mov
     corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
     double low = 1.0, high = 0.0;
     double normal_cone = 0.0;
-    for (const FaceCorner &corner : corners) {
-      const Vec3 &normal = geometry_.faces()[index(corner.face)].normal;
-      corners_.push_back({normal, corner.share, corner.face});
+    for (const Neighbourhood &corner : corners) {
+      const convex::Polytope::Face &face = geometry_.faces()[index(corner.face)];
+      corners_.push_back({face.normal, face.offset, corner.share, corner.face});
       low = std::min(low, corner.share);
       high = std::max(high, corner.share);
     }
@@ -78,18 +78,31 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::mov
     normal_cone_.push_back(std::fabs(normal_cone));
   }
   corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+  for (const convex::Polytope::Edge &edge : geometry_.edges()) {
+    const double part = 2.0 * pi / (normal_cone(edge.vertex[0]) + normal_cone(edge.vertex[1]));
+    EdgeFaces &faces = edge_faces_.emplace_back();
+    for (int side = 0; side < 2; ++side) {
+      faces.normal[side] = geometry_.faces()[index(edge.face[side])].normal;
+      faces.stiffness[side] =
+          part * (share_in(edge.vertex[0], edge.face[side]) + share_in(edge.vertex[1], edge.face[side]));
+    }
+  }
   double radius = 0.0;
   for (const Vec3 &v : geometry_.vertices()) radius = std::max(radius, norm(v - geometry_.center()));
   fineness_ = static_cast<double>(vertex_count) / (2.0 * radius);
+}
+
+double ContactPolytope::share_in(std::int32_t v, std::int32_t face) const {
+  return std::find_if(corners(v), corners(v + 1), [face](const FaceCorner &corner) { return corner.face == face; })->share;
 }
 
 double ContactPolytope::greatest_face_cosine(const Vec3 &direction, std::int32_t start) const {
   double greatest = -1.0;
   std::int32_t best = -1;
   const auto look_round = [&](std::int32_t v) {
-    for (auto i = index(corner_begin_[index(v)]); i < index(corner_begin_[index(v) + 1]); ++i) {
-      const double cosine = dot(corners_[i].normal, direction);
-      if (cosine > greatest) greatest = cosine, best = corners_[i].face;
+    for (const FaceCorner *corner = corners(v); corner != corners(v + 1); ++corner) {
+      const double cosine = dot(corner->normal, direction);
+      if (cosine > greatest) greatest = cosine, best = corner->face;
     }
   };
   look_round(start);
@@ -104,34 +117,41 @@ double ContactPolytope::greatest_face_cosine(const Vec3 &direction, std::int32_t
   return greatest;
 }
 
-double ContactPolytope::share(std::int32_t v, const Vec3 &down, Vec3 *gradient) const {
-  if (gradient != nullptr) *gradient = {};
-  if (constant_[index(v)] >= 0.0) return constant_[index(v)];
+ContactPolytope::Share ContactPolytope::share(std::int32_t v, const Vec3 &down) const {
+  const FaceCorner *const first = corners(v), *const last = corners(v + 1);
+  Share result{constant_[index(v)], {}, 1.0};
+  if (result.value >= 0.0) {
+    for (const FaceCorner *corner = first; corner != last; ++corner) {
+      result.least_cosine = std::min(result.least_cosine, dot(corner->normal, down));
+    }
+    return result;
+  }
   // Shepard's interpolation over the faces at v in the angle between face normal and load.
-  const Corner *const corner = corners_.data() + corner_begin_[index(v)];
-  const std::size_t count = faces_at(v);
   constexpr std::size_t most_kept = 32;
   std::array<double, most_kept> kept;  // only the first ones are used
-  const auto inverse_term = [&](std::size_t i) {
-    const double term = 1.0 - dot(corner[i].normal, down);
-    return 1.0 / (term > smallest_angle_term ? term : smallest_angle_term);
-  };
-  double sum = 0.0, weighted = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double inverse = inverse_term(i), influence = inverse * inverse;
+  const auto inverse_term = [&](double cosine) { return 1.0 / std::max(1.0 - cosine, smallest_angle_term); };
+  double sum = 0.0, weighted = 0.0, least = 1.0;
+  std::size_t i = 0;
+  for (const FaceCorner *corner = first; corner != last; ++corner, ++i) {
+    const double cosine = dot(corner->normal, down);
+    least = std::min(least, cosine);
+    const double inverse = inverse_term(cosine), influence = inverse * inverse;
     if (i < most_kept) kept[i] = inverse;
     sum += influence;
-    weighted += influence * corner[i].share;
+    weighted += influence * corner->share;
   }
-  const double share = weighted / sum;
-  if (gradient != nullptr) {
-    const double factor = 2.0 / sum;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double inverse = i < most_kept ? kept[i] : inverse_term(i);
-      *gradient = *gradient + (factor * inverse * inverse * inverse * (corner[i].share - share)) * corner[i].normal;
-    }
+  const double part = 1.0 / sum, share = weighted * part, factor = 2.0 * part;
+  i = 0;
+  double x = 0.0, y = 0.0, z = 0.0;
+  for (const FaceCorner *corner = first; corner != last; ++corner, ++i) {
+    const double inverse = i < most_kept ? kept[i] : inverse_term(dot(corner->normal, down));
+    const double scale = factor * inverse * inverse * inverse * (corner->share - share);
+    x += scale * corner->normal.x, y += scale * corner->normal.y, z += scale * corner->normal.z;
   }
-  return share;
+  result.value = share;
+  result.gradient.x = x, result.gradient.y = y, result.gradient.z = z;
+  result.least_cosine = least;
+  return result;
 }
 
 }  // namespace cmb

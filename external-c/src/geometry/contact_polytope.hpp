@@ -25,14 +25,35 @@ class ContactPolytope {
 
   const convex::Polytope &geometry() const { return geometry_; }
 
-  // Share of vertex v where the obstacle lies towards `down` (unit, in the polytope's frame);
-  // in (0, 1/2). `gradient` (may be null) receives its derivative by `down` (of any length).
-  double share(std::int32_t v, const Vec3 &down, Vec3 *gradient = nullptr) const;
+  // A face as one of its vertices sees it.
+  struct FaceCorner {
+    Vec3 normal;          // of the face
+    double offset = 0.0;  // normal . p for points p of the face
+    double share = 0.0;   // of the vertex in this face
+    std::int32_t face = 0;
+  };
+  // The faces at vertex v, in turn counter-clockwise from outside: [corners(v), corners(v + 1)).
+  const FaceCorner *corners(std::int32_t v) const {
+    return corners_.data() + corner_begin_[static_cast<std::size_t>(v)];
+  }
 
-  // Whether the share of vertex v is the same for all directions, as for every box.
-  bool share_is_constant(std::int32_t v) const { return constant_[static_cast<std::size_t>(v)] >= 0.0; }
+  struct Share {
+    double value;
+    Vec3 gradient;        // the derivative by the direction (of any length)
+    double least_cosine;  // of the angle between the direction and a face's normal
+  };
+  // The share of vertex v where the obstacle lies towards `down` (unit, in the polytope's frame); in (0, 1/2).
+  Share share(std::int32_t v, const Vec3 &down) const;
 
-  // Whether that holds for all vertices.
+  // An edge's faces, and for each what the edge's ends, had they no other face, would carry in it if their normal cones
+  // filled the hemisphere: the mean of their shares over the mean part of the hemisphere that their cones fill.
+  struct EdgeFaces {
+    Vec3 normal[2];
+    double stiffness[2];
+  };
+  const EdgeFaces &edge_faces(std::int32_t edge) const { return edge_faces_[static_cast<std::size_t>(edge)]; }
+
+  // Whether the share of every vertex is the same for all directions, as for a box.
   bool shares_are_constant() const { return all_constant_; }
 
   // The greatest cosine of the angle between `direction` (unit, in the polytope's frame) and a face's normal; found by
@@ -42,31 +63,20 @@ class ContactPolytope {
   // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated.
   double fineness() const { return fineness_; }
 
-  // The normals of the faces at vertex v, in turn: faces_at(v) of them.
-  std::size_t faces_at(std::int32_t v) const {
-    return static_cast<std::size_t>(corner_begin_[static_cast<std::size_t>(v) + 1] -
-                                    corner_begin_[static_cast<std::size_t>(v)]);
-  }
-  const Vec3 &face_normal_at(std::int32_t v, std::size_t i) const {
-    return corners_[static_cast<std::size_t>(corner_begin_[static_cast<std::size_t>(v)]) + i].normal;
-  }
-
   // The solid angle of vertex v's whole normal cone.
   double normal_cone(std::int32_t v) const { return normal_cone_[static_cast<std::size_t>(v)]; }
 
  private:
-  struct Corner {
-    Vec3 normal;         // of the face
-    double share = 0.0;  // of the vertex in this face
-    std::int32_t face = 0;
-  };
+  double share_in(std::int32_t v, std::int32_t face) const;
+
   convex::Polytope geometry_;
-  std::vector<Corner> corners_;             // in turn round each vertex, counter-clockwise from outside
+  std::vector<FaceCorner> corners_;
   std::vector<std::int32_t> corner_begin_;  // vertex -> first corner
   std::vector<double> constant_;            // share where it does not depend on the direction, else -1
   bool all_constant_ = true;
   double fineness_ = 0.0;
   std::vector<double> normal_cone_;         // solid angle of the whole cone
+  std::vector<EdgeFaces> edge_faces_;
 };
 
 }  // namespace cmb

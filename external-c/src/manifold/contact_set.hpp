@@ -36,8 +36,8 @@ double total_load(const std::vector<ContactPoint> &points, std::size_t begin = 0
 
 // Merges points until at most `capacity` (>= 1) are left, so that the sums of weight * depth (the load),
 // weight * depth^2 (the energy stored at exponent 1) and weight * depth * position stay the same; normals are
-// averaged by load. Of all pairs, the one whose
-// union changes the second moment of the load least goes first.
+// averaged by load. Of all pairs (of the 16 heaviest points), the one whose union changes the second moment of the load
+// least goes first.
 void merge_points(std::vector<ContactPoint> &points, std::size_t capacity);
 
 }  // namespace cmb

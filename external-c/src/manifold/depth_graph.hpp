@@ -16,7 +16,7 @@ namespace cmb {
 // weight is the part of the hemisphere of directions in which it is the graph's farthest point (its normal cone), scaled
 // so that a vertex of one body inside a face of the other carries its share in that face. This measure of a convex body
 // changes continuously with the body (Schneider, Convex Bodies, section 4.2), so corners may appear, merge and vanish
-// without a jump. Where edges cross, the scale is interpolated between their four ends.
+// without a jump. Where edges cross, the scale is that of the edges, and near an end that of the vertex.
 //
 // Holds room; one for each thread.
 class DepthGraph {
@@ -38,31 +38,10 @@ class DepthGraph {
   const std::vector<Corner> &corners() const { return corners_; }
 
  private:
-  // A face's plane over the contact plane: z = height - slope_x x - slope_y y.
-  struct Plane {
-    double slope_x, slope_y, height;
-    double over(const Vec3 &p) const { return height - slope_x * p.x - slope_y * p.y; }
-  };
-  // normal . p = offset
-  struct FacePlane {
-    Vec3 normal;
-    double offset;
-    void set(const Vec3 &n, double d) { normal.x = n.x, normal.y = n.y, normal.z = n.z, offset = d; }
-  };
-  // The faces of a side: those towards the other body, as they are and shaken, and the others, of which only the border
-  // counts.
-  struct Faces {
-    std::vector<FacePlane> planes;
-    std::vector<Plane> shaken;
-    std::vector<FacePlane> walls;
-    void gather(PolytopeSide &side);
-    // The plane over p; false where there is none, or where p, at `height` in the other body, cannot be deeper than
-    // `level`. `size` is that of the bodies.
-    bool over(const Vec3 &p, double height, double level, double size, Plane &plane) const;
-  };
-  // What decides whether edges cross: a shaken edge as seen along the contact normal.
+  // What decides whether edges cross: an edge as it is seen along the contact normal.
   struct Line {
-    double low_x, high_x, low_y, high_y, from_x, from_y, to_x, to_y;
+    Extent extent;
+    double from_x, from_y, to_x, to_y;
     double highest;     // z, of the true edge
     std::int32_t edge;  // of the side
 
@@ -72,37 +51,39 @@ class DepthGraph {
     }
     double area(double x, double y) const { return (to_x - from_x) * (y - from_y) - (to_y - from_y) * (x - from_x); }
   };
-  // The directions of the faces at an edge within the hemisphere; not visible where none of them looks towards the other
+  // An edge with the directions of its faces within the hemisphere; not visible where none of them looks towards the other
   // body.
-  struct Arc {
+  struct Ridge {
     DirectionArc directions;
+    Stiffness stiffness;  // of its points, far from its ends
     bool known = false, visible = false;
   };
-  // A side's edges within a region, and the same from the left to the right.
+  // A side's edges within a region: the first `count` ones; and the same from the left to the right.
   struct Lines {
     std::vector<Line> found, ordered;
-    std::vector<Arc> arcs;  // by the side's edge; made where asked for
+    std::size_t count = 0;
+    std::vector<Ridge> ridges;  // by the side's edge; made where asked for
     std::vector<std::pair<double, std::int32_t>> order;
-    // `beyond` as for the region.
+    // The lines' extents reach `beyond` those of the edges.
     void gather(const PolytopeSide &side, const Extent &region, double beyond);
-    // Of an edge found; null where it is not visible.
-    const DirectionArc *arc(const PolytopeSide &side, std::int32_t edge);
+    // Of an edge found; null where it is not visible. `turning` as for the vertices.
+    const Ridge *ridge(const PolytopeSide &side, std::int32_t edge, double turning);
     void sort();
   };
 
-  void add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side, Faces &others,
-                    double sense);
+  void add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side, double sense);
   void add_corner(double x, double y, double z, double depth, double part, const Stiffness &scale);
   void add_crossings();
+  void add_crossings_of(const Line &line, const Line *others, const Line *end, bool of_a);
   void add_crossing(std::int32_t edge_a, std::int32_t edge_b);
 
   double size_ = 0.0, level_ = 0.0, turning_a_ = 0.5;
   PolytopeSide side_a_, side_b_;
   Extent region_;
-  Faces faces_a_, faces_b_;
   Lines lines_a_, lines_b_;
+  std::vector<const Line *> sieve_;
   VertexStiffness stiffness_a_, stiffness_b_;
-  DirectionCone cone_, sheared_cone_;
+  DirectionCone cone_;
   std::vector<Corner> corners_;
 };
 

@@ -122,15 +122,12 @@ void polytope_contact(const ContactPolytope &polytope, Collector &collector) {
   const std::int32_t lowest = geometry.support_vertex(collector.down());
   const auto place = [&](std::int32_t v) -> const Vec3 & { return geometry.vertices()[static_cast<std::size_t>(v)]; };
   visit_deeper(geometry, lowest, 0.0, collector, [&](std::int32_t v) {
-    Vec3 gradient;
-    const double share = polytope.share(v, collector.down(), &gradient);
-    collector.add(place(v), share, gradient);
+    const ContactPolytope::Share share = polytope.share(v, collector.down());
+    collector.add(place(v), share.value, share.gradient);
   });
   if (collector.limit_load(polytope.fineness())) {
     visit_deeper(geometry, lowest, collector.least_depth(), collector, [&](std::int32_t v) {
-      Vec3 gradient;
-      polytope.share(v, collector.down(), &gradient);
-      collector.add_derivative(place(v), gradient);
+      collector.add_derivative(place(v), polytope.share(v, collector.down()).gradient);
     });
   }
   collector.finish(place(lowest));

@@ -1,6 +1,7 @@
 #include "manifold/polytope_side.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cmb {
 
@@ -22,13 +23,16 @@ void PolytopeSide::gather(double limit) {
   const convex::Polytope &geometry = body_->geometry();
   const Vec3 *const places = geometry.vertices().data();
   const std::int32_t *const neighbours = geometry.neighbours().data(), *const numbers = geometry.neighbour_edges().data();
-  faces_.clear();
-  if (vertices_.size() < geometry.vertices().size()) vertices_.resize(geometry.vertices().size());
-  if (edges_.size() < geometry.edges().size()) edges_.resize(geometry.edges().size());
+  up_faces_.clear();
+  walls_.clear();
+  // One place more than can be taken: what turns out not to be needed is overwritten.
+  if (vertices_.size() <= geometry.vertices().size()) vertices_.resize(geometry.vertices().size() + 1);
+  if (edges_.size() <= geometry.edges().size()) edges_.resize(geometry.edges().size() + 1);
   if (vertex_mark_.size() < geometry.vertices().size()) vertex_mark_.resize(geometry.vertices().size());
   if (face_mark_.size() < geometry.faces().size()) face_mark_.resize(geometry.faces().size());
   if (++gathering_ == 0) {
-    for (std::vector<Mark> *marks : {&vertex_mark_, &face_mark_}) std::fill(marks->begin(), marks->end(), Mark{});
+    std::fill(vertex_mark_.begin(), vertex_mark_.end(), Mark{});
+    std::fill(face_mark_.begin(), face_mark_.end(), 0);
     gathering_ = 1;
   }
   const Pose to_side = to_side_;
@@ -37,60 +41,99 @@ void PolytopeSide::gather(double limit) {
   Vertex *const vertices = vertices_.data();
   Edge *edge = edges_.data();
   std::int32_t count = 0;
-  // Written member by member: objects put together on the stack and copied as a whole would wait for the store.
+  // Whether a vertex is new, beyond the limit or an edge kept already cannot be foretold: everything is computed, and kept
+  // or overwritten. Written member by member: objects put together on the stack and copied as a whole would wait.
   const auto add_vertex = [&](std::int32_t number) {
-    marks[number].gathering = gathering;
-    marks[number].place = count;
-    Vertex &vertex = vertices[count++];
-    vertex.at = to_side(places[number]);
+    Vertex &vertex = vertices[count];
+    const Vec3 at = to_side(places[number]);
+    vertex.at.x = at.x, vertex.at.y = at.y, vertex.at.z = at.z;
     vertex.number = number;
-    vertex.inside = vertex.at.z > limit;
+    vertex.inside = at.z > limit;
+    Mark &mark = marks[number];
+    const bool met = mark.gathering == gathering;
+    mark.place = met ? mark.place : count;
+    mark.gathering = gathering;
+    count += met ? 0 : 1;
+    return mark.place;
   };
   // The vertices beyond a plane hang together: they are found from the farthest one along the edges.
   add_vertex(summit_);
-  Extent extent;
+  double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;
   for (std::int32_t self = 0; self < count; ++self) {
     if (!vertices[self].inside) continue;
-    const Vec3 at = vertices[self].at;
+    const double x = vertices[self].at.x, y = vertices[self].at.y, z = vertices[self].at.z;
     const std::int32_t v = vertices[self].number, last_slot = geometry.neighbour_begin(v + 1);
-    extent.add(at);
     for (std::int32_t slot = geometry.neighbour_begin(v); slot < last_slot; ++slot) {
-      const std::int32_t neighbour = neighbours[slot];
-      if (marks[neighbour].gathering != gathering) add_vertex(neighbour);
-      const std::int32_t other = marks[neighbour].place;
+      const std::int32_t other = add_vertex(neighbours[slot]);
       const Vertex &end = vertices[other];
-      if (end.inside && other < self) continue;  // kept when the other end was looked at
-      Vec3 last = end.at;
-      if (!end.inside) {
-        last = at + ((at.z - limit) / (at.z - last.z)) * (last - at);
-        extent.add(last);
-      }
+      const double way = end.inside ? 1.0 : (z - limit) / (z - end.at.z);
+      const double end_x = x + way * (end.at.x - x), end_y = y + way * (end.at.y - y);
       edge->vertex[0] = self;
       edge->vertex[1] = other;
       edge->number = numbers[slot];
-      edge->extent.low_x = at.x < last.x ? at.x : last.x;
-      edge->extent.high_x = at.x > last.x ? at.x : last.x;
-      edge->extent.low_y = at.y < last.y ? at.y : last.y;
-      edge->extent.high_y = at.y > last.y ? at.y : last.y;
-      ++edge;
+      Extent &extent = edge->extent;
+      extent.low_x = x < end_x ? x : end_x, extent.high_x = x > end_x ? x : end_x;
+      extent.low_y = y < end_y ? y : end_y, extent.high_y = y > end_y ? y : end_y;
+      low_x = extent.low_x < low_x ? extent.low_x : low_x, high_x = extent.high_x > high_x ? extent.high_x : high_x;
+      low_y = extent.low_y < low_y ? extent.low_y : low_y, high_y = extent.high_y > high_y ? extent.high_y : high_y;
+      edge += end.inside && other < self ? 0 : 1;  // kept when the other end was looked at
     }
   }
   vertex_count_ = static_cast<std::size_t>(count);
   edge_count_ = static_cast<std::size_t>(edge - edges_.data());
-  extent_ = extent;
+  extent_ = {low_x, high_x, low_y, high_y};
 }
 
-const std::vector<std::int32_t> &PolytopeSide::faces() {
-  if (!faces_.empty()) return faces_;
-  for (std::size_t k = 0; k < edge_count_; ++k) {
-    for (const std::int32_t face : body_->geometry().edges()[index(edges_[k].number)].face) {
-      Mark &mark = face_mark_[index(face)];
-      if (mark.gathering == gathering_) continue;
-      mark.gathering = gathering_;
-      faces_.push_back(face);
+void PolytopeSide::gather_faces() {
+  const Vec3 *const row = to_side_.rotation.row, turn = shake_.turn;
+  shaken_to_side_.rotation = {{row[0] + turn.y * row[2] - turn.z * row[1], row[1] + turn.z * row[0] - turn.x * row[2],
+                               row[2] + turn.x * row[1] - turn.y * row[0]}};
+  shaken_to_side_.translation = shake_(to_side_.translation);
+  const Vec3 up = shaken_to_side_.rotation.row[2];
+  for (std::size_t k = 0; k < vertex_count_; ++k) {
+    if (!vertices_[k].inside) continue;
+    const auto *const last = body_->corners(vertices_[k].number + 1);
+    for (const auto *corner = body_->corners(vertices_[k].number); corner != last; ++corner) {
+      if (face_mark_[index(corner->face)] == gathering_) continue;
+      face_mark_[index(corner->face)] = gathering_;
+      const double cosine = dot(corner->normal, up);
+      if (cosine > wall_cosine) {
+        const double part = 1.0 / cosine;
+        up_faces_.emplace_back();
+        UpFace &face = up_faces_.back();
+        face.normal.x = part * corner->normal.x, face.normal.y = part * corner->normal.y;
+        face.normal.z = part * corner->normal.z;
+        face.offset = part * corner->offset, face.part = part, face.corner = corner;
+      } else {
+        walls_.push_back({corner->normal, corner->offset, cosine});
+      }
     }
   }
-  return faces_;
+}
+
+bool PolytopeSide::face_over(const Vertex &vertex, const Vec3 &seen, double level, double slack, Plane &plane) {
+  if (up_faces_.empty()) gather_faces();
+  const Pose &pose = shaken_to_side_;
+  const Vec3 ground = transposed_times(
+      pose.rotation, Vec3{seen.x - pose.translation.x, seen.y - pose.translation.y, -pose.translation.z});
+  const UpFace *best = nullptr;
+  double least = HUGE_VAL;
+  for (const UpFace &face : up_faces_) {
+    const double height = face.offset - dot(face.normal, ground);
+    if (height >= least) continue;
+    // What is far from deep enough, however the body is seen, need not be looked at further.
+    if (vertex.at.z + height <= level - slack * face.part) return false;
+    least = height, best = &face;
+  }
+  if (best == nullptr) return false;
+  for (const Wall &wall : walls_) {
+    if (dot(wall.normal, ground) + least * wall.cosine > wall.offset) return false;
+  }
+  const Vec3 normal = to_side_.rotation * best->corner->normal;
+  const double part = 1.0 / normal.z;
+  plane.slope_x = normal.x * part, plane.slope_y = normal.y * part;
+  plane.height = (best->corner->offset + dot(normal, to_side_.translation)) * part;
+  return true;
 }
 
 }  // namespace cmb

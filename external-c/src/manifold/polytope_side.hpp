@@ -12,13 +12,14 @@ namespace cmb {
 
 using convex::Pose;
 
-// A small motion that leaves no two edges parallel and no corner flush with an edge: which corners lie where is decided
-// as if one body had been moved so. Depths and positions are those of the true pose.
+// A small motion: a turn about the origin and a shift.
 struct Shake {
   Vec3 turn, shift;  // rad, m
   Vec3 operator()(const Vec3 &p) const { return p + cross(turn, p) + shift; }
-  Vec3 direction(const Vec3 &d) const { return d + cross(turn, d); }
 };
+
+// Faces at right angles to the contact plane to this cosine are walls.
+constexpr double wall_cosine = 1e-9;
 
 // A rectangle in the contact plane.
 struct Extent {
@@ -41,7 +42,7 @@ struct Extent {
   }
   bool holds(const Vec3 &p) const { return p.x >= low_x && p.x <= high_x && p.y >= low_y && p.y <= high_y; }
   bool meets(const Extent &other) const {
-    return low_x <= other.high_x && other.low_x <= high_x && low_y <= other.high_y && other.low_y <= high_y;
+    return (low_x <= other.high_x) & (other.low_x <= high_x) & (low_y <= other.high_y) & (other.low_y <= high_y);
   }
 };
 
@@ -59,8 +60,14 @@ class PolytopeSide {
     std::int32_t number;     // in the polytope
     Extent extent;           // of its part beyond the limit
   };
+  // A face's plane over the contact plane: z = height - slope_x x - slope_y y.
+  struct Plane {
+    double slope_x, slope_y, height;
+    double over(const Vec3 &p) const { return height - slope_x * p.x - slope_y * p.y; }
+  };
 
-  // `to_side` maps the body's frame to the side's axes, which mirrors the body where the other one lies below.
+  // `to_side` maps the body's frame to the side's axes, which mirrors the body where the other one lies below. The body is
+  // seen as if it had been shaken.
   void place(const ContactPolytope &body, const Pose &to_side, const Shake &shake);
   // Gathers what lies beyond `limit`: z > limit.
   void gather(double limit);
@@ -74,16 +81,18 @@ class PolytopeSide {
 
   const ContactPolytope &body() const { return *body_; }
   const Pose &to_side() const { return to_side_; }
-  const Shake &shake() const { return shake_; }
-  Vec3 shaken(const Vertex &vertex) const { return shake_(vertex.at); }
+  // Where a vertex is seen.
+  Vec3 seen(const Vertex &vertex) const { return shake_(vertex.at); }
   std::size_t vertex_count() const { return vertex_count_; }
   std::size_t edge_count() const { return edge_count_; }
   const Vertex &vertex(std::size_t k) const { return vertices_[k]; }
   const Edge &edge(std::size_t k) const { return edges_[k]; }
   // Of what lies beyond the limit.
   const Extent &extent() const { return extent_; }
-  // The numbers of the faces at the edges gathered; valid until the next gathering.
-  const std::vector<std::int32_t> &faces();
+  // The plane of the face that is seen over a vertex of the other side, seen there; false where there is none beyond the limit of the
+  // gathering, or where the vertex is not deeper than `level`, all faces but level ones being taken for steeper by `slack`
+  // (m) than they are, beside what the body is seen moved.
+  bool face_over(const Vertex &vertex, const Vec3 &seen, double level, double slack, Plane &plane);
 
  private:
   const ContactPolytope *body_ = nullptr;
@@ -95,14 +104,30 @@ class PolytopeSide {
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
   std::size_t vertex_count_ = 0, edge_count_ = 0;
-  std::vector<std::int32_t> faces_;
   Extent extent_;
+  // The faces at the vertices beyond the limit, gathered where asked for: those towards the other body, with normal and
+  // offset divided by the cosine of their inclination, and the others, of which only the border counts. In the body's
+  // frame, so that no face need be turned.
+  struct UpFace {
+    Vec3 normal;
+    double offset, part;
+    const ContactPolytope::FaceCorner *corner;
+  };
+  struct Wall {
+    Vec3 normal;
+    double offset, cosine;
+  };
+  void gather_faces();
+  Pose shaken_to_side_;
+  std::vector<UpFace> up_faces_;
+  std::vector<Wall> walls_;
   // For each vertex and face of the polytope the last gathering that met it, and where the vertex is kept.
   struct Mark {
     std::uint32_t gathering = 0;
     std::int32_t place = 0;
   };
-  std::vector<Mark> vertex_mark_, face_mark_;
+  std::vector<Mark> vertex_mark_;
+  std::vector<std::uint32_t> face_mark_;
   std::uint32_t gathering_ = 0;
 };
 

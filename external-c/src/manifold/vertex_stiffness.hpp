@@ -10,9 +10,12 @@
 
 namespace cmb {
 
-// The directions of the hemisphere in a vertex' normal cone, its z axis pointing to the other body. Returns their solid
-// angle.
-double visible_cone(const PolytopeSide &side, std::int32_t vertex, DirectionCone &cone);
+// Turns the directions in a vertex' normal cone that look towards the other body by `rotation`, whose last row is the
+// direction towards it, into `cone`. Returns whether they are the whole of the normal cone.
+bool visible_cone(const PolytopeSide &side, std::int32_t vertex, const convex::Mat3 &rotation, DirectionCone &cone);
+
+// Their solid angle; `cone` is room.
+double visible_angle(const PolytopeSide &side, std::int32_t vertex, DirectionCone &cone);
 
 // What a vertex would carry if its normal cone filled the hemisphere, and how that changes with the direction towards
 // the other body as far as that turns with the other body.
@@ -28,8 +31,7 @@ class VertexStiffness {
   // turns with that one as far as `turning` says (0 to 1).
   void start(const PolytopeSide &side, double turning);
 
-  // Of the side's vertex k, whose visible cone has the solid angle `visible`.
-  const Stiffness &of(std::int32_t k, double visible);
+  // Of the side's vertex k.
   const Stiffness &of(std::int32_t k);
 
  private:
