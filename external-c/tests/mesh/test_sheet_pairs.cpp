@@ -73,6 +73,29 @@ TEST(SheetPairs, LevelOnesTouchWhereTheyCross) {
   EXPECT_GT(apart, 800);
 }
 
+// Where triangles of rough ones have a place in common they touch, else they are as far apart as their triangles.
+TEST(SheetPairs, RoughOnesTouchWhereTheyCross) {
+  const mesh_samples::MeshData small = sheet_mesh(1.0, 6, hills), large = sheet_mesh(1.6, 8, hills);
+  const PairScene scene(mesh_text(small), mesh_text(large));
+  const cmb::mesh::TriangleMesh a = mesh_samples::mesh(small), b = mesh_samples::mesh(large);
+  Random random(4);
+  int touching = 0, apart = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const BodyPose pose{random.uniform(0, 1.3) * random.direction(), random_rotation(random)};
+    const double gap = mesh_pair_distance(b, a, {pose.rotation, pose.position}).distance;
+    const Contact contact = scene.query(pose, {});
+    if (gap > 0.0) {
+      ASSERT_NEAR(contact.distance, gap, 1e-12) << k;
+    } else {
+      ASSERT_LT(contact.distance, 0.0) << k;
+    }
+    ASSERT_EQ(load_size(contact) > 0.0, gap == 0.0) << k;
+    (gap > 0.0 ? apart : touching) += 1;
+  }
+  EXPECT_GT(touching, 500);
+  EXPECT_GT(apart, 500);
+}
+
 TEST(SheetPairs, ExchangeReversesTheLoad) {
   const std::string flat = mesh_text(sheet_mesh(1.0, 3, level)), rough = mesh_text(sheet_mesh(1.0, 6, hills)),
                     cup = mesh_text(sheet_mesh(0.8, 5, cap)), ground = height_field_text(3.0, 9, hills);
