@@ -6,6 +6,8 @@
 #include "convex/random_bodies.hpp"
 #include "mesh/mesh_samples.hpp"
 #include "mesh/mesh_text.hpp"
+#include "query/mesh_query.hpp"
+#include "scene/descriptor.hpp"
 #include "scene/mesh_hull.hpp"
 #include "scene_query.hpp"
 
@@ -93,6 +95,17 @@ TEST(FineMesh, OfABoxRestsAsTheBox) {
     ASSERT_LT(norm(of_mesh.load() - of_box.load()), 1e-9);
     ASSERT_LT(norm(of_mesh.moment({}) - of_box.moment({})), 1e-9);
   }
+}
+
+// Which half-spaces ask for elsewhere.
+TEST(MeshContact, OfAHalfspaceIsNothing) {
+  const cmb::Shape mesh = cmb::parse_descriptor(flat_sheet).front(), halfspace = cmb::parse_descriptor("cmb/1 halfspace").front();
+  cmb::MeshQueryScratch scratch;
+  cmb::ContactSet contact;
+  contact.distance = 7.0;
+  cmb::mesh_contact(halfspace, {}, mesh, {}, scratch, contact);
+  EXPECT_EQ(contact.distance, 7.0);
+  EXPECT_TRUE(contact.points.empty());
 }
 
 }  // namespace

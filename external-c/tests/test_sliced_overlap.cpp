@@ -101,6 +101,23 @@ TEST(SlicedOverlap, MarkedFacesAreTakenApart) {
   EXPECT_NEAR(half.marked.height, 0.6 * 0.64 * pi, 1e-8);
 }
 
+// A cone whose mantle lines are at 45 degrees to its axis, the slices along one of them: parabolas.
+TEST(SlicedOverlap, ConesInParabolas) {
+  for (const double side : {1.0, -1.0}) {
+    const Pose pose{rotation_about({1, 0, 0}, side * 0.25 * pi), {0.1, 0.2, 0.3}};
+    const RoundSolid cone(shape("cone radius=0.8 length=0.8"), pose);
+    FromAnyGuess whole({-3, -3, -3}, {3, 3, 3}, {cone}), right(whole), left(whole);
+    for (FromAnyGuess *part : {&whole, &right, &left}) {
+      cone.visit_flat_ends([&](const Vec3 &normal, double offset) { part->cut(normal, offset); });
+    }
+    const double volume = pi / 3.0 * 0.64 * 0.8;
+    whole.expect_volume(volume, {0.2}, "a cone");
+    right.cut({-1, 0, 0}, -0.1), left.cut({1, 0, 0}, 0.1);
+    right.expect_volume(0.5 * volume, {0.2}, "its right half");
+    left.expect_volume(0.5 * volume, {0.2}, "its left half");
+  }
+}
+
 TEST(SlicedOverlap, CutsAddUp) {
   // Of a cone and a capsule that cross: what lies on both sides of a plane, whatever the plane.
   const RoundSolid cone(shape("cone radius=0.8 length=2"), {rotation_about({1, 0, 0}, 0.7), {0.1, 0.2, -0.1}});

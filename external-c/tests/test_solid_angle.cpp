@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <random>
+#include <vector>
 
 #include "geometry/solid_angle.hpp"
 
@@ -16,14 +18,29 @@ Vec3 sum_of_slopes(const Vec3 &p, const Vec3 &q) {
   return {p.x * q.z + q.x * p.z, p.y * q.z + q.y * p.z, p.z * q.z};
 }
 
-// The same cone by its rays, those of no length left out.
-double by_rays(const DirectionArc &p, const DirectionArc &q) {
+// Rays of no length left out.
+DirectionCone cone_of(const std::vector<Vec3> &rays) {
   DirectionCone cone;
-  for (const Vec3 &ray : {sum_of_slopes(p.first, q.first), sum_of_slopes(p.second, q.first),
-                          sum_of_slopes(p.second, q.second), sum_of_slopes(p.first, q.second)}) {
+  for (const Vec3 &ray : rays) {
     if (norm2(ray) > 0.0) cone.add(ray);
   }
-  return cone.solid_angle();
+  return cone;
+}
+
+// The same cone by its rays.
+double by_rays(const DirectionArc &p, const DirectionArc &q) {
+  return cone_of({sum_of_slopes(p.first, q.first), sum_of_slopes(p.second, q.first), sum_of_slopes(p.second, q.second),
+                  sum_of_slopes(p.first, q.second)}).solid_angle();
+}
+
+// `count` rays at the angle `open` about the z axis.
+std::vector<Vec3> ring(int count, double open) {
+  std::vector<Vec3> rays;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2.0 * pi * k / count;
+    rays.push_back({std::sin(open) * std::cos(angle), std::sin(open) * std::sin(angle), std::cos(open)});
+  }
+  return rays;
 }
 
 TEST(ParallelogramSolidAngle, OfACubesFaceIsASixthOfTheSphere) {
@@ -67,58 +84,49 @@ TEST(ParallelogramSolidAngle, IsThatOfItsRays) {
 TEST(DirectionCone, OfARegularPyramid) {
   for (const int count : {3, 4, 7, 60, 128}) {
     for (const double open : {0.01, 0.7, 1.5}) {
-      DirectionCone cone;
-      for (int k = 0; k < count; ++k) {
-        const double angle = 2.0 * pi * k / count;
-        cone.add({std::sin(open) * std::cos(angle), std::sin(open) * std::sin(angle), std::cos(open)});
-      }
       // Half the angle at each corner of the spherical polygon: cot(x) = cos(open) tan(pi/n).
       const double corner = 2.0 * std::atan2(1.0, std::cos(open) * std::tan(pi / count));
+      const DirectionCone cone = cone_of(ring(count, open));
+      EXPECT_FALSE(cone.empty());
       EXPECT_NEAR(cone.solid_angle(), count * corner - (count - 2) * pi, 1e-12 * count) << count << " " << open;
     }
   }
 }
 
 TEST(DirectionCone, DoesNotDependOnTheRaysLengths) {
-  const Vec3 rays[] = {{1, 0.1, 0.5}, {0.3, 1, 0.4}, {-0.6, 0.8, 0.7}, {-1, -0.5, 0.6}, {0.2, -1, 0.3}};
-  DirectionCone unit;
-  for (const Vec3 &ray : rays) unit.add(ray);
+  const std::vector<Vec3> rays = {{1, 0.1, 0.5}, {0.3, 1, 0.4}, {-0.6, 0.8, 0.7}, {-1, -0.5, 0.6}, {0.2, -1, 0.3}};
+  const double expected = cone_of(rays).solid_angle();
   for (const double length : {1e-60, 1e-35, 1e35, 1e60}) {
-    DirectionCone scaled, mixed;
-    for (int k = 0; k < 5; ++k) {
-      scaled.add(length * rays[k]);
-      mixed.add((k % 2 == 0 ? length : 1.0 / length) * rays[k]);
+    std::vector<Vec3> scaled, mixed;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      scaled.push_back(length * rays[k]);
+      mixed.push_back((k % 2 == 0 ? length : 1.0 / length) * rays[k]);
     }
-    EXPECT_NEAR(scaled.solid_angle(), unit.solid_angle(), 1e-14) << length;
-    EXPECT_NEAR(mixed.solid_angle(), unit.solid_angle(), 1e-14) << length;
+    EXPECT_NEAR(cone_of(scaled).solid_angle(), expected, 1e-14) << length;
+    EXPECT_NEAR(cone_of(mixed).solid_angle(), expected, 1e-14) << length;
   }
 }
 
 TEST(DirectionCone, OfFlatOnesIsNothing) {
-  DirectionCone cone;
-  EXPECT_TRUE(cone.empty());
-  EXPECT_EQ(cone.solid_angle(), 0.0);
-  cone.add({1, 0, 0}), cone.add({0, 1, 0});
-  EXPECT_TRUE(cone.empty());
-  EXPECT_EQ(cone.solid_angle(), 0.0);
-  cone.add({-1, 0, 0});  // the half plane
-  EXPECT_EQ(cone.solid_angle(), 0.0);
+  const std::vector<Vec3> half_plane = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
+  for (std::size_t count = 0; count < 3; ++count) {
+    const DirectionCone cone = cone_of({half_plane.begin(), half_plane.begin() + static_cast<std::ptrdiff_t>(count)});
+    EXPECT_TRUE(cone.empty());
+    EXPECT_EQ(cone.solid_angle(), 0.0);
+  }
+  EXPECT_EQ(cone_of(half_plane).solid_angle(), 0.0);
   EXPECT_EQ(triangle_solid_angle({1, 0, 0}, {0, 1, 0}, {1, 1, 0}), 0.0);
   EXPECT_NEAR(triangle_solid_angle({1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 0.5 * pi, 1e-15);
   EXPECT_NEAR(triangle_solid_angle({0, 1, 0}, {1, 0, 0}, {0, 0, 1}), -0.5 * pi, 1e-15);
 }
 
+// Of more rays than there is room for the first count.
 TEST(DirectionCone, LeavesOutRaysBeyondItsCapacity) {
-  // A right circular cone of half angle pi/3 has the solid angle pi; 200 rays of which 128 count lose the rest's sector.
-  DirectionCone cone;
-  for (int k = 0; k < 200; ++k) {
-    const double angle = 2.0 * pi * k / 200;
-    cone.add({std::sqrt(0.75) * std::cos(angle), std::sqrt(0.75) * std::sin(angle), 0.5});
-  }
-  EXPECT_EQ(cone.size(), DirectionCone::capacity);
-  EXPECT_EQ(cone[5].z, 0.5);
-  EXPECT_LT(cone.solid_angle(), pi);
-  EXPECT_GT(cone.solid_angle(), 0.5 * pi);
+  const std::vector<Vec3> rays = ring(200, 1.0), first(rays.begin(), rays.begin() + DirectionCone::capacity);
+  const DirectionCone cone = cone_of(rays);
+  ASSERT_EQ(cone.size(), DirectionCone::capacity);
+  EXPECT_EQ(cone[5].x, rays[5].x);
+  EXPECT_EQ(cone.solid_angle(), cone_of(first).solid_angle());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace cmb {
 using convex::Vec3;
 
 // A convex cone given by its edge rays (any lengths > 0), in turn. Holds up to `capacity` rays; more
-// are left out, which costs a sliver of solid angle.
+// are left out, and what they span: who has more adds every second one or fewer.
 class DirectionCone {
  public:
   static constexpr std::size_t capacity = 128;

@@ -42,12 +42,12 @@ void Conic::integrate(bool upper, double from, double to, Visit &&visit) const {
     }
   };
   const GaussNodes few(gauss_rule<4>), many(gauss_rule<10>);
-  // Far from the ends of reach x itself will do, and keeps its digits; `squared(t)`: D at from + t.
+  // Far from the ends of reach x itself will do, and keeps its digits; `squared(t)`: D at from + t, > 0.
   const double length = to - from;
   const auto plainly = [&](auto &&squared) {
     for (std::size_t k = 0; k < many.count; ++k) {
       const double t = length * many.node[k], x = from + t;
-      visit(x, side(upper, x, std::sqrt(std::max(0.0, squared(t)))), length * many.weight[k]);
+      visit(x, side(upper, x, std::sqrt(squared(t))), length * many.weight[k]);
     }
   };
   switch (kind_) {
@@ -110,7 +110,7 @@ void Conic::integrate(bool upper, double from, double to, Visit &&visit) const {
       return;
     }
     case Kind::level: {
-      const double root = std::sqrt(std::max(0.0, d0_));
+      const double root = std::sqrt(d0_);
       sum(few, from, to - from, [&](double place, double &x, double &r, double &slope) {
         x = place, r = root, slope = 1.0;
       });
