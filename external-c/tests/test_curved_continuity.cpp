@@ -66,6 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, RareCurved,
     testing::Values(RarePath{"the ball touches a cone all along an arc", {"cone", "box"}, 5021, 0.004},
                     RarePath{"a third place is nearer by less than a search tells", {"cone", "hull"}, 1085, 0.04},
+                    RarePath{"the ball comes to rest on a curved place slowly", {"cylinder", "hull"}, 1150, 0.04},
                     RarePath{"a cone's side is equally near along an arc to its end", {"cone", "box"}, 1383, 0.004}));
 
 std::vector<Kinds> all_kinds() {

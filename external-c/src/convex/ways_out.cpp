@@ -14,10 +14,11 @@ namespace {
 
 // Agreement of the ball's distance from the surface with its radius, relative to the bodies' size.
 constexpr double tolerance = 1e-10;
-constexpr double rounding = 1e-14;
+// The ball is at rest where it moves less than this, relative to the size; the greatest part of its way that may be left.
+constexpr double at_rest = 1e-10, most_left = 0.95;
 // Overlaps less deep, relative to the size, have one way out: what the ball rests on would be lost in rounding.
 constexpr double shallow = 1e-7;
-constexpr int most_cuts = 40, most_rounds = 8;
+constexpr int most_cuts = 40, most_rounds = 12;
 
 // A supporting plane of the difference: direction . c <= height on it.
 struct Cut {
@@ -132,24 +133,40 @@ WaysOut single(const SignedDistance &nearest) {
 constexpr double nearby = 1e-2;
 
 // The planes of the cuts where the ball rests on a curved surface are not yet those at its centre: Newton's method
-// moves them there. Afterwards the cuts' points are those that face each other. Returns the largest change of a height.
-double move_cuts(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const Vec3 &p, Cut *cuts, int count) {
+// moves them there. Afterwards the cuts' points are those that face each other.
+void move_cuts(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const Vec3 &p, Cut *cuts, int count) {
   const Pose moved{b_in_a.rotation, b_in_a.translation + p};
   const MinkowskiDifference difference(a, b, moved);
-  double change = 0.0;
   for (int k = 0; k < count; ++k) {
     Cut &cut = cuts[k];
     const RefinedDirection r = refine_direction(difference, cut.direction, cut.a - a.radius * cut.direction,
                                                 cut.b + p + b.radius * cut.direction);
     if (!(dot(r.direction, cut.direction) > 1.0 - 0.5 * nearby * nearby)) continue;  // another place, as near
-    const double height = r.height + a.radius + b.radius, before = cut.height - dot(p, cut.direction);
-    change = std::max(change, std::fabs(height - before));
     cut.direction = r.direction;
-    cut.height = height + dot(p, r.direction);
+    cut.height = r.height + a.radius + b.radius + dot(p, r.direction);
     cut.a = r.a + a.radius * r.direction;
     cut.b = r.b - b.radius * r.direction - p;
   }
-  return change;
+}
+
+// Moves the planes of the cuts to the ball's centre, and the centre with them, until both agree. Along a curved edge of where the
+// centre may be each round leaves a part of the way: the next one begins where this part, round after round, would lead. False
+// where the cuts leave no centre.
+bool move_to_rest(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, BallCentre &centre, Cut *cuts,
+                  int &count) {
+  Vec3 at = centre.value(), last_way;
+  for (int round = 0; round < most_rounds; ++round) {
+    const int before = count;
+    move_cuts(a, b, b_in_a, at, cuts, count);
+    if (!centre.settle(cuts, count)) return false;
+    const Vec3 way = centre.value() - at;
+    if (norm2(way) <= at_rest * at_rest * size * size) return true;
+    const double last2 = norm2(last_way), left = count == before && last2 > 0.0 ? dot(way, last_way) / last2 : 0.0;
+    const bool extrapolated = round % 2 == 1 && std::fabs(left) < most_left;
+    at = extrapolated ? centre.value() + (left / (1.0 - left)) * way : centre.value();
+    last_way = extrapolated ? Vec3{} : way;
+  }
+  return true;
 }
 
 }  // namespace
@@ -167,11 +184,7 @@ WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
   BallCentre centre(radius, slack);
   if (!centre.settle(cuts, count)) return single(nearest);
   for (int step = 0; step < most_cuts; ++step) {
-    for (int round = 0; step > 0 && round < most_rounds; ++round) {
-      const double change = move_cuts(a, b, b_in_a, centre.value(), cuts, count);
-      if (!centre.settle(cuts, count)) return single(nearest);
-      if (change <= rounding * size) break;
-    }
+    if (step > 0 && !move_to_rest(a, b, b_in_a, size, centre, cuts, count)) return single(nearest);
     const Vec3 p = centre.value();
     const SignedDistance there = distance_beside(a, b, b_in_a, p, cuts, count, scratch);
     if (-there.distance >= radius - slack) break;
