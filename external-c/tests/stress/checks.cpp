@@ -106,10 +106,12 @@ Fault check_ground(Sample &s, const Solid &solid, const Pose &pose, const Solid 
 Fault check_level_sheets(const Sample &s) {
   const double sine = norm(cross(s.a.rotation.column(2), s.b.rotation.column(2)));
   if (!(sine > 1e-6)) return {};
-  const double common = mesh_samples::common_extent(s.a, s.b, detail::sheet_half);
-  if (std::fabs(common) > s.slack / sine && (s.answer.distance < 0.0) != (common > 0.0)) {
-    return too_far("level sheets that have this in common", s.answer.distance, common);
-  }
+  // Where squares a little smaller cross, or a little larger do not, rounding does not matter.
+  const double margin = s.slack / sine;
+  const double least = mesh_samples::common_extent(s.a, s.b, detail::sheet_half - margin);
+  const double most = mesh_samples::common_extent(s.a, s.b, detail::sheet_half + margin);
+  if (least > 0.0 && !(s.answer.distance < 0.0)) return too_far("level sheets that cross", s.answer.distance, least);
+  if (most < 0.0 && s.answer.distance < 0.0) return too_far("level sheets apart", s.answer.distance, most);
   return {};
 }
 
