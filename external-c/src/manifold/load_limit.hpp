@@ -61,19 +61,16 @@ LoadLimit load_limit(const std::vector<Corner> &corners, std::size_t begin, doub
   for (int step = 0; step < 100; ++step) {
     double load = 0.0, in_part = 0.0;
     for (std::size_t k = begin; k < corners.size(); ++k) {
+      // Which corners carry wholly, in part or not at all cannot be foretold: no branch.
       const double part = (corners[k].depth - limit.level) * rate, full = corners[k].weight * corners[k].depth;
-      if (part >= 1.0) {
-        load += full;
-      } else if (part > 0.0) {
-        load += full * part;
-        in_part += full;
-      }
+      load += full * std::min(1.0, std::max(0.0, part));
+      in_part += full * static_cast<double>((part > 0.0) & (part < 1.0));
     }
-    if (std::fabs(load - greatest) <= 4e-16 * greatest) break;
+    if (load == greatest) break;
     (load > greatest ? low : high) = limit.level;
     double next = limit.level + width * (load - greatest) / in_part;
+    if (std::fabs(next - limit.level) <= 4e-16 * greatest) break;  // no more than rounding
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (next == limit.level) break;
     limit.level = next;
   }
   return limit;
