@@ -23,8 +23,7 @@ void PolytopeSide::gather(double limit) {
   const convex::Polytope &geometry = body_->geometry();
   const Vec3 *const places = geometry.vertices().data();
   const std::int32_t *const neighbours = geometry.neighbours().data(), *const numbers = geometry.neighbour_edges().data();
-  up_faces_.clear();
-  walls_.clear();
+  faces_gathered_ = false;
   // One place more than can be taken: what turns out not to be needed is overwritten.
   if (vertices_.size() <= geometry.vertices().size()) vertices_.resize(geometry.vertices().size() + 1);
   if (edges_.size() <= geometry.edges().size()) edges_.resize(geometry.edges().size() + 1);
@@ -90,35 +89,46 @@ void PolytopeSide::gather_faces() {
                                row[2] + turn.x * row[1] - turn.y * row[0]}};
   shaken_to_side_.translation = shake_(to_side_.translation);
   const Vec3 up = shaken_to_side_.rotation.row[2];
+  const std::size_t most = body_->geometry().faces().size();
+  if (up_faces_.size() < most) up_faces_.resize(most), walls_.resize(most);
+  std::uint32_t *const marks = face_mark_.data();
+  const std::uint32_t gathering = gathering_;
+  UpFace *up_face = up_faces_.data();
+  Wall *wall = walls_.data();
   for (std::size_t k = 0; k < vertex_count_; ++k) {
     if (!vertices_[k].inside) continue;
     const auto *const last = body_->corners(vertices_[k].number + 1);
     for (const auto *corner = body_->corners(vertices_[k].number); corner != last; ++corner) {
-      if (face_mark_[index(corner->face)] == gathering_) continue;
-      face_mark_[index(corner->face)] = gathering_;
-      const double cosine = dot(corner->normal, up);
+      if (marks[corner->face] == gathering) continue;
+      marks[corner->face] = gathering;
+      const double x = corner->normal.x, y = corner->normal.y, z = corner->normal.z;
+      const double cosine = x * up.x + y * up.y + z * up.z;
       if (cosine > wall_cosine) {
         const double part = 1.0 / cosine;
-        up_faces_.emplace_back();
-        UpFace &face = up_faces_.back();
-        face.normal.x = part * corner->normal.x, face.normal.y = part * corner->normal.y;
-        face.normal.z = part * corner->normal.z;
-        face.offset = part * corner->offset, face.part = part, face.corner = corner;
+        up_face->normal.x = part * x, up_face->normal.y = part * y, up_face->normal.z = part * z;
+        up_face->offset = part * corner->offset, up_face->part = part, up_face->corner = corner;
+        ++up_face;
       } else {
-        walls_.push_back({corner->normal, corner->offset, cosine});
+        wall->normal.x = x, wall->normal.y = y, wall->normal.z = z;
+        wall->offset = corner->offset, wall->cosine = cosine;
+        ++wall;
       }
     }
   }
+  up_face_count_ = static_cast<std::size_t>(up_face - up_faces_.data());
+  wall_count_ = static_cast<std::size_t>(wall - walls_.data());
+  faces_gathered_ = true;
 }
 
 bool PolytopeSide::face_over(const Vertex &vertex, const Vec3 &seen, double level, double slack, Plane &plane) {
-  if (up_faces_.empty()) gather_faces();
+  if (!faces_gathered_) gather_faces();
   const Pose &pose = shaken_to_side_;
   const Vec3 ground = transposed_times(
       pose.rotation, Vec3{seen.x - pose.translation.x, seen.y - pose.translation.y, -pose.translation.z});
   const UpFace *best = nullptr;
   double least = HUGE_VAL;
-  for (const UpFace &face : up_faces_) {
+  for (std::size_t k = 0; k < up_face_count_; ++k) {
+    const UpFace &face = up_faces_[k];
     const double height = face.offset - dot(face.normal, ground);
     if (height >= least) continue;
     // What is far from deep enough, however the body is seen, need not be looked at further.
@@ -126,7 +136,8 @@ bool PolytopeSide::face_over(const Vertex &vertex, const Vec3 &seen, double leve
     least = height, best = &face;
   }
   if (best == nullptr) return false;
-  for (const Wall &wall : walls_) {
+  for (std::size_t k = 0; k < wall_count_; ++k) {
+    const Wall &wall = walls_[k];
     if (dot(wall.normal, ground) + least * wall.cosine > wall.offset) return false;
   }
   const Vec3 normal = to_side_.rotation * best->corner->normal;

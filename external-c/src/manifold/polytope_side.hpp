@@ -118,9 +118,11 @@ class PolytopeSide {
     double offset, cosine;
   };
   void gather_faces();
+  bool faces_gathered_ = false;
   Pose shaken_to_side_;
   std::vector<UpFace> up_faces_;
   std::vector<Wall> walls_;
+  std::size_t up_face_count_ = 0, wall_count_ = 0;
   // For each vertex and face of the polytope the last gathering that met it, and where the vertex is kept.
   struct Mark {
     std::uint32_t gathering = 0;
