@@ -44,7 +44,7 @@ double triangle_solid_angle(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
   const double numerator = dot(a, cross(b, c));
   const double denominator = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la;
   if (numerator == 0.0) return 0.0;
-  return 2.0 * std::atan2(numerator, denominator);
+  return std::copysign(2.0 * angle_from_x(denominator, std::fabs(numerator)), numerator);
 }
 
 double parallelogram_solid_angle(const DirectionArc &p, const DirectionArc &q) {
