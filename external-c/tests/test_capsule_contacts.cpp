@@ -94,6 +94,24 @@ TEST(CapsuleOnCapsule, HasNoPointsApart) {
 }
 
 // There is no direction from axis to axis then: the caller takes the stations along both.
+// The gap between the axes is small beside the way to their ends.
+TEST(CapsuleOnCapsule, NormalsAreUnitVectorsWhereAxesNearlyMeet) {
+  Random random(9);
+  BackendScratch backend;
+  for (int sample = 0; sample < 5000; ++sample) {
+    const Shape a = capsule(random), b = capsule(random);
+    const Pose pose_b{random_bodies::random_rotation(random), {}};
+    const Pose pose_a{
+        test::product(random_bodies::rotation_about(random.direction(), random.log_uniform(1e-12, 1e-3)), pose_b.rotation),
+        random.log_uniform(1e-7, 1e-3) * random.direction()};
+    ConvexAnswer answer;
+    find_exact_distance(a, pose_a, b, pose_b, backend, answer);
+    std::vector<ContactPoint> points;
+    capsule_on_capsule(a, pose_a, b, pose_b, answer, points);
+    for (const ContactPoint &point : points) ASSERT_NEAR(norm(point.normal), 1.0, 1e-14) << sample;
+  }
+}
+
 TEST(CapsuleOnCapsule, DoesNotAnswerWhereTheAxesMeet) {
   Random random(4);
   const Shape a = capsule(random), b = capsule(random);

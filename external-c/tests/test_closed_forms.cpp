@@ -1,4 +1,6 @@
 // Contacts whose answer is known in closed form.
+#include <random>
+
 #include "scene_query.hpp"
 
 namespace {
@@ -20,6 +22,32 @@ TEST(Halfspace, SphereTouchesAtItsLowestPoint) {
   EXPECT_EQ(touching.points[0].weight, 1.0);
   EXPECT_NEAR(norm(touching.points[0].normal - Vec3{0, 0, 1}), 0.0, 1e-15);
   EXPECT_NEAR(norm(touching.points[0].position - Vec3{1, 2, -0.05}), 0.0, 1e-15);
+}
+
+// Far from the origin, just touching: rounding decides, but no point carries where the distance says apart.
+TEST(Halfspace, RoundBodiesCarryOnlyWhereTheyTouch) {
+  std::mt19937 engine(11);
+  const auto random = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine() >> 5) / 134217728.0);
+  };
+  int touching = 0, apart = 0;
+  for (const char *shape : {"cmb/1 cone radius=0.8 length=0.5", "cmb/1 cylinder radius=0.3 length=0.5",
+                            "cmb/1 capsule radius=0.3 length=0.5"}) {
+    const PairScene scene(shape, "cmb/1 halfspace");
+    for (int k = 0; k < 3000; ++k) {
+      const Vec3 axis = cmb::convex::normalized(Vec3{random(-1, 1), random(-1, 1), random(-1, 1)});
+      BodyPose ground{{random(-200, 200), random(-200, 200), random(-200, 200)}, rotation_about(axis, random(-3, 3))};
+      BodyPose body{{0, 0, 0}, rotation_about(cmb::convex::normalized(Vec3{random(-1, 1), random(-1, 1), random(-1, 1)}), random(-3, 3))};
+      const Vec3 up = ground.rotation * Vec3{0, 0, 1};
+      body.position = ground.position + up;
+      body.position = body.position - scene.query(body, ground, 8).distance * up;
+      const Contact contact = scene.query(body, ground, 8);
+      ASSERT_TRUE(contact.points.empty() || contact.distance < 0.0) << shape << " " << k << " " << contact.distance;
+      ++(contact.points.empty() ? apart : touching);
+    }
+  }
+  EXPECT_GT(touching, 1000);
+  EXPECT_GT(apart, 1000);
 }
 
 TEST(Halfspace, ReversedPairHasReversedNormals) {
@@ -134,7 +162,7 @@ TEST(Halfspace, ConeStandsOnItsBaseAndOnItsApexAndLiesOnItsMantle) {
 
 TEST(Halfspace, EllipsoidTouchesWhereItsNormalPointsDown) {
   const PairScene scene("cmb/1 ellipsoid size=1,0.6,0.4", "cmb/1 halfspace");
-  const Mat3 rotation = rotation_about(normalized(Vec3{1, 2, 3}), 0.7);
+  const Mat3 rotation = rotation_about(cmb::convex::normalized(Vec3{1, 2, 3}), 0.7);
   const Vec3 down = transposed_times(rotation, Vec3{0, 0, -1});
   const double reach = std::sqrt(0.25 * down.x * down.x + 0.09 * down.y * down.y + 0.04 * down.z * down.z);
   const Contact contact = scene.query({{0, 0, reach - 0.01}, rotation}, origin);
@@ -193,7 +221,7 @@ TEST(Ellipsoids, ConcentricOnesAreAsDeepAsTheLeastSumOfSemiAxes) {
       const double *half = body == 0 ? pair.a : pair.b;
       text[body] = "cmb/1 ellipsoid size=" + digits(2 * half[0]) + "," + digits(2 * half[1]) + "," + digits(2 * half[2]);
     }
-    const Mat3 turned = rotation_about(normalized(Vec3{1, 2, 3}), 0.8);
+    const Mat3 turned = rotation_about(cmb::convex::normalized(Vec3{1, 2, 3}), 0.8);
     for (const Mat3 &rotation : {Mat3{}, turned}) {
       // A whole circle of directions is as deep where two sums are equal: the search may end beside it, by 7e-8 in 0.7.
       EXPECT_NEAR(PairScene(text[0], text[1]).query({{}, rotation}, {{}, rotation}).distance, -least, 1e-6);
@@ -205,7 +233,7 @@ TEST(Ellipsoids, ConcentricOnesAreAsDeepAsTheLeastSumOfSemiAxes) {
 TEST(Ellipsoids, CoaxialOnesAreAsDeepAsTheBestInclination) {
   const double a[2] = {0.3, 0.5}, b[2] = {0.45, 0.2};  // radius, half length
   const PairScene scene("cmb/1 ellipsoid size=0.6,0.6,1", "cmb/1 ellipsoid size=0.9,0.9,0.4");
-  const Mat3 turned = rotation_about(normalized(Vec3{1, 2, 3}), 0.8);
+  const Mat3 turned = rotation_about(cmb::convex::normalized(Vec3{1, 2, 3}), 0.8);
   for (const double apart : {0.01, 0.05, 0.1, 0.3, 0.5, 0.69}) {
     double least = 1e9;
     for (int k = 0; k <= 400000; ++k) {

@@ -107,7 +107,8 @@ struct Side {
     const Carrier &at = carriers[k];
     const double way_a = own == 0 ? at.way : at.opposite, way_b = own == 0 ? at.opposite : at.way;
     const Vec3 of_a = way_a * nearest.axis[0], of_b = way_b * nearest.axis[1];
-    const Vec3 normal = (1.0 / at.gap) * (nearest.apart * nearest.normal + of_a - of_b);
+    // Of axes that nearly meet the gap is small beside the ways, whose rounding it does not divide out.
+    const Vec3 normal = normalized(nearest.apart * nearest.normal + of_a - of_b, nearest.normal);
     const Vec3 middle = nearest.witness + 0.5 * (of_a + of_b) + nearest.radius_difference * (nearest.normal - normal);
     const Vec3 shift = (missing / load) * (axis - dot(axis, normal) * normal);
     points.push_back({reach - at.gap, 0.5 * at.weight, normal, middle + shift});

@@ -62,7 +62,9 @@ class Collector {
 
   // Ends the collection: `lowest` is the shape's lowest point.
   void finish(const Vec3 &lowest) {
-    result_.distance = height(lowest);
+    // By rounding a point may be lower than the lowest one.
+    const double deepest = greatest_depth(result_.points, begin_), lowest_height = height(lowest);
+    result_.distance = deepest > std::fmax(0.0, -lowest_height) ? -deepest : lowest_height;
     result_.normal = plane_.normal;
     result_.witness = pose_(lowest) - 0.5 * result_.distance * plane_.normal;
     if (result_.points.size() == begin_) return;
