@@ -265,6 +265,28 @@ TEST(Properties, BoxOnBoxEqualsBoxOnHalfspaceAwayFromTheBorder) {
   }
 }
 
+// The ways out on both sides of a plate in the middle of a round body nearly oppose each other. Ways deeper than 1.5 times the
+// shortest do not count, nor shares beyond 8.
+TEST(Properties, PlatesWithinRoundBodiesAreNotSqueezed) {
+  Random random(23);
+  int squeezed = 0;
+  for (const char *round : {"cmb/1 cone radius=2 length=2", "cmb/1 cylinder radius=1 length=2", "cmb/1 ellipsoid size=2,3,4",
+                            "cmb/1 capsule radius=1 length=1"}) {
+    for (const char *plate : {"cmb/1 box size=2,2,0.25", "cmb/1 cylinder radius=1 length=0.1"}) {
+      const PairScene scene(round, plate);
+      for (int k = 0; k < 400; ++k) {
+        const BodyPose a{0.05 * random.direction(), random.rotation()}, b{{0, 0, 0}, random.rotation()};
+        const Contact contact = scene.query(a, b, 64);
+        double load = 0.0;
+        for (const Point &p : contact.points) load += p.weight * p.depth;
+        ASSERT_LE(load, -12.0 * contact.distance) << round << " | " << plate << " " << k;
+        squeezed += load > -2.0 * contact.distance ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(squeezed, 0);
+}
+
 // Their many corners push no harder than the smooth body's one point, and near where that would.
 TEST(Properties, FinelyTessellatedBallsPushAsBalls) {
   for (const int corners : {100, 400}) {

@@ -18,6 +18,8 @@ constexpr double tolerance = 1e-10;
 constexpr double at_rest = 1e-10, most_left = 0.95;
 // Overlaps less deep, relative to the size, have one way out: what the ball rests on would be lost in rounding.
 constexpr double shallow = 1e-7;
+// The sums of shares from which on, and at which, the shortest way takes over.
+constexpr double squeezed = 4.0, opposed = 8.0;
 constexpr int most_cuts = 40, most_rounds = 12;
 
 // A supporting plane of the difference: direction . c <= height on it.
@@ -195,10 +197,19 @@ WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
   WaysOut result;  // the centre is at least radius - depth > 0 from the origin
   const Vec3 &p = centre.value();
   const double length = norm(p);
+  double sum = 0.0;
+  for (int k = 0; k < count; ++k) sum += cuts[k].pull / length;
+  // Ways that nearly oppose each other would need ever greater shares: the shortest takes over.
+  const double over = std::clamp((sum - squeezed) / (opposed - squeezed), 0.0, 1.0);
+  const double left = 1.0 - over * over * (3.0 - 2.0 * over);
+  if (left < 1.0) {
+    result = single(nearest);
+    result.way[0].share = 1.0 - left;
+  }
   for (int k = 0; k < count; ++k) {
     const Cut &cut = cuts[k];
     const Vec3 aside = p - dot(p, cut.direction) * cut.direction;
-    result.way[result.count++] = {-cut.direction, cut.height, cut.a, cut.b, aside, cut.pull / length};
+    result.way[result.count++] = {-cut.direction, cut.height, cut.a, cut.b, aside, left * cut.pull / length};
   }
   return result;
 }

@@ -16,11 +16,12 @@ struct WayOut {
   double depth = 0.0;     // m: how far B reaches beyond A's support along it
   Vec3 point_a, point_b;  // of both surfaces, in A's frame
   Vec3 aside;             // at right angles to the normal: B moved by it, the points face each other
-  double share = 1.0;     // >= 0; the sum of share * normal over all ways is a unit vector
+  double share = 1.0;     // >= 0; the sum of share * normal over all ways is a unit vector, their own sum at most 8: where
+                          // ways nearly oppose each other, as of a thin plate, the shortest takes over
 };
 
 struct WaysOut {
-  static constexpr int most = 3;
+  static constexpr int most = 4;
   WayOut way[most];
   int count = 0;
 };
