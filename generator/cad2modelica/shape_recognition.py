@@ -157,8 +157,12 @@ def _as_capsule(points: Array, hull: ConvexHull) -> CollisionShape | None:
         along = extent @ direction
         across = np.linalg.norm(extent - np.outer(along, direction), axis=1)
         radius = float(across.max())
-        half = max(float(along.max() - along.min()) / 2 - radius, SHORTEST_GUESS * radius)
-        first, second, radius = _fitted_capsule(extent, direction * half, -direction * half, radius)
+        low, high = float(along.min()), float(along.max())
+        half = max((high - low) / 2 - radius, SHORTEST_GUESS * radius)
+        # Corners crowd where one end is finer than the other; their mean is then far off, the extent's middle is not.
+        center = (low + high) / 2
+        first, second = direction * (center + half), direction * (center - half)
+        first, second, radius = _fitted_capsule(extent, first, second, radius)
         residual = float(np.abs(_segment_offsets(extent, first, second)[0] - radius).max())
         length = float(np.linalg.norm(first - second))
         if not (radius > 0 and length > FIT_TOLERANCE * radius and residual <= FIT_TOLERANCE * (radius + length)):

@@ -13,7 +13,7 @@ from cad2modelica.mesh import Mesh
 from cad2modelica.model import CollisionChoice, MassProperties, Part
 from cad2modelica.spatial import IDENTITY
 from cmb_base.errors import Place
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
@@ -114,6 +114,7 @@ def test_capsule_anywhere(radius: float, slenderness: float, turn: np.ndarray, s
 
 @settings(max_examples=20, deadline=None)
 @given(sizes, st.floats(0.1, 20), st.integers(60, 400), st.integers(0, 1000))
+@example(radius=1.0, slenderness=15.0, count=68, seed=414)  # more corners on one cap than on the other
 def test_capsule_with_corners_anywhere_on_it(radius: float, slenderness: float, count: int, seed: int) -> None:
     """Random corners on caps and side beside two rings: neither their centre nor their main axis is the capsule's."""
     generator = np.random.default_rng(seed)
@@ -237,6 +238,19 @@ def pill(radius: float, length: float, segments: int) -> np.ndarray:
     points = globe(radius, segments)
     ends = [points[points[:, 2] >= -1e-12] + [0, 0, length / 2], points[points[:, 2] <= 1e-12] - [0, 0, length / 2]]
     return np.concatenate(ends)
+
+
+@settings(max_examples=20, deadline=None)
+@given(sizes, st.floats(0.2, 20), st.tuples(*[st.integers(3, 16)] * 2), vectors, vectors)
+@example(radius=1.0, slenderness=10.0, quarters=(3, 16), turn=np.array([0.5, -1.0, 0.3]), shift=np.zeros(3))
+def test_capsule_with_one_end_finer(
+    radius: float, slenderness: float, quarters: tuple[int, int], turn: np.ndarray, shift: np.ndarray
+) -> None:
+    """Nearly all corners may be at one end, so that their mean says little of where the middle is."""
+    length = radius * slenderness
+    upper, lower = (pill(radius, length, 4 * quarter) for quarter in quarters)
+    points = np.concatenate([upper[upper[:, 2] > 0], lower[lower[:, 2] < 0]])
+    expect_found("capsule", points, radius, length, turn, shift * radius)
 
 
 @settings(max_examples=20, deadline=None)
