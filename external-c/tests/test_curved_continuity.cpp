@@ -67,7 +67,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(RarePath{"the ball touches a cone all along an arc", {"cone", "box"}, 5021, 0.004},
                     RarePath{"a third place is nearer by less than a search tells", {"cone", "hull"}, 1085, 0.04},
                     RarePath{"the ball comes to rest on a curved place slowly", {"cylinder", "hull"}, 1150, 0.04},
-                    RarePath{"a cone's side is equally near along an arc to its end", {"cone", "box"}, 1383, 0.004}));
+                    RarePath{"a cone's side is equally near along an arc to its end", {"cone", "box"}, 1383, 0.004},
+                    RarePath{"a capsule's end leaves a hull's shadow beside a steep face", {"capsule", "hull"}, 1107, 0.04},
+                    RarePath{"a capsule's end enters a hull's shadow beside a steep face", {"capsule", "hull"}, 1137, 0.04},
+                    RarePath{"the ball outgrows a capsule at an edge", {"capsule", "hull"}, 1178, 0.04},
+                    RarePath{"the ball outgrows a capsule at a corner", {"capsule", "hull"}, 1488, 0.004},
+                    RarePath{"the ball outgrows a capsule at a cone", {"capsule", "cone"}, 1083, 0.04}));
 
 std::vector<Kinds> all_kinds() {
   const char *const curved[] = {"sphere", "capsule", "cylinder", "cone", "ellipsoid"};

@@ -48,17 +48,19 @@ double enter(double along, double sense, double last, double slack, const std::v
   return sense * (last - along) > 0.0 ? along : last;
 }
 
-void add_station(double along, double depth, const ContactLine &line, const Vec3 &normal, std::vector<Station> &stations) {
-  stations.push_back({along, depth, normal, line(along) + (0.5 * depth) * normal});
+// `along` is counted from `origin`.
+void add_station(double along, double depth, const Vec3 &origin, const Vec3 &step, const Vec3 &normal,
+                 std::vector<Station> &stations) {
+  stations.push_back({along, depth, normal, origin + along * step + (0.5 * depth) * normal});
 }
 
 // The corners of the lowest roof from `begin` to `end`.
-void trace_roofs(const ContactLine &line, const Vec3 &normal, double begin, double end, const std::vector<Slope> &roofs,
-                 std::vector<Station> &stations) {
+void trace_roofs(const Vec3 &origin, const Vec3 &step, const Vec3 &normal, double begin, double end,
+                 const std::vector<Slope> &roofs, std::vector<Station> &stations) {
   stations.clear();
   double along = begin;
   const Slope *roof = &lowest(roofs, along);
-  add_station(along, roof->at(along), line, normal, stations);
+  add_station(along, roof->at(along), origin, step, normal, stations);
   while (along < end) {
     const Slope *next = nullptr;
     double meeting = end;
@@ -68,7 +70,7 @@ void trace_roofs(const ContactLine &line, const Vec3 &normal, double begin, doub
       if (here < meeting || (here == meeting && next != nullptr && other.rate > next->rate)) meeting = here, next = &other;
     }
     along = meeting;
-    add_station(along, roof->at(along), line, normal, stations);
+    add_station(along, roof->at(along), origin, step, normal, stations);
     if (next == nullptr) return;
     roof = next;
   }
@@ -176,44 +178,51 @@ double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
 }
 
 void line_on_polytope(const ContactLine &line, const convex::Polytope &other, const Pose &other_pose, const Vec3 &deepest,
-                      const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+                      double depth, const Vec3 &normal, double sense, AxisManifoldScratch &scratch,
+                      std::vector<ContactPoint> &points) {
+  // All is counted from the deepest place, which is known to lie `depth` below the polytope's surface: there, the steepest
+  // of faces make no error.
+  const double place = line.place(deepest);
+  const Vec3 origin = line(place), step = line.step();
   const Vec3 up = transposed_times(other_pose.rotation, normal);
-  const Vec3 middle = transposed_times(other_pose.rotation, line(0.0) - other_pose.translation);
-  const Vec3 step = transposed_times(other_pose.rotation, line.step());
+  const Vec3 above = transposed_times(other_pose.rotation, origin + depth * normal - other_pose.translation);
+  const Vec3 ahead = transposed_times(other_pose.rotation, step);
   std::vector<Slope> &roofs = scratch.roofs, &floors = scratch.floors;
   roofs.clear(), floors.clear();
   // The stretch over the polytope: what goes in through its lower side along the normal comes out through the upper.
-  double begin = -line.half(), end = line.half();
+  double begin = -line.half() - place, end = line.half() - place;
   for (const convex::Polytope::Face &face : other.faces()) {
-    const double cosine = dot(face.normal, up), height = face.offset - dot(face.normal, middle), rate = dot(face.normal, step);
+    const double cosine = dot(face.normal, up), rate = dot(face.normal, ahead);
+    const double inside = std::max(0.0, face.offset - dot(face.normal, above));
     if (cosine > wall_cosine) {
-      roofs.push_back({height / cosine, rate / cosine});
+      roofs.push_back({depth + inside / cosine, rate / cosine});
     } else if (cosine < -wall_cosine) {
-      floors.push_back({height / cosine, rate / cosine});
+      floors.push_back({depth + inside / cosine, rate / cosine});
     } else if (rate > 0.0) {
-      end = std::min(end, height / rate);
+      end = std::min(end, inside / rate);
     } else if (rate < 0.0) {
-      begin = std::max(begin, height / rate);
+      begin = std::max(begin, inside / rate);
     }
   }
-  const double place = line.place(deepest);
   const double slack = rounding * (other.radius() + line.half());
-  begin = enter(std::min(begin, place), 1.0, place, slack, roofs, floors);
-  end = enter(std::max(end, place), -1.0, place, slack, roofs, floors);
-  trace_roofs(line, normal, begin, end, roofs, scratch.stations);
+  begin = enter(begin, 1.0, 0.0, slack, roofs, floors);
+  end = enter(end, -1.0, 0.0, slack, roofs, floors);
+  trace_roofs(origin, step, normal, begin, end, roofs, scratch.stations);
   // Where the line leaves the polytope's shadow along a sharp edge, the stretch shrinks about its deepest part before it
   // vanishes.
-  double deepest_depth = 0.0;
-  for (const Station &station : scratch.stations) deepest_depth = std::max(deepest_depth, station.depth);
-  const double along = center_above(0.0, place, scratch.stations);
-  if (!floors.empty() && deepest_depth > 0.0) {
+  double greatest = 0.0;
+  for (const Station &station : scratch.stations) greatest = std::max(greatest, station.depth);
+  const double along = center_above(0.0, 0.0, scratch.stations);
+  if (!floors.empty() && greatest > 0.0) {
     const double room = lowest(roofs, along).at(along) - highest(floors, along).at(along);
-    const double part = std::clamp(room / (sharp_part * deepest_depth), 0.0, 1.0);
+    const double part = std::clamp(room / (sharp_part * greatest), 0.0, 1.0);
     if (part < 1.0) {
-      const double center = center_above((1.0 - part) * deepest_depth, place, scratch.stations);
+      // Of a stretch that is short beside its depth, where sides may be steep, no more than its length below the deepest.
+      const double below = std::min(part * greatest, (end - begin) * norm(step));
+      const double center = center_above(greatest - below, 0.0, scratch.stations);
       begin = center + part * (begin - center);
       end = center + part * (end - center);
-      trace_roofs(line, normal, begin, end, roofs, scratch.stations);
+      trace_roofs(origin, step, normal, begin, end, roofs, scratch.stations);
     }
   }
   add_points(line, sense, scratch.stations, points);
@@ -230,8 +239,8 @@ void line_on_disc(const ContactLine &line, const Vec3 &center, const Vec3 &axis,
   const double begin = std::min(place, std::max(-line.half(), middle - chord));
   const double end = std::max(place, std::min(line.half(), middle + chord));
   scratch.stations.clear();
-  add_station(begin, plane.at(begin), line, normal, scratch.stations);
-  add_station(end, plane.at(end), line, normal, scratch.stations);
+  add_station(begin, plane.at(begin), line(0.0), line.step(), normal, scratch.stations);
+  add_station(end, plane.at(end), line(0.0), line.step(), normal, scratch.stations);
   add_points(line, sense, scratch.stations, points);
 }
 

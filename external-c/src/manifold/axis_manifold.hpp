@@ -55,8 +55,10 @@ double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient);
 // is the part of all inclinations under which it would be the deepest; the weights sum to 1. `deepest` is a
 // point of the line's shape at the deepest place. The points' normals are `normal` times `sense`.
 
+// There the line is `depth` (m) below the polytope's surface.
 void line_on_polytope(const ContactLine &line, const convex::Polytope &other, const Pose &other_pose, const Vec3 &deepest,
-                      const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points);
+                      double depth, const Vec3 &normal, double sense, AxisManifoldScratch &scratch,
+                      std::vector<ContactPoint> &points);
 
 // `center`, `axis` (unit, outward) and `radius` are those of the other shape's flat end.
 void line_on_disc(const ContactLine &line, const Vec3 &center, const Vec3 &axis, double radius, const Vec3 &deepest,

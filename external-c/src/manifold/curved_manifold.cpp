@@ -85,10 +85,11 @@ convex::SignedDistance in_frame_of_a(const ConvexAnswer &answer, const Pose &pos
 
 // What the line of one shape carries on the flat end, or the faces, of the other.
 void line_on_faces(const Shape &shape, const Pose &pose, const Shape &other, const Pose &other_pose, const Vec3 &deepest,
-                   const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+                   double depth, const Vec3 &normal, double sense, AxisManifoldScratch &scratch,
+                   std::vector<ContactPoint> &points) {
   const ContactLine line(shape, pose, -normal);
   if (other.polytope) {
-    line_on_polytope(line, other.polytope->geometry(), other_pose, deepest, normal, sense, scratch, points);
+    line_on_polytope(line, other.polytope->geometry(), other_pose, deepest, depth, normal, sense, scratch, points);
   } else {
     const Disc disc(other, other_pose, normal);
     line_on_disc(line, disc.center, disc.axis, disc.radius, deepest, normal, sense, scratch, points);
@@ -162,12 +163,12 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
   }
   if (of_a.line * of_b.flat > 0.0) {
     const std::size_t first = points.size();
-    line_on_faces(a, pose_a, b, pose_b, answer.point_a, normal, 1.0, scratch.axis, points);
+    line_on_faces(a, pose_a, b, pose_b, answer.point_a, depth, normal, 1.0, scratch.axis, points);
     more_a_on_b = close(of_a.line * of_b.flat, first);
   }
   if (of_b.line * of_a.flat > 0.0) {
     const std::size_t first = points.size();
-    line_on_faces(b, pose_b, a, pose_a, answer.point_b, -normal, -1.0, scratch.axis, points);
+    line_on_faces(b, pose_b, a, pose_a, answer.point_b, depth, -normal, -1.0, scratch.axis, points);
     more_b_on_a = close(of_b.line * of_a.flat, first);
   }
   if (of_a.line * of_b.line > 0.0) {
@@ -195,20 +196,39 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
   for (std::size_t k = begin; k < points.size(); ++k) points[k].position = points[k].position + shift;
 }
 
+// The shortest way's part beside the ways that a ball of radius `reach` rests on, for bodies rounded by `rounding` and `depth`
+// deep in each other. Until they are as deep as the rounding the shortest way is continuous. A ball no greater than the
+// rounding touches there alone, one a little greater all at once on every face about an edge or corner; between these
+// two the shortest way hands over.
+double shortest_part(double reach, double rounding, double depth) {
+  return depth < rounding ? faded(std::max(0.0, (reach - rounding) / (reach - depth))) : 0.0;
+}
+
 }  // namespace
 
 void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
                     convex::DistanceScratch &distance, CurvedManifoldScratch &scratch,
                     std::vector<ContactPoint> &points) {
-  const double size = a.bound_radius + b.bound_radius;
+  const double size = a.bound_radius + b.bound_radius, depth = -answer.distance;
   // No other way is near; the reach is no more than 1.5 depths, which takes no root.
-  if (answer.ball >= -1.5 * answer.distance || answer.ball >= convex::surface_reach(-answer.distance, size)) {
+  if (answer.ball >= 1.5 * depth || answer.ball >= convex::surface_reach(depth, size)) {
     contact_along(a, pose_a, b, pose_b, answer, scratch, points);
     return;
   }
   const convex::SignedDistance nearest = in_frame_of_a(answer, pose_a);
   const convex::WaysOut ways = convex::ways_out(a.body, b.body, relative_pose(pose_a, pose_b), nearest, size, distance);
   const std::size_t first = points.size();
+  double rest = 1.0, scale = 1.0;  // the shares' part, and what makes the sum of share * normal a unit vector again
+  const double shortest =
+      ways.count > 1 ? shortest_part(convex::surface_reach(depth, size), a.body.radius + b.body.radius, depth) : 0.0;
+  if (shortest > 0.0) {
+    rest -= shortest;
+    Vec3 sum = shortest * nearest.normal;
+    for (int k = 0; k < ways.count; ++k) sum = sum + (rest * ways.way[k].share) * ways.way[k].normal;
+    scale = 1.0 / norm(sum);
+    contact_along(a, pose_a, b, pose_b, answer, scratch, points);
+    scale_weights(shortest * scale, first, points.size(), points);
+  }
   for (int k = 0; k < ways.count; ++k) {
     const convex::WayOut &way = ways.way[k];
     if (!(way.depth > 0.0)) continue;  // within rounding of touching
@@ -220,7 +240,7 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     along.point_b = along.point_a + way.depth * along.normal;
     const std::size_t begin = points.size();
     contact_along(a, pose_a, b, {pose_b.rotation, pose_b.translation + aside}, along, scratch, points);
-    scale_weights(way.share, begin, points.size(), points);
+    scale_weights(way.share * rest * scale, begin, points.size(), points);
     for (std::size_t i = begin; i < points.size(); ++i) points[i].position = points[i].position - 0.5 * aside;
   }
   if (points.size() == first) contact_along(a, pose_a, b, pose_b, answer, scratch, points);
