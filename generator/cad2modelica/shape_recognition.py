@@ -80,69 +80,69 @@ def _orthogonal_axes(normals: Array) -> Array | None:
 
 def _as_sphere(points: Array, hull: ConvexHull) -> CollisionShape | None:
     """All corners at one distance from a point, and enough of them to be a tessellated sphere."""
-    middle = points.mean(axis=0)
-    local = points - middle
-    matrix = np.column_stack([2 * local, np.ones(len(local))])
-    solution, _, rank, _ = np.linalg.lstsq(matrix, (local * local).sum(axis=1), rcond=None)
-    if rank < 4:
+    center = _fitted_center(points)
+    if center is None:
         return None
-    center = solution[:3]
-    distances = np.linalg.norm(local - center, axis=1)
+    distances = np.linalg.norm(points - center, axis=1)
     radius = float(distances.mean())
     if np.abs(distances - radius).max() > FIT_TOLERANCE * radius:
         return None
     if hull.volume < ROUND_VOLUME * 4 / 3 * np.pi * radius**3:
         return None
-    return CollisionShape("sphere", _tidy(Pose(center + middle, np.eye(3)), radius), radius=_round(radius))
+    return CollisionShape("sphere", _tidy(Pose(center, np.eye(3)), radius), radius=_round(radius))
 
 
 def _as_cylinder(points: Array, hull: ConvexHull) -> CollisionShape | None:
     """All corners in two parallel planes, on circles about one axis at right angles to them."""
-    for direction in [*_axis_candidates(points - points.mean(axis=0)), *_widest_faces(hull)]:
-        axis = _snap(direction)
-        along = points @ axis
-        low, high = float(along.min()), float(along.max())
-        length = high - low
-        middle = (points[along < low + length / 2].mean(axis=0) + points[along >= low + length / 2].mean(axis=0)) / 2
-        offset = points - middle
-        across = np.linalg.norm(offset - np.outer(offset @ axis, axis), axis=1)
-        radius = float(across.mean())
-        tolerance = FIT_TOLERANCE * (radius + length)
-        if np.minimum(along - low, high - along).max() > tolerance or np.abs(across - radius).max() > tolerance:
+    for direction in [*_axis_candidates(points - points.mean(axis=0)), *_end_faces(hull)]:
+        axis = _upward(_snap(direction))
+        frame = _frame_along(axis)
+        along, flat = points @ axis, points @ frame[:, :2]
+        center = _fitted_center(flat)
+        if center is None:
             continue
+        distances = np.linalg.norm(flat - center, axis=1)
+        radius = float(distances.mean())
+        low, high = float(along.min()), float(along.max())
+        tolerance = FIT_TOLERANCE * (radius + high - low)
+        if np.minimum(along - low, high - along).max() > tolerance or np.abs(distances - radius).max() > tolerance:
+            continue
+        # Means of the ends: a snapped axis may lean by what the rim of a thin disc would add to its length.
+        upper = along > (low + high) / 2
+        bottom, top = float(along[~upper].mean()), float(along[upper].mean())
+        length = top - bottom
         if hull.volume < ROUND_PRISM * np.pi * radius**2 * length:
             continue
-        center = middle + axis * ((low + high) / 2 - middle @ axis)
-        pose = _tidy(Pose(center, _frame_along(_upward(axis))), radius + length)
+        pose = _tidy(Pose(frame @ np.array([*center, (bottom + top) / 2]), frame), radius + length)
         return CollisionShape("cylinder", pose, radius=_round(radius), length=_round(length))
     return None
 
 
 def _as_cone(points: Array, hull: ConvexHull) -> CollisionShape | None:
     """All corners but one in a plane, on a circle; the last one over its centre."""
-    for direction in [*_axis_candidates(points - points.mean(axis=0)), *_widest_faces(hull)]:
+    for direction in [*_axis_candidates(points - points.mean(axis=0)), *_end_faces(hull)]:
         axis = _snap(direction)
         along = points @ axis
         if (along > along.mean()).sum() > (along < along.mean()).sum():
             axis, along = -axis, -along
+        frame = _frame_along(axis)
+        flat = points @ frame[:, :2]
         apex = int(np.argmax(along))
-        base = np.delete(points, apex, axis=0)
-        length = float(along[apex] - along.min())
-        # Opposite corners of the ring need not exist, so its centre is that of the circle by least squares.
-        flat = base - np.outer(base @ axis, axis)
-        matrix = np.column_stack([2 * flat, np.ones(len(flat))])
-        center = np.linalg.lstsq(matrix, (flat * flat).sum(axis=1), rcond=None)[0][:3]
-        center -= axis * (center @ axis)
-        distances = np.linalg.norm(flat - center, axis=1)
+        rim, heights = np.delete(flat, apex, axis=0), np.delete(along, apex)
+        center = _fitted_center(rim)
+        if center is None:
+            continue
+        distances = np.linalg.norm(rim - center, axis=1)
         radius = float(distances.mean())
-        tolerance = FIT_TOLERANCE * (radius + length)
-        beside = points[apex] - center - axis * along[apex]
-        if (base @ axis - along.min()).max() > tolerance or np.abs(distances - radius).max() > tolerance:
+        tolerance = FIT_TOLERANCE * (radius + float(np.ptp(along)))
+        if np.ptp(heights) > tolerance or np.abs(distances - radius).max() > tolerance:
             continue
-        if np.linalg.norm(beside) > tolerance or hull.volume < ROUND_PRISM * np.pi * radius**2 * length / 3:
+        bottom, top = float(heights.mean()), float(along[apex])
+        length = top - bottom
+        beside = float(np.linalg.norm(flat[apex] - center))
+        if beside > tolerance or hull.volume < ROUND_PRISM * np.pi * radius**2 * length / 3:
             continue
-        middle = center + axis * (along.min() + length / 2)
-        pose = _tidy(Pose(middle, _frame_along(axis)), radius + length)
+        pose = _tidy(Pose(frame @ np.array([*center, (bottom + top) / 2]), frame), radius + length)
         return CollisionShape("cone", pose, radius=_round(radius), length=_round(length))
     return None
 
@@ -195,19 +195,34 @@ def _fitted_capsule(points: Array, first: Array, second: Array, radius: float) -
     return first, second, radius
 
 
+def _fitted_center(points: Array) -> Array | None:
+    """Centre of the circle or sphere nearest to points of shape (n, 2) or (n, 3); None if on a line or in a plane.
+
+    By linear least squares, not their mean: corners may crowd at one side, and opposite ones need not exist.
+    """
+    middle = points.mean(axis=0)
+    local = points - middle
+    matrix = np.column_stack([2 * local, np.ones(len(local))])
+    solution, _, rank, _ = np.linalg.lstsq(matrix, (local * local).sum(axis=1), rcond=None)
+    return np.asarray(middle + solution[:-1]) if rank == matrix.shape[1] else None
+
+
 def _axis_candidates(extent: Array) -> list[Array]:
     _, vectors = np.linalg.eigh(extent.T @ extent)
     return [vectors[:, 2], vectors[:, 0], *np.eye(3)]
 
 
-def _widest_faces(hull: ConvexHull) -> list[Array]:
-    """Normals of the faces with the largest areas; a body as long as wide has no direction else that stands out."""
+def _end_faces(hull: ConvexHull) -> list[Array]:
+    """Normals of the faces with the largest areas and the most triangles, which ends of cylinders and cones are.
+
+    Main axes lean where rims are uneven, and a body as long as wide has none that stands out.
+    """
     corners = hull.points[hull.simplices]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     rounded, group = np.unique(hull.equations[:, :3].round(4), axis=0, return_inverse=True)
-    total = np.bincount(group.ravel(), areas, len(rounded))
-    widest = np.argsort(-total, kind="stable")[:2]
-    return [hull.equations[np.flatnonzero(group.ravel() == k)[0], :3] for k in widest]
+    total, triangles = np.bincount(group.ravel(), areas, len(rounded)), np.bincount(group.ravel())
+    ends = [*np.argsort(-total, kind="stable")[:2], np.argmax(triangles)]
+    return [hull.equations[np.flatnonzero(group.ravel() == k)[0], :3] for k in ends]
 
 
 def _segment_offsets(points: Array, first: Array, second: Array) -> tuple[Array, Array, Array]:

@@ -136,9 +136,31 @@ def test_capsule_with_corners_anywhere_on_it(radius: float, slenderness: float, 
 
 @settings(max_examples=20, deadline=None)
 @given(sizes, st.floats(0.02, 30), st.integers(12, 60), vectors, vectors)
+@example(radius=1.0, slenderness=0.0625, sides=12, turn=np.array([0.0, 5e-8, 0.0]), shift=np.zeros(3))
 def test_cylinder_anywhere(radius: float, slenderness: float, sides: int, turn: np.ndarray, shift: np.ndarray) -> None:
     length = radius * slenderness
     expect_found("cylinder", prism(radius, length, sides), radius, length, turn, shift * radius)
+
+
+@settings(max_examples=20, deadline=None)
+@given(sizes, st.floats(0.02, 30), st.integers(0, 1000), vectors, vectors)
+@example(radius=1.0, slenderness=20.0, seed=0, turn=np.array([0.5, -1.0, 0.3]), shift=np.zeros(3))
+def test_cylinder_and_cone_with_corners_anywhere_on_the_rims(
+    radius: float, slenderness: float, seed: int, turn: np.ndarray, shift: np.ndarray
+) -> None:
+    """Corners crowd at one side of a rim and the rims differ: no mean is on the axis, and main axes lean."""
+    generator = np.random.default_rng(seed)
+    length = radius * slenderness
+
+    def rim(height: float) -> np.ndarray:
+        sides = int(generator.integers(12, 40))
+        crowd = generator.uniform(0, generator.uniform(0.5, 6), int(generator.integers(0, 40)))
+        angles = np.concatenate([2 * np.pi * np.arange(sides) / sides, crowd])
+        return np.column_stack([radius * np.cos(angles), radius * np.sin(angles), np.full(len(angles), height)])
+
+    bottom, top = rim(-length / 2), rim(length / 2)
+    expect_found("cylinder", np.vstack([bottom, top]), radius, length, turn, shift * radius)
+    expect_found("cone", np.vstack([bottom, [[0.0, 0.0, length / 2]]]), radius, length, turn, shift * radius)
 
 
 def test_outline_of_a_cylinder_holds_it() -> None:
