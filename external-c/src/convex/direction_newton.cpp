@@ -49,6 +49,25 @@ constexpr double largest_step = 0.2;
 constexpr double slope_rounding = 1e-15;  // relative to the bodies
 constexpr int most_steps = 24;  // far from the minimum; near it three or four suffice
 
+// The step where the function does not bend upwards in all directions, as along the valley all round bodies of revolution on
+// one axis: Newton's in the direction in which it bends most, if that is upwards, else down the slope.
+void step_where_flat(const Form &bend, double gu, double gv, double height, double &du, double &dv) {
+  const double mean = 0.5 * (bend.uu + bend.vv), half = 0.5 * (bend.uu - bend.vv);
+  const double most = mean + std::hypot(half, bend.uv);
+  // Along which: of two forms of the eigenvector the longer one.
+  double along_u = half >= 0.0 ? most - bend.vv : bend.uv, along_v = half >= 0.0 ? bend.uv : most - bend.uu;
+  const double length = std::hypot(along_u, along_v);
+  if (length > 0.0) {
+    along_u /= length, along_v /= length;
+  } else {
+    along_u = 1.0, along_v = 0.0;
+  }
+  const double slope = gu * along_u + gv * along_v, across = gv * along_u - gu * along_v;
+  const double step = -slope / (most > 1e-3 * height ? most : height), step_across = -across / height;
+  du = step * along_u - step_across * along_v;
+  dv = step * along_v + step_across * along_u;
+}
+
 double crease_radius(const Crease &crease) { return std::sqrt(std::max(0.0, 1.0 - crease.height * crease.height)); }
 
 }  // namespace
@@ -64,8 +83,12 @@ bool newton_on_sphere(const MinkowskiDifference &difference, Vec3 &m) {
     const double determinant = uu * vv - uv * uv;
     const bool convex = uu > 0.0 && determinant > 1e-14 * uu * vv;
     if (!convex && !(std::fabs(height) > 0.0)) return false;
-    double du = convex ? (gv * uv - gu * vv) / determinant : -gu / std::fabs(height);
-    double dv = convex ? (gu * uv - gv * uu) / determinant : -gv / std::fabs(height);
+    double du, dv;
+    if (convex) {
+      du = (gv * uv - gu * vv) / determinant, dv = (gu * uv - gv * uu) / determinant;
+    } else {
+      step_where_flat({uu, uv, vv}, gu, gv, std::fabs(height), du, dv);
+    }
     const double size = std::sqrt(du * du + dv * dv);
     if (convex && size < 1e-9) {  // the next step would be below rounding
       m = normalized(m + du * u + dv * v);

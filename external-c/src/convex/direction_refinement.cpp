@@ -129,7 +129,8 @@ RefinedDirection refine_direction(const MinkowskiDifference &difference, const V
   for (int k = 0; k < of_b.flat_count; ++k) attempt(of_b.flat[k]);
   for (int k = 0; k < of_b.count; ++k) all.add(of_b.crease[k]);
   Vec3 m = start;
-  if (newton_on_sphere(difference, m)) attempt(m);
+  newton_on_sphere(difference, m);  // where it does not converge, as in a valley all round, it is lower all the same
+  attempt(m);
   for (int k = 0; k < all.count; ++k) {
     // All of a crease is equally low where both bodies are of revolution about its axis.
     m = start;

@@ -294,4 +294,35 @@ TEST(ConvexDistance, CoaxialBodiesOfRevolutionAreProven) {
   }
 }
 
+// Their difference is nearly a body of revolution, and the least depth a valley nearly all round.
+TEST(ConvexDistance, BodiesOfRevolutionOnNearlyOneAxisAreAsDeepAsAlongAnyDirection) {
+  DistanceScratch scratch;
+  const ConvexBody bodies[] = {make_cylinder(0.5, 1.0), make_cone(0.25, 0.25), make_ellipsoid({0.5, 0.5, 2}),
+                               make_ellipsoid({1, 1, 0.4}), make_capsule(0.3, 0.8)};
+  for (const ConvexBody &a : bodies) {
+    for (const ConvexBody &b : bodies) {
+      for (const double tilt : {1e-13, 1e-10, 3e-8, 1e-5, 1e-3}) {
+        for (const double height : {0.0, 0.15}) {
+          const double c = std::cos(tilt), s = std::sin(tilt);
+          const Pose pose{{{{c, 0, s}, {0, 1, 0}, {-s, 0, c}}}, {0.3 * tilt, tilt, height}};
+          const SignedDistance d = signed_distance(a, b, pose, scratch);
+          const SignedDistance reversed = signed_distance(b, a, pose.inverse(), scratch);
+          ASSERT_LT(d.distance, 0.0);
+          EXPECT_NEAR(d.distance, reversed.distance, 1e-8) << tilt << " " << height;
+          const MinkowskiDifference difference(a, b, pose);
+          double least = HUGE_VAL;
+          for (int k = 0; k <= 4000; ++k) {
+            const double angle = 3.14159265358979323846 * k / 4000.0;
+            for (const Vec3 &across : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) {
+              const Vec3 m = std::sin(angle) * across + Vec3{0, 0, std::cos(angle)};
+              least = std::fmin(least, dot(difference.support(m).w, m));
+            }
+          }
+          EXPECT_LT(-d.distance - a.radius - b.radius, least + 1e-8) << tilt << " " << height;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
