@@ -18,6 +18,7 @@ CAPSULE_CORNERS = 11
 """Fewer corners fill less than the share of a capsule, even where rings of five at its ends stand turned to each other
 (an antiprism; by Simpson's rule, exact for it, 0.816 of the long cylinder about it)."""
 CAPSULE_STEPS = 30
+FLATTEST_END = 0.5  # height of a capsule's end over its radius; rims of long prisms lie on the sides of longer capsules
 SHORTEST_GUESS = 0.1  # half the length of a capsule's segment over its radius, where the fit begins
 _TINY = np.finfo(float).tiny
 
@@ -169,7 +170,11 @@ def _as_capsule(points: Array, hull: ConvexHull) -> CollisionShape | None:
             continue
         if hull.volume < ROUND_VOLUME * (4 / 3 * np.pi * radius**3 + np.pi * radius**2 * length):
             continue
-        axis = _snap(_upward((first - second) / length))
+        axis = (first - second) / length
+        ends = float(((extent - first) @ axis).max()), float(((second - extent) @ axis).max())
+        if min(ends) < FLATTEST_END * radius:
+            continue
+        axis = _snap(_upward(axis))
         pose = Pose((first + second) / 2 + middle, _frame_along(axis))
         return CollisionShape("capsule", _tidy(pose, length + radius), radius=_round(radius), length=_round(length))
     return None

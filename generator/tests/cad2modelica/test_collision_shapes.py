@@ -163,6 +163,19 @@ def test_cylinder_and_cone_with_corners_anywhere_on_the_rims(
     expect_found("cone", np.vstack([bottom, [[0.0, 0.0, length / 2]]]), radius, length, turn, shift * radius)
 
 
+@pytest.mark.parametrize("seed", range(40))
+def test_long_prisms_are_no_capsules(seed: int) -> None:
+    """Two rims, too coarse for a cylinder's, lie on the sides of capsules that are longer than the prism."""
+    generator = np.random.default_rng(seed)
+    length = generator.uniform(15, 40)
+    rims = []
+    for height in (-length / 2, length / 2):
+        angles = np.concatenate([np.pi / 5 * np.arange(10), generator.uniform(0, 0.6, 4)])
+        rims.append(np.column_stack([np.cos(angles), np.sin(angles), np.full(len(angles), height)]))
+    (shape,) = shapes_of(Rotation.random(rng=generator).apply(np.vstack(rims))).shapes
+    assert shape.kind == "hull"
+
+
 def test_outline_of_a_cylinder_holds_it() -> None:
     (shape,) = shapes_of(prism(1.0, 2.0, 24)).shapes
     points, margin = shape.outline
