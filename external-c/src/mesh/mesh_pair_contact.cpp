@@ -63,8 +63,9 @@ double negligible(const TriangleMesh &a, const TriangleMesh &b) {
 }
 
 // The contact of two meshes, not both sheets, of which `one` pushes; normals point out of it. Of what is behind a sheet it
-// carries least_load_part times what crosses at most. Where it carries too little of what crosses, the other one pushes too,
-// unless `one` is a sheet, and if it cannot either, the crossing triangles do. Returns whether the meshes touch.
+// carries least_load_part times what crosses at most. Where it carries too little of what crosses, or lies in the other, the other
+// one pushes too, unless `one` is a sheet, and if it cannot either, the crossing triangles and the inner places do. Returns
+// whether the meshes touch.
 bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
   const std::size_t begin = result.points.size();
   const Pose place = relative_pose(one.pose, other.pose);
@@ -76,19 +77,20 @@ bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch 
         depths_of_crossings(one.mesh, other.mesh, place, scratch.pair, nothing, load / least_load_part);
     load = limit_load(least_load_part * depths, begin, result);
   }
-  const double crossing =
-      deepest_crossing(one.mesh, other.mesh, place, scratch.pair, std::fmax(nothing, least_load_part * load));
-  if (load > 0.0 && crossing == 0.0) return true;
-  // A place of each may lie in the other; so it is where one has swallowed the other.
+  const double enough = least_load_part * load;
+  const double crossing = deepest_crossing(one.mesh, other.mesh, place, scratch.pair, std::fmax(nothing, enough));
+  if (!one.mesh.closed() && load > 0.0 && crossing == 0.0) return true;
+  // Places inside each may lie in the other; so it is where one has swallowed the other, whether or not they are flush.
   const Pose back = place.inverse();
-  const SwallowedPlace in_one(one.mesh, place(other.mesh.vertices()[0])), in_other(other.mesh, back(one.mesh.vertices()[0]));
+  const SwallowedPlaces in_one(one.mesh, other.mesh, place, enough), in_other(other.mesh, one.mesh, back, enough);
   const double depth = std::fmax(crossing, std::fmax(in_one.depth(), in_other.depth()));
+  if (load > 0.0 && !(depth > enough)) return true;
   if (!(depth > 0.0)) return false;
   if (!(load > 0.0)) result.distance = 0.0;
   PiercedLoad pierced(common_center(one.mesh, other.mesh, place));
   push_crossings(one.mesh, other.mesh, place, scratch.pair, pierced);
   ContactSet &reaction = scratch.reaction;
-  const double lacking = load > 0.0 ? lacking_part(load, crossing) : 1.0;
+  const double lacking = load > 0.0 ? lacking_part(load, one.mesh.closed() ? depth : crossing) : 1.0;
   // A sheet pushes to its front alone, whatever the sides of the body that passes through it would do.
   if (one.mesh.closed()) {
     reaction.points.clear();

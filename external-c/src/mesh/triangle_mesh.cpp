@@ -67,6 +67,7 @@ TriangleMesh::TriangleMesh(MeshData data, MeshUse use, const std::string &source
   measure();
   build_depth_limits();
   build_clear_depths();
+  build_inner_places();
 }
 
 double TriangleMesh::triangle_size() const {
@@ -195,6 +196,33 @@ void TriangleMesh::build_clear_depths() {
       nearest2 = std::min(nearest2, distance2(bounds_of(corners), bounds_of(others)));
     });
     clear_depths_[t] = std::sqrt(nearest2) / (1.0 + wedge_reach);
+  }
+}
+
+// Of the places half way through the mesh behind its triangles: that where it is thickest, then again and again the one farthest
+// from those before.
+void TriangleMesh::build_inner_places() {
+  std::vector<Vec3> halfway;
+  Vec3 next = vertices()[0];
+  double thickest = 0.0;
+  for (std::uint32_t t = 0; closed_ && t < triangles().size(); ++t) {
+    if (!(depth_limits_[t] > 0.0) || std::isinf(depth_limits_[t])) continue;
+    const Vec3 middle = (1.0 / 3.0) * (corner(t, 0) + corner(t, 1) + corner(t, 2));
+    halfway.push_back(middle - depth_limits_[t] * face_normal(t));
+    if (!(depth_limits_[t] > thickest)) continue;
+    thickest = depth_limits_[t];
+    next = halfway.back();
+  }
+  std::vector<double> apart(halfway.size(), std::numeric_limits<double>::infinity());
+  for (double farthest = 1.0; farthest > 0.0 && inner_places_.size() < most_inner_places;) {
+    inner_places_.push_back(next);
+    farthest = 0.0;
+    for (std::size_t k = 0; k < halfway.size(); ++k) {
+      apart[k] = std::fmin(apart[k], norm2(halfway[k] - inner_places_.back()));
+      if (!(apart[k] > farthest)) continue;
+      farthest = apart[k];
+      next = halfway[k];
+    }
   }
 }
 

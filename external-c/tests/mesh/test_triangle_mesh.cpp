@@ -166,6 +166,27 @@ TEST(TriangleMesh, DepthLimitIsHalfTheThickness) {
   }
 }
 
+TEST(TriangleMesh, InnerPlacesAreInsideAndApart) {
+  const TriangleMesh solids[] = {mesh(box_mesh({1, 2, 3})), mesh(box_mesh({1, 0.2, 0.2}, 3)), mesh(sphere_mesh(0.7, 2)),
+                                 mesh(angle_prism({-3, 3, 3, -1, -1, -3}, {-3, -3, -1, -1, 3, 3}, -1, 1))};
+  for (const TriangleMesh &solid : solids) {
+    const std::vector<Vec3> &places = solid.inner_places();
+    ASSERT_GE(places.size(), 4u);  // triangles that face each other may share theirs
+    ASSERT_LE(places.size(), TriangleMesh::most_inner_places);
+    const Vec3 size = solid.hierarchy().bounds().high - solid.hierarchy().bounds().low;
+    const double least = std::fmin(size.x, std::fmin(size.y, size.z));
+    // Half way through the thickest part, which is no thinner than the whole.
+    EXPECT_LE(solid.nearest(places[0]).distance, -0.1 * least);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      EXPECT_LT(solid.nearest(places[k]).distance, -0.01 * least) << k;
+      for (std::size_t i = 0; i < k; ++i) EXPECT_GT(norm(places[k] - places[i]), 0.0);
+    }
+  }
+  const TriangleMesh sheet = mesh(sheet_mesh(2.0, 3, [](double, double) { return 0.0; }));
+  ASSERT_EQ(sheet.inner_places().size(), 1u);
+  expect_near(sheet.inner_places()[0], sheet.vertices()[0], 0.0);
+}
+
 TEST(TriangleMesh, NearestIsThatOfBruteForce) {
   Random random(7);
   const TriangleMesh meshes[] = {mesh(sphere_mesh(1.0, 3)), mesh(box_mesh({1, 2, 0.5}, 5)),
