@@ -95,8 +95,8 @@ def _as_sphere(points: Array, hull: ConvexHull) -> CollisionShape | None:
 
 def _as_cylinder(points: Array, hull: ConvexHull) -> CollisionShape | None:
     """All corners in two parallel planes, on circles about one axis at right angles to them."""
-    for direction in [*_axis_candidates(points - points.mean(axis=0)), *_end_faces(hull)]:
-        axis = _upward(_snap(direction))
+    for direction in [*_end_faces(hull), *_axis_candidates(points - points.mean(axis=0))]:
+        axis = _upward(direction)
         frame = _frame_along(axis)
         along, flat = points @ axis, points @ frame[:, :2]
         center = _fitted_center(flat)
@@ -108,21 +108,22 @@ def _as_cylinder(points: Array, hull: ConvexHull) -> CollisionShape | None:
         tolerance = FIT_TOLERANCE * (radius + high - low)
         if np.minimum(along - low, high - along).max() > tolerance or np.abs(distances - radius).max() > tolerance:
             continue
-        # Means of the ends: a snapped axis may lean by what the rim of a thin disc would add to its length.
+        # Means of the ends: an axis that leans within the tolerance would add to the length of a thin disc.
         upper = along > (low + high) / 2
         bottom, top = float(along[~upper].mean()), float(along[upper].mean())
         length = top - bottom
         if hull.volume < ROUND_PRISM * np.pi * radius**2 * length:
             continue
-        pose = _tidy(Pose(frame @ np.array([*center, (bottom + top) / 2]), frame), radius + length)
+        middle = frame @ np.array([*center, (bottom + top) / 2])
+        pose = _tidy(Pose(middle, _frame_along(_snap(axis))), radius + length)
         return CollisionShape("cylinder", pose, radius=_round(radius), length=_round(length))
     return None
 
 
 def _as_cone(points: Array, hull: ConvexHull) -> CollisionShape | None:
     """All corners but one in a plane, on a circle; the last one over its centre."""
-    for direction in [*_axis_candidates(points - points.mean(axis=0)), *_end_faces(hull)]:
-        axis = _snap(direction)
+    for direction in [*_end_faces(hull), *_axis_candidates(points - points.mean(axis=0))]:
+        axis = direction
         along = points @ axis
         if (along > along.mean()).sum() > (along < along.mean()).sum():
             axis, along = -axis, -along
@@ -143,7 +144,8 @@ def _as_cone(points: Array, hull: ConvexHull) -> CollisionShape | None:
         beside = float(np.linalg.norm(flat[apex] - center))
         if beside > tolerance or hull.volume < ROUND_PRISM * np.pi * radius**2 * length / 3:
             continue
-        pose = _tidy(Pose(frame @ np.array([*center, (bottom + top) / 2]), frame), radius + length)
+        middle = frame @ np.array([*center, (bottom + top) / 2])
+        pose = _tidy(Pose(middle, _frame_along(_snap(axis))), radius + length)
         return CollisionShape("cone", pose, radius=_round(radius), length=_round(length))
     return None
 

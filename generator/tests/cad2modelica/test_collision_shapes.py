@@ -145,6 +145,7 @@ def test_cylinder_anywhere(radius: float, slenderness: float, sides: int, turn: 
 @settings(max_examples=20, deadline=None)
 @given(sizes, st.floats(0.02, 30), st.integers(0, 1000), vectors, vectors)
 @example(radius=1.0, slenderness=20.0, seed=0, turn=np.array([0.5, -1.0, 0.3]), shift=np.zeros(3))
+@example(radius=1.0, slenderness=0.5, seed=0, turn=np.array([0.0, 1e-5, 0.0]), shift=np.zeros(3))
 def test_cylinder_and_cone_with_corners_anywhere_on_the_rims(
     radius: float, slenderness: float, seed: int, turn: np.ndarray, shift: np.ndarray
 ) -> None:
