@@ -17,6 +17,8 @@ OfAxes both(double x) { return OfAxes{x, x}; }
 OfAxes of_the_other(OfAxes x) { return OfAxes{x[1], x[0]}; }
 OfAxes least(OfAxes x, OfAxes y) { return x < y ? x : y; }
 OfAxes greatest(OfAxes x, OfAxes y) { return x > y ? x : y; }
+// A sine, whatever the places are that a library took for the nearest.
+OfAxes sine_within(OfAxes x) { return greatest(least(x, both(1.0)), both(-1.0)); }
 OfAxes root(OfAxes x) { return OfAxes{std::sqrt(x[0]), std::sqrt(x[1])}; }
 
 // The axes of two capsules and the places where they are nearest.
@@ -68,7 +70,7 @@ struct Side {
     const OfAxes foot = sense * (nearest.foot - nearest.at) + std::fabs(nearest.cosine) * of_the_other(nearest.half);
     aside = least(foot > spacing ? foot : end, end);
     next = stations(nearest, sense * aside);
-    const OfAxes rise = least((next.gap - nearest.apart) / greatest(aside, spacing), both(1.0));
+    const OfAxes rise = sine_within((next.gap - nearest.apart) / greatest(aside, spacing));
     const OfAxes sine = aside > spacing ? rise : both(1.0);  // nothing further on is never deeper
     depth = greatest(reach - next.gap, both(0.0));
     inner = inner_part(sine);
@@ -95,7 +97,7 @@ struct Side {
     if (apart > spacing) {
       const Stations last = stations(nearest, side->sense * side->end);
       const OfAxes depth = greatest(reach - last.gap, both(0.0));
-      const OfAxes steeper = both(std::min(1.0, (last.gap[own] - side->next.gap[own]) / apart));
+      const OfAxes steeper = sine_within(both((last.gap[own] - side->next.gap[own]) / apart));
       beyond = std::max(inner, inner_part(steeper)[own]);
       missing += side->sense * missing_moment(steeper, depth, side->depth)[own];
       if (depth[own] > 0.0 && beyond < 1.0) add(last, 1.0 - beyond);
