@@ -4,6 +4,7 @@
 
 #include "curved_distance.hpp"
 #include "direction_refinement.hpp"
+#include "fade.hpp"
 #include "inner_ball.hpp"
 #include "minkowski_difference.hpp"
 #include "nearby_surface.hpp"
@@ -200,8 +201,7 @@ WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
   double sum = 0.0;
   for (int k = 0; k < count; ++k) sum += cuts[k].pull / length;
   // Ways that nearly oppose each other would need ever greater shares: the shortest takes over.
-  const double over = std::clamp((sum - squeezed) / (opposed - squeezed), 0.0, 1.0);
-  const double left = 1.0 - over * over * (3.0 - 2.0 * over);
+  const double left = faded(std::max(0.0, (sum - squeezed) / (opposed - squeezed)));
   if (left < 1.0) {
     result = single(nearest);
     result.way[0].share = 1.0 - left;

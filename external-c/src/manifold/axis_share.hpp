@@ -1,6 +1,8 @@
 // How two ends of a rod, and the stations along it, share a load that comes at an angle.
 #pragma once
 
+#include "convex/fade.hpp"
+
 namespace cmb {
 
 // The part that the end nearer to the obstacle carries, minus the other end's, where `sine` is that of the
@@ -22,10 +24,8 @@ constexpr double station_spacing = 1e-9;
 // Sine of the inclination at which a disc no longer touches with its face.
 constexpr double flat_sine = 0.25;
 
-// From 1 at x = 0 to 0 at x >= 1, level at both (x >= 0): how a way of touching fades as a body inclines.
-inline double faded(double x) { return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0; }
-
-// Its derivative.
-inline double faded_slope(double x) { return x < 1.0 ? -6.0 * x * (1.0 - x) : 0.0; }
+// How a way of touching fades as a body inclines.
+using convex::faded;
+using convex::faded_slope;
 
 }  // namespace cmb

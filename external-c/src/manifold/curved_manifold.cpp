@@ -9,6 +9,7 @@
 #include "manifold/axis_share.hpp"
 #include "manifold/capsule_manifold.hpp"
 #include "manifold/disc_manifold.hpp"
+#include "manifold/load_limit.hpp"
 
 namespace cmb {
 
@@ -59,12 +60,6 @@ const ContactPolytope &corners_of(const Shape &shape) { return shape.polytope ? 
 double agreement(double found, double depth) {
   constexpr double none = 0.5, full = 0.9;
   return faded(std::max(0.0, (full - found / depth) / (full - none)));
-}
-
-double greatest_depth(const std::vector<ContactPoint> &points, std::size_t begin) {
-  double deepest = 0.0;
-  for (std::size_t k = begin; k < points.size(); ++k) deepest = std::max(deepest, points[k].depth);
-  return deepest;
 }
 
 // Scales the weights of points[begin, end).
