@@ -41,7 +41,7 @@ def scene_text(assembly: Assembly, tree: KinematicTree, loops: LoopAnalysis, vie
             for joint in assembly.joints
             if joint.type in _COORDINATES and joint.name not in loops.planar_constraints
         ],
-        "contacts": _contacts(assembly, view),
+        **_contacts(assembly, view),
     }
     return json.dumps(scene, ensure_ascii=False, allow_nan=False, separators=(",", ":")) + "\n"
 
@@ -89,8 +89,9 @@ def _planes(assembly: Assembly, view: MechanismView) -> list[dict[str, Any]]:
 
 
 def _contacts(assembly: Assembly, view: MechanismView) -> dict[str, Any]:
+    """The entry ``contacts``; none where nothing can touch."""
     if view.contacts is None:
-        return {"manager": None, "pairs": []}
+        return {}
     material_of = {view.part_names[part.name]: part.material for part in assembly.parts}
     material_of |= {view.plane_names[plane.name]: plane.material for plane in assembly.planes}
     materials = {material.name: material for material in assembly.materials}
@@ -102,7 +103,7 @@ def _contacts(assembly: Assembly, view: MechanismView) -> dict[str, Any]:
         if restitution is not None:
             pair["restitution"] = restitution
         pairs.append(pair)
-    return {"manager": "contacts", "pairs": pairs}
+    return {"contacts": {"manager": "contacts", "pairs": pairs}}
 
 
 def _restitution(materials: list[Material | None]) -> float | None:

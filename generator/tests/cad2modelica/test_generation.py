@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from cad2modelica import GenerateOptions, generate, read_assembly
 from cmb_base.errors import InputError
+from fmu_regression.scene import load_scene
 from lxml import etree
 from mechanics_simulation import CORE, load, simulate
 from scipy.spatial.transform import Rotation
@@ -228,6 +229,16 @@ def test_pairs_of_the_scene(hammer: Path, tmp_path: Path) -> None:
     for a, b in indices:
         assert f"connect({bodies[a - 1]}.frame_a, contacts.frame[{a}])" in text
         assert f"connect({bodies[b - 1]}.frame_a, contacts.frame[{b}])" in text
+
+
+def test_scene_without_contacts_can_be_read(pendulum: Path, tmp_path: Path) -> None:
+    """The report's reader wants a manager's name wherever contacts are written at all."""
+    pendulum.write_text(pendulum.read_text().replace("</assembly>", '<contacts default="none"/></assembly>'))
+    package = generate(pendulum, tmp_path / "out")
+    assert "contacts" not in json.loads(package.scene.read_text())
+    scene = load_scene(package.scene)
+    assert scene.manager == ""
+    assert not scene.pairs
 
 
 def test_mechatronics_is_never_overwritten(hammer: Path, tmp_path: Path) -> None:
