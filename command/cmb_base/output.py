@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
+import secrets
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -20,27 +21,38 @@ def whole_folder(target: Path) -> Iterator[Path]:
 
     The folder lies beside ``target`` until then, so the change of names is atomic for each of the
     two steps; an existing ``target`` is kept if the block fails. Only a folder that such a block wrote
-    before (it carries a marker file) or an empty one is ever replaced.
+    before (it carries a marker file) or an empty one is ever replaced. Of a symbolic link, the folder that it
+    names is replaced.
 
     Raises:
-        InputError: ``target`` exists and something else made it.
+        InputError: ``target`` exists and something else made it, or nothing can be written where it shall lie.
+        OSError: writing failed; an error that names no file, as that of a full disk does, is given ``target``'s name.
     """
+    real = Path(os.path.realpath(target))
     _refuse_foreign(target)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    staging = Path(tempfile.mkdtemp(prefix=f".{target.name}.", dir=target.parent))
+    _check_place(target)
+    with _errors_about(target):
+        staging = _made_beside(real, Path.mkdir)
+        try:
+            yield staging
+            (staging / MARKER).touch()
+            _put_in_place(staging, real)
+        finally:
+            shutil.rmtree(staging, ignore_errors=True)
+
+
+def _put_in_place(staging: Path, target: Path) -> None:
+    if not target.exists():
+        os.replace(staging, target)
+        return
+    old = _name_beside(target)
+    os.replace(target, old)
     try:
-        staging.chmod(0o755)
-        yield staging
-        (staging / MARKER).touch()
-        if target.exists():
-            old = Path(tempfile.mkdtemp(prefix=f".{target.name}.old.", dir=target.parent))
-            os.replace(target, old / target.name)
-            os.replace(staging, target)
-            shutil.rmtree(old, ignore_errors=True)
-        else:
-            os.replace(staging, target)
-    finally:
-        shutil.rmtree(staging, ignore_errors=True)
+        os.replace(staging, target)
+    except BaseException:
+        os.replace(old, target)
+        raise
+    shutil.rmtree(old, ignore_errors=True)
 
 
 def _refuse_foreign(target: Path) -> None:
@@ -56,14 +68,88 @@ def _refuse_foreign(target: Path) -> None:
 
 @contextmanager
 def whole_file(target: Path) -> Iterator[Path]:
-    """Yields a path to write to that replaces ``target`` when the block ends without an error."""
-    target.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
-    os.close(handle)
-    staging = Path(name)
+    """Yields a path to write to that replaces ``target`` when the block ends without an error.
+
+    A new file has the permissions that the process gives to new files, an existing one keeps its own. Of a symbolic
+    link, the file that it names is replaced. A device or pipe is not replaced: what was written goes into it then.
+
+    Raises:
+        InputError: as ``check_file`` does.
+        OSError: writing failed; an error that names no file, as that of a full disk does, is given ``target``'s name.
+    """
+    check_file(target)
+    real = Path(os.path.realpath(target))
+    with _errors_about(target):
+        if real.exists() and not real.is_file():
+            with tempfile.TemporaryDirectory(prefix="cmb-output-") as folder:
+                staging = Path(folder) / "output"
+                staging.touch()
+                yield staging
+                with staging.open("rb") as source, real.open("wb") as stream:
+                    shutil.copyfileobj(source, stream)
+            return
+        staging = _made_beside(real, Path.touch)
+        try:
+            yield staging
+            if real.exists():
+                staging.chmod(real.stat().st_mode & 0o777)
+            os.replace(staging, real)
+        finally:
+            staging.unlink(missing_ok=True)
+
+
+def check_file(target: Path) -> None:
+    """Looks whether ``whole_file(target)`` can write: for before the long work whose result goes there.
+
+    Raises:
+        InputError: ``target`` is a folder, or nothing can be written where it shall lie.
+    """
+    if target.is_dir():
+        raise InputError("is a folder", place=Place(file=target), remedy="Name a file.")
+    _check_place(target)
+
+
+def _check_place(target: Path) -> None:
+    """Raises InputError if nothing can be written at ``target``; folders above it may be missing."""
+    real = Path(os.path.realpath(target))
+    if real.exists() and not real.is_file() and not real.is_dir():  # a device or pipe
+        if not os.access(real, os.W_OK):
+            raise InputError("cannot be written to", place=Place(file=target), remedy="Name another output.")
+        return
+    folder = next(parent for parent in real.parents if parent.exists())
+    if not folder.is_dir():
+        raise InputError(f"{folder} is no folder", place=Place(file=target), remedy="Name another output.")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise _no_output_in(folder, target)
+
+
+def _no_output_in(folder: Path, target: Path) -> InputError:
+    return InputError(
+        f"nothing can be written into the folder {folder}", place=Place(file=target), remedy="Name another output."
+    )
+
+
+def _made_beside(target: Path, make: Callable[[Path], None]) -> Path:
+    """A new file or folder in the folder of ``target``, which is made too."""
+    staging = _name_beside(target)
     try:
-        yield staging
-        staging.chmod(0o644)
-        os.replace(staging, target)
-    finally:
-        staging.unlink(missing_ok=True)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        make(staging)
+    except (FileNotFoundError, PermissionError) as error:  # file systems whose permissions do not say it
+        raise _no_output_in(target.parent, target) from error
+    return staging
+
+
+def _name_beside(target: Path) -> Path:
+    """A new hidden name in the folder of ``target``, short whatever that is called."""
+    return target.with_name(f".cmb-{secrets.token_hex(8)}")
+
+
+@contextmanager
+def _errors_about(target: Path) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        if error.filename is None:
+            error.filename = str(target)
+        raise

@@ -1,10 +1,12 @@
 """Output appears whole or not at all."""
 
+import os
+import threading
 from pathlib import Path
 
 import pytest
 from cmb_base.errors import InputError
-from cmb_base.output import whole_file, whole_folder
+from cmb_base.output import check_file, whole_file, whole_folder
 
 
 class Interrupted(Exception):
@@ -63,3 +65,85 @@ def test_failed_file_keeps_the_old_one(tmp_path: Path) -> None:
         raise Interrupted
     assert target.read_text() == "old"
     assert entries(tmp_path) == ["a.csv"]
+
+
+def test_permissions_are_those_that_the_process_gives(tmp_path: Path) -> None:
+    kept = tmp_path / "kept"
+    kept.touch(0o640)
+    mask = os.umask(0o077)
+    try:
+        for target in (tmp_path / "new", kept):
+            with whole_file(target) as staging:
+                staging.write_text("1")
+        with whole_folder(tmp_path / "folder") as staging:
+            (staging / "a").touch()
+    finally:
+        os.umask(mask)
+    modes = {entry.name: entry.stat().st_mode & 0o777 for entry in tmp_path.iterdir()}
+    assert modes == {"new": 0o600, "kept": 0o640 & ~mask, "folder": 0o700}
+
+
+def test_links_stay_links(tmp_path: Path) -> None:
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "a.csv").symlink_to("elsewhere/b.csv")
+    (tmp_path / "out").symlink_to("elsewhere/folder")
+    for text in ("first", "second"):
+        with whole_file(tmp_path / "a.csv") as staging:
+            staging.write_text(text)
+        with whole_folder(tmp_path / "out") as staging:
+            (staging / "c").write_text(text)
+        assert (tmp_path / "elsewhere" / "b.csv").read_text() == text
+        assert (tmp_path / "elsewhere" / "folder" / "c").read_text() == text
+    assert (tmp_path / "a.csv").is_symlink()
+    assert (tmp_path / "out").is_symlink()
+    assert entries(tmp_path / "elsewhere") == ["b.csv", "folder"]
+
+
+def test_a_pipe_is_written_to_and_stays_one(tmp_path: Path) -> None:
+    """As /dev/null and /dev/stdout, which root could replace by a file."""
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    read: list[str] = []
+    reader = threading.Thread(target=lambda: read.append(pipe.read_text()))
+    reader.start()
+    with whole_file(pipe) as staging:
+        staging.write_text("all of it")
+    reader.join(timeout=10)
+    assert read == ["all of it"]
+    assert pipe.is_fifo()
+    assert entries(tmp_path) == ["pipe"]
+
+
+def test_names_of_any_length(tmp_path: Path) -> None:
+    target = tmp_path / ("ä" * 127)
+    with whole_file(target) as staging:
+        staging.write_text("1")
+    assert target.read_text() == "1"
+
+
+@pytest.mark.parametrize("write", [whole_file, whole_folder])
+def test_where_nothing_can_be_written_the_target_is_named(write: object, tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    assert callable(write)
+    with pytest.raises(InputError, match=r"file/deep/a: .*file is no folder"), write(tmp_path / "file" / "deep" / "a"):
+        pass
+    with pytest.raises(InputError, match=r"/proc/a: nothing can be written"), write(Path("/proc/a")):
+        pass
+    assert entries(tmp_path) == ["file"]
+
+
+def test_a_folder_is_no_file(tmp_path: Path) -> None:
+    for use in (whole_file, check_file):
+        with pytest.raises(InputError, match="is a folder"):
+            use(tmp_path).__enter__()  # type: ignore[union-attr]
+    check_file(tmp_path / "new" / "folder" / "a")
+    assert entries(tmp_path) == []
+
+
+def test_a_full_disk_is_told_about_the_target(tmp_path: Path) -> None:
+    target = tmp_path / "link"
+    target.symlink_to("/dev/full")
+    with pytest.raises(OSError, match="No space left") as caught, whole_file(target) as staging:
+        staging.write_text("1")
+    assert caught.value.filename == str(target)
+    assert entries(tmp_path) == ["link"]

@@ -17,6 +17,9 @@ const Polytope &unit_box() {
   return box;
 }
 
+// Without a branch, as what compilers make of a comparison may not be.
+double twice_positive_part(double x) { return x + std::fabs(x); }
+
 Vec3 scaled(const Vec3 &scale, const Vec3 &v) { return {scale.x * v.x, scale.y * v.y, scale.z * v.z}; }
 
 }  // namespace
@@ -119,15 +122,16 @@ bool DifferenceFacets::cross_side(const Corner &q, const Vec3 &q_end, const Vec3
   const std::int32_t other_vertex = q.vertex[1 - q.body];
   const Vec3 local_from = other.local(from), local_to = other.local(body_[q.body].normal(face));
   const std::int32_t end = polytope.neighbour_begin(other_vertex + 1);
-  double first = 2.0;
+  // Where a way does not come to lead upwards its part is 1, or not a number: neither is less. Which one is met first cannot
+  // be foretold: no branch.
+  double first = 1.0;
   std::int32_t leaving = -1;
   for (std::int32_t slot = polytope.neighbour_begin(other_vertex); slot < end; ++slot) {
     const Vec3 &way = polytope.neighbour_ways()[index(slot)];
     const double before = dot(local_from, way), after = dot(local_to, way);
-    const double part = before / (before - after);
-    const bool sooner = (after > 0.0) & (part < first);
-    first = sooner ? part : first;
-    leaving = sooner ? slot : leaving;
+    const double part = before / (before - 0.5 * twice_positive_part(after));
+    leaving = part < first ? slot : leaving;
+    first = part < first ? part : first;
   }
   if (leaving < 0) return facet_of_face(q, q_end, face, facet);
   return facet_of_edges(q, q_end, edge.vertex[q.forward ? 1 : 0], polytope.neighbour_edges()[index(leaving)],
@@ -151,13 +155,15 @@ bool DifferenceFacets::start(const Vec3 &first, Facet &facet, Vec3 &apart) {
     const Polytope &polytope = *body_[k].polytope;
     const Vec3 local_first = body_[k].local(first), local_turn = body_[k].local(turn);
     const std::int32_t end = polytope.neighbour_begin(vertex[k] + 1);
+    std::int32_t best = -1;
     for (std::int32_t slot = polytope.neighbour_begin(vertex[k]); slot < end; ++slot) {
       const Vec3 &way = polytope.neighbour_ways()[index(slot)];
-      const double rate = dot(local_turn, way), at = -dot(local_first, way) / rate;
-      const bool sooner = (rate > 0.0) & (at < soonest);
-      soonest = sooner ? at : soonest;
-      body = sooner ? k : body, leaving = sooner ? slot : leaving;
+      const double rate = dot(local_turn, way), fall = -dot(local_first, way);
+      const double at = twice_positive_part(fall) / twice_positive_part(rate);
+      best = at < soonest ? slot : best;
+      soonest = at < soonest ? at : soonest;
     }
+    body = best < 0 ? body : k, leaving = best < 0 ? leaving : best;
   }
   if (leaving < 0) return false;
   const Polytope &owner = *body_[body].polytope;
