@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os.path
 import re
 from pathlib import Path, PurePosixPath
 
@@ -29,7 +30,7 @@ def resolve_inside(folder: Path, reference: str, place: Place) -> Path:
     if ".." in path.parts:
         raise InputError(f"{reference!r} leaves the assembly's folder", place=place, remedy=remedy)
     target = folder / path
-    if not target.is_file():
+    if not os.path.isfile(target):  # a name that is too long for any file is none, too
         raise InputError(
             f"names the file {reference!r}, which does not exist in {folder}",
             place=place,

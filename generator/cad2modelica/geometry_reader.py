@@ -10,6 +10,7 @@ from cmb_base.errors import CmbError, InputError, Place
 
 from cad2modelica.file_reference import resolve_inside
 from cad2modelica.mesh import Mesh
+from cad2modelica.number_limits import LARGEST, are_usable
 from cad2modelica.spatial import Pose
 from cad2modelica.units import to_si
 from cad2modelica.vrml_scene import ShapeInstance, VrmlScene, read_scene
@@ -58,6 +59,12 @@ class GeometryReader:
         for shape, depth in chosen:
             vertices, triangles = shape.placed(depth if reference.coordinates == "node" else -1)
             vertices = to_si(vertices, reference.length)
+            if not are_usable(vertices):
+                raise InputError(
+                    f"{shape.path!r} of {reference.file} reaches farther than {LARGEST:g} m",
+                    place=reference.place,
+                    remedy="Correct the scales and translations of the Transform nodes above it.",
+                )
             if reference.coordinates == "assembly":
                 vertices = pose_in_assembly.inverse().point(vertices)
             name = next((level.name for level in reversed(shape.levels) if level.name), file.stem)

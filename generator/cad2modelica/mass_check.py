@@ -8,6 +8,7 @@ import numpy as np
 
 from cad2modelica.mesh import Mesh, VolumeIntegrals, bodies, is_closed, join, volume_integrals, weld
 from cad2modelica.model import MassProperties
+from cad2modelica.number_limits import SMALLEST
 
 RELATIVE_TOLERANCE = 1e-6
 DENSITY_LIMITS = (0.05, 50_000.0)  # kg/m3: aerogel to twice osmium
@@ -32,9 +33,10 @@ class MassFinding:
 
 def check_tensor(properties: MassProperties) -> MassFinding | None:
     """Checks mass > 0, inertia positive definite, and the triangle inequality of the principal moments."""
-    if not properties.mass > 0:
+    if not properties.mass >= SMALLEST:
+        least = f" (at least {SMALLEST:g} kg)" if properties.mass > 0 else ""
         return MassFinding(
-            f"mass is {properties.mass:g} kg, but must be positive", "Assign a material in the CAD system.", True
+            f"mass is {properties.mass:g} kg, but must be positive{least}", "Assign a material in the CAD system.", True
         )
     moments = np.linalg.eigvalsh(properties.inertia)
     listed = ", ".join(f"{moment:.4g}" for moment in moments)
@@ -82,6 +84,8 @@ def check_against_geometry(properties: MassProperties, meshes: tuple[Mesh, ...])
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     diagonal = float(np.linalg.norm(high - low))
     outside = np.maximum(low - properties.center_of_mass, properties.center_of_mass - high).max()
+    if not diagonal >= SMALLEST:
+        return [MassFinding("all points of the geometry coincide", "Export the geometry again.", True)]
     remedy = "Check the units of the XML file and of the geometry ('length'), and the part's coordinate system."
     if outside > 10 * diagonal:
         return [

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import struct
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 
 from cad2modelica.collada_file import read_collada
 from cad2modelica.mesh import Indices
+from cad2modelica.number_limits import LARGEST, are_usable
 from cad2modelica.polygon import triangulate
 from cad2modelica.spatial import Array
 
@@ -50,9 +50,11 @@ def read_mesh(file: Path) -> Surface:
 def _checked(vertices: Array, triangles: Indices, file: Path) -> Surface:
     if not len(triangles):
         raise InputError("holds no triangle", place=Place(file=file), remedy="Export the mesh again.")
-    if not np.isfinite(vertices).all():
+    if not are_usable(vertices):
         raise InputError(
-            "holds coordinates that are not finite", place=Place(file=file), remedy="Export the mesh again."
+            f"holds coordinates that are no finite numbers of at most {LARGEST:g}",
+            place=Place(file=file),
+            remedy="Export the mesh again.",
         )
     return vertices, triangles
 
@@ -138,8 +140,8 @@ def _floats(words: list[str], count: int, file: Path, line: int) -> list[float]:
         values = [float(word) for word in words]
     except ValueError:
         values = []
-    if len(values) != count or not all(map(math.isfinite, values)):
-        raise _wrong_line(file, line, f"{count} finite numbers expected")
+    if len(values) != count or not are_usable(values):
+        raise _wrong_line(file, line, f"{count} finite numbers expected, of at most {LARGEST:g}")
     return values
 
 

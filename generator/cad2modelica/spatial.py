@@ -56,6 +56,7 @@ IDENTITY = Pose(np.zeros(3), np.eye(3))
 def rotation_about(axis: ArrayLike, angle: float) -> Array:
     """Rotation by ``angle`` (rad) about ``axis`` (any length but zero); exact for axes and right angles."""
     unit = np.asarray(axis, dtype=np.float64)
+    unit = unit / np.abs(unit).max()  # squares of very long or short axes leave the range of numbers
     unit = unit / np.linalg.norm(unit)
     cosine, sine = math.cos(angle), math.sin(angle)
     quarter_turns = angle / (math.pi / 2)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +10,7 @@ import numpy as np
 from cmb_base.errors import Place
 from lxml import etree
 
+from cad2modelica.number_limits import LARGEST, are_usable
 from cad2modelica.problems import Problems
 from cad2modelica.spatial import Array, Pose, rotation_of_roll_pitch_yaw
 from cad2modelica.xml_document import line_of, nearest_name
@@ -42,7 +42,7 @@ class UrdfElements:
         return Pose(position, rotation_of_roll_pitch_yaw(angles))
 
     def numbers(self, element: etree._Element | None, name: str, default: tuple[float, ...]) -> Array:
-        """As many finite numbers as the default has.
+        """As many finite numbers, of at most ``LARGEST``, as the default has.
 
         Read with a note: commas between numbers, more numbers than needed, and ``$(optenv NAME value)``, whose value
         counts; the environment is never looked at.
@@ -52,16 +52,17 @@ class UrdfElements:
             return np.array(default)
         words = _OPTIONAL_ENVIRONMENT.sub(r"\1", text).replace(",", " ").split()
         try:
-            values = np.array(words[: len(default)], dtype=np.float64)
+            values = np.array([plain_number(word) for word in words[: len(default)]])
         except ValueError:
             values = np.zeros(0)
         if words != text.split():
             self.notes.append(f"{self.place(element)}: {name}={text!r} was read as {' '.join(words)!r}")
         if len(words) > len(default):
             self.notes.append(f"{self.place(element)}: of {name}={text!r} the first {len(default)} numbers count")
-        if len(values) != len(default) or not np.isfinite(values).all():
+        if len(values) != len(default) or not are_usable(values):
             self.problems.add(
-                f"{name}={text!r} must be {len(default)} finite number{'s' if len(default) > 1 else ''}",
+                f"{name}={text!r} must be {len(default)} finite number{'s' if len(default) > 1 else ''}, "
+                f"of at most {LARGEST:g}",
                 self.place(element),
                 f"{EXPAND}." if "$" in text else "Correct the value.",
             )
@@ -72,13 +73,15 @@ class UrdfElements:
         """A number that can be done without: zero with a note if it is none."""
         text = element.get(name, "0")
         try:
-            value = float(text)
+            value = plain_number(text)
         except ValueError:
-            value = math.nan
-        if math.isfinite(value):
+            value = np.nan
+        if are_usable(value):
             return value
         if "inf" not in text:  # no limit
-            self.notes.append(f"{self.place(element)}: {name}={text!r} is no number and was left out")
+            self.notes.append(
+                f"{self.place(element)}: {name}={text!r} is no number of at most {LARGEST:g} and was left out"
+            )
         return 0.0
 
     def refuse_macros(self, root: etree._Element) -> None:
@@ -94,3 +97,14 @@ class UrdfElements:
         if element is None:
             return Place(file=self.file, component=component)
         return Place(file=self.file, line=line_of(element), component=component or nearest_name(element))
+
+
+def plain_number(text: str) -> float:
+    """A number as XML and C have it; Python would take more, as ``1_000`` and digits of other scripts.
+
+    Raises:
+        ValueError: it is none.
+    """
+    if not text.isascii() or "_" in text:
+        raise ValueError(f"{text!r} is no number")
+    return float(text)

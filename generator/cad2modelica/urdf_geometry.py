@@ -12,6 +12,7 @@ from lxml import etree
 from cad2modelica.file_reference import resolve_inside
 from cad2modelica.mesh import Mesh
 from cad2modelica.mesh_files import read_mesh
+from cad2modelica.number_limits import LARGEST, are_usable
 from cad2modelica.primitive_meshes import Surface, box_surface, capsule_surface, cylinder_surface, sphere_surface
 from cad2modelica.spatial import Array, Pose, rotation_about
 from cad2modelica.urdf_elements import UrdfElements
@@ -72,7 +73,11 @@ class UrdfGeometry:
             scale = self._elements.numbers(shape, "scale", (1.0, 1.0, 1.0))
             if not scale.all():
                 raise InputError("scale is zero", place=place, remedy="Correct the scale.")
-            return vertices * scale, triangles[:, ::-1] if np.prod(scale) < 0 else triangles
+            placed = vertices * scale
+            if not are_usable(placed):
+                message = f"scaled coordinates are beyond {LARGEST:g}"
+                raise InputError(message, place=place, remedy="Correct the scale or the mesh.")
+            return placed, triangles[:, ::-1] if np.prod(scale) < 0 else triangles
         if kind not in _LENGTHS:
             remedy = f"Known: {', '.join(_LENGTHS)}, mesh."
             raise InputError(f"geometry of type {kind!r} is not known", place=place, remedy=remedy)
@@ -130,10 +135,10 @@ def _in_package(description: Path, reference: str, place: Place) -> tuple[Path, 
     above = resolved.parents[:LEVELS_OF_PACKAGES]
     # The package's own folder if the description lies in it, else one beside.
     candidates = [ancestor for ancestor in resolved.parents if ancestor.name == package]
-    candidates += [ancestor / package for ancestor in above if (ancestor / package).is_dir()]
+    candidates += [ancestor / package for ancestor in above if os.path.isdir(ancestor / package)]
     leaves = ".." in PurePosixPath(inner).parts
-    holding = [candidate for candidate in candidates if not leaves and (candidate / inner).is_file()]
-    if not candidates and not leaves and not (description.parent / inner).is_file():
+    holding = [candidate for candidate in candidates if not leaves and os.path.isfile(candidate / inner)]
+    if not candidates and not leaves and not os.path.isfile(description.parent / inner):
         raise InputError(
             f"names the package {package!r}, which does not exist: no folder of that name holds {description.name}, or "
             f"lies beside it or one of the {LEVELS_OF_PACKAGES} folders above",

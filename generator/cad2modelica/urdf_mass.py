@@ -12,7 +12,8 @@ from lxml import etree
 from cad2modelica.mass_check import check_against_geometry, check_tensor
 from cad2modelica.mesh import Mesh, join
 from cad2modelica.model import MassProperties
-from cad2modelica.urdf_elements import UrdfElements
+from cad2modelica.number_limits import SMALLEST
+from cad2modelica.urdf_elements import UrdfElements, plain_number
 
 LEAST_GYRATION = 1e-3
 """Least radius of gyration over the size of the geometry that a repaired inertia gets."""
@@ -25,7 +26,7 @@ def has_mass(link: etree._Element) -> bool:
     """Whether a link has mass; a mass of 0 or a text that is no number counts as none."""
     element = link.find("inertial/mass")
     try:
-        return element is not None and float(element.get("value", "0")) != 0.0
+        return element is not None and plain_number(element.get("value", "0")) != 0.0
     except ValueError:
         return True  # reported where the number is read
 
@@ -62,9 +63,9 @@ def usable(properties: MassProperties, meshes: tuple[Mesh, ...]) -> tuple[MassPr
         gyration if one of them was zero or negative; and remarks.
 
     Raises:
-        ValueError: the mass is negative.
+        ValueError: the mass is negative, or too small to compute with.
     """
-    if properties.mass < 0:
+    if not properties.mass >= SMALLEST:
         raise ValueError(f"mass is {properties.mass:g} kg, but must be positive")
     remarks: list[str] = []
     moments, axes = np.linalg.eigh(properties.inertia)

@@ -13,10 +13,10 @@ from cmb_base.errors import InputError, Place
 from cad2modelica.file_reference import resolve_inside
 from cad2modelica.mesh import Indices
 from cad2modelica.spatial import Array, rotation_about
+from cad2modelica.vrml_prototypes import MAXIMUM_DEPTH, instance_of, too_deep
 from cad2modelica.vrml_shapes import WITHOUT_SURFACE, number_field, surface_of
-from cad2modelica.vrml_syntax import ExternalPrototype, Node, Numbers, Prototype, Reference, VrmlDocument, read_vrml
+from cad2modelica.vrml_syntax import ExternalPrototype, Node, Prototype, VrmlDocument, read_vrml
 
-MAXIMUM_DEPTH = 200
 MAXIMUM_SHAPES = 200_000
 MAXIMUM_TRIANGLES = 5_000_000
 
@@ -105,8 +105,7 @@ def read_scene(file: Path, folder: Path) -> VrmlScene:
         InputError: a file cannot be read, inlines itself, is nested too deep or too large.
     """
     walker = _Walker(folder)
-    document = read_vrml(file)
-    walker.walk_document(document, (), (file.resolve(),))
+    walker.walk_file(file, (), ())
     notes = [f"{file.name}: node type {name} is not known and was left out" for name in sorted(walker.unknown)]
     notes += [f"{file.name}: {note}" for note in dict.fromkeys(walker.left_out)]
     if walker.curves:
@@ -126,90 +125,85 @@ class _Walker:
         self._triangles = 0
         self._visits = 0
         self._surfaces: dict[int, tuple[Node, Any]] = {}
+        self._documents: dict[Path, VrmlDocument] = {}
 
-    def walk_document(self, document: VrmlDocument, levels: tuple[Level, ...], files: tuple[Path, ...]) -> None:
-        for root in document.roots:
-            self._walk(root, levels, document, files)
+    def walk_file(self, file: Path, levels: tuple[Level, ...], files: tuple[Path, ...]) -> None:
+        """Collects a file's shapes below ``levels``; ``files`` are those that inline it."""
+        for root in self._document(file).roots:
+            self._walk(root, levels, (*files, file.resolve()))
 
-    def _walk(self, node: Node, levels: tuple[Level, ...], document: VrmlDocument, files: tuple[Path, ...]) -> None:
-        place = Place(file=document.file, line=node.line)
+    def _document(self, file: Path) -> VrmlDocument:
+        if file not in self._documents:
+            self._documents[file] = read_vrml(file)
+        return self._documents[file]
+
+    def _walk(self, node: Node, levels: tuple[Level, ...], files: tuple[Path, ...]) -> None:
+        place = Place(file=node.document.file, line=node.line)
         self._visits += 1
         if len(levels) > MAXIMUM_DEPTH:
-            raise InputError(
-                f"nodes are nested deeper than {MAXIMUM_DEPTH}", place=place, remedy="Export a flatter scene."
-            )
+            raise too_deep(node)
         if self._visits > 10 * MAXIMUM_SHAPES:
             raise InputError("the scene unfolds to too many nodes", place=place, remedy="Export fewer copies (USE).")
-        if node.type in document.prototypes:
-            self._walk_prototype(node, levels, document, files)
+        if node.type in node.document.prototypes:
+            self._walk_prototype(node, levels, files)
         elif node.type == "Transform":
-            matrix = _transform(node, document.file)
+            matrix = _transform(node, node.document.file)
             if matrix is None:
                 self.left_out.append(f"Transform in line {node.line} has scale 0: what is below it was left out")
                 return
-            self._walk_children(node, (*levels, Level(node.name, matrix)), document, files)
+            self._walk_children(node, (*levels, Level(node.name, matrix)), files)
         elif node.type in _GROUPS:
-            self._walk_children(node, (*levels, Level(node.name, None)), document, files)
+            self._walk_children(node, (*levels, Level(node.name, None)), files)
         elif node.type == "Switch":
-            self._walk_choice(node, levels, document, files)
+            self._walk_choice(node, levels, files)
         elif node.type == "LOD":
             for child in _nodes(node, "level")[:1]:
-                self._walk(child, (*levels, Level(node.name, None)), document, files)
+                self._walk(child, (*levels, Level(node.name, None)), files)
         elif node.type == "Inline":
-            self._walk_inline(node, (*levels, Level(node.name, None)), document, files)
+            self._walk_inline(node, (*levels, Level(node.name, None)), files)
         elif node.type == "Shape":
-            self._add_shape(node, (*levels, Level(node.name, None)), document)
+            self._add_shape(node, (*levels, Level(node.name, None)))
         elif node.type not in _WITHOUT_GEOMETRY:
             self.unknown.add(node.type)
 
-    def _walk_children(
-        self, node: Node, levels: tuple[Level, ...], document: VrmlDocument, files: tuple[Path, ...]
-    ) -> None:
+    def _walk_children(self, node: Node, levels: tuple[Level, ...], files: tuple[Path, ...]) -> None:
         for child in _nodes(node, "children"):
-            self._walk(child, levels, document, files)
+            self._walk(child, levels, files)
 
-    def _walk_choice(
-        self, node: Node, levels: tuple[Level, ...], document: VrmlDocument, files: tuple[Path, ...]
-    ) -> None:
-        which = int(number_field(node, "whichChoice", (-1.0,), document.file)[0])
+    def _walk_choice(self, node: Node, levels: tuple[Level, ...], files: tuple[Path, ...]) -> None:
+        which = int(number_field(node, "whichChoice", (-1.0,), node.document.file)[0])
         choices = _nodes(node, "choice")
         if 0 <= which < len(choices):
-            self._walk(choices[which], (*levels, Level(node.name, None)), document, files)
+            self._walk(choices[which], (*levels, Level(node.name, None)), files)
 
-    def _walk_inline(
-        self, node: Node, levels: tuple[Level, ...], document: VrmlDocument, files: tuple[Path, ...]
-    ) -> None:
-        place = Place(file=document.file, line=node.line, component="Inline")
+    def _walk_inline(self, node: Node, levels: tuple[Level, ...], files: tuple[Path, ...]) -> None:
+        place = Place(file=node.document.file, line=node.line, component="Inline")
         urls = [url for url in _items(node.fields.get("url")) if isinstance(url, str)]
         if not urls:
             return
-        relative_folder = document.file.parent.relative_to(self._folder)
-        target = resolve_inside(self._folder, (relative_folder / urls[0]).as_posix() if urls[0] else "", place)
-        resolved = target.resolve()
-        if resolved in files:
+        target = self._file(urls[0], node.document, place)
+        if target.resolve() in files:
             raise InputError(f"{urls[0]!r} inlines itself", place=place, remedy="Remove the circle of Inline nodes.")
-        self.walk_document(read_vrml(target), levels, (*files, resolved))
+        self.walk_file(target, levels, files)
 
-    def _walk_prototype(
-        self, node: Node, levels: tuple[Level, ...], document: VrmlDocument, files: tuple[Path, ...]
-    ) -> None:
-        prototype = document.prototypes[node.type]
+    def _file(self, reference: str, document: VrmlDocument, place: Place) -> Path:
+        """The file that a reference in a document means, which lies in the assembly's folder."""
+        relative_folder = document.file.parent.relative_to(self._folder)
+        return resolve_inside(self._folder, (relative_folder / reference).as_posix() if reference else "", place)
+
+    def _walk_prototype(self, node: Node, levels: tuple[Level, ...], files: tuple[Path, ...]) -> None:
+        prototype = node.document.prototypes[node.type]
         if isinstance(prototype, ExternalPrototype):
-            loaded = self._load_prototype(prototype, document)
+            loaded = self._load_prototype(prototype, node.document)
             if loaded is None:
                 return
-            prototype, document = loaded
-        if not prototype.body:
-            return
-        values = {**prototype.defaults, **node.fields}
-        others = {name: value for name, value in document.prototypes.items() if name != prototype.name}
-        instance = _substitute(prototype.body[0], values)
-        instance.name = node.name or instance.name
-        self._walk(instance, levels, VrmlDocument(document.file, [], others), files)
+            prototype = loaded
+        instance = instance_of(prototype, node)
+        if instance is not None:
+            # A level of its own bounds how deep prototypes of prototypes go.
+            self._walk(instance, (*levels, Level(None, None)), files)
 
-    def _load_prototype(
-        self, external: ExternalPrototype, document: VrmlDocument
-    ) -> tuple[Prototype, VrmlDocument] | None:
+    def _load_prototype(self, external: ExternalPrototype, document: VrmlDocument) -> Prototype | None:
         """The prototype in the first file that is named; None where only other places than files are."""
         place = Place(file=document.file, line=external.line, component=f"EXTERNPROTO {external.name}")
         files = [url for url in external.urls if not _SCHEME.match(url)]
@@ -217,18 +211,16 @@ class _Walker:
             self.left_out.append(f"EXTERNPROTO {external.name} names no file: its nodes were left out")
             return None
         reference, _, name = (files[0] if files else "").partition("#")
-        relative_folder = document.file.parent.relative_to(self._folder)
-        target = resolve_inside(self._folder, (relative_folder / reference).as_posix() if reference else "", place)
-        loaded = read_vrml(target)
-        found = [item for item in loaded.prototypes.values() if isinstance(item, Prototype)]
+        target = self._file(reference, document, place)
+        found = [item for item in self._document(target).prototypes.values() if isinstance(item, Prototype)]
         matching = [item for item in found if item.name == name] if name else found[:1]
         if not matching:
             raise InputError(
                 f"{target.name} defines no PROTO {name or external.name}", place=place, remedy="Correct the reference."
             )
-        return matching[0], loaded
+        return matching[0]
 
-    def _add_shape(self, node: Node, levels: tuple[Level, ...], document: VrmlDocument) -> None:
+    def _add_shape(self, node: Node, levels: tuple[Level, ...]) -> None:
         geometry = node.fields.get("geometry")
         if not isinstance(geometry, Node):
             return
@@ -237,7 +229,7 @@ class _Walker:
             return
         # Nodes that USE the same geometry share its surface; the entry keeps the node, and so its id, alive.
         if id(geometry) not in self._surfaces:
-            self._surfaces[id(geometry)] = (geometry, surface_of(geometry, document.file))
+            self._surfaces[id(geometry)] = (geometry, surface_of(geometry, geometry.document.file))
         surface = self._surfaces[id(geometry)][1]
         if surface is None:
             self.unknown.add(geometry.type)
@@ -247,11 +239,11 @@ class _Walker:
         if len(self.shapes) >= MAXIMUM_SHAPES or self._triangles > MAXIMUM_TRIANGLES:
             raise InputError(
                 f"the scene holds more than {MAXIMUM_SHAPES} shapes or {MAXIMUM_TRIANGLES} triangles",
-                place=Place(file=document.file, line=node.line),
+                place=Place(file=node.document.file, line=node.line),
                 remedy="Export with a coarser tessellation.",
             )
         if len(triangles):
-            self.shapes.append(ShapeInstance(levels, vertices, triangles, _color(node, document.file), node.line))
+            self.shapes.append(ShapeInstance(levels, vertices, triangles, _color(node), node.line))
 
 
 def _transform(node: Node, file: Path) -> Array | None:
@@ -282,12 +274,12 @@ def _rotation(values: Array) -> Array:
     return rotation_about(values[:3], float(values[3]))
 
 
-def _color(shape: Node, file: Path) -> tuple[float, float, float]:
+def _color(shape: Node) -> tuple[float, float, float]:
     appearance = shape.fields.get("appearance")
     material = appearance.fields.get("material") if isinstance(appearance, Node) else None
     if not isinstance(material, Node):
         return DEFAULT_COLOR
-    red, green, blue = np.clip(number_field(material, "diffuseColor", DEFAULT_COLOR, file), 0.0, 1.0)
+    red, green, blue = np.clip(number_field(material, "diffuseColor", DEFAULT_COLOR, material.document.file), 0.0, 1.0)
     return float(red), float(green), float(blue)
 
 
@@ -297,19 +289,3 @@ def _items(value: Any) -> list[Any]:
 
 def _nodes(node: Node, name: str) -> list[Node]:
     return [item for item in _items(node.fields.get(name)) if isinstance(item, Node)]
-
-
-def _substitute(value: Any, values: dict[str, Any]) -> Any:
-    """A copy of a prototype's node in which ``IS`` is replaced by the instance's values."""
-    if isinstance(value, Node):
-        fields = {}
-        for name, item in value.fields.items():
-            replaced = values.get(item.name) if isinstance(item, Reference) else _substitute(item, values)
-            if replaced is not None:
-                fields[name] = replaced
-        return Node(value.type, fields, value.line, value.name)
-    if isinstance(value, list):
-        return [_substitute(item, values) for item in value]
-    if isinstance(value, Numbers | str | bool):
-        return value
-    return None

@@ -9,6 +9,7 @@ import numpy as np
 from cmb_base.errors import InputError, Place
 
 from cad2modelica.mesh import Indices
+from cad2modelica.number_limits import LARGEST, are_usable
 from cad2modelica.polygon import triangulate
 from cad2modelica.primitive_meshes import Surface, box_surface, cone_surface, cylinder_surface, sphere_surface
 from cad2modelica.spatial import Array
@@ -41,8 +42,9 @@ def number_field(node: Node, name: str, default: tuple[float, ...], file: Path) 
     value = node.fields.get(name)
     if value is None:
         return np.array(default)
-    if not isinstance(value, Numbers) or len(value.values) != len(default) or not np.isfinite(value.values).all():
-        raise _wrong(node, f"field {name} needs {len(default)} finite number{'s' if len(default) > 1 else ''}", file)
+    if not isinstance(value, Numbers) or len(value.values) != len(default) or not are_usable(value.values):
+        count = f"{len(default)} finite number{'s' if len(default) > 1 else ''}"
+        raise _wrong(node, f"field {name} needs {count}, of at most {LARGEST:g}", file)
     return value.values
 
 
@@ -79,8 +81,9 @@ def _indexed_face_set(node: Node, file: Path) -> Surface:
     if not isinstance(coordinate, Node):
         raise _wrong(node, "field coord must be a Coordinate node", file)
     numbers = list_field(coordinate, "point", file)
-    if len(numbers) % 3 or not np.isfinite(numbers).all():
-        raise _wrong(coordinate, "the list of points needs three finite numbers a point", file)
+    if len(numbers) % 3 or not are_usable(numbers):
+        message = f"the list of points needs three finite numbers a point, of at most {LARGEST:g}"
+        raise _wrong(coordinate, message, file)
     points = numbers.reshape(-1, 3)
     index = list_field(node, "coordIndex", file)
     if (index != np.rint(index)).any():
@@ -112,8 +115,9 @@ def _elevation_grid(node: Node, file: Path) -> Surface:
     """Heights over the x-z plane, x running fastest (ISO/IEC 14772-1, 6.17); two triangles a quadrilateral."""
     columns, rows = (_whole(node, name, file) for name in ("xDimension", "zDimension"))
     heights = list_field(node, "height", file)
-    if len(heights) != columns * rows or not np.isfinite(heights).all():
-        raise _wrong(node, f"field height needs {columns} x {rows} finite numbers, but has {len(heights)}", file)
+    if len(heights) != columns * rows or not are_usable(heights):
+        message = f"field height needs {columns} x {rows} finite numbers, of at most {LARGEST:g}"
+        raise _wrong(node, f"{message}, and has {len(heights)}", file)
     if columns < 2 or rows < 2:
         return np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64)
     row, column = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
@@ -151,8 +155,8 @@ def _along_spine(node: Node, name: str, width: int, default: tuple[float, ...], 
 
 def _points(node: Node, name: str, width: int, default: tuple[float, ...], file: Path) -> Array:
     values = list_field(node, name, file) if name in node.fields else np.array(default, dtype=np.float64)
-    if len(values) % width or not np.isfinite(values).all():
-        raise _wrong(node, f"field {name} needs {width} finite numbers a value", file)
+    if len(values) % width or not are_usable(values):
+        raise _wrong(node, f"field {name} needs {width} finite numbers a value, of at most {LARGEST:g}", file)
     return values.reshape(-1, width)
 
 

@@ -38,12 +38,19 @@ Value = Any  # Numbers, str, bool, None, Node, Reference, or a list of these
 
 @dataclass(eq=False)
 class Node:
-    """A node: its type, fields by name, DEF name, and the line it starts on."""
+    """A node: its type, fields by name, DEF name, and the line it starts on.
+
+    Attributes:
+        document: where it stands, and whose prototypes it may name.
+        inside: prototypes whose bodies this copy of a node belongs to, the outermost first.
+    """
 
     type: str
     fields: dict[str, Value]
     line: int
+    document: VrmlDocument = field(repr=False)
     name: str | None = None
+    inside: tuple[Prototype, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +77,7 @@ class VrmlDocument:
     """A file's root nodes and prototypes."""
 
     file: Path
-    roots: list[Node]
+    roots: list[Node] = field(default_factory=list)
     prototypes: dict[str, Prototype | ExternalPrototype] = field(default_factory=dict)
 
 
@@ -88,10 +95,10 @@ def read_vrml(file: Path) -> VrmlDocument:
         raise InputError(
             f"is not a VRML 2.0 file: it begins with {first!r}", place=Place(file=file, line=1), remedy=remedy
         )
-    builder = _Builder(file)
+    document = VrmlDocument(file)
     try:
         # The builder works while parsing: no tree, and no recursion on what is nested deeply.
-        roots: list[Node] = _grammar(builder).parse(text)  # type: ignore[assignment]
+        document.roots.extend(_grammar(_Builder(document)).parse(text))  # type: ignore[arg-type]
     except UnexpectedToken as error:
         if error.token.type == "$END":
             raise _truncated(text, file) from error
@@ -107,7 +114,7 @@ def read_vrml(file: Path) -> VrmlDocument:
         raise _syntax_error(f"unexpected {text[position]!r}", file, error.line) from error
     except UnexpectedInput as error:
         raise _syntax_error("syntax error", file, error.line) from error
-    return VrmlDocument(file, roots, builder.prototypes)
+    return document
 
 
 def _grammar(builder: _Builder | None = None) -> Lark:
@@ -117,11 +124,10 @@ def _grammar(builder: _Builder | None = None) -> Lark:
 class _Builder(Transformer[Token, Any]):
     """Builds nodes bottom-up in the order of the text, so that USE finds what DEF named before."""
 
-    def __init__(self, file: Path) -> None:
+    def __init__(self, document: VrmlDocument) -> None:
         super().__init__()
-        self._file = file
+        self._document = document
         self._named: dict[str, Node] = {}
-        self.prototypes: dict[str, Prototype | ExternalPrototype] = {}
 
     def start(self, children: list[Any]) -> list[Node]:
         return [child for child in children if isinstance(child, Node)]
@@ -131,7 +137,7 @@ class _Builder(Transformer[Token, Any]):
         for child in children[1:]:
             if isinstance(child, tuple):
                 fields[child[0]] = child[1]
-        return Node(str(children[0]), fields, int(children[0].line))
+        return Node(str(children[0]), fields, int(children[0].line), self._document)
 
     def define(self, children: list[Any]) -> Node:
         node: Node = children[1]
@@ -144,7 +150,7 @@ class _Builder(Transformer[Token, Any]):
         if name not in self._named:
             raise InputError(
                 f"USE {name}: no node of that name is defined before",
-                place=Place(file=self._file, line=children[0].line),
+                place=Place(file=self._document.file, line=children[0].line),
                 remedy="Export the file again; DEF must come before USE and must not contain it.",
             )
         return self._named[name]
@@ -174,12 +180,12 @@ class _Builder(Transformer[Token, Any]):
         name, *rest = children
         defaults = {child[0]: child[1] for child in rest if isinstance(child, tuple)}
         body = [child for child in rest if isinstance(child, Node)]
-        self.prototypes[str(name)] = Prototype(str(name), defaults, body, int(name.line))
+        self._document.prototypes[str(name)] = Prototype(str(name), defaults, body, int(name.line))
 
     def external_prototype(self, children: list[Any]) -> None:
         name, value = children[0], children[-1]
         urls = [url for url in (value if isinstance(value, list) else [value]) if isinstance(url, str)]
-        self.prototypes[str(name)] = ExternalPrototype(str(name), urls, int(name.line))
+        self._document.prototypes[str(name)] = ExternalPrototype(str(name), urls, int(name.line))
 
     def route(self, _children: list[Any]) -> None:
         return None
@@ -210,8 +216,16 @@ class _Builder(Transformer[Token, Any]):
 def _parse_numbers(text: str) -> Array:
     words = text.replace(",", " ").split()
     if "x" in text or "X" in text:
-        return np.array([float(int(word, 0)) if "x" in word.lower() else float(word) for word in words])
+        return np.array([_whole_number(word) if "x" in word.lower() else float(word) for word in words])
     return np.array(words, dtype=np.float64)
+
+
+def _whole_number(word: str) -> float:
+    """A hexadecimal number; infinity where it is beyond all numbers."""
+    try:
+        return float(int(word, 0))
+    except OverflowError:
+        return float("inf")
 
 
 def _second_word(token: Token) -> str:

@@ -14,7 +14,12 @@ MAXIMUM_BYTES = 16 * 2**20
 MAXIMUM_DEPTH = 64
 MAXIMUM_PROBLEMS = 20
 SEARCHED_FOR_DECLARATION = 4096
+XML_SCHEMA = "http://www.w3.org/2001/XMLSchema"
 
+_BROKEN_PATTERN = re.compile(
+    r"(?P<place>.*?)\[facet 'pattern'\] The value '(?P<value>.*)' is not accepted by the pattern '(?P<pattern>.*)'\.",
+    re.S,
+)
 _DECLARATION = re.compile(rb"""<\?xml\s+version\s*=\s*["']([0-9.]+)["'][^>]*\?>""")
 _FIRST_ELEMENT = re.compile(rb"<[A-Za-z_]")
 
@@ -62,16 +67,32 @@ def validate(root: etree._Element, schema_file: Path, file: Path) -> None:
     Raises:
         ProblemList: the document breaks the schema; every problem with its line.
     """
-    schema = etree.XMLSchema(etree.parse(schema_file))
+    text = etree.parse(schema_file)
+    schema = etree.XMLSchema(text)
     if schema.validate(root):
         return
     namespace = f"{{{root.nsmap.get(None, '')}}}"
     log: Iterable[etree._LogEntry] = schema.error_log  # type: ignore[assignment]  # iterable, though not typed so
     problems = [
-        InputError(entry.message.replace(namespace, ""), place=Place(file=file, line=entry.line))
+        InputError(message.replace(namespace, ""), place=Place(file=file, line=entry.line), remedy=remedy)
         for entry in islice(log, MAXIMUM_PROBLEMS)
+        for message, remedy in [_in_words(entry.message, text)]
     ]
     raise ProblemList(f"{file} breaks the schema {schema_file.name}", problems)
+
+
+def _in_words(message: str, schema: etree._ElementTree) -> tuple[str, str | None]:
+    """A message of the schema's processor without a pattern's text, and what the schema says about its type."""
+    found = _BROKEN_PATTERN.fullmatch(message)
+    if found is None:
+        return message, None
+    for restriction in schema.iter(f"{{{XML_SCHEMA}}}restriction"):
+        patterns = [item.get("value") for item in restriction.iterchildren(f"{{{XML_SCHEMA}}}pattern")]
+        if found["pattern"] in patterns:
+            documented = restriction.itersiblings(f"{{{XML_SCHEMA}}}annotation", preceding=True)
+            words = " ".join(str(text) for item in documented for text in item.itertext())
+            return f"{found['place']}the value '{found['value']}' is not allowed.", " ".join(words.split()) or None
+    return message, None
 
 
 def line_of(element: etree._Element) -> int | None:

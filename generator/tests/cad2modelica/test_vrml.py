@@ -8,9 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from cad2modelica import vrml_scene
 from cad2modelica.mesh import is_closed, volume_integrals, weld
 from cad2modelica.polygon import newell_normal, triangulate
 from cad2modelica.vrml_scene import read_scene
+from cad2modelica.vrml_syntax import read_vrml
 from cmb_base.errors import InputError
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -229,6 +231,76 @@ def test_prototypes(tmp_path: Path) -> None:
     np.testing.assert_allclose(np.ptp(first.vertices, axis=0), [2, 4, 6])
     np.testing.assert_allclose(np.ptp(second.vertices, axis=0), [1, 1, 1])
     assert (first.path, second.color) == ("first", (0.0, 1.0, 0.0))
+
+
+def test_prototype_inside_an_instance_of_itself(tmp_path: Path) -> None:
+    """Nested by a field, as exporters write chains; only a body that holds its own prototype is a circle."""
+    text = """PROTO Joint [ field SFVec3f at 0 0 0 field MFNode children [] ]
+    { Transform { translation IS at children IS children } }
+    DEF a Joint { at 1 0 0 children DEF b Joint { at 0 2 0 children Shape { geometry Box {} } } }"""
+    (shape,) = scene(tmp_path, text).shapes
+    assert shape.path == "a/b"
+    np.testing.assert_allclose(shape.placed()[0].mean(axis=0), [1, 2, 0])
+
+
+def test_own_prototypes_inside_an_external_one(tmp_path: Path) -> None:
+    """What an instance is given belongs to the file that gives it, not to the one that defines the prototype."""
+    (tmp_path / "frame.wrl").write_text(
+        HEADER + "PROTO Bolt [] { Shape { geometry Sphere {} } } PROTO Frame [ field MFNode children [] ]"
+        " { Group { children IS children } }"
+    )
+    text = """EXTERNPROTO Frame [ field MFNode children ] "frame.wrl#Frame"
+    PROTO Bolt [] { Shape { geometry Box { size 4 4 4 } } } Frame { children Bolt {} }"""
+    (shape,) = scene(tmp_path, text).shapes
+    assert np.ptp(shape.vertices) == 4
+
+
+@pytest.mark.parametrize("body", ["A {}", "Group { children B {} }", "Group { children [ E {} E {} ] }"])
+def test_prototype_that_contains_itself_is_refused(tmp_path: Path, body: str) -> None:
+    (tmp_path / "other.wrl").write_text(
+        HEADER + 'EXTERNPROTO A [] "scene.wrl#A"\nPROTO E [] { Group { children [ A {} A {} ] } }'
+    )
+    text = f'EXTERNPROTO E [] "other.wrl#E"\nPROTO A [] {{ {body} }} PROTO B [] {{ A {{}} }} A {{}}'
+    with pytest.raises(InputError, match=r"prototype [ABE] contains itself"):
+        scene(tmp_path, text)
+
+
+def test_deep_prototype_is_stopped(tmp_path: Path) -> None:
+    deep = "Group { children " * 5000 + "Shape { geometry Box {} }" + " }" * 5000
+    with pytest.raises(InputError, match="nested deeper"):
+        scene(tmp_path, f"PROTO A [] {{ {deep} }} A {{}}")
+
+
+def test_prototype_that_multiplies_is_stopped(tmp_path: Path) -> None:
+    """Ten groups in a prototype's body that each use the one before ten times would be 10^10 boxes."""
+    groups = [f"DEF g{n} Group {{ children [ {f'USE g{n - 1} ' * 10} ] }}" for n in range(1, 11)]
+    body = "Group { children [ DEF g0 Shape { geometry Box {} } " + " ".join(groups) + " ] }"
+    with pytest.raises(InputError, match=r"more than|too many"):
+        scene(tmp_path, f"PROTO A [] {{ {body} }} A {{}}")
+
+
+def test_inlined_files_are_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[Path] = []
+    monkeypatch.setattr(vrml_scene, "read_vrml", lambda file: read.append(file) or read_vrml(file))
+    (tmp_path / "leaf.wrl").write_text(HEADER + "Shape { geometry Box {} }")
+    (tmp_path / "twig.wrl").write_text(HEADER + 'Inline { url "leaf.wrl" } ' * 5)
+    assert len(scene(tmp_path, 'Inline { url "twig.wrl" } ' * 5).shapes) == 25
+    assert [file.name for file in read] == ["scene.wrl", "twig.wrl", "leaf.wrl"]
+
+
+@pytest.mark.parametrize("number", ["1e300", "1e999", "0x" + "f" * 400])
+def test_numbers_beyond_all_measure_are_named(tmp_path: Path, number: str) -> None:
+    with pytest.raises(InputError, match="Box: field size needs 3 finite numbers, of at most 1e\\+30"):
+        scene(tmp_path, f"Shape {{ geometry Box {{ size {number} 1 1 }} }}")
+
+
+@pytest.mark.parametrize("length", [1e-200, 1e25])
+def test_rotations_about_axes_of_any_length(tmp_path: Path, length: float) -> None:
+    text = (
+        f"Transform {{ rotation 0 0 {length} 1.5707963267948966 children Shape {{ geometry Box {{ size 2 4 6 }} }} }}"
+    )
+    (shape,) = scene(tmp_path, text).shapes
+    np.testing.assert_allclose(np.ptp(shape.placed()[0], axis=0), [4, 2, 6], atol=1e-12)
 
 
 def test_inline_and_external_prototype(tmp_path: Path) -> None:

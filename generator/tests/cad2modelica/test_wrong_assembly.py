@@ -31,6 +31,17 @@ WRONG_XML = [
     ("unknown-joint-part", 'child="rod"', 'child="bar"', "'bar', which does not exist", "bar"),
     ("joint-with-itself", 'parent="block"', 'parent="rod"', "with itself", '<joint name="hinge"'),
     ("unknown-material", 'name="rod" material="steel"', 'name="rod" material="stell"', "'stell'", "stell"),
+    ("schema-huge", "<mass>0.5</mass>", "<mass>1e400</mass>", "greater than the maximum value", "1e400"),
+    ("schema-huge-vector", "<axis>0 1 0</axis>", "<axis>0 1e31 0</axis>", "greater than the maximum value", "1e31"),
+    ("schema-tolerance", "<ground>", '<simulation stopTime="1" tolerance="1"/><ground>', None, None),
+    ("tiny-mass", "<mass>0.5</mass>", "<mass>1e-320</mass>", "at least 1e-30 kg", None),
+    (
+        "long-file-name",
+        'file="pendulum.wrl" node="rod"',
+        f'file="{"x" * 5000}" node="rod"',
+        "does not exist",
+        "x" * 5000,
+    ),
     ("zero-mass", "<mass>0.5</mass>", "<mass>0</mass>", "must be positive", None),
     ("negative-mass", "<mass>0.5</mass>", "<mass>-1</mass>", "must be positive", None),
     ("negative-inertia", 'xx="80"', 'xx="-80"', "not positive definite", None),
@@ -152,6 +163,29 @@ def test_instances_that_multiply_are_stopped(pendulum: Path, tmp_path: Path) -> 
     change(pendulum, "  <ground>", f'<definitions>{levels}<definition name="d50"/></definitions>\n<ground>')
     change(pendulum, "  <joints>", two.format("d0") + "<joints>")
     assert "unfolds to more than" in str(refused(pendulum, tmp_path))
+
+
+def test_what_a_value_must_look_like_is_said_in_words(pendulum: Path, tmp_path: Path) -> None:
+    change(pendulum, "<mass>0.5</mass>", "<mass>NaN</mass>")
+    change(pendulum, 'part name="rod"', 'part name="rod/2"')
+    said = str(refused(pendulum, tmp_path))
+    assert "A number from -1e30 to 1e30" in said
+    assert 'Any text without "/"' in said
+    assert "pattern" not in said
+
+
+def test_geometry_that_overflows_is_refused(pendulum: Path, tmp_path: Path) -> None:
+    change(pendulum.parent / "pendulum.wrl", "translation 100 0 0", "scale 1e20 1e20 1e20")
+    file = pendulum.parent / "pendulum.wrl"
+    file.write_text(file.read_text().replace("size 200", "size 2e20"))
+    change(pendulum, 'node="rod" coordinates="node"', 'node="rod" coordinates="file"')
+    assert "reaches farther than 1e+30 m" in str(refused(pendulum, tmp_path))
+
+
+def test_geometry_in_one_point_is_refused(pendulum: Path, tmp_path: Path) -> None:
+    point = "IndexedFaceSet { coord Coordinate { point [ 1 2 3, 1 2 3, 1 2 3 ] } coordIndex [ 0 1 2 -1 ] }"
+    change(pendulum.parent / "pendulum.wrl", "Box { size 200 40 20 }", point)
+    assert "all points of the geometry coincide" in str(refused(pendulum, tmp_path))
 
 
 def test_all_problems_are_reported_together(pendulum: Path, tmp_path: Path) -> None:

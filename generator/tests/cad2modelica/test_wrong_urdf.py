@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os.path
 import struct
 from pathlib import Path
 
@@ -46,6 +47,9 @@ def write_stl(file: Path, announced: int | None = None) -> None:
         ((link("a"), link("a")), 3, "name of its own"),
         ((link("a"), link("b"), joint("j", "a", "b"), joint("j", "a", "b")), 5, "name of its own"),
         (('<link name="a"><inertial><mass value="1e400"/></inertial></link>',), 2, "finite"),
+        (('<link name="a"><inertial><mass value="1e300"/></inertial></link>',), 2, "of at most 1e+30"),
+        (('<link name="a"><inertial><mass value="1_0"/></inertial></link>',), 2, "finite"),
+        (('<link name="a"><inertial><mass value="1e-320"/></inertial></link>',), 2, "must be positive"),
     ],
 )
 def test_wrong_structure_is_refused(
@@ -73,6 +77,8 @@ def test_wrong_structure_is_refused(
         ("package://arm/link.stl", "through a symbolic link"),
         ("package://arm/..\\secret.stl", "not a file name"),
         ("../secret.stl", "leaves"),
+        pytest.param("x" * 5000, "does not exist", id="long-name"),
+        pytest.param("package://" + "x" * 5000 + "/a.stl", "which does not exist", id="long-package"),
         ("announced.stl", "too early"),
         ("huge.stl", "is larger than 0 MiB"),
         ("nan.obj", "nan.obj:2: 3 finite numbers expected"),
@@ -101,7 +107,7 @@ def test_geometry_is_left_out_and_nothing_else_is_read(
     assert words in note
     assert "link 'a'" in note
     broken = file.parent / filename
-    assert (str(broken) if broken.is_file() and broken.parent == file.parent else f"{file}:3") in note
+    assert (str(broken) if os.path.isfile(broken) and broken.parent == file.parent else f"{file}:3") in note
 
 
 def test_long_chains_written_backwards_are_read_in_order(tmp_path: Path) -> None:
