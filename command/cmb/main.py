@@ -3,17 +3,52 @@
 from __future__ import annotations
 
 import argparse
+import errno
 import os
+import signal
 import sys
-from collections.abc import Sequence
+import textwrap
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from types import FrameType
 
 from cmb_base.errors import EXIT_FAILURE, EXIT_INPUT, CmbError
 
-from cmb.commands import ALL_COMMANDS
+# Errors of the operating system that come from a path the user gave.
+_WRONG_PATHS = {
+    errno.ENOENT,
+    errno.EEXIST,
+    errno.ENOTDIR,
+    errno.EISDIR,
+    errno.EACCES,
+    errno.EPERM,
+    errno.EROFS,
+    errno.ELOOP,
+    errno.ENAMETOOLONG,
+}
+
+
+class _Interrupted(KeyboardInterrupt):
+    """A signal that ends the program; ``number`` is the signal's."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__()
+        self.number = number
+
+
+class _HelpFormatter(argparse.RawDescriptionHelpFormatter):
+    """Folds prose to the terminal's width; lines that are indented, such as examples, stay as they are."""
+
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        lines = (line if line.startswith(" ") else textwrap.fill(line, width) for line in text.splitlines())
+        return "\n".join(indent + line for line in lines)
 
 
 def build_parser() -> argparse.ArgumentParser:
     """The argument parser with every subcommand."""
+    from cmb.commands import ALL_COMMANDS  # here, so that an interruption while packages load is told as any other
+
     parser = argparse.ArgumentParser(
         prog="cmb",
         description="From a CAD assembly to a Modelica model that collides, an FMU and a report.",
@@ -27,7 +62,7 @@ def build_parser() -> argparse.ArgumentParser:
             help=command.SUMMARY,
             description=command.DESCRIPTION,
             epilog=command.EXAMPLES,
-            formatter_class=argparse.RawDescriptionHelpFormatter,
+            formatter_class=_HelpFormatter,
         )
         command.add_arguments(sub)
         sub.set_defaults(run=command.run)
@@ -41,28 +76,54 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: the words after the program's name; those of the process if left out.
 
     Returns:
-        The exit status: 0, 2 for wrong input, 1 for any other failure, 130 when interrupted.
+        The exit status: 0, 2 for wrong input, 1 for any other failure, 128 and its number when a signal interrupted it.
     """
-    parsed = build_parser().parse_args(arguments)
+    try:
+        with _signals_interrupt():
+            parsed = build_parser().parse_args(arguments)
+            return _run(parsed)
+    except KeyboardInterrupt as interruption:
+        number = interruption.number if isinstance(interruption, _Interrupted) else signal.SIGINT
+        print("cmb: interrupted; nothing half-written was left behind", file=sys.stderr)
+        return 128 + number
+
+
+def _run(parsed: argparse.Namespace) -> int:
     try:
         status: int = parsed.run(parsed)
+        sys.stdout.flush()
     except CmbError as error:
         if parsed.debug:
             raise
         print(f"cmb: {error}", file=sys.stderr)
         return error.exit_status
-    except KeyboardInterrupt:
-        print("cmb: interrupted; nothing half-written was left behind", file=sys.stderr)
-        return 130
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return EXIT_FAILURE
-    except (FileNotFoundError, NotADirectoryError, PermissionError) as error:
+    except OSError as error:
         if parsed.debug:
             raise
-        print(f"cmb: {error.filename}: {error.strerror}", file=sys.stderr)
-        return EXIT_INPUT
+        print(f"cmb: {f'{error.filename}: ' if error.filename else ''}{error.strerror or error}", file=sys.stderr)
+        return EXIT_INPUT if error.errno in _WRONG_PATHS else EXIT_FAILURE
     return status
+
+
+@contextmanager
+def _signals_interrupt() -> Iterator[None]:
+    """Lets SIGTERM and SIGHUP end the program as Ctrl-C does, so that what is half-written is removed."""
+
+    def interrupt(number: int, _frame: FrameType | None) -> None:
+        raise _Interrupted(number)
+
+    numbers = [signal.SIGTERM, signal.SIGHUP] if threading.current_thread() is threading.main_thread() else []
+    taken = [number for number in numbers if signal.getsignal(number) == signal.SIG_DFL]  # nohup ignores SIGHUP
+    for number in taken:
+        signal.signal(number, interrupt)
+    try:
+        yield
+    finally:
+        for number in taken:
+            signal.signal(number, signal.SIG_DFL)
 
 
 if __name__ == "__main__":

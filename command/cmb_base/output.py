@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import secrets
 import shutil
@@ -25,8 +26,8 @@ def whole_folder(target: Path) -> Iterator[Path]:
     names is replaced.
 
     Raises:
-        InputError: ``target`` exists and something else made it, or nothing can be written where it shall lie.
-        OSError: writing failed; an error that names no file, as that of a full disk does, is given ``target``'s name.
+        InputError: ``target`` exists and something else made it.
+        OSError: nothing can be written there; the error names ``target``.
     """
     real = Path(os.path.realpath(target))
     _refuse_foreign(target)
@@ -74,10 +75,10 @@ def whole_file(target: Path) -> Iterator[Path]:
     link, the file that it names is replaced. A device or pipe is not replaced: what was written goes into it then.
 
     Raises:
-        InputError: as ``check_file`` does.
-        OSError: writing failed; an error that names no file, as that of a full disk does, is given ``target``'s name.
+        OSError: nothing can be written there; the error names ``target``.
     """
-    check_file(target)
+    _refuse_folder(target)
+    _check_place(target)
     real = Path(os.path.realpath(target))
     with _errors_about(target):
         if real.exists() and not real.is_file():
@@ -104,29 +105,34 @@ def check_file(target: Path) -> None:
     Raises:
         InputError: ``target`` is a folder, or nothing can be written where it shall lie.
     """
+    try:
+        _refuse_folder(target)
+        _check_place(target)
+    except OSError as error:
+        raise InputError(str(error.strerror), place=Place(file=target), remedy="Name another output.") from error
+
+
+def _refuse_folder(target: Path) -> None:
     if target.is_dir():
-        raise InputError("is a folder", place=Place(file=target), remedy="Name a file.")
-    _check_place(target)
+        raise IsADirectoryError(errno.EISDIR, "is a folder, not a file", str(target))
 
 
 def _check_place(target: Path) -> None:
-    """Raises InputError if nothing can be written at ``target``; folders above it may be missing."""
+    """Raises OSError if nothing can be written at ``target``; folders above it may be missing."""
     real = Path(os.path.realpath(target))
     if real.exists() and not real.is_file() and not real.is_dir():  # a device or pipe
         if not os.access(real, os.W_OK):
-            raise InputError("cannot be written to", place=Place(file=target), remedy="Name another output.")
+            raise PermissionError(errno.EACCES, "cannot be written to", str(target))
         return
     folder = next(parent for parent in real.parents if parent.exists())
     if not folder.is_dir():
-        raise InputError(f"{folder} is no folder", place=Place(file=target), remedy="Name another output.")
+        raise NotADirectoryError(errno.ENOTDIR, f"{folder} is no folder", str(target))
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise _no_output_in(folder, target)
+        raise _no_place(folder, target)
 
 
-def _no_output_in(folder: Path, target: Path) -> InputError:
-    return InputError(
-        f"nothing can be written into the folder {folder}", place=Place(file=target), remedy="Name another output."
-    )
+def _no_place(folder: Path, target: Path) -> PermissionError:
+    return PermissionError(errno.EACCES, f"nothing can be written into the folder {folder}", str(target))
 
 
 def _made_beside(target: Path, make: Callable[[Path], None]) -> Path:
@@ -136,7 +142,7 @@ def _made_beside(target: Path, make: Callable[[Path], None]) -> Path:
         target.parent.mkdir(parents=True, exist_ok=True)
         make(staging)
     except (FileNotFoundError, PermissionError) as error:  # file systems whose permissions do not say it
-        raise _no_output_in(target.parent, target) from error
+        raise _no_place(target.parent, target) from error
     return staging
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import os
+import pwd
 import re
 from pathlib import Path
 
 import pytest
+from cmb_base.cache import user_cache
 from fmu_regression.fmu import read_description
 from program import Cmb
 
@@ -95,7 +98,7 @@ def test_openmodelica_where_it_is_not_installed(folder: Path, cmb_here: Cmb, mon
         (["Falling", "--fmi", "1"], "--fmi"),
         (["Falling", "--tool", "dymola"], "--tool"),
         (["Falling", "--tolerance", "2"], "tolerance"),
-        (["Falling", "--max-step", "-1"], "negative"),
+        (["Falling", "--max-step", "-1"], "longest step cannot be -1"),
         (["Falling", "--max-steps", "0"], "0 steps"),
         (["Falling", "--max-steps", "many"], "--max-steps"),
         (["Falling", "--output", "."], "is a folder"),
@@ -112,3 +115,20 @@ def test_wrong_options(words: list[str], said: str, folder: Path, cmb_here: Cmb)
     assert said in done.stderr
     assert "Traceback" not in done.stderr
     assert [path.name for path in folder.iterdir()] == ["Falling.mo"]
+
+
+def test_without_a_place_for_the_cache_it_builds_all_the_same(
+    folder: Path, cmb_here: Cmb, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (folder / "file").touch()
+    monkeypatch.setenv("XDG_CACHE_HOME", str(folder / "file"))
+    done = cmb_here("fmu", "Falling", cwd=folder)
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_cache_lies_in_the_users_home(monkeypatch: pytest.MonkeyPatch) -> None:
+    home = pwd.getpwuid(os.getuid()).pw_dir
+    for environment in ({}, {"HOME": ""}, {"HOME": "relative", "XDG_CACHE_HOME": "relative"}):
+        assert user_cache("x", environment) == Path(home) / ".cache" / "contactmultibody" / "x"
+    monkeypatch.setattr(os, "getuid", lambda: 2**31 - 7)  # as in containers
+    assert user_cache("x", {}) == Path("/nonexistent/.cache/contactmultibody/x")

@@ -125,17 +125,23 @@ def test_names_of_any_length(tmp_path: Path) -> None:
 def test_where_nothing_can_be_written_the_target_is_named(write: object, tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     assert callable(write)
-    with pytest.raises(InputError, match=r"file/deep/a: .*file is no folder"), write(tmp_path / "file" / "deep" / "a"):
-        pass
-    with pytest.raises(InputError, match=r"/proc/a: nothing can be written"), write(Path("/proc/a")):
-        pass
+    for target, text in (
+        (tmp_path / "file" / "deep" / "a", f"{tmp_path / 'file'} is no folder"),
+        (Path("/proc/a"), "nothing can be written into the folder /proc"),
+    ):
+        with pytest.raises(OSError, match=text) as caught, write(target):
+            pass
+        assert caught.value.filename == str(target)
+    with pytest.raises(InputError, match=r"deep/a: .*file is no folder\n"):
+        check_file(tmp_path / "file" / "deep" / "a")
     assert entries(tmp_path) == ["file"]
 
 
 def test_a_folder_is_no_file(tmp_path: Path) -> None:
-    for use in (whole_file, check_file):
-        with pytest.raises(InputError, match="is a folder"):
-            use(tmp_path).__enter__()  # type: ignore[union-attr]
+    with pytest.raises(IsADirectoryError, match="is a folder"), whole_file(tmp_path):
+        pass
+    with pytest.raises(InputError, match="is a folder"):
+        check_file(tmp_path)
     check_file(tmp_path / "new" / "folder" / "a")
     assert entries(tmp_path) == []
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from cmb.commands import ALL_COMMANDS
 from program import HAMMER, Cmb
 
 XML = "hammer.xml"
@@ -92,7 +93,8 @@ def test_model_the_builder_cannot_translate(cmb: Cmb, tmp_path: Path) -> None:
     ("words", "said"),
     [
         (["run", "nowhere"], "nowhere"),
-        (["fmu", "No.Such.Model"], "No"),
+        (["fmu", "No.Such.Model"], "no source holds No, of which No.Such.Model is a part"),
+        (["fmu", "None"], "no source holds None\n"),
         (["simulate", "no.fmu", "--output", "a.csv"], "no.fmu"),
         (["report", "no.csv", "--output", "a.html"], "no.csv"),
         (["regress", "nocases"], "nocases"),
@@ -102,6 +104,15 @@ def test_model_the_builder_cannot_translate(cmb: Cmb, tmp_path: Path) -> None:
         (["msl", "install", "--msl", "."], "--msl"),
         (["msl", "show", "4.1.0"], "cmb msl install"),
         (["frobnicate"], "frobnicate"),
+        (["fmu", "M", "--tolerance", "2"], "between 0 and 1"),
+        (["fmu", "M", "--max-step", "nan"], "longest step"),
+        (["fmu", "M", "--max-steps", "0"], "0 steps"),
+        (["fmu", "M", "--output", "/dev/null/m.fmu"], "/dev/null is no folder"),
+        (["fmu", "M", "--log", "/"], "is a folder"),
+        (["simulate", "no.fmu", "--output", "/"], "is a folder"),
+        (["regress", "--junit", "/"], "is a folder"),
+        (["accuracy", "no.fmu", "--output", "/"], "is a folder"),
+        (["effects", "--output", "/"], "is a folder"),
     ],
 )
 def test_wrong_command_line(words: list[str], said: str, cmb_here: Cmb, tmp_path: Path) -> None:
@@ -112,9 +123,12 @@ def test_wrong_command_line(words: list[str], said: str, cmb_here: Cmb, tmp_path
     assert list(tmp_path.iterdir()) == []
 
 
-def test_every_command_has_help_with_examples(cmb_here: Cmb) -> None:
+def test_every_command_has_help_with_examples(cmb_here: Cmb, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
     overview = cmb_here("--help")
     assert overview.returncode == 0
-    for name in ("run", "generate", "fmu", "simulate", "report", "regress", "accuracy", "effects", "advise", "msl"):
-        assert name in overview.stdout
-        assert "examples:" in cmb_here(name, "--help").stdout
+    for command in ALL_COMMANDS:
+        assert command.NAME in overview.stdout
+        lines = cmb_here(command.NAME, "--help").stdout.splitlines()
+        assert "examples:" in lines
+        assert [line for line in lines if len(line) > 80] == []

@@ -37,9 +37,8 @@ def locate(model: str, sources: Sequence[Path]) -> tuple[Path, list[Path]]:
             raise InputError("a source is a .mo file or a folder of a package", place=Place(file=source))
     if file is None:
         names = ", ".join(str(source) for source in sources)
-        raise InputError(
-            f"no source holds {package}, of which {model} is a part", remedy=f"these were given: {names or 'none'}"
-        )
+        part = f", of which {model} is a part" if model != package else ""
+        raise InputError(f"no source holds {package}{part}", remedy=f"these were given: {names or 'none'}")
     return file.resolve(), [root.resolve() for root in roots]
 
 

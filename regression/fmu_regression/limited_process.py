@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import multiprocessing
 import signal
 import time
@@ -14,6 +15,7 @@ from cmb_base.progress import Progress
 
 T = TypeVar("T")
 
+_END_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
 _LEAST_GRACE = 1.0
 _SHARE_OF_GRACE = 0.1
 
@@ -67,6 +69,8 @@ def _carry_out(work: Callable[[Progress], T], sender: Connection) -> None:
         sender.send(("progress", (phase, fraction, message)))
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends this process
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    ctypes.CDLL(None).prctl(_END_WITH_PARENT, signal.SIGKILL)  # also if the parent has no time to
     try:
         sender.send(("result", work(report)))
     except CmbError as error:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time as clock
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -68,7 +69,7 @@ def simulate(
         last = stop if stop is not None else description.stop if description.stop is not None else first + 1.0
         accuracy = tolerance if tolerance is not None else description.tolerance or DEFAULT_TOLERANCE
         step = interval if interval is not None else description.interval or (last - first) / DEFAULT_ROWS
-        _check_numbers(fmu, first, last, accuracy, step, max_step)
+        _check_numbers(fmu, first, last, accuracy, step, max_step, time_limit)
         grid = output_grid(first, last, step)
         variables = check_signals(description, default_signals(description) if signals is None else signals)
         values = check_start_values(description, parameters or {})
@@ -145,13 +146,24 @@ class _Watch:
 
 
 def _check_numbers(
-    fmu: Path, start: float, stop: float, tolerance: float, interval: float, max_step: float | None
+    fmu: Path,
+    start: float,
+    stop: float,
+    tolerance: float,
+    interval: float,
+    max_step: float | None,
+    time_limit: float | None,
 ) -> None:
     place = Place(file=fmu)
+    for name, time in (("start", start), ("stop", stop)):
+        if not math.isfinite(time):
+            raise InputError(f"the {name} time {time:g} must be finite", place=place)
     if not stop > start:
         raise InputError(f"the stop time {stop:g} must be greater than the start time {start:g}", place=place)
     if not 0 < tolerance < 1:
         raise InputError(f"the tolerance {tolerance:g} must lie between 0 and 1", place=place)
+    if time_limit is not None and not 0 < time_limit < math.inf:
+        raise InputError(f"the time limit {time_limit:g} must be positive and finite", place=place)
     if not interval > 0:
         raise InputError(f"the output interval {interval:g} must be positive", place=place)
     if max_step is not None and not max_step > 0:

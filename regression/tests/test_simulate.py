@@ -97,6 +97,16 @@ def test_chattering_is_an_error_not_an_endless_run(bouncing_mass: Path) -> None:
         simulate(bouncing_mass, parameters={"beat": 0})
 
 
+@pytest.mark.parametrize(
+    "numbers",
+    [{"stop": np.inf}, {"stop": np.nan}, {"start": -np.inf}, {"interval": np.nan}, {"time_limit": 0.0},
+     {"time_limit": np.nan}, {"tolerance": np.nan}, {"max_step": np.nan}],
+)  # fmt: skip
+def test_numbers_that_make_no_sense_are_wrong_input(numbers: dict[str, float], bouncing_mass: Path) -> None:
+    with pytest.raises(InputError, match=r"must (be|lie)"):
+        simulate(bouncing_mass, **numbers)  # type: ignore[arg-type]
+
+
 def test_time_limit(bouncing_mass: Path) -> None:
     with pytest.raises(SimulationError, match="given up"):
         simulate(bouncing_mass, stop=1000, interval=1e-4, mode="cs", time_limit=0.2)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
+from cmb_base.output import check_file
 from fmu_regression.accuracy import DEFAULT_TOLERANCES, study_accuracy
 from fmu_regression.accuracy_report import accuracy_text, write_accuracy
 from fmu_regression.scene import load_scene
@@ -19,7 +20,9 @@ DESCRIPTION = (
 )
 EXAMPLES = """examples:
   cmb accuracy ball.fmu --output accuracy.html
-  cmb accuracy out/hammer/hammer.fmu --scene out/hammer/model/scene.json --stop 0.5 --tolerance 1e-4 --tolerance 1e-6
+  cmb accuracy out/hammer/hammer.fmu \\
+    --scene out/hammer/model/scene.json --stop 0.5 \\
+    --tolerance 1e-4 --tolerance 1e-6
 """
 
 
@@ -41,6 +44,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Makes the study and prints its table."""
+    if arguments.output is not None:
+        check_file(arguments.output)
     with progress_bars() as progress:
         study = study_accuracy(
             arguments.fmu,

@@ -19,7 +19,8 @@ DESCRIPTION = (
 EXAMPLES = """examples:
   cmb advise ContactMultiBody.Examples.BoxOnIncline
   cmb advise ContactMultiBody.Examples.NewtonCradle --stop 1
-  cmb advise Hammer.Mechatronics --source out/hammer/model/Hammer --stop 0.6 --difference 1e-4
+  cmb advise Hammer.Mechatronics \\
+    --source out/hammer/model/Hammer --stop 0.6 --difference 1e-4
 """
 
 

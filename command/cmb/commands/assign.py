@@ -23,7 +23,8 @@ DESCRIPTION = (
 )
 EXAMPLES = """examples:
   cmb assign Resources/cad/hammer
-  printf 'shoulder\\nServo\\n200\\n5\\n\\n\\n\\n' | cmb assign robot/robot.xml --actuators robot/servos.toml
+  printf 'shoulder\\nServo\\n200\\n5\\n\\n\\n\\n' | \\
+    cmb assign robot/robot.xml --actuators robot/servos.toml
 """
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
+from cmb_base.output import check_file
 from scene_effects.study import study_effects
 from scene_effects.table import effects_text, write_effects
 from scene_effects.variants import EFFECTS
@@ -21,7 +22,8 @@ DESCRIPTION = (
 )
 EXAMPLES = """examples:
   cmb effects
-  cmb effects ContactMultiBody.Examples.BallOnFloor --effect restitution --stop 1
+  cmb effects ContactMultiBody.Examples.BallOnFloor \\
+    --effect restitution --stop 1
   cmb effects Drop --source Drop.mo --output effects.html
 """
 
@@ -37,6 +39,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Makes the study and prints its table."""
+    if arguments.output is not None:
+        check_file(arguments.output)
     with progress_bars() as progress, effect_bench(arguments, progress) as bench:
         study = study_effects(bench, arguments.effect or EFFECTS, progress)
     print(effects_text(study))

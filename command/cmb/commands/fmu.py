@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from cmb_base.errors import InputError
-from cmb_base.output import whole_file
+from cmb_base.output import check_file, whole_file
 from cmb_base.progress import Progress
 from modelica2fmu.build import BuildReport, build_fmu
 from modelica2fmu.openmodelica import OpenModelicaReport, export_fmu
@@ -28,9 +28,11 @@ DESCRIPTION = (
 EXAMPLES = """examples:
   cmb fmu ContactMultiBody.Examples.BallOnFloor --output ball.fmu
   cmb fmu Robot.Mechatronics --source ./Robot --fmi 3 --output robot.fmu --log
-  cmb fmu Robot.Mechatronics --source ./Robot --tolerance 1e-5 --max-step 0.001 --log build.log
+  cmb fmu Robot.Mechatronics --source ./Robot \\
+    --tolerance 1e-5 --max-step 0.001 --log build.log
   cmb fmu Robot.Mechatronics --source ./Robot --tool omc
-  cmb fmu ReferenceModels.DoublePendulum --source ReferenceModels.mo --msl /opt/ModelicaStandardLibrary
+  cmb fmu ReferenceModels.DoublePendulum \\
+    --source ReferenceModels.mo --msl /opt/ModelicaStandardLibrary
 """
 
 _PRINT = Path("-")
@@ -75,8 +77,9 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> int:
     """Builds the FMU and says what was built."""
     output = arguments.output or Path(arguments.model.split(".")[-1] + ".fmu")
-    if output.is_dir():
-        raise InputError(f"{output} is a folder", remedy="name the FMU's file")
+    check_file(output)
+    if arguments.log is not None and arguments.log != _PRINT:
+        check_file(arguments.log)
     build = _by_openmodelica if arguments.tool == "omc" else _by_translator
     with progress_bars() as progress:
         report = build(arguments, output, progress)

@@ -21,7 +21,8 @@ DESCRIPTION = (
 )
 EXAMPLES = """examples:
   cmb generate Resources/cad/hammer --output out/model
-  cmb generate robot/robot.urdf --output out/robot --actuators robot/drives.toml
+  cmb generate robot/robot.urdf --output out/robot \\
+    --actuators robot/drives.toml
   cmb generate arm/arm.urdf --output out/arm --ground base_link --stops
   cmb generate robot/robot.xml --output out/robot --accept-structure
 """

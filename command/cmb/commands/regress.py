@@ -7,6 +7,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from cmb_base.errors import EXIT_FAILURE
+from cmb_base.output import check_file
 from fmu_regression.runner import Verdict, run_cases
 from fmu_regression.summary import text_table, write_junit, write_summary
 
@@ -42,6 +43,9 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Runs the cases."""
+    for output in (arguments.output, arguments.junit):
+        if output is not None:
+            check_file(output)
     with tempfile.TemporaryDirectory(prefix="cmb-regress-") as folder, progress_bars() as progress:
         provider = FmuProvider(Path(folder), build_options(arguments), progress)
         results = run_cases(arguments.folder, provider, time_limit=arguments.time_limit, progress=progress)

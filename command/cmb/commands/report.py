@@ -17,7 +17,8 @@ DESCRIPTION = (
     "report animates the real geometry and lists impacts and energy; without it, it plots the result's signals."
 )
 EXAMPLES = """examples:
-  cmb report out/hammer/result.csv --scene out/hammer/model/scene.json --output hammer.html
+  cmb report out/hammer/result.csv \\
+    --scene out/hammer/model/scene.json --output hammer.html
   cmb report ball.csv --output ball.html
 """
 

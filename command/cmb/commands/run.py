@@ -36,7 +36,8 @@ DESCRIPTION = (
 EXAMPLES = """examples:
   cmb run Resources/cad/hammer --output out/hammer
   cmb run Resources/cad/anton --output out/anton
-  cmb run robot/robot.xml --output out/robot --stop 10 --tolerance 1e-5 --mode cs
+  cmb run robot/robot.xml --output out/robot \\
+    --stop 10 --tolerance 1e-5 --mode cs
 """
 
 PACKAGE_FOLDER = "model"

@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from dataclasses import asdict
 from pathlib import Path
 
-from cmb_base.output import whole_file
+from cmb_base.output import check_file
 from fmu_regression.result import write_csv
 from fmu_regression.simulate import simulate
 
@@ -22,7 +22,8 @@ DESCRIPTION = (
 EXAMPLES = """examples:
   cmb simulate ball.fmu --output ball.csv
   cmb simulate ball.fmu --output ball.csv --stop 3 --tolerance 1e-8 --mode cs
-  cmb simulate ball.fmu --output ball.csv --signal ball.r_0[3] --set contacts.stiffness=1e6
+  cmb simulate ball.fmu --output ball.csv \\
+    --signal 'ball.r_0[3]' --set ball.m=2
 """
 
 
@@ -46,6 +47,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Simulates and says what was written."""
+    check_file(arguments.output)
     with progress_bars() as progress:
         result = simulate(
             arguments.fmu,
@@ -59,8 +61,7 @@ def run(arguments: Namespace) -> int:
             time_limit=arguments.time_limit,
             progress=progress,
         )
-    with whole_file(arguments.output) as staging:
-        write_csv(result, staging)
+    write_csv(result, arguments.output)
     span = result.time[-1] - result.time[0]
     print(f"{arguments.output}: {len(result.time)} rows, {span:g} s simulated in {result.wall_time:.2f} s")
     if result.counters is not None:

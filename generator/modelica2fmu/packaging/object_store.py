@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import hashlib
-import shutil
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Final
 
 from cmb_base.output import whole_file
 
 from modelica2fmu.packaging.toolchain import COMPILE_OPTIONS, DEPENDENCIES, Compilation, compiler, run_tool
 
+_DIGEST_BYTES: Final = 32
+_SIZE_BYTES: Final = 8
+
 
 class ObjectStore:
     """A folder of objects, for one compiler and one set of headers.
 
-    What cannot be read or written counts as missing; objects are written whole, so several builds can share a folder.
+    What cannot be read or written, or is damaged, counts as missing; objects are written whole, so several builds can
+    share a folder. A file holds the digest of what follows it, the size of the dependencies, these, and the object.
 
     Args:
         folder: need not exist.
@@ -34,21 +38,25 @@ class ObjectStore:
 
     def fetch(self, compilation: Compilation, target: Path) -> bool:
         """Copies the object of a source, and what is known of its dependencies, to ``target``; whether it was there."""
-        kept = self._path(compilation)
         try:
-            for suffix in (DEPENDENCIES, ".o"):
-                shutil.copyfile(kept.with_suffix(suffix), target.with_suffix(suffix))
+            content = self._path(compilation).read_bytes()
         except OSError:
             return False
+        digest, data = content[:_DIGEST_BYTES], content[_DIGEST_BYTES:]
+        if digest != hashlib.sha256(data).digest():
+            return False
+        size = int.from_bytes(data[:_SIZE_BYTES], "little")
+        target.with_suffix(DEPENDENCIES).write_bytes(data[_SIZE_BYTES : _SIZE_BYTES + size])
+        target.write_bytes(data[_SIZE_BYTES + size :])
         return True
 
     def keep(self, compilation: Compilation, target: Path) -> None:
         """Keeps an object that was compiled."""
-        kept = self._path(compilation)
+        dependencies = target.with_suffix(DEPENDENCIES).read_bytes()
+        data = len(dependencies).to_bytes(_SIZE_BYTES, "little") + dependencies + target.read_bytes()
         try:
-            for suffix in (DEPENDENCIES, ".o"):
-                with whole_file(kept.with_suffix(suffix)) as staging:
-                    shutil.copyfile(target.with_suffix(suffix), staging)
+            with whole_file(self._path(compilation)) as staging:
+                staging.write_bytes(hashlib.sha256(data).digest() + data)
         except OSError:
             return
 
@@ -57,4 +65,4 @@ class ObjectStore:
         digest.update(repr(compilation.flags).encode())
         digest.update(compilation.source.name.encode())
         digest.update(compilation.source.read_bytes())
-        return self._folder / f"{digest.hexdigest()}.o"
+        return self._folder / f"{digest.hexdigest()}.object"

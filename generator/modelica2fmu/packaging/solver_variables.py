@@ -5,6 +5,7 @@ The names, their order and the first value reference are those of ``runtime/cmb_
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 from cmb_base.errors import InputError, Place
@@ -28,12 +29,29 @@ class SolverOptions:
             1e-9 at least where that is not more than the relative one.
         maximum_step: s; 0 for the communication step.
         maximum_steps: of the integrator in one communication step; more discard it.
+
+    Raises:
+        InputError: an option is out of range.
     """
 
     relative_tolerance: float | None = None
     absolute_tolerance: float = 0.0
     maximum_step: float = 0.0
     maximum_steps: int = 100_000
+
+    def __post_init__(self) -> None:
+        if self.relative_tolerance is not None:
+            _check_tolerance(self.relative_tolerance)
+        for name, value in (("absolute tolerance", self.absolute_tolerance), ("longest step", self.maximum_step)):
+            if not 0.0 <= value < math.inf:
+                raise InputError(f"the integrator's {name} cannot be {value:g}")
+        if not 1 <= self.maximum_steps <= _LARGEST_INTEGER:
+            raise InputError(f"the integrator cannot be allowed {self.maximum_steps} steps")
+
+
+def _check_tolerance(tolerance: float, place: Place | None = None) -> None:
+    if not 0.0 < tolerance < 1.0:
+        raise InputError(f"the integrator's tolerance must lie between 0 and 1, {tolerance:g} does not", place=place)
 
 
 def effective_tolerance(description: ModelDescription, options: SolverOptions) -> float:
@@ -47,17 +65,11 @@ def with_solver_variables(description: ModelDescription, options: SolverOptions)
     """The description with the integrator's variables appended.
 
     Raises:
-        InputError: a variable of the model has one of their names, or an option is out of range.
+        InputError: a variable of the model has one of their names, or the tolerance of its experiment is out of range.
     """
     place = Place(component=description.name)
-    if not 1 <= options.maximum_steps <= _LARGEST_INTEGER:
-        raise InputError(f"the integrator cannot be allowed {options.maximum_steps} steps", place=place)
     tolerance = effective_tolerance(description, options)
-    if not 0.0 < tolerance < 1.0 or options.absolute_tolerance < 0.0 or options.maximum_step < 0.0:
-        raise InputError(
-            "the integrator's tolerance must lie between 0 and 1, its other options must not be negative",
-            place=place,
-        )
+    _check_tolerance(tolerance, place)
     reals = (
         ("relativeTolerance", tolerance, "", "Relative tolerance where the importer gives none"),
         ("absoluteTolerance", options.absolute_tolerance, "",

@@ -166,8 +166,12 @@ def compile_objects(compilations: Sequence[Compilation], folder: Path, kept: Kep
     order = sorted(zip(compilations, targets, strict=True), key=lambda pair: -pair[0].source.stat().st_size)
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
         running = [pool.submit(compile_one, compilation, target) for compilation, target in order]
-        for each in running:
-            each.result()
+        try:
+            for each in running:
+                each.result()
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
     return targets
 
 

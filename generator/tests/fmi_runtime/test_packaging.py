@@ -88,6 +88,11 @@ def test_kept_objects_change_nothing(oscillator: Path, ball: Path, tmp_path: Pat
     other = package_fmu(models.BALL, models.source("ball"), tmp_path / "b.fmu", objects_folder=folder)
     assert other.read_bytes() == ball.read_bytes()
     assert {path.name: path.stat().st_mtime_ns for path in folder.iterdir()} == kept  # used, not made again
+    for number, path in enumerate(sorted(folder.iterdir())):
+        content = path.read_bytes()
+        path.write_bytes((b"", content[:-1], content[:-1] + bytes([content[-1] ^ 1]))[number % 3])  # damaged
+    fmu = package_fmu(models.OSCILLATOR, models.source("oscillator"), tmp_path / "o.fmu", objects_folder=folder)
+    assert fmu.read_bytes() == oscillator.read_bytes()
     for path in folder.iterdir():
         path.unlink()
         path.mkdir()  # can be neither read nor replaced

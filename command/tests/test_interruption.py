@@ -1,0 +1,82 @@
+"""A signal ends the program as Ctrl-C does: at once, and without leaving anything."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+MODEL = """model Slow "Takes the integrator's time"
+  Real x[2](start={1, 0}, each fixed=true);
+equation
+  der(x) = {1e3 * x[2], -1e3 * x[1]};
+  annotation (experiment(StopTime=1e6, Interval=0.1));
+end Slow;
+"""
+
+
+def start(folder: Path, cache: Path, *words: str) -> subprocess.Popen[str]:
+    temporary = folder / "tmp"
+    temporary.mkdir(exist_ok=True)
+    environment = {**os.environ, "TMPDIR": str(temporary), "XDG_CACHE_HOME": str(cache)}
+    return subprocess.Popen(
+        [sys.executable, "-m", "cmb.main", *words],
+        cwd=folder,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+
+
+def wait_for(folder: Path, pattern: str) -> None:
+    deadline = time.monotonic() + 60
+    while not any(folder.glob(pattern)):
+        assert time.monotonic() < deadline, "the program has not come that far"
+        time.sleep(0.02)
+
+
+def descendants(parent: int) -> list[int]:
+    """Processes of the session that ``parent`` leads, itself apart."""
+    found = []
+    for entry in Path("/proc").iterdir():
+        try:
+            fields = (entry / "stat").read_text().rpartition(")")[2].split()
+        except OSError:
+            continue
+        state, session = fields[0], int(fields[3])
+        if entry.name.isdigit() and session == parent and int(entry.name) != parent and state != "Z":
+            found.append(int(entry.name))
+    return found
+
+
+def test_a_build_leaves_nothing(cache_home: Path, tmp_path: Path) -> None:
+    (tmp_path / "Slow.mo").write_text(MODEL)
+    program = start(tmp_path, cache_home, "fmu", "Slow", "--no-cache")
+    wait_for(tmp_path, "tmp/cmb-fmu-*/objects/*.o")
+    program.send_signal(signal.SIGTERM)
+    _, said = program.communicate(timeout=60)
+    assert program.returncode == 128 + signal.SIGTERM, said
+    assert said.endswith("cmb: interrupted; nothing half-written was left behind\n")
+    assert "Traceback" not in said
+    assert sorted(path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*")) == ["Slow.mo", "tmp"]
+
+
+def test_a_simulation_in_a_process_of_its_own_ends_with_the_program(cache_home: Path, tmp_path: Path) -> None:
+    (tmp_path / "Slow.mo").write_text(MODEL)
+    assert start(tmp_path, cache_home, "fmu", "Slow").wait(timeout=120) == 0
+    program = start(tmp_path, cache_home, "simulate", "Slow.fmu", "--output", "slow.csv", "--time-limit", "600")
+    deadline = time.monotonic() + 60
+    while not descendants(program.pid):
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    program.kill()
+    program.communicate(timeout=60)
+    while descendants(program.pid):
+        assert time.monotonic() < deadline, "the simulation goes on"
+        time.sleep(0.02)
+    assert not list(tmp_path.glob("*.csv"))
