@@ -79,9 +79,8 @@ class UrdfElements:
         if are_usable(value):
             return value
         if "inf" not in text:  # no limit
-            self.notes.append(
-                f"{self.place(element)}: {name}={text!r} is no number of at most {LARGEST:g} and was left out"
-            )
+            doubt = "is no number" if np.isnan(value) else f"is beyond {LARGEST:g}"
+            self.notes.append(f"{self.place(element)}: {name}={text!r} {doubt} and was left out")
         return 0.0
 
     def refuse_macros(self, root: etree._Element) -> None:

@@ -8,14 +8,12 @@ from cmb_base.errors import InputError, Place
 
 from cad2modelica.vrml_syntax import Node, Numbers, Prototype, Reference
 
-MAXIMUM_DEPTH = 200
-
 
 def instance_of(prototype: Prototype, node: Node) -> Node | None:
     """What stands for a node whose type is a prototype; None for one without a body.
 
     Raises:
-        InputError: the prototype contains itself, or its body is nested too deep.
+        InputError: the prototype contains itself.
     """
     if prototype in node.inside:
         raise InputError(
@@ -26,18 +24,9 @@ def instance_of(prototype: Prototype, node: Node) -> Node | None:
     if not prototype.body:
         return None
     copier = _Copier({**prototype.defaults, **node.fields}, (*node.inside, prototype))
-    instance = copier.node(prototype.body[0], 0)
+    instance = copier.copy(prototype.body[0])
     instance.name = node.name or instance.name
     return instance
-
-
-def too_deep(node: Node) -> InputError:
-    """The error for nodes that are nested too deep."""
-    return InputError(
-        f"nodes are nested deeper than {MAXIMUM_DEPTH}",
-        place=Place(file=node.document.file, line=node.line),
-        remedy="Export a flatter scene.",
-    )
 
 
 class _Copier:
@@ -52,21 +41,28 @@ class _Copier:
         self._values = values
         self._inside = inside
         self._copies: dict[int, Node] = {}
+        self._waiting: list[Node] = []  # a stack instead of recursion: bodies may be nested deeply
 
-    def node(self, node: Node, depth: int) -> Node:
-        if depth > MAXIMUM_DEPTH:
-            raise too_deep(node)
+    def copy(self, root: Node) -> Node:
+        """A copy of a node and of all below it."""
+        copied = self._copy_of(root)
+        while self._waiting:
+            node = self._waiting.pop()
+            fields = {name: self._value(item) for name, item in node.fields.items()}
+            self._copy_of(node).fields.update((name, item) for name, item in fields.items() if item is not None)
+        return copied
+
+    def _copy_of(self, node: Node) -> Node:
         if id(node) not in self._copies:
-            fields = {name: self._value(item, depth) for name, item in node.fields.items()}
-            given = {name: item for name, item in fields.items() if item is not None}
-            self._copies[id(node)] = Node(node.type, given, node.line, node.document, node.name, self._inside)
+            self._copies[id(node)] = Node(node.type, {}, node.line, node.document, node.name, self._inside)
+            self._waiting.append(node)
         return self._copies[id(node)]
 
-    def _value(self, value: Any, depth: int) -> Any:
+    def _value(self, value: Any) -> Any:
         if isinstance(value, Reference):
             return self._values.get(value.name)
         if isinstance(value, Node):
-            return self.node(value, depth + 1)
-        if isinstance(value, list):
-            return [self._value(item, depth) for item in value]
+            return self._copy_of(value)
+        if isinstance(value, list):  # of nodes or texts: lists hold no lists
+            return [self._copy_of(item) if isinstance(item, Node) else item for item in value]
         return value if isinstance(value, Numbers | str | bool) else None

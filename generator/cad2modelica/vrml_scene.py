@@ -13,10 +13,11 @@ from cmb_base.errors import InputError, Place
 from cad2modelica.file_reference import resolve_inside
 from cad2modelica.mesh import Indices
 from cad2modelica.spatial import Array, rotation_about
-from cad2modelica.vrml_prototypes import MAXIMUM_DEPTH, instance_of, too_deep
+from cad2modelica.vrml_prototypes import instance_of
 from cad2modelica.vrml_shapes import WITHOUT_SURFACE, number_field, surface_of
 from cad2modelica.vrml_syntax import ExternalPrototype, Node, Prototype, VrmlDocument, read_vrml
 
+MAXIMUM_DEPTH = 200
 MAXIMUM_SHAPES = 200_000
 MAXIMUM_TRIANGLES = 5_000_000
 
@@ -141,7 +142,9 @@ class _Walker:
         place = Place(file=node.document.file, line=node.line)
         self._visits += 1
         if len(levels) > MAXIMUM_DEPTH:
-            raise too_deep(node)
+            raise InputError(
+                f"nodes are nested deeper than {MAXIMUM_DEPTH}", place=place, remedy="Export a flatter scene."
+            )
         if self._visits > 10 * MAXIMUM_SHAPES:
             raise InputError("the scene unfolds to too many nodes", place=place, remedy="Export fewer copies (USE).")
         if node.type in node.document.prototypes:

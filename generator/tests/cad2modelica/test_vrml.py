@@ -266,7 +266,7 @@ def test_prototype_that_contains_itself_is_refused(tmp_path: Path, body: str) ->
 
 
 def test_deep_prototype_is_stopped(tmp_path: Path) -> None:
-    deep = "Group { children " * 5000 + "Shape { geometry Box {} }" + " }" * 5000
+    deep = "Group { children [ " * 5000 + "Shape { geometry Box {} }" + " ] }" * 5000
     with pytest.raises(InputError, match="nested deeper"):
         scene(tmp_path, f"PROTO A [] {{ {deep} }} A {{}}")
 
