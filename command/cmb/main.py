@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import errno
+import io
 import os
 import signal
 import sys
@@ -80,6 +81,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     try:
         with _signals_interrupt():
+            _prepare_streams()
             parsed = build_parser().parse_args(arguments)
             return _run(parsed)
     except KeyboardInterrupt as interruption:
@@ -106,6 +108,15 @@ def _run(parsed: argparse.Namespace) -> int:
         print(f"cmb: {f'{error.filename}: ' if error.filename else ''}{error.strerror or error}", file=sys.stderr)
         return EXIT_INPUT if error.errno in _WRONG_PATHS else EXIT_FAILURE
     return status
+
+
+def _prepare_streams() -> None:
+    """Standard streams that were closed lead nowhere; characters that the output's encoding lacks become escapes."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, mode, encoding="utf-8"))  # noqa: SIM115
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")
 
 
 @contextmanager

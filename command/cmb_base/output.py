@@ -81,12 +81,12 @@ def whole_file(target: Path) -> Iterator[Path]:
     _check_place(target)
     real = Path(os.path.realpath(target))
     with _errors_about(target):
-        if real.exists() and not real.is_file():
+        if _is_special(target):
             with tempfile.TemporaryDirectory(prefix="cmb-output-") as folder:
                 staging = Path(folder) / "output"
                 staging.touch()
                 yield staging
-                with staging.open("rb") as source, real.open("wb") as stream:
+                with staging.open("rb") as source, target.open("wb") as stream:
                     shutil.copyfileobj(source, stream)
             return
         staging = _made_beside(real, Path.touch)
@@ -112,6 +112,11 @@ def check_file(target: Path) -> None:
         raise InputError(str(error.strerror), place=Place(file=target), remedy="Name another output.") from error
 
 
+def _is_special(target: Path) -> bool:
+    """Whether this is a device or a pipe; links such as /dev/stdout may lead to one that has no path."""
+    return target.exists() and not target.is_file() and not target.is_dir()
+
+
 def _refuse_folder(target: Path) -> None:
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, "is a folder, not a file", str(target))
@@ -119,12 +124,11 @@ def _refuse_folder(target: Path) -> None:
 
 def _check_place(target: Path) -> None:
     """Raises OSError if nothing can be written at ``target``; folders above it may be missing."""
-    real = Path(os.path.realpath(target))
-    if real.exists() and not real.is_file() and not real.is_dir():  # a device or pipe
-        if not os.access(real, os.W_OK):
+    if _is_special(target):
+        if not os.access(target, os.W_OK):
             raise PermissionError(errno.EACCES, "cannot be written to", str(target))
         return
-    folder = next(parent for parent in real.parents if parent.exists())
+    folder = next(parent for parent in Path(os.path.realpath(target)).parents if parent.exists())
     if not folder.is_dir():
         raise NotADirectoryError(errno.ENOTDIR, f"{folder} is no folder", str(target))
     if not os.access(folder, os.W_OK | os.X_OK):

@@ -1,6 +1,8 @@
 """Output appears whole or not at all."""
 
 import os
+import subprocess
+import sys
 import threading
 from pathlib import Path
 
@@ -144,6 +146,29 @@ def test_a_folder_is_no_file(tmp_path: Path) -> None:
         check_file(tmp_path)
     check_file(tmp_path / "new" / "folder" / "a")
     assert entries(tmp_path) == []
+
+
+@pytest.mark.parametrize("pipes", ["ascii", "closed", "/dev/stdout"])
+def test_standard_output_of_any_kind(pipes: str, tmp_path: Path) -> None:
+    """An encoding without the characters, none at all, and as the file that is written."""
+    (tmp_path / "Käse.csv").write_text("time,x\n0,1\n1,2\n")
+    output = "/dev/stdout" if pipes == "/dev/stdout" else "Käse.html"
+    command = f"exec '{sys.executable}' -m cmb.main report Käse.csv --output {output}"
+    done = subprocess.run(
+        ["sh", "-c", command + (" <&- >&- 2>&-" if pipes == "closed" else "")],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONIOENCODING": "ascii"} if pipes == "ascii" else None,
+        capture_output=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    expected = {"ascii": b"K\\xe4se.html\n", "closed": b""}
+    if pipes in expected:
+        assert done.stdout == expected[pipes]
+        assert (tmp_path / "Käse.html").read_bytes().endswith(b"</html>\n")
+    else:
+        assert b"</html>\n" in done.stdout
+        assert entries(tmp_path) == ["Käse.csv"]
 
 
 def test_a_full_disk_is_told_about_the_target(tmp_path: Path) -> None:

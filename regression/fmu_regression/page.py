@@ -112,7 +112,7 @@ def render_page(title: str, subtitle: str, sections: Sequence[Section]) -> str:
     scripts.append("report.js")
     environment = Environment(autoescape=True, undefined=StrictUndefined, keep_trailing_newline=True)
     template = environment.from_string(_asset("report.html.j2"))
-    return template.render(
+    text = template.render(
         title=title,
         subtitle=subtitle,
         sections=[
@@ -137,6 +137,7 @@ def render_page(title: str, subtitle: str, sections: Sequence[Section]) -> str:
         footer=f"ContactMultiBody {_version()}. Drag across a plot to zoom, double-click to show all; "
         "click to move the animation there.",
     )
+    return text.encode("utf-8", "replace").decode("utf-8")  # names of files may hold bytes that are no characters
 
 
 def _default_speed(duration: float) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,6 +17,8 @@ from fmu_regression.result import SimulationResult
 from fmu_regression.runner import CaseResult, RunResult, Verdict
 
 _PLOTS_PER_CASE = 4
+# All that is no Char of XML 1.0, section 2.2.
+_NO_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _MODE_NAMES = {"me": "model exchange", "cs": "co-simulation"}
 
 
@@ -196,5 +199,5 @@ def _verdict(verdict: Verdict) -> Cell:
 
 
 def _xml_text(text: str) -> str:
-    """Text without the control characters that XML cannot hold; an FMU's log may have any."""
-    return "".join(c if c in "\t\n" or c >= " " else "?" for c in text)
+    """Text without the characters that XML cannot hold; an FMU's log and names of files may have any."""
+    return _NO_XML.sub("?", text)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+import os
 from pathlib import Path
 
 import pytest
 from cmb_base.errors import BuildError
 from fmu_regression.case import Case
 from fmu_regression.result import write_csv
-from fmu_regression.runner import Skip, Verdict, run_case, run_cases
+from fmu_regression.runner import CaseResult, Skip, Verdict, run_case, run_cases
 from fmu_regression.simulate import simulate
 from fmu_regression.summary import text_table, write_junit, write_summary
 from lxml import etree
@@ -97,6 +98,18 @@ def test_verdicts_and_summaries(cases: Path, tmp_path: Path, bouncing_mass: Path
     assert "A &lt;mass&gt; &amp; more" in text
     write_summary(results, tmp_path / "again.html")
     assert (tmp_path / "again.html").read_text() == text
+
+
+def test_names_that_are_no_text_and_messages_with_any_character(tmp_path: Path) -> None:
+    name = os.fsdecode(b"K\xe4se")  # Latin-1 in a file name
+    results = [CaseResult(name, None, error="\x1b[31m \uffff \ud800 <&> \U0001f528")]
+    write_junit(results, tmp_path / "junit.xml")
+    suite = etree.parse(str(tmp_path / "junit.xml")).find("testsuite")
+    assert suite is not None
+    assert suite.get("name") == "K?se"
+    assert suite.find("testcase/error").get("message") == "?[31m ? ? <&> \U0001f528"
+    write_summary(results, tmp_path / "summary.html")
+    assert "K?se" in (tmp_path / "summary.html").read_text(encoding="utf-8")
 
 
 def test_co_simulation_counts_the_same_bounces(cases: Path, bouncing_mass: Path) -> None:
