@@ -99,9 +99,10 @@ class ElementReader:
         return unit
 
     def duplicate(self, kind: str, name: str, element: etree._Element) -> None:
-        """Records that a name is not unique."""
+        """Records that a name is not unique; parts, instances and planes share theirs."""
+        shared = f"{kind} or part" if kind in ("instance", "plane") else kind
         self.problems.add(
-            f"there is another {kind} or part of the name {name!r}",
+            f"there is another {shared} of the name {name!r}",
             self.place(element, name),
             "Names must be unique; rename one in the CAD system.",
         )

@@ -135,8 +135,8 @@ class _JointReader:
             if key not in allowed or self._kind is JointType.FIXED:
                 self._read.problems.add(
                     f"the start of a {self._kind.value} joint has no {key}",
-                    self._read.place(start, self._item.name),
-                    f"Possible: {', '.join(allowed)}.",
+                    self._read.place(start if start is not None else self._element, self._item.name),
+                    "Remove it." if self._kind is JointType.FIXED else f"Possible: {', '.join(allowed)}.",
                 )
         return given
 

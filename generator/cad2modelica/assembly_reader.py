@@ -186,7 +186,11 @@ class _Reader:
         seen = {item.name for item in unfolded.parts}
         for element in self._root.iterfind(f"{{{NAMESPACE}}}ground/{{{NAMESPACE}}}plane"):
             name = element.get("name", "")
-            if name in seen or name == GROUND:
+            if name == GROUND:
+                self._read.problems.add(
+                    f"a plane cannot be named {GROUND!r}", self._read.place(element), "Choose another name."
+                )
+            elif name in seen:
                 self._read.duplicate("plane", name, element)
             seen.add(name)
         if not unfolded.parts:
@@ -227,7 +231,7 @@ class _Reader:
             mass_properties=properties,
             meshes=meshes,
             collision=self._collision_choice(collision),
-            grounded=element.get("grounded", "false") in ("true", "1"),
+            grounded=element.get("grounded", "false").strip() in ("true", "1"),
             velocity=to_si(velocity, self._units.length),
             angular_velocity=angular_velocity * self._units.angle,
             place=place,

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import numpy as np
+
+from cad2modelica.joint_twists import joint_twists, start_rates
 from cad2modelica.kinematic_graph import KinematicTree
 from cad2modelica.loops import joint_extent
 from cad2modelica.mass_check import check_against_mechanism
-from cad2modelica.model import Assembly
+from cad2modelica.model import Assembly, Joint, JointType, Part
+from cad2modelica.spatial import Array
+from cad2modelica.start_motion import free_joint_of
 from cad2modelica.start_overlaps import StartCheck
 
 NOTED_OVERLAPS = 10
+IGNORED_SPEED = 1e-6  # part of a start speed that may be lost without a word
 
 
 def unit_notes(assembly: Assembly) -> tuple[str, ...]:
@@ -25,13 +31,50 @@ def unit_notes(assembly: Assembly) -> tuple[str, ...]:
 
 
 def speed_notes(assembly: Assembly, tree: KinematicTree) -> tuple[str, ...]:
-    """Start speeds of parts that joints hold: those of their joints count."""
-    held = [
-        part.name
-        for part in assembly.parts
-        if (part.velocity.any() or part.angular_velocity.any()) and tree.branch(part.name).predecessor is not None
-    ]
-    return tuple(f"part {name!r}: its start speed was ignored, for joints hold it; give it to a joint" for name in held)
+    """Start speeds that do not count: of parts that are held, and of joints whose kind does not move so."""
+    parts = (_part_speed_note(part, assembly, tree) for part in assembly.parts)
+    joints = (_joint_speed_note(joint, assembly, tree) for joint in assembly.joints)
+    return tuple(note for note in (*parts, *joints) if note is not None)
+
+
+def _part_speed_note(part: Part, assembly: Assembly, tree: KinematicTree) -> str | None:
+    if not (part.velocity.any() or part.angular_velocity.any()):
+        return None
+    ignored = f"part {part.name!r}: its start speed was ignored, for"
+    if part.name in tree.fixed:
+        return f"{ignored} it is fixed in the world"
+    if tree.branch(part.name).predecessor is not None:
+        return f"{ignored} joints hold it; give it to a joint"
+    joint = free_joint_of(assembly, part.name)
+    return f"{ignored} that of its free joint {joint.name!r} counts" if joint is not None else None
+
+
+def _joint_speed_note(joint: Joint, assembly: Assembly, tree: KinematicTree) -> str | None:
+    given = np.concatenate([joint.angular_velocity, joint.velocity])
+    if not given.any():
+        return None
+    if joint.type is JointType.FREE:
+        if tree.branch(joint.child).predecessor is not None:
+            return f"joint {joint.name!r}: its start speed was ignored, for {joint.child!r} is held otherwise"
+        counts = free_joint_of(assembly, joint.child)
+        if counts is not None and counts is not joint:
+            return f"joint {joint.name!r}: its start speed was ignored, for that of {counts.name!r} counts"
+        return None
+    possible = np.zeros(6)
+    for twist, rate in zip(joint_twists(joint), start_rates(joint), strict=True):
+        at_origin = np.concatenate([twist[:3], twist[3:] + np.cross(twist[:3], joint.origin)])
+        possible += rate * at_origin
+    left = np.linalg.norm(given - possible)
+    if left <= IGNORED_SPEED * np.linalg.norm(given):
+        return None
+    return (
+        f"joint {joint.name!r}: of its start speed only what a {joint.type.value} joint can move counts, "
+        f"angular velocity {_listed(possible[:3])} rad/s and velocity {_listed(possible[3:])} m/s in the world's axes"
+    )
+
+
+def _listed(values: Array) -> str:
+    return " ".join(f"{value:.4g}" for value in values + 0.0)
 
 
 def overlap_notes(start: StartCheck) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from cad2modelica.mechanism_view import ContactView, MechanismView
 from cad2modelica.model import GROUND, Assembly, JointType, Part, Plane
 from cad2modelica.modelica_text import number, tidy_length, vector
 from cad2modelica.spatial import IDENTITY, Array, Pose, cardan_angles
+from cad2modelica.start_motion import start_motion
 
 
 def mechanism_view(
@@ -45,6 +46,7 @@ class _Builder:
     ) -> None:
         self._assembly = assembly
         self._tree = tree
+        self._loops = loops
         self._geometries = geometries
         self._pairs = pairs
         strength = float(np.linalg.norm(assembly.gravity))
@@ -124,18 +126,11 @@ class _Builder:
             if part.material is not None:
                 modifiers.append(f"material={self._draft.view.material_names[part.material]}")
         if connector is None and not grounded:
-            modifiers += _free_start(self._free_motion(part), part.pose)
+            motion = start_motion(self._assembly, self._tree, self._loops, part)
+            modifiers += _free_start(motion, part.pose)
         self._draft.place("ContactMultiBody.Parts.Body", name, tuple(modifiers), part.name, column, -1)
         if connector is not None:
             self._draft.connect(connector, f"{name}.frame_a")
-
-    def _free_motion(self, part: Part) -> tuple[Array, Array]:
-        """Velocity of the part's origin and angular velocity at the start, world axes."""
-        for joint in self._assembly.joints:
-            if joint.type is JointType.FREE and joint.child == part.name:
-                arm = part.pose.position - joint.origin
-                return joint.velocity + np.cross(joint.angular_velocity, arm), joint.angular_velocity
-        return part.velocity, part.angular_velocity
 
     def _add_plane(self, plane: Plane) -> None:
         modifiers = []

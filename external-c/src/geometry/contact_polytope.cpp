@@ -100,9 +100,12 @@ double ContactPolytope::greatest_face_cosine(const Vec3 &direction, std::int32_t
   double greatest = -1.0;
   std::int32_t best = -1;
   const auto look_round = [&](std::int32_t v) {
-    for (const FaceCorner *corner = corners(v); corner != corners(v + 1); ++corner) {
+    const FaceCorner *const last = corners(v + 1);
+    for (const FaceCorner *corner = corners(v); corner != last; ++corner) {
       const double cosine = dot(corner->normal, direction);
-      if (cosine > greatest) greatest = cosine, best = corner->face;
+      const std::int32_t face = corner->face;
+      best = cosine > greatest ? face : best;  // which is greatest cannot be foretold: no branch
+      greatest = cosine > greatest ? cosine : greatest;
     }
   };
   look_round(start);

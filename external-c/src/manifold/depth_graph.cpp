@@ -146,9 +146,10 @@ void DepthGraph::add_vertices(const PolytopeSide &side, VertexStiffness &stiffne
   const convex::Mat3 &rotation = side.to_side().rotation;
   const double slack = 3e3 * shake_size * size_;
   PolytopeSide::Plane plane;
-  for (std::size_t i = 0; i < side.vertex_count(); ++i) {
-    const PolytopeSide::Vertex &v = side.vertex(i);
-    if (!v.inside || !region_.holds(v.at) ||
+  for (std::size_t k = 0; k < side.inside_count(); ++k) {
+    const std::int32_t i = side.inside(k);
+    const PolytopeSide::Vertex &v = side.vertex(index(i));
+    if (!region_.holds(v.at) ||
         !other_side.face_over(v, side.seen(v), level_, slack, plane)) continue;
     const double other = plane.over(v.at), depth = v.at.z + other;
     if (!(depth > level_)) continue;
@@ -162,7 +163,7 @@ void DepthGraph::add_vertices(const PolytopeSide &side, VertexStiffness &stiffne
     const double part = level && whole ? side.body().normal_cone(v.number) : cone_.solid_angle();
     // The surfaces are at sense * own height and -sense * the other's.
     add_corner(v.at.x, v.at.y, 0.5 * sense * (v.at.z - other), depth, part * inverse_hemisphere,
-               stiffness.of(static_cast<std::int32_t>(i)));
+               stiffness.of(i));
   }
 }
 

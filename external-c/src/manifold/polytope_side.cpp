@@ -26,6 +26,7 @@ void PolytopeSide::gather(double limit) {
   faces_gathered_ = false;
   // One place more than can be taken: what turns out not to be needed is overwritten.
   if (vertices_.size() <= geometry.vertices().size()) vertices_.resize(geometry.vertices().size() + 1);
+  if (inside_.size() <= geometry.vertices().size()) inside_.resize(geometry.vertices().size() + 1);
   if (edges_.size() <= geometry.edges().size()) edges_.resize(geometry.edges().size() + 1);
   if (vertex_mark_.size() < geometry.vertices().size()) vertex_mark_.resize(geometry.vertices().size());
   if (face_mark_.size() < geometry.faces().size()) face_mark_.resize(geometry.faces().size());
@@ -38,8 +39,10 @@ void PolytopeSide::gather(double limit) {
   const std::uint32_t gathering = gathering_;
   Mark *const marks = vertex_mark_.data();
   Vertex *const vertices = vertices_.data();
-  Edge *edge = edges_.data();
+  std::int32_t *const inside = inside_.data();
+  Edge *const edges = edges_.data();
   std::int32_t count = 0;
+  std::size_t inside_count = 0, edge_count = 0;
   // Whether a vertex is new, beyond the limit or an edge kept already cannot be foretold: everything is computed, and kept
   // or overwritten. Written member by member: objects put together on the stack and copied as a whole would wait.
   const auto add_vertex = [&](std::int32_t number) {
@@ -52,21 +55,25 @@ void PolytopeSide::gather(double limit) {
     const bool met = mark.gathering == gathering;
     mark.place = met ? mark.place : count;
     mark.gathering = gathering;
-    count += met ? 0 : 1;
+    inside[inside_count] = count;
+    inside_count += static_cast<std::size_t>(!met & vertex.inside);
+    count += static_cast<std::int32_t>(!met);
     return mark.place;
   };
   // The vertices beyond a plane hang together: they are found from the farthest one along the edges.
   add_vertex(summit_);
   double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;
-  for (std::int32_t self = 0; self < count; ++self) {
-    if (!vertices[self].inside) continue;
+  for (std::size_t k = 0; k < inside_count; ++k) {
+    const std::int32_t self = inside[k];
     const double x = vertices[self].at.x, y = vertices[self].at.y, z = vertices[self].at.z;
     const std::int32_t v = vertices[self].number, last_slot = geometry.neighbour_begin(v + 1);
     for (std::int32_t slot = geometry.neighbour_begin(v); slot < last_slot; ++slot) {
       const std::int32_t other = add_vertex(neighbours[slot]);
       const Vertex &end = vertices[other];
-      const double way = end.inside ? 1.0 : (z - limit) / (z - end.at.z);
+      const double rise = z - limit, fall = z - end.at.z;
+      const double way = rise / (fall > rise ? fall : rise);  // 1 where the end is beyond the limit, too
       const double end_x = x + way * (end.at.x - x), end_y = y + way * (end.at.y - y);
+      Edge *const edge = edges + edge_count;
       edge->vertex[0] = self;
       edge->vertex[1] = other;
       edge->number = numbers[slot];
@@ -75,11 +82,13 @@ void PolytopeSide::gather(double limit) {
       extent.low_y = y < end_y ? y : end_y, extent.high_y = y > end_y ? y : end_y;
       low_x = extent.low_x < low_x ? extent.low_x : low_x, high_x = extent.high_x > high_x ? extent.high_x : high_x;
       low_y = extent.low_y < low_y ? extent.low_y : low_y, high_y = extent.high_y > high_y ? extent.high_y : high_y;
-      edge += end.inside && other < self ? 0 : 1;  // kept when the other end was looked at
+      // Of an edge with both ends beyond the limit the one that comes first keeps it.
+      edge_count += 1 - (static_cast<std::size_t>(end.inside) & static_cast<std::size_t>(other < self));
     }
   }
   vertex_count_ = static_cast<std::size_t>(count);
-  edge_count_ = static_cast<std::size_t>(edge - edges_.data());
+  edge_count_ = edge_count;
+  inside_count_ = inside_count;
   extent_ = {low_x, high_x, low_y, high_y};
 }
 
@@ -95,10 +104,10 @@ void PolytopeSide::gather_faces() {
   const std::uint32_t gathering = gathering_;
   UpFace *up_face = up_faces_.data();
   Wall *wall = walls_.data();
-  for (std::size_t k = 0; k < vertex_count_; ++k) {
-    if (!vertices_[k].inside) continue;
-    const auto *const last = body_->corners(vertices_[k].number + 1);
-    for (const auto *corner = body_->corners(vertices_[k].number); corner != last; ++corner) {
+  for (std::size_t k = 0; k < inside_count_; ++k) {
+    const std::int32_t v = vertices_[index(inside_[k])].number;
+    const auto *const last = body_->corners(v + 1);
+    for (const auto *corner = body_->corners(v); corner != last; ++corner) {
       if (marks[corner->face] == gathering) continue;
       marks[corner->face] = gathering;
       const double x = corner->normal.x, y = corner->normal.y, z = corner->normal.z;
@@ -130,12 +139,11 @@ bool PolytopeSide::face_over(const Vertex &vertex, const Vec3 &seen, double leve
   for (std::size_t k = 0; k < up_face_count_; ++k) {
     const UpFace &face = up_faces_[k];
     const double height = face.offset - dot(face.normal, ground);
-    if (height >= least) continue;
-    // What is far from deep enough, however the body is seen, need not be looked at further.
-    if (vertex.at.z + height <= level - slack * face.part) return false;
-    least = height, best = &face;
+    best = height < least ? &face : best;  // which is lowest cannot be foretold: no branch
+    least = height < least ? height : least;
   }
-  if (best == nullptr) return false;
+  // What is far from deep enough, however the body is seen, need not be looked at further.
+  if (best == nullptr || vertex.at.z + least <= level - slack * best->part) return false;
   for (std::size_t k = 0; k < wall_count_; ++k) {
     const Wall &wall = walls_[k];
     if (dot(wall.normal, ground) + least * wall.cosine > wall.offset) return false;

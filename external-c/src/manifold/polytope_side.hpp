@@ -84,6 +84,9 @@ class PolytopeSide {
   // Where a vertex is seen.
   Vec3 seen(const Vertex &vertex) const { return shake_(vertex.at); }
   std::size_t vertex_count() const { return vertex_count_; }
+  // The vertices beyond the limit among them.
+  std::size_t inside_count() const { return inside_count_; }
+  std::int32_t inside(std::size_t k) const { return inside_[k]; }
   std::size_t edge_count() const { return edge_count_; }
   const Vertex &vertex(std::size_t k) const { return vertices_[k]; }
   const Edge &edge(std::size_t k) const { return edges_[k]; }
@@ -103,7 +106,8 @@ class PolytopeSide {
   // Room for the largest polytope so far; the first ones count.
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
-  std::size_t vertex_count_ = 0, edge_count_ = 0;
+  std::vector<std::int32_t> inside_;
+  std::size_t vertex_count_ = 0, inside_count_ = 0, edge_count_ = 0;
   Extent extent_;
   // The faces at the vertices beyond the limit, gathered where asked for: those towards the other body, with normal and
   // offset divided by the cosine of their inclination, and the others, of which only the border counts. In the body's

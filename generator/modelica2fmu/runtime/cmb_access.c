@@ -131,13 +131,12 @@ static int accepts_solver_options(cmb_instance *instance) {
   return 0;
 }
 
-static cmb_result set_solver_option(cmb_instance *instance, unsigned option, double value) {
+static cmb_result check_solver_option(cmb_instance *instance, unsigned option, double value) {
   if (!accepts_solver_options(instance)) return CMB_RESULT_ERROR;
   if (!(value >= 0.0) || (option == CMB_SOLVER_RELATIVE_TOLERANCE && !(value > 0.0 && value < 1.0))) {
     snprintf(instance->message, sizeof instance->message, "%g is no value for an option of the integrator", value);
     return CMB_RESULT_ERROR;
   }
-  instance->situation.solver_real[option] = value;
   return CMB_RESULT_OK;
 }
 
@@ -149,15 +148,16 @@ cmb_result cmb_set_reals(cmb_instance *instance, const unsigned *reference, size
                cmb_slot_name(table, reference[i]));
       return CMB_RESULT_ERROR;
     }
-    if (is_solver_reference(reference[i], CMB_SOLVER_REAL_COUNT)) continue;
-    const cmb_result result = check_settable(instance, table, "Real", cmb_model.real_count, &reference[i], 1);
+    const cmb_result result =
+        is_solver_reference(reference[i], CMB_SOLVER_REAL_COUNT)
+            ? check_solver_option(instance, reference[i] - CMB_SOLVER_FIRST_REFERENCE, value[i])
+            : check_settable(instance, table, "Real", cmb_model.real_count, &reference[i], 1);
     if (result != CMB_RESULT_OK) return result;
   }
   for (size_t i = 0; i < count; ++i) {
     const unsigned slot = reference[i];
     if (slot >= cmb_model.real_count) {
-      const cmb_result result = set_solver_option(instance, slot - CMB_SOLVER_FIRST_REFERENCE, value[i]);
-      if (result != CMB_RESULT_OK) return result;
+      instance->situation.solver_real[slot - CMB_SOLVER_FIRST_REFERENCE] = value[i];
       continue;
     }
     if (before_start(instance)) {
@@ -172,13 +172,12 @@ cmb_result cmb_set_reals(cmb_instance *instance, const unsigned *reference, size
   return CMB_RESULT_OK;
 }
 
-static cmb_result set_maximum_steps(cmb_instance *instance, int value) {
+static cmb_result check_maximum_steps(cmb_instance *instance, int value) {
   if (!accepts_solver_options(instance)) return CMB_RESULT_ERROR;
   if (value < 1) {
     snprintf(instance->message, sizeof instance->message, "%d is no number of steps for the integrator", value);
     return CMB_RESULT_ERROR;
   }
-  instance->situation.solver_integer[CMB_SOLVER_MAXIMUM_STEPS] = value;
   return CMB_RESULT_OK;
 }
 
@@ -186,15 +185,16 @@ cmb_result cmb_set_integers(cmb_instance *instance, const unsigned *reference, s
   const cmb_slot_table *table = &cmb_interface_tables.integer;
   static const unsigned maximum_steps = CMB_SOLVER_FIRST_REFERENCE + CMB_SOLVER_MAXIMUM_STEPS;
   for (size_t i = 0; i < count; ++i) {
-    if (reference[i] == maximum_steps) continue;
-    const cmb_result result = check_settable(instance, table, "Integer", cmb_model.integer_count, &reference[i], 1);
+    const cmb_result result =
+        reference[i] == maximum_steps
+            ? check_maximum_steps(instance, value[i])
+            : check_settable(instance, table, "Integer", cmb_model.integer_count, &reference[i], 1);
     if (result != CMB_RESULT_OK) return result;
   }
   for (size_t i = 0; i < count; ++i) {
     const unsigned slot = reference[i];
     if (slot == maximum_steps) {
-      const cmb_result result = set_maximum_steps(instance, value[i]);
-      if (result != CMB_RESULT_OK) return result;
+      instance->situation.solver_integer[CMB_SOLVER_MAXIMUM_STEPS] = value[i];
       continue;
     }
     if (before_start(instance)) {

@@ -67,7 +67,9 @@ const char *cmb_fmu_open(cmb_fmu *fmu, const char *name, const char *token, int 
   if (token == NULL || strcmp(token, cmb_model.guid) != 0) {
     return "the GUID is not that of this FMU: modelDescription.xml and binary differ";
   }
-  fmu->instance = cmb_instance_create(name, sink, receiver);
+  cmb_kind kind = CMB_KIND_MODEL_EXCHANGE;
+  if (fmu->co_simulation) kind = fmu->event_mode_used ? CMB_KIND_CO_SIMULATION_WITH_EVENTS : CMB_KIND_CO_SIMULATION;
+  fmu->instance = cmb_instance_create(name, kind, sink, receiver);
   if (fmu->instance == NULL) return "no memory";
   fmu->instance->logged[CMB_LOG_ALL] = logging;
   return NULL;
@@ -236,6 +238,10 @@ cmb_fmu_status cmb_fmu_get_state(cmb_fmu *fmu, const char *call, void **state) {
 cmb_fmu_status cmb_fmu_set_state(cmb_fmu *fmu, const char *call, const void *state) {
   if (!cmb_fmu_permits(fmu, call, CMB_ANY_PHASE)) return CMB_FMU_ERROR;
   if (state == NULL) return refuse_null(fmu, call);
+  if (!cmb_state_fits(fmu->instance, state)) {
+    return cmb_fmu_refuse(fmu, call, "the state is of an instance for another use (model exchange, co-simulation, "
+                                     "co-simulation with event mode)");
+  }
   if (cmb_state_restore(fmu->instance, state) != CMB_RESULT_OK) return cmb_fmu_refuse(fmu, call, "no memory");
   return CMB_FMU_OK;
 }
@@ -428,7 +434,8 @@ cmb_fmu_status cmb_fmu_do_step(cmb_fmu *fmu, const char *call, double time, doub
     return cmb_fmu_refuse(fmu, call, "the communication point is not the time this FMU has reached");
   }
   const double target = time + step;
-  if (target > instance->situation.settings.stop_time + 1e-9 * step + 1e-12 * fabs(target)) {
+  /* Masters that add up the step size miss the stop time by the rounding of all their additions. */
+  if (target > instance->situation.settings.stop_time + 1e-3 * step) {
     return cmb_fmu_refuse(fmu, call, "the step ends after the stop time");
   }
   const int stop_at_events = fmu->event_mode_used && fmu->early_return_allowed;

@@ -75,9 +75,10 @@ static int allocate_arrays(cmb_instance *instance) {
   return 1;
 }
 
-cmb_instance *cmb_instance_create(const char *name, cmb_log_sink sink, void *receiver) {
+cmb_instance *cmb_instance_create(const char *name, cmb_kind kind, cmb_log_sink sink, void *receiver) {
   cmb_instance *instance = calloc(1, sizeof *instance);
   if (instance == NULL) return NULL;
+  instance->kind = kind;
   instance->sink = sink;
   instance->receiver = receiver;
   instance->values.host = instance;

@@ -24,6 +24,13 @@ typedef enum cmb_phase {
   CMB_PHASE_ERROR = 128
 } cmb_phase;
 
+/* What an instance is for; each has phases of its own. */
+typedef enum cmb_kind {
+  CMB_KIND_MODEL_EXCHANGE,
+  CMB_KIND_CO_SIMULATION,            /* events inside the steps */
+  CMB_KIND_CO_SIMULATION_WITH_EVENTS /* events in event mode */
+} cmb_kind;
+
 typedef enum cmb_severity { CMB_LOG_DEBUG, CMB_LOG_WARNING, CMB_LOG_DISCARD, CMB_LOG_ERROR } cmb_severity;
 
 /* Log categories, in the order of cmb_log_category_name. */
@@ -50,6 +57,7 @@ typedef struct cmb_settings {
 
 /* The part of an instance's state that is neither a value of the model nor of the solver. */
 typedef struct cmb_situation {
+  int kind;                  /* cmb_kind */
   int phase;                 /* cmb_phase */
   int parameters_stale;      /* a parameter was set since cmb_model.parameters ran */
   int initialization_stale;  /* something was set since cmb_model.initialize ran */
@@ -68,7 +76,8 @@ typedef struct cmb_solver cmb_solver;
 typedef struct cmb_instance {
   char *name;
   cmb_values values;
-  cmb_situation situation; /* its time, next_time_event, initial and terminal are filled by cmb_state.c only */
+  cmb_kind kind;
+  cmb_situation situation; /* its kind, time, next_time_event, initial and terminal are filled by cmb_state.c only */
 
   /* Start values: what the model's tables say, overwritten by what is set before initialization ends. */
   double *start_real;
@@ -97,7 +106,7 @@ typedef struct cmb_instance {
 } cmb_instance;
 
 /* Makes an instance with start values; NULL if memory is short. name is copied. */
-cmb_instance *cmb_instance_create(const char *name, cmb_log_sink sink, void *receiver);
+cmb_instance *cmb_instance_create(const char *name, cmb_kind kind, cmb_log_sink sink, void *receiver);
 /* Frees an instance and all it owns; instance may be NULL. */
 void cmb_instance_destroy(cmb_instance *instance);
 /* Back to the state after cmb_instance_create; log settings stay. CMB_RESULT_ERROR if memory is short. */

@@ -20,7 +20,7 @@ typedef struct state_header {
   uint64_t hash;  /* of everything after the header; serialized states only */
 } state_header;
 
-static const char state_format[8] = "cmb/st1";
+static const char state_format[8] = "cmb/st2";
 
 static uint64_t hash_bytes(const char *bytes, size_t size) {
   uint64_t hash = UINT64_C(14695981039346656037); /* FNV-1a */
@@ -63,6 +63,7 @@ cmb_result cmb_state_save(cmb_instance *instance, cmb_state **state) {
   cmb_solver_restart(instance->solver);
 
   cmb_situation *situation = &instance->situation;
+  situation->kind = instance->kind;
   situation->time = instance->values.time;
   situation->next_time_event = instance->values.next_time_event;
   situation->initial = instance->values.initial;
@@ -109,8 +110,14 @@ static char **copy_texts(const char *position, const char *end) {
   return texts;
 }
 
+int cmb_state_fits(const cmb_instance *instance, const cmb_state *state) {
+  cmb_situation saved;
+  if (state->size < fixed_size(instance)) return 0;
+  memcpy(&saved, state->bytes + sizeof(state_header), sizeof saved);
+  return saved.kind == (int)instance->kind;
+}
+
 cmb_result cmb_state_restore(cmb_instance *instance, const cmb_state *state) {
-  if (state->size < fixed_size(instance)) return CMB_RESULT_ERROR;
   const char *position = state->bytes + sizeof(state_header);
   char **texts = copy_texts(state->bytes + fixed_size(instance), state->bytes + state->size);
   if (texts == NULL) return CMB_RESULT_ERROR;

@@ -12,7 +12,9 @@ typedef struct cmb_state cmb_state;
 /* Saves an instance's state, into *state where that is not NULL, else into a new one that the caller frees.
  * CMB_RESULT_ERROR if memory is short; *state is then as before. */
 cmb_result cmb_state_save(cmb_instance *instance, cmb_state **state);
-/* Restores a state. CMB_RESULT_ERROR if memory is short; the instance is then as before. */
+/* 1 if a state is one of an instance of the same kind, which alone can be restored. */
+int cmb_state_fits(const cmb_instance *instance, const cmb_state *state);
+/* Restores a state that fits. CMB_RESULT_ERROR if memory is short; the instance is then as before. */
 cmb_result cmb_state_restore(cmb_instance *instance, const cmb_state *state);
 /* Frees a state; state may be NULL. */
 void cmb_state_free(cmb_state *state);

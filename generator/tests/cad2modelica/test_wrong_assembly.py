@@ -47,8 +47,21 @@ WRONG_XML = [
     ("negative-inertia", 'xx="80"', 'xx="-80"', "not positive definite", None),
     ("inertia-products", 'yy="1700" zz="1700" xy="0"', 'yy="1700" zz="1700" xy="500"', "not positive definite", None),
     ("triangle-inequality", 'xx="80"', 'xx="8000"', "no body has these", None),
-    ("same-name", 'part name="rod"', 'part name="block"', "another part", 'part name="block" material="steel">'),
+    (
+        "same-name",
+        'part name="rod"',
+        'part name="block"',
+        "another part of the name",
+        'part name="block" material="steel">',
+    ),
     ("reserved-name", 'part name="rod"', 'part name="ground"', "cannot be named", 'part name="ground"'),
+    (
+        "plane-named-ground",
+        'plane name="floor"',
+        'plane name="ground"',
+        "a plane cannot be named",
+        'plane name="ground"',
+    ),
     ("leaves-folder", 'file="pendulum.wrl" node="rod"', 'file="../pendulum.wrl" node="rod"', "leaves the", "../"),
     (
         "absolute-path",
@@ -186,6 +199,12 @@ def test_geometry_in_one_point_is_refused(pendulum: Path, tmp_path: Path) -> Non
     point = "IndexedFaceSet { coord Coordinate { point [ 1 2 3, 1 2 3, 1 2 3 ] } coordIndex [ 0 1 2 -1 ] }"
     change(pendulum.parent / "pendulum.wrl", "Box { size 200 40 20 }", point)
     assert "all points of the geometry coincide" in str(refused(pendulum, tmp_path))
+
+
+def test_blanks_around_true_make_no_difference(pendulum: Path) -> None:
+    """Blanks around a Boolean are part of XML Schema's notation."""
+    change(pendulum, 'grounded="true"', 'grounded=" true "')
+    assert read_assembly(pendulum).part("block").grounded
 
 
 def test_all_problems_are_reported_together(pendulum: Path, tmp_path: Path) -> None:
