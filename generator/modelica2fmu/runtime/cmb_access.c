@@ -143,16 +143,16 @@ static cmb_result check_solver_option(cmb_instance *instance, unsigned option, d
 cmb_result cmb_set_reals(cmb_instance *instance, const unsigned *reference, size_t count, const double *value) {
   const cmb_slot_table *table = &cmb_interface_tables.real;
   for (size_t i = 0; i < count; ++i) {
-    if (isnan(value[i])) {
-      snprintf(instance->message, sizeof instance->message, "%s cannot be set to a value that is not a number",
-               cmb_slot_name(table, reference[i]));
-      return CMB_RESULT_ERROR;
-    }
     const cmb_result result =
         is_solver_reference(reference[i], CMB_SOLVER_REAL_COUNT)
             ? check_solver_option(instance, reference[i] - CMB_SOLVER_FIRST_REFERENCE, value[i])
             : check_settable(instance, table, "Real", cmb_model.real_count, &reference[i], 1);
     if (result != CMB_RESULT_OK) return result;
+    if (isnan(value[i])) {
+      snprintf(instance->message, sizeof instance->message, "%s cannot be set to a value that is not a number",
+               cmb_slot_name(table, reference[i]));
+      return CMB_RESULT_ERROR;
+    }
   }
   for (size_t i = 0; i < count; ++i) {
     const unsigned slot = reference[i];

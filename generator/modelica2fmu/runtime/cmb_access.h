@@ -20,6 +20,7 @@ cmb_result cmb_get_boolean(cmb_instance *instance, const unsigned *reference, si
 /* The texts belong to the instance and are valid until its next call. */
 cmb_result cmb_get_string(cmb_instance *instance, const unsigned *reference, size_t count, const char **value);
 
+/* All values are set or, if one cannot be, none. */
 cmb_result cmb_set_reals(cmb_instance *instance, const unsigned *reference, size_t count, const double *value);
 cmb_result cmb_set_integers(cmb_instance *instance, const unsigned *reference, size_t count, const int *value);
 cmb_result cmb_set_booleans(cmb_instance *instance, const unsigned *reference, size_t count, const int *value);

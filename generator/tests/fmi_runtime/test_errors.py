@@ -240,6 +240,23 @@ def test_misuse_is_answered_with_an_error(oscillator: Path, tmp_path: Path) -> N
     instance.freeInstance()
 
 
+def test_of_several_values_all_are_set_or_none(oscillator: Path, tmp_path: Path) -> None:
+    importer = Importer(oscillator, tmp_path)
+    instance = importer.make(FMU2Slave)
+    references = importer.references
+    tolerance, steps = references["cmbSolver.relativeTolerance"], references["cmbSolver.maximumSteps"]
+    expect(ERROR, instance.setReal, [references["damping"], tolerance], [0.7, 2.0])
+    expect(ERROR, instance.setReal, [tolerance, references["energy"]], [0.5, 1.0])
+    expect(ERROR, instance.setInteger, [steps, steps], [5, 0])
+    importer.initialize(instance)
+    expect(ERROR, instance.setReal, [references["damping"], tolerance], [0.7, 1e-3])
+    assert "before initialization ends" in importer.errors()[-1]
+    assert importer.reals(instance, "damping") == [0.0]
+    assert instance.getReal([tolerance])[0] < 0.5
+    assert instance.getInteger([steps]) == [100_000]
+    instance.freeInstance()
+
+
 def test_a_wrong_guid_makes_no_instance(oscillator: Path, tmp_path: Path) -> None:
     importer = Importer(oscillator, tmp_path)
     importer.description.guid = "{other}"

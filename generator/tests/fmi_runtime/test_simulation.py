@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from fmpy import simulate_fmu
+from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.validation import validate_fmu
 from importer import Importer
@@ -237,6 +238,22 @@ def test_communication_points_are_hit_exactly(oscillator: Path, tmp_path: Path) 
         time += step
         assert importer.reals(instance, "time") == [time]
         assert importer.reals(instance, "s")[0] == pytest.approx(np.cos(2.0 * time), abs=1e-7)
+    instance.freeInstance()
+
+
+def test_steps_end_at_the_stop_time_up_to_rounding(oscillator: Path, tmp_path: Path) -> None:
+    importer = Importer(oscillator, tmp_path)
+    instance = importer.make(FMU2Slave)
+    instance.setupExperiment(startTime=0.0, stopTime=1000.0)
+    instance.enterInitializationMode()
+    instance.exitInitializationMode()
+    step = 1e-3
+    time = 1000.0 - step + 2e-8  # what a million additions of such a step may come to
+    instance.doStep(0.0, time)
+    with pytest.raises(FMICallException):
+        instance.doStep(time, 1.1 * step)
+    assert importer.errors() == ["fmi2DoStep: the step ends after the stop time"]
+    instance.doStep(time, step)
     instance.freeInstance()
 
 

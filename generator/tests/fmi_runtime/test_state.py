@@ -69,6 +69,25 @@ def test_serialized_states_go_to_another_instance(ball: Path, tmp_path: Path) ->
         instance.freeInstance()
 
 
+def test_states_of_instances_for_another_use_are_refused(ball: Path, tmp_path: Path) -> None:
+    """Their phases are others: an instance would be stuck in one that it cannot leave."""
+    importer = Importer(ball, tmp_path)
+    instances = [importer.make(kind) for kind in (FMU2Slave, FMU2Model)]
+    for instance in instances:
+        importer.initialize(instance)
+    states = [instance.getFMUState() for instance in instances]
+    for instance, foreign in zip(instances, reversed(states), strict=True):
+        with pytest.raises(FMICallException):
+            instance.setFMUState(foreign)
+        assert "another use" in importer.errors()[-1]
+    instances[0].doStep(0.0, 0.1)
+    instances[1].newDiscreteStates()
+    instances[1].enterContinuousTimeMode()
+    for instance, state in zip(instances, states, strict=True):
+        instance.freeFMUState(state)
+        instance.freeInstance()
+
+
 @pytest.mark.parametrize("damage", ["short", "long", "bit", "empty", "other"])
 def test_damaged_states_are_refused(ball: Path, oscillator: Path, tmp_path: Path, damage: str) -> None:
     importer = Importer(ball, tmp_path / "ball")
