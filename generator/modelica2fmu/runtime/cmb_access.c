@@ -106,10 +106,10 @@ static cmb_result check_settable(cmb_instance *instance, const cmb_slot_table *t
                                  const unsigned *reference, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     const unsigned slot = reference[i];
-    if (slot >= slots) return unknown_reference(instance, type, slot);
-    if (slot < table->count && (table->access[slot] & permission(instance->situation.phase)) != 0) continue;
-    snprintf(instance->message, sizeof instance->message, "%s variable %s (value reference %u) cannot be set %s", type,
-             cmb_slot_name(table, slot), slot, phase_name(instance->situation.phase));
+    if (slot >= slots || slot >= table->count) return unknown_reference(instance, type, slot);
+    if ((table->access[slot] & permission(instance->situation.phase)) != 0) continue;
+    snprintf(instance->message, sizeof instance->message, "%s variable %s cannot be set %s", type,
+             cmb_slot_name(table, slot), phase_name(instance->situation.phase));
     return CMB_RESULT_ERROR;
   }
   return CMB_RESULT_OK;

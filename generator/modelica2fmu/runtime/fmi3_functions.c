@@ -2,6 +2,7 @@
  *
  * FMI 3.0 has one numbering for all variables: the uppermost four bits of a value reference say what it is, the next
  * six tell variables of one slot apart, the others are the slot (packaging/fmi3_description.py writes them). */
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "cmb_fmu.h"
@@ -143,8 +144,33 @@ static int counts_agree(fmi3Instance c, const char *call, size_t references, siz
   return 0;
 }
 
-/* The slots behind references of one kind, or of the solver's variables of that type, in a new array; a slot that
- * no model has where the kind is another. NULL (logged) if memory is short or a pointer is missing. */
+static size_t slot_count(reference_kind kind) {
+  switch (kind) {
+    case KIND_REAL: return cmb_model.real_count;
+    case KIND_INTEGER: return cmb_model.integer_count;
+    case KIND_BOOLEAN: return cmb_model.boolean_count;
+    case KIND_STRING: return cmb_model.string_count;
+    case KIND_SOLVER_REAL: return CMB_SOLVER_REAL_COUNT;
+    case KIND_SOLVER_INTEGER: return CMB_SOLVER_INTEGER_COUNT;
+    case KIND_INDICATOR: return cmb_model.indicator_count;
+    case KIND_TIME: return 1;
+    case KIND_NONE: break;
+  }
+  return 0;
+}
+
+static int is_of_kind(fmi3ValueReference reference, reference_kind kind) {
+  return kind_of(reference) == (unsigned)kind && slot_of(reference) < slot_count(kind);
+}
+
+static void refuse_reference(fmi3Instance c, const char *call, fmi3ValueReference reference) {
+  char reason[80];
+  snprintf(reason, sizeof reason, "value reference %u is not one of a variable for this function", reference);
+  cmb_fmu_refuse(c, call, reason);
+}
+
+/* The slots behind references of one kind, or of the solver's variables of that type, in a new array. NULL (logged) if
+ * one is of another kind, memory is short or a pointer is missing. */
 static unsigned *slots(fmi3Instance c, const char *call, const fmi3ValueReference *reference, size_t count,
                        reference_kind kind, reference_kind solver_kind) {
   unsigned *slot = reference != NULL ? malloc((count + 1) * sizeof *slot) : NULL;
@@ -153,21 +179,33 @@ static unsigned *slots(fmi3Instance c, const char *call, const fmi3ValueReferenc
     return NULL;
   }
   for (size_t i = 0; i < count; ++i) {
-    slot[i] = 0xffffffffu;
-    if (kind_of(reference[i]) == (unsigned)kind) slot[i] = slot_of(reference[i]);
-    if (kind_of(reference[i]) == (unsigned)solver_kind) slot[i] = CMB_SOLVER_FIRST_REFERENCE + slot_of(reference[i]);
+    if (is_of_kind(reference[i], kind)) {
+      slot[i] = slot_of(reference[i]);
+    } else if (is_of_kind(reference[i], solver_kind)) {
+      slot[i] = CMB_SOLVER_FIRST_REFERENCE + slot_of(reference[i]);
+    } else {
+      refuse_reference(c, call, reference[i]);
+      free(slot);
+      return NULL;
+    }
   }
   return slot;
 }
 
 static cmb_fmu_status get_float(fmi3Instance c, const char *call, fmi3ValueReference reference, double *value) {
   const unsigned slot = slot_of(reference);
-  switch (kind_of(reference)) {
-    case KIND_INDICATOR: return cmb_fmu_get_indicator(c, call, slot, value);
-    case KIND_TIME: *value = ((cmb_fmu *)c)->instance->values.time; return CMB_FMU_OK;
-    case KIND_REAL: return cmb_fmu_get_real(c, call, &slot, 1, value);
-    default: return cmb_fmu_get_real(c, call, &reference, 1, value); /* those of the solver are the same in FMI 2.0 */
+  if (is_of_kind(reference, KIND_INDICATOR)) return cmb_fmu_get_indicator(c, call, slot, value);
+  if (is_of_kind(reference, KIND_REAL)) return cmb_fmu_get_real(c, call, &slot, 1, value);
+  if (is_of_kind(reference, KIND_SOLVER_REAL)) {
+    const unsigned option = CMB_SOLVER_FIRST_REFERENCE + slot;
+    return cmb_fmu_get_real(c, call, &option, 1, value);
   }
+  if (is_of_kind(reference, KIND_TIME)) {
+    *value = ((cmb_fmu *)c)->instance->values.time;
+    return CMB_FMU_OK;
+  }
+  refuse_reference(c, call, reference);
+  return CMB_FMU_ERROR;
 }
 
 fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference reference[], size_t count, fmi3Float64 value[],

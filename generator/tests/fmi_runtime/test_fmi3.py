@@ -212,6 +212,20 @@ def test_what_the_model_does_not_have_is_refused(ball3: Path, tmp_path: Path) ->
     instance.freeInstance()
 
 
+def test_messages_name_the_reference_that_was_given(ball3: Path, tmp_path: Path) -> None:
+    session = Session(ball3, tmp_path)
+    instance = session.instance
+    for reference in (123456789, 4711, session.references["bounces"], session.references["time"] + 1, 0x4000_0009):
+        for call in (
+            lambda: instance.getFloat64([0, reference]),  # noqa: B023
+            lambda: instance.setFloat64([0, reference], [1.0, 1.0]),  # noqa: B023
+        ):
+            with pytest.raises(FMICallException):
+                call()
+            assert f"value reference {reference} " in session.messages[-1][2]
+    instance.freeInstance()
+
+
 def test_scheduled_execution_is_refused(ball3: Path, tmp_path: Path) -> None:
     from fmpy.fmi3 import FMU3ScheduledExecution
 
