@@ -32,7 +32,7 @@ model BoxOnIncline "A box slides down an incline that is steeper than its fricti
     material={box.material,incline.material},
     stiffnessChoice=Types.StiffnessChoice.Given,
     stiffness={K}) annotation (Placement(transformation(extent={{20,-20},{60,20}})));
-  Modelica.Units.SI.Distance s "Way of the box down the incline";
+  Modelica.Units.SI.Position s "Way of the box down the incline";
   Modelica.Units.SI.Velocity v "Speed of the box down the incline";
 equation
   s = box.r_0*{cos(angle),0,-sin(angle)};

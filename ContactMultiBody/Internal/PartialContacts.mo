@@ -91,7 +91,7 @@ partial model PartialContacts "Forces between bodies from depths, normals and po
   Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame[n] "Frames of the bodies"
     annotation (Placement(transformation(extent={{-116,-80},{-84,80}})));
 
-  SI.Distance distance[m] "Signed distance of each pair, negative when penetrating";
+  SI.Length distance[m] "Signed distance of each pair, negative when penetrating";
   SI.Force normalForce[m] "Normal force of each pair, summed over its points";
   SI.Force force[m, 3] "Force on the first body of each pair, in world axes";
   SI.Velocity approachSpeed[m] "Speed at which the bodies of each pair approach where they touch";

@@ -5,7 +5,7 @@ pure function queryVolume "Overlap of all pairs of a scene, as four points each"
   input Modelica.Units.SI.Position position[:, 3] "Origins of the bodies' frames, in world axes";
   input Real rotation[size(position, 1), 3, 3](each unit="1") "Rotation from world to each body's frame";
   input Integer pairCount "Number of pairs";
-  output Modelica.Units.SI.Distance distance[pairCount] "Signed distance, negative when penetrating";
+  output Modelica.Units.SI.Length distance[pairCount] "Signed distance, negative when penetrating";
   output Modelica.Units.SI.Length depth[pairCount, 4] "Twice the mean depth of the overlap's volume";
   output Real weight[pairCount, 4] "A quarter of the volume of the overlap by that depth, in m2";
   output Real normal[pairCount, 4, 3](each unit="1") "Unit normals from the second body to the first, in world axes";

@@ -6,7 +6,7 @@ pure function sphereOnBox "Sphere and box"
   input Modelica.Units.SI.Length size[3] "Full lengths of the box";
   input Modelica.Units.SI.Position origin[3] "Centre of the box in the world";
   input Real T[3, 3](each unit="1") "Rotation from the world to the box";
-  output Modelica.Units.SI.Distance distance[1] "Signed distance, negative when penetrating";
+  output Modelica.Units.SI.Length distance[1] "Signed distance, negative when penetrating";
   output Modelica.Units.SI.Length depth[1, 1] "Penetration depth of each point";
   output Real weight[1, 1](each unit="1") "Share of the law's force each point carries";
   output Real normal[1, 1, 3](each unit="1") "Normal of each point";
@@ -14,8 +14,8 @@ pure function sphereOnBox "Sphere and box"
 protected
   Modelica.Units.SI.Position q[3] "Point of the box closest to the centre";
   Modelica.Units.SI.Distance outside "Distance of the centre from the box, zero inside";
-  Modelica.Units.SI.Distance face[3] "Distances of the centre from the faces, negative inside";
-  Modelica.Units.SI.Distance nearest "Largest of these";
+  Modelica.Units.SI.Length face[3] "Distances of the centre from the faces, negative inside";
+  Modelica.Units.SI.Length nearest "Largest of these";
   Real e[3](each unit="1") "Normal in the frame of the box";
 algorithm
   q := {min(max(centre[i], -size[i]/2), size[i]/2) for i in 1:3};

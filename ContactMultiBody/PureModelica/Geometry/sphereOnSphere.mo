@@ -5,7 +5,7 @@ pure function sphereOnSphere "Two spheres"
   input Modelica.Units.SI.Radius ra "Radius of the first sphere";
   input Modelica.Units.SI.Position b[3] "Centre of the second sphere";
   input Modelica.Units.SI.Radius rb "Radius of the second sphere";
-  output Modelica.Units.SI.Distance distance[1] "Signed distance, negative when penetrating";
+  output Modelica.Units.SI.Length distance[1] "Signed distance, negative when penetrating";
   output Modelica.Units.SI.Length depth[1, 1] "Penetration depth of each point";
   output Real weight[1, 1](each unit="1") "Share of the law's force each point carries";
   output Real normal[1, 1, 3](each unit="1") "Normal of each point";

@@ -6,13 +6,13 @@ pure function spheresOnHalfSpace "Spheres fixed to each other on a half-space"
   input Modelica.Units.SI.Position origin[3] "A point of the plane";
   input Real outward[3](each unit="1") "Unit normal of the plane, out of the solid";
   input Integer carrying=size(centre, 1) "Number of spheres that together carry with the whole stiffness";
-  output Modelica.Units.SI.Distance distance[1] "Signed distance, negative when penetrating";
+  output Modelica.Units.SI.Length distance[1] "Signed distance, negative when penetrating";
   output Modelica.Units.SI.Length depth[1, size(centre, 1)] "Penetration depth of each point";
   output Real weight[1, size(centre, 1)](each unit="1") "Share of the law's force each point carries";
   output Real normal[1, size(centre, 1), 3](each unit="1") "Normal of each point";
   output Modelica.Units.SI.Position point[1, size(centre, 1), 3] "Contact points";
 protected
-  Modelica.Units.SI.Distance height[size(centre, 1)] "Distance of each sphere";
+  Modelica.Units.SI.Length height[size(centre, 1)] "Distance of each sphere";
 algorithm
   for i in 1:size(centre, 1) loop
     height[i] := (centre[i, :] - origin)*outward - radius;
