@@ -172,9 +172,10 @@ def generate(
     taken = {component.name for component in view.components} | {*view.material_names.values(), *RESERVED}
     actuators = place_actuators(assignments, assembly, view.joint_names, taken)
     texts = package_texts(assembly, view, geometries, actuators, name, notes)
-    own.require_free(texts.resources)
+    written_anew = {*texts.files, *texts.resources, RECORD, ORDER}
+    own.require_free(written_anew | ({str(MECHATRONICS_FILE)} - {str(file) for file in own.files}))
     if plan.write_mechatronics or earlier is None:
-        written = checksum(texts.mechatronics.encode())
+        written = checksum(_encoded(texts.mechatronics))
     else:
         written = earlier.mechatronics
     progress("start configuration", 0.0, name)
@@ -205,19 +206,19 @@ def generate(
         if plan.keep_old is not None:
             (root / MECHATRONICS_FILE).rename(root / plan.keep_old)
         for file_name, text in texts.files.items():
-            (root / file_name).write_text(text, encoding="utf-8")
+            (root / file_name).write_bytes(_encoded(text))
         if plan.write_mechatronics:
-            (root / MECHATRONICS_FILE).write_text(texts.mechatronics, encoding="utf-8")
+            (root / MECHATRONICS_FILE).write_bytes(_encoded(texts.mechatronics))
         for path, content in texts.resources.items():
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_bytes(content)
         record = Record(structure, actuator_signature(assignments, assembly), written, tuple(sorted(texts.resources)))
         (root / RECORD).parent.mkdir(exist_ok=True)
-        (root / RECORD).write_text(record_text(record), encoding="utf-8")
-        (root / ORDER).write_text("".join(f"{item}\n" for item in own.package_order(CLASSES)), encoding="utf-8")
-        (staging / SCENE).write_text(scene_text(assembly, tree, loops, view, name), encoding="utf-8")
-        (staging / GRAPH).write_text(drawing, encoding="utf-8")
-        (staging / REPORT).write_text(report, encoding="utf-8")
+        (root / RECORD).write_bytes(_encoded(record_text(record)))
+        (root / ORDER).write_bytes(_encoded("".join(f"{item}\n" for item in own.package_order(CLASSES))))
+        (staging / SCENE).write_bytes(_encoded(scene_text(assembly, tree, loops, view, name)))
+        (staging / GRAPH).write_bytes(_encoded(drawing))
+        (staging / REPORT).write_bytes(_encoded(report))
     progress("write package", 1.0, name)
     return GeneratedPackage(
         root=output / name,
@@ -228,6 +229,11 @@ def generate(
         report=output / REPORT,
         notes=notes,
     )
+
+
+def _encoded(text: str) -> bytes:
+    """UTF-8; what names of files hold beside text becomes question marks."""
+    return text.encode("utf-8", errors="replace")
 
 
 def _check(options: GenerateOptions) -> None:

@@ -38,9 +38,13 @@ class OwnFiles:
             shutil.copy2(self.root / file, root / file, follow_symlinks=False)
 
     def require_free(self, paths: Collection[str]) -> None:
-        """Raises InputError if one of these paths, relative to the package, is taken by a file of the modeller's."""
+        """Raises InputError if one of these paths, relative to the package, is taken by a file of the modeller's.
+
+        Also if it is that of a folder which holds such files.
+        """
+        folders = {folder: file for file in self.files for folder in file.parents}
         for path in map(Path, sorted(paths)):
-            taken = next((place for place in (path, *path.parents) if place in self.files), None)
+            taken = next((place for place in (path, *path.parents) if place in self.files), folders.get(path))
             if taken is not None:
                 raise InputError(
                     "is no file of the generator's, which would write over it",
@@ -51,9 +55,9 @@ class OwnFiles:
     def package_order(self, generated: tuple[str, ...]) -> tuple[str, ...]:
         """Classes of the package: the earlier order, then what is new."""
         own = {file.stem if len(file.parts) == 1 else file.parts[0] for file in self.files if file.suffix == ".mo"}
-        known = {*generated, *own}
-        kept = tuple(name for name in self.order if name in known)
-        return (*kept, *(name for name in (*generated, *sorted(own)) if name not in kept))
+        known = dict.fromkeys((*generated, *sorted(own)))
+        kept = (name for name in self.order if name in known)
+        return tuple(dict.fromkeys((*kept, *known)))
 
     def references_to(self, names: Collection[str]) -> list[str]:
         """Places in the modeller's Modelica files that name one of ``names``, one line of text each."""
@@ -80,7 +84,8 @@ def find_own_files(output: Path, package: str, generated: Collection[str]) -> Ow
         generated: file names the generator writes anew.
 
     Raises:
-        InputError: the folder holds a package of another name or other files, which would be lost.
+        InputError: the folder holds a package of another name, other files, or a folder in place of a file or the
+            other way round, which would be lost.
     """
     root = output / package
     others = sorted(path.name for path in output.glob("*") if path.name not in {package, SCENE, GRAPH, REPORT, MARKER})
@@ -96,10 +101,17 @@ def find_own_files(output: Path, package: str, generated: Collection[str]) -> Ow
             place=Place(file=output),
             remedy="Move it away, or into the package's folder, whose files are kept.",
         )
+    for path in (root, *(output / name for name in (SCENE, GRAPH, REPORT))):
+        if path.exists() and path.is_dir() != (path == root):
+            raise InputError(
+                f"is {'a folder' if path.is_dir() else 'no folder'}, and no generation made it so",
+                place=Place(file=path),
+                remedy="Move it away.",
+            )
     if not root.is_dir():
         return OwnFiles(root)
     paths = (path.relative_to(root) for path in sorted(root.rglob("*")) if path.is_file() or path.is_symlink())
     files = tuple(path for path in paths if str(path) not in generated)
     order_file = root / ORDER
-    order = tuple(order_file.read_text(encoding="utf-8").split()) if order_file.is_file() else ()
+    order = tuple(order_file.read_text(encoding="utf-8", errors="replace").split()) if order_file.is_file() else ()
     return OwnFiles(root, files, order)

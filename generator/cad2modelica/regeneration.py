@@ -75,7 +75,7 @@ def read_record(root: Path) -> Record | None:
             return None
         files = tuple(str(file) for file in data.get("files", ()))
         return Record(structure_from(data["structure"]), str(data["actuators"]), str(data["mechatronics"]), files)
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
 
 

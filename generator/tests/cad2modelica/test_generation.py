@@ -6,6 +6,7 @@ import itertools
 import json
 import os
 import re
+import shutil
 import tomllib
 from pathlib import Path
 
@@ -288,6 +289,52 @@ def test_other_files_in_the_output_are_not_lost(hammer: Path, tmp_path: Path) ->
     with pytest.raises(InputError, match=r"notes\.txt"):
         generate(hammer, tmp_path / "out")
     assert (tmp_path / "out" / "notes.txt").read_text() == "mine"
+
+
+@pytest.mark.parametrize("name", ["scene.json", "Hammer/Mechanics.mo", "Hammer/Mechatronics.mo", "Hammer/Resources"])
+def test_folders_in_place_of_files_are_not_lost(hammer: Path, tmp_path: Path, name: str) -> None:
+    """And files in place of folders: nothing of the modeller's own goes, whatever its name."""
+    generate(hammer, tmp_path / "out")
+    place = tmp_path / "out" / name
+    is_file = place.is_file()
+    if is_file:
+        place.unlink()
+        place.mkdir()
+        (place / "mine").write_text("years of work")
+    else:
+        shutil.rmtree(place)
+        place.write_text("years of work")
+    with pytest.raises(InputError) as caught:
+        generate(hammer, tmp_path / "out")
+    assert str(place) in str(caught.value)
+    assert (place / "mine" if is_file else place).read_text() == "years of work"
+
+
+def test_file_in_place_of_the_package_is_not_lost(hammer: Path, tmp_path: Path) -> None:
+    generate(hammer, tmp_path / "out")
+    shutil.rmtree(tmp_path / "out" / "Hammer")
+    (tmp_path / "out" / "Hammer").write_text("years of work")
+    with pytest.raises(InputError, match="is no folder"):
+        generate(hammer, tmp_path / "out")
+
+
+def test_damaged_records_count_as_none(pendulum: Path, tmp_path: Path) -> None:
+    root = generate(pendulum, tmp_path / "out").root
+    before = {name: (root / name).read_bytes() for name in ("Resources/generation.json", "package.order")}
+    (root / "Resources" / "generation.json").write_text("[" * 100_000)
+    (root / "package.order").write_bytes(b"\xff\xfe\n")
+    generate(pendulum, tmp_path / "out")
+    assert {name: (root / name).read_bytes() for name in before} == before
+
+
+@pytest.mark.parametrize("ending", ["xml", "urdf"])
+def test_file_names_that_are_no_text(pendulum: Path, tmp_path: Path, ending: str) -> None:
+    odd = pendulum.with_name(os.fsdecode(b"p\xff." + ending.encode()))
+    inertia = '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+    robot = f'<robot><link name="a"><inertial><mass value="1"/>{inertia}</inertial></link></robot>'
+    odd.write_text(pendulum.read_text() if ending == "xml" else robot)
+    package = generate(odd, tmp_path / "out")
+    assert f"p?.{ending}" in (package.root / "package.mo").read_text(encoding="utf-8")
 
 
 def test_nested_assemblies_move_like_their_copies(pendulum: Path, tmp_path: Path) -> None:

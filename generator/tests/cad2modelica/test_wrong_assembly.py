@@ -51,7 +51,7 @@ WRONG_XML = [
         "same-name",
         'part name="rod"',
         'part name="block"',
-        "another part of the name",
+        "another part of",
         'part name="block" material="steel">',
     ),
     ("reserved-name", 'part name="rod"', 'part name="ground"', "cannot be named", 'part name="ground"'),
