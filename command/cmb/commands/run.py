@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import shutil
 from argparse import ArgumentParser, Namespace
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 from cad2modelica import generate
-from cmb_base.errors import Place
-from cmb_base.output import whole_folder
+from cmb_base.errors import CmbError, InputError, Place
+from cmb_base.output import MARKER, whole_folder
 from cmb_base.progress import Progress
 from fmu_regression.fmu import read_description
 from fmu_regression.report import write_report
@@ -41,6 +44,8 @@ EXAMPLES = """examples:
 """
 
 PACKAGE_FOLDER = "model"
+RESULT = "result.csv"
+REPORT = "report.html"
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -62,7 +67,8 @@ def run(arguments: Namespace) -> int:
     assembly = find_assembly(arguments.assembly)
     experiment = find_experiment(assembly.parent)
     output = arguments.output or Path("out") / assembly.stem
-    with progress_bars() as progress, whole_folder(output) as staging:
+    _require_own(output, assembly.stem)
+    with progress_bars() as progress, whole_folder(output) as staging, _errors_in(staging, output):
         _keep_package(output / PACKAGE_FOLDER, staging / PACKAGE_FOLDER)
         result, scene = _carry_out(arguments, assembly, experiment, staging, progress)
     print("\n".join([summarise(result, scene), *experiment.figures.lines(result)]))
@@ -70,10 +76,34 @@ def run(arguments: Namespace) -> int:
     return 0
 
 
+def _require_own(output: Path, stem: str) -> None:
+    """Raises InputError if the folder of an earlier run holds what no run wrote: the next one would lose it."""
+    known = {PACKAGE_FOLDER, f"{stem}.fmu", RESULT, REPORT, MARKER}
+    others = sorted(path.name for path in output.glob("*") if path.name not in known)
+    if others and (output / MARKER).exists():
+        raise InputError(
+            f"holds {others[0]!r}, which no run of {stem!r} wrote and the next one would lose",
+            place=Place(file=output),
+            remedy=f"Move it away, or into the package in {PACKAGE_FOLDER}, whose files are kept.",
+        )
+
+
+@contextmanager
+def _errors_in(staging: Path, output: Path) -> Iterator[None]:
+    """Names the output where an error names the folder that holds it until it is whole."""
+    try:
+        yield
+    except CmbError as error:
+        file = error.place.file if error.place is not None else None
+        if error.place is not None and file is not None and file.is_relative_to(staging):
+            error.place = replace(error.place, file=output / file.relative_to(staging))
+        raise
+
+
 def _keep_package(earlier: Path, now: Path) -> None:
     """Hands an earlier package on, because the generator keeps the modeller's own part of it."""
     if earlier.is_dir():
-        shutil.copytree(earlier, now)
+        shutil.copytree(earlier, now, symlinks=True)
 
 
 def _carry_out(
@@ -96,8 +126,8 @@ def _carry_out(
         mode=arguments.mode,
         progress=progress,
     )
-    write_csv(result, folder / "result.csv")
+    write_csv(result, folder / RESULT)
     progress("report", 0.0)
-    write_report(result, package.scene, folder / "report.html", experiment.figures)
+    write_report(result, package.scene, folder / REPORT, experiment.figures)
     progress("report", 1.0)
     return result, scene
