@@ -6,10 +6,10 @@ model BothWays "The same contacts by the equations of the library and by the eng
     "Geometries of the moved bodies";
   parameter ContactMultiBody.Types.NormalLaw law=ContactMultiBody.Types.NormalLaw.Exact "Law of the normal force"
     annotation (Evaluate=true);
-  parameter Boolean useRestitution=true "= true, if restitution is delivered" annotation (Evaluate=true);
+  parameter Boolean useRestitution=true "= true, if restitution is delivered" annotation (Evaluate=true, choices(checkBox=true));
   parameter ContactMultiBody.Types.Friction friction=ContactMultiBody.Types.Friction.Regularised "Law of friction, without anchors"
     annotation (Evaluate=true);
-  parameter Boolean turning=false "= true, if spin and rolling friction act" annotation (Evaluate=true);
+  parameter Boolean turning=false "= true, if spin and rolling friction act" annotation (Evaluate=true, choices(checkBox=true));
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1});
   MovedBody body[3](phase={0.1,1.3,2.2}, each size=0.2, each center={0,0,0.22});
   ContactMultiBody.Parts.Ground floor;

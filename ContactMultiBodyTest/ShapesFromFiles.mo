@@ -3,9 +3,9 @@ model ShapesFromFiles "A mesh and a hull from a file are as far from a floor as 
   extends Modelica.Icons.Example;
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1});
   ContactMultiBody.Parts.Ground mesh(r={0,0,0.5}, geometry=ContactMultiBody.Shapes.meshFile(
-        "modelica://ContactMultiBodyTest/Resources/tetrahedron.obj", 1e-3));
+        Modelica.Utilities.Files.loadResource("modelica://ContactMultiBodyTest/Resources/tetrahedron.obj"), 1e-3));
   ContactMultiBody.Parts.Ground hull(r={1,0,0.25}, geometry=ContactMultiBody.Shapes.hullFile(
-        "modelica://ContactMultiBodyTest/Resources/tetrahedron.obj", 1e-3));
+        Modelica.Utilities.Files.loadResource("modelica://ContactMultiBodyTest/Resources/tetrahedron.obj"), 1e-3));
   ContactMultiBody.Parts.Ground floor;
   ContactMultiBody.ContactManager contacts(
     n=3,

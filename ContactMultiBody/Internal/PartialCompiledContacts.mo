@@ -22,7 +22,7 @@ partial model PartialCompiledContacts "Parameters of contacts that the engine co
     "Exponent of the depth" annotation (Dialog(group="Normal force"));
   parameter SI.Radius contactRadius[n]=fill(0.02, n) "Radius of curvature of each body's surface; Modelica.Constants.inf: flat"
     annotation (Dialog(group="Normal force", enable=stiffnessChoice == Types.StiffnessChoice.Hertz));
-  parameter Real stiffness[n]=fill(2e6, n)
+  parameter Real stiffness[n](each min=0)=fill(2e6, n)
     "Stiffness of each body against a rigid one in N/m^exponent; two bodies act in series; Modelica.Constants.inf: rigid"
     annotation (Dialog(group="Normal force", enable=stiffnessChoice == Types.StiffnessChoice.Given));
   parameter SI.TranslationalDampingConstant damping(min=0)=1e3 "Damping constant, for SpringDamper only"

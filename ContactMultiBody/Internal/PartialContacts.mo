@@ -19,10 +19,10 @@ partial model PartialContacts "Forces between bodies from depths, normals and po
     "Exponent of the depth" annotation (Dialog(group="Normal force"));
   parameter SI.Radius contactRadius[m]=fill(0.01, m) "Radius of curvature of each pair's contact"
     annotation (Dialog(group="Normal force", enable=stiffnessChoice == Types.StiffnessChoice.Hertz));
-  parameter Real stiffness[m]=if stiffnessChoice == Types.StiffnessChoice.Hertz then Materials.pairHertzStiffness(
+  parameter Real stiffness[m](each min=0)=if stiffnessChoice == Types.StiffnessChoice.Hertz then Materials.pairHertzStiffness(
       material.E, material.nu, pair, contactRadius) else fill(1e6, m) "Stiffness of each pair in N/m^exponent"
     annotation (Dialog(group="Normal force", enable=stiffnessChoice == Types.StiffnessChoice.Given));
-  parameter SI.TranslationalDampingConstant damping[m]=fill(1e3, m) "Damping constant of each pair, for SpringDamper only"
+  parameter SI.TranslationalDampingConstant damping[m](each min=0)=fill(1e3, m) "Damping constant of each pair, for SpringDamper only"
     annotation (Dialog(group="Normal force", enable=normalLaw == Types.NormalLaw.SpringDamper));
   parameter SI.Length dampingDepth(min=Modelica.Constants.small)=1e-4
     "Depth from which dampers act fully, for SpringDamper only"
@@ -66,7 +66,7 @@ partial model PartialContacts "Forces between bodies from depths, normals and po
   parameter SI.Velocity limitSpeed(min=Modelica.Constants.small)=0.01
     "Sliding speed that separates static from sliding friction, for Anchored only"
     annotation (Dialog(group="Friction", enable=friction == Types.Friction.Anchored));
-  parameter SI.TranslationalSpringConstant frictionStiffness[m]=0.8*1e-4^(exponent - 1)*stiffness
+  parameter SI.TranslationalSpringConstant frictionStiffness[m](each min=Modelica.Constants.small)=0.8*1e-4^(exponent - 1)*stiffness
     "Stiffness of each static spring, for Anchored only"
     annotation (Dialog(group="Friction", enable=friction == Types.Friction.Anchored));
   parameter SI.Time frictionDampingTime(min=0)=1e-3 "Damping of the static springs by their stiffness, for Anchored only"

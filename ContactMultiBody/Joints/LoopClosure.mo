@@ -1,12 +1,12 @@
 within ContactMultiBody.Joints;
 model LoopClosure "Closes a kinematic loop by chosen conditions, where its other joints hold the rest by their geometry"
   extends Modelica.Mechanics.MultiBody.Interfaces.PartialTwoFrames;
-  parameter Boolean x_locked=true "= true, if the distance along x of frame_a is held at zero" annotation (Evaluate=true);
-  parameter Boolean y_locked=true "= true, if the distance along y of frame_a is held at zero" annotation (Evaluate=true);
-  parameter Boolean z_locked=true "= true, if the distance along z of frame_a is held at zero" annotation (Evaluate=true);
-  parameter Boolean turn_x_locked=true "= true, if the turn about x of frame_a is held at zero" annotation (Evaluate=true);
-  parameter Boolean turn_y_locked=true "= true, if the turn about y of frame_a is held at zero" annotation (Evaluate=true);
-  parameter Boolean turn_z_locked=true "= true, if the turn about z of frame_a is held at zero" annotation (Evaluate=true);
+  parameter Boolean x_locked=true "= true, if the distance along x of frame_a is held at zero" annotation (Evaluate=true, choices(checkBox=true));
+  parameter Boolean y_locked=true "= true, if the distance along y of frame_a is held at zero" annotation (Evaluate=true, choices(checkBox=true));
+  parameter Boolean z_locked=true "= true, if the distance along z of frame_a is held at zero" annotation (Evaluate=true, choices(checkBox=true));
+  parameter Boolean turn_x_locked=true "= true, if the turn about x of frame_a is held at zero" annotation (Evaluate=true, choices(checkBox=true));
+  parameter Boolean turn_y_locked=true "= true, if the turn about y of frame_a is held at zero" annotation (Evaluate=true, choices(checkBox=true));
+  parameter Boolean turn_z_locked=true "= true, if the turn about z of frame_a is held at zero" annotation (Evaluate=true, choices(checkBox=true));
   parameter Modelica.Units.SI.Length distance_max=1e-6 "Largest distance that the conditions left out may show";
   parameter Modelica.Units.SI.Angle angle_max=1e-6 "Largest turn that the conditions left out may show";
   Modelica.Units.SI.Position r_rel_a[3] "Position of frame_b from the origin of frame_a, in coordinates of frame_a: zero";

@@ -1,12 +1,12 @@
 within ContactMultiBody.Joints;
 model Screw "Joint that moves along its axis as it turns"
   extends Modelica.Mechanics.MultiBody.Interfaces.PartialElementaryJoint;
-  parameter Boolean useAxisFlange=false "= true, if the flanges axis and support exist" annotation (Evaluate=true);
+  parameter Boolean useAxisFlange=false "= true, if the flanges axis and support exist" annotation (Evaluate=true, choices(checkBox=true));
   Modelica.Mechanics.Rotational.Interfaces.Flange_a axis(phi=phi, tau=tau) if useAxisFlange "Flange that turns with frame_b"
     annotation (Placement(transformation(extent={{10,90},{-10,110}})));
   Modelica.Mechanics.Rotational.Interfaces.Flange_b support(phi=0) if useAxisFlange "Flange of the housing, at rest in frame_a"
     annotation (Placement(transformation(extent={{-70,90},{-50,110}})));
-  parameter Modelica.Mechanics.MultiBody.Types.Axis n={0,0,1} "Axis, the same in frame_a and frame_b";
+  parameter Modelica.Mechanics.MultiBody.Types.Axis n={0,0,1} "Axis, the same in frame_a and frame_b" annotation (Evaluate=true);
   parameter Modelica.Units.SI.Length pitch=0.005 "Way along the axis in one turn about it; negative: left-hand thread";
   parameter StateSelect stateSelect=StateSelect.prefer "Priority of phi and w as states" annotation (Dialog(tab="Advanced"));
   Modelica.Units.SI.Angle phi(start=0, stateSelect=stateSelect) "Angle of the rotation from frame_a to frame_b";

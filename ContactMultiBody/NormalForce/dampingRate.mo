@@ -6,7 +6,7 @@ pure function dampingRate "Damping factor by impact speed, bounded for contacts 
   input Modelica.Units.SI.Velocity restSpeed(min=Modelica.Constants.small) "Below, restitution fades";
   output Real rate(unit="s/m") "d/v0";
 protected
-  constant Real dampingAtRest=20 "Damping factor for a contact that starts at rest, with restSpeed for v0";
+  constant Real dampingAtRest(unit="1")=20 "Damping factor for a contact that starts at rest, with restSpeed for v0";
   Real fast(unit="1") "0 for a contact that starts at rest, 1 from restSpeed on";
 algorithm
   fast := min(max(impactSpeed/restSpeed, 0), 1);

@@ -2,13 +2,13 @@ within ContactMultiBody.NormalForce;
 pure function exact "Damping factor that delivers exactly the restitution asked for"
   extends Internal.PartialDampingFactor;
 protected
-  constant Real eMin=5e-4 "Smaller coefficients would need unbounded damping";
-  constant Real eSeries=0.98 "Above, logarithms cancel and the equation is solved by its series";
-  Real e "Restitution within the range the law can deliver";
-  Real q "Restitution within the range of Newton's method";
-  Real u "-ln(1 - d e), the unknown of Newton's method";
-  Real y "d e";
-  Real series "Solution by series";
+  constant Real eMin(unit="1")=5e-4 "Smaller coefficients would need unbounded damping";
+  constant Real eSeries(unit="1")=0.98 "Above, logarithms cancel and the equation is solved by its series";
+  Real e(unit="1") "Restitution within the range the law can deliver";
+  Real q(unit="1") "Restitution within the range of Newton's method";
+  Real u(unit="1") "-ln(1 - d e), the unknown of Newton's method";
+  Real y(unit="1") "d e";
+  Real series(unit="1") "Solution by series";
 algorithm
   e := min(max(restitution, eMin), 1);
   series := 0;

@@ -7,7 +7,7 @@ pure function memorylessSpeedRatio "Present speed by impact speed, from depth an
   input Real logarithmAtSeparation(max=0, unit="1") "ln(1 - d e)";
   output Real ratio(unit="1") "(dx/dt)/v0, between -e and 1";
 protected
-  constant Real qMax=1e4 "Limit of the scaled speed; beyond, the ratio is that at start or end of the contact";
+  constant Real qMax(unit="1")=1e4 "Limit of the scaled speed; beyond, the ratio is that at start or end of the contact";
   Real d(unit="1") "Damping factor, not zero";
   Real c(unit="1") "Constant of the equation";
   Real start(unit="1") "ln(1 + d), t at the start of the contact";

@@ -19,7 +19,7 @@ algorithm
   annotation (Documentation(info="<html>
 <p>
 Everything on the side the normal points away from is solid: floors, walls, inclines. Nothing gets through a half-space,
-however fast it is.
+however fast it is. Two half-spaces never touch each other.
 </p>
 </html>"));
 end halfSpace;

@@ -32,7 +32,8 @@ its other points as it is. The damping factor then counts as s d, so that the st
 <tr><td>e = 0.7</td><td>0.700</td><td>0.745</td><td>0.825</td><td>0.887</td><td>0.959</td></tr>
 </table>
 With <code>Memoryless</code> each point recovers its own speed, and each strike delivers e.</li>
-<li>A contact that exists when the simulation starts is taken to have started at the speed it then has.</li>
+<li>A contact that exists when the simulation starts is taken to have started at the speed it then has. Bodies that overlap at rest then part slowly, at <code>restSpeed</code>/20 at most; with
+<code>Memoryless</code>, and in the CompiledContactManager, the energy of the overlap shoots them apart. Look at <code>contacts.distance</code> at the start when bodies creep out of each other or fly off.</li>
 <li>Anchored friction is elastic up to 0.9 of its limit: displacement under load is F/S and goes back. It does not creep.</li>
 <li>Depth at rest is m g/K (exponent 1), shared by the points of a face.</li>
 </ul>

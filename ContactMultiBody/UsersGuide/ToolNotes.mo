@@ -8,6 +8,15 @@ The ContactManager calls the contact engine by <code>external \"C\"</code>. Head
 Resources/Library/&lt;platform&gt;, where the build of the project installs them; a release brings them along for linux64, and the engine's sources with a note how to build them in Resources/Source. Models of
 <a href=\"modelica://ContactMultiBody.PureModelica\">PureModelica</a> need neither.
 </p>
+<p>
+The engine is linked statically, FCL, libccd and OctoMap are shared libraries beside it. Where these are not installed on the system, set <code>LD_LIBRARY_PATH</code> to the package's
+folder Resources/Library/linux64 before you start the tool, so that models find them when they are linked and when they run.
+</p>
+<p>
+Geometry is not drawn: tools animate what MultiBody animates, boxes and cylinders of <a href=\"modelica://ContactMultiBody.Parts.BodyBox\">BodyBox</a> and
+<a href=\"modelica://ContactMultiBody.Parts.BodyCylinder\">BodyCylinder</a>, spheres of other bodies. Connect a Modelica.Mechanics.MultiBody.Visualizers.FixedShape to a frame to see its
+shape, and set <code>animateGround=true</code> in the world to see a floor at z = 0.
+</p>
 <h4>OpenModelica</h4>
 <ul>
 <li><code>make test-omc</code> checks and simulates all examples with <code>omc</code>, where it is installed.</li>

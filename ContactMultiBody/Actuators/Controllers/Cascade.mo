@@ -27,7 +27,7 @@ block Cascade "Loops of position, speed and current of a direct-current motor"
   Modelica.Units.SI.Current i_integral(start=0, fixed=true) "Integral part of the speed loop";
   Modelica.Units.SI.Voltage u_integral(start=0, fixed=true) "Integral part of the current loop";
 protected
-  constant Real ratio=4 "Corner of the speed loop's integral part: its bandwidth over this";
+  constant Real ratio(unit="1")=4 "Corner of the speed loop's integral part: its bandwidth over this";
   final parameter Modelica.Units.SI.AngularFrequency w_position=2*Modelica.Constants.pi*f_position "Gain of the position loop";
   final parameter Modelica.Units.SI.AngularFrequency w_speed=2*Modelica.Constants.pi*f_speed "Bandwidth of the speed loop";
   final parameter Modelica.Units.SI.AngularFrequency w_current=2*Modelica.Constants.pi*f_current "Bandwidth of the current loop";

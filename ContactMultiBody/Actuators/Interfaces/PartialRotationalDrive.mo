@@ -1,6 +1,6 @@
 within ContactMultiBody.Actuators.Interfaces;
 partial model PartialRotationalDrive "Drive between a flange and its housing that tells angle, speed and torque"
-  parameter Boolean useSupport=false "= true, if the housing has a connector, else it stands still" annotation (Evaluate=true);
+  parameter Boolean useSupport=false "= true, if the housing has a connector, else it stands still" annotation (Evaluate=true, choices(checkBox=true));
   Modelica.Mechanics.Rotational.Interfaces.Flange_b flange "To the joint's axis" annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   Modelica.Mechanics.Rotational.Interfaces.Support support(phi=phi_support, tau=-flange.tau) if useSupport "Housing, to the joint's support"
     annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));

@@ -1,6 +1,6 @@
 within ContactMultiBody.Actuators.Interfaces;
 partial model PartialTranslationalDrive "Drive between a flange and its housing that tells position, speed and force"
-  parameter Boolean useSupport=false "= true, if the housing has a connector, else it stands still" annotation (Evaluate=true);
+  parameter Boolean useSupport=false "= true, if the housing has a connector, else it stands still" annotation (Evaluate=true, choices(checkBox=true));
   Modelica.Mechanics.Translational.Interfaces.Flange_b flange "To the joint's axis" annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   Modelica.Mechanics.Translational.Interfaces.Support support(s=s_support, f=-flange.f) if useSupport "Housing, to the joint's support"
     annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));

@@ -3,7 +3,7 @@ partial model PartialMotor "Direct-current motor up to its shaft"
   parameter Modelica.Units.SI.Resistance R(min=Modelica.Constants.small)=1 "Resistance of the winding" annotation (Dialog(group="Motor"));
   parameter Modelica.Units.SI.ElectricalTorqueConstant k(min=Modelica.Constants.small)=0.05 "Torque over current" annotation (Dialog(group="Motor"));
   parameter Modelica.Units.SI.Inertia J(min=0)=1e-5 "Moment of inertia of the rotor" annotation (Dialog(group="Motor"));
-  parameter Boolean useInductance=false "= true, if the current has a delay L/R" annotation (Evaluate=true, Dialog(group="Motor"));
+  parameter Boolean useInductance=false "= true, if the current has a delay L/R" annotation (Evaluate=true, choices(checkBox=true), Dialog(group="Motor"));
   parameter Modelica.Units.SI.Inductance L(min=Modelica.Constants.small)=1e-3 "Inductance of the winding, if useInductance"
     annotation (Dialog(group="Motor", enable=useInductance));
   parameter Modelica.Units.SI.RotationalDampingConstant d(min=0)=0 "Viscous friction at the rotor's shaft" annotation (Dialog(group="Friction"));

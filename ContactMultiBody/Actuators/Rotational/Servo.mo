@@ -4,13 +4,13 @@ model Servo "Angle held by a spring and a damper of a controller (PD)"
   parameter Modelica.Units.SI.RotationalSpringConstant c(min=0)=100 "Gain of the angle: torque over deviation";
   parameter Modelica.Units.SI.RotationalDampingConstant d(min=0)=10 "Gain of the speed: torque over deviation";
   parameter Modelica.Units.SI.Torque tau_max(min=0)=Modelica.Constants.inf "Largest torque";
-  parameter Boolean useSpeedReference=false "= true, if there is an input of the wanted speed, else it is zero" annotation (Evaluate=true);
+  parameter Boolean useSpeedReference=false "= true, if there is an input of the wanted speed, else it is zero" annotation (Evaluate=true, choices(checkBox=true));
   Modelica.Blocks.Interfaces.RealInput phi_ref(final quantity="Angle", final unit="rad", displayUnit="deg") "Wanted angle"
     annotation (Placement(transformation(extent={{-140,-20},{-100,20}})));
   Modelica.Blocks.Interfaces.RealInput w_ref(final quantity="AngularVelocity", final unit="rad/s") if useSpeedReference "Wanted speed"
     annotation (Placement(transformation(extent={{-140,-80},{-100,-40}})));
 protected
-  Modelica.Blocks.Interfaces.RealInput w_wanted "Wanted speed, zero without an input";
+  Modelica.Blocks.Interfaces.RealInput w_wanted(final quantity="AngularVelocity", final unit="rad/s") "Wanted speed, zero without an input";
 equation
   connect(w_ref, w_wanted);
   if not useSpeedReference then

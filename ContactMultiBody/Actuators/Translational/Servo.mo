@@ -4,13 +4,13 @@ model Servo "Position held by a spring and a damper of a controller (PD)"
   parameter Modelica.Units.SI.TranslationalSpringConstant c(min=0)=100 "Gain of the position: force over deviation";
   parameter Modelica.Units.SI.TranslationalDampingConstant d(min=0)=10 "Gain of the speed: force over deviation";
   parameter Modelica.Units.SI.Force f_max(min=0)=Modelica.Constants.inf "Largest force";
-  parameter Boolean useSpeedReference=false "= true, if there is an input of the wanted speed, else it is zero" annotation (Evaluate=true);
+  parameter Boolean useSpeedReference=false "= true, if there is an input of the wanted speed, else it is zero" annotation (Evaluate=true, choices(checkBox=true));
   Modelica.Blocks.Interfaces.RealInput s_ref(final quantity="Length", final unit="m") "Wanted position"
     annotation (Placement(transformation(extent={{-140,-20},{-100,20}})));
   Modelica.Blocks.Interfaces.RealInput v_ref(final quantity="Velocity", final unit="m/s") if useSpeedReference "Wanted speed"
     annotation (Placement(transformation(extent={{-140,-80},{-100,-40}})));
 protected
-  Modelica.Blocks.Interfaces.RealInput v_wanted "Wanted speed, zero without an input";
+  Modelica.Blocks.Interfaces.RealInput v_wanted(final quantity="Velocity", final unit="m/s") "Wanted speed, zero without an input";
 equation
   connect(v_ref, v_wanted);
   if not useSpeedReference then
@@ -23,8 +23,8 @@ equation
         Text(extent={{-80,-55},{60,-85}}, textColor={0,0,127}, textString="PD")}),
     Documentation(info="<html>
 <p>
-<code>f = c*(s_ref - s) + d*(v_ref - v)</code>, cut off at &plusmn;<code>f_max</code>. A mass J on the flange
-answers a step as an oscillator with the angular frequency sqrt(c/J) and the damping ratio d/(2 sqrt(c J)).
+<code>f = c*(s_ref - s) + d*(v_ref - v)</code>, cut off at &plusmn;<code>f_max</code>. A mass m on the flange
+answers a step as an oscillator with the angular frequency sqrt(c/m) and the damping ratio d/(2 sqrt(c m)).
 </p>
 </html>"));
 end Servo;
