@@ -66,22 +66,26 @@ Stiffness edge_stiffness(const ContactPolytope::EdgeFaces &faces, const Vec3 &fi
 void DepthGraph::Lines::gather(const PolytopeSide &side, const Extent &region, double beyond) {
   const std::size_t edges = side.edge_count();
   if (found.size() < edges) found.resize(edges), ridges.resize(edges);
-  Line *line = found.data();
+  // Which edges are within cannot be foretold: they are sieved without a branch.
+  if (within.size() <= edges) within.resize(edges + 1);
+  count = 0;
   for (std::size_t i = 0; i < edges; ++i) {
-    const PolytopeSide::Edge &edge = side.edge(i);
-    if (!edge.extent.meets(region)) continue;
-    const PolytopeSide::Vertex &from = side.vertex(index(edge.vertex[0])), &to = side.vertex(index(edge.vertex[1]));
-    line->extent.low_x = edge.extent.low_x - beyond, line->extent.high_x = edge.extent.high_x + beyond;
-    line->extent.low_y = edge.extent.low_y - beyond, line->extent.high_y = edge.extent.high_y + beyond;
-    const Vec3 seen_from = side.seen(from), seen_to = side.seen(to);
-    line->from_x = seen_from.x, line->from_y = seen_from.y, line->to_x = seen_to.x, line->to_y = seen_to.y;
-    // Of what is too high nothing crosses deep enough.
-    line->highest = std::max(from.at.z, to.at.z);
-    line->edge = static_cast<std::int32_t>(i);
-    ridges[i].known = false;
-    ++line;
+    within[count] = static_cast<std::int32_t>(i);
+    count += static_cast<std::size_t>(side.edge(i).extent.meets(region));
   }
-  count = static_cast<std::size_t>(line - found.data());
+  for (std::size_t k = 0; k < count; ++k) {
+    const PolytopeSide::Edge &edge = side.edge(index(within[k]));
+    const PolytopeSide::Vertex &from = side.vertex(index(edge.vertex[0])), &to = side.vertex(index(edge.vertex[1]));
+    Line &line = found[k];
+    line.extent.low_x = edge.extent.low_x - beyond, line.extent.high_x = edge.extent.high_x + beyond;
+    line.extent.low_y = edge.extent.low_y - beyond, line.extent.high_y = edge.extent.high_y + beyond;
+    const Vec3 seen_from = side.seen(from), seen_to = side.seen(to);
+    line.from_x = seen_from.x, line.from_y = seen_from.y, line.to_x = seen_to.x, line.to_y = seen_to.y;
+    // Of what is too high nothing crosses deep enough.
+    line.highest = std::max(from.at.z, to.at.z);
+    line.edge = within[k];
+    ridges[index(within[k])].known = false;
+  }
 }
 
 const DepthGraph::Ridge *DepthGraph::Lines::ridge(const PolytopeSide &side, std::int32_t edge, double turning) {
@@ -213,57 +217,76 @@ void DepthGraph::add_crossing(std::int32_t edge_a, std::int32_t edge_b) {
   add_corner(0.5 * (on_e.x + on_f.x), 0.5 * (on_e.y + on_f.y), 0.5 * (on_f.z - on_e.z), depth, part / influences, sum);
 }
 
-// Edges whose extents along x overlap are found by a sweep; of a few edges all pairs are compared.
 void DepthGraph::add_crossings() {
   const double beyond = margin * size_;
   lines_a_.gather(side_a_, region_, beyond);
   if (lines_a_.count == 0) return;
   lines_b_.gather(side_b_, region_, beyond);
+  if (lines_b_.count == 0) return;
+  near_count_ = 0;
   if (lines_a_.count * lines_b_.count <= few_pairs) {
-    for (std::size_t k = 0; k < lines_a_.count; ++k) {
-      add_crossings_of(lines_a_.found[k], lines_b_.found.data(), lines_b_.found.data() + lines_b_.count, true);
-    }
-    return;
+    compare_all();
+  } else {
+    sweep();
   }
+  // Which of those that are near cross cannot be foretold either.
+  std::size_t crossing = 0;
+  for (std::size_t k = 0; k < near_count_; ++k) {
+    const LinePair pair = near_[k];
+    near_[crossing] = pair;
+    crossing += static_cast<std::size_t>(pair.a->parts(*pair.b) & pair.b->parts(*pair.a));
+  }
+  for (std::size_t k = 0; k < crossing; ++k) add_crossing(near_[k].a->edge, near_[k].b->edge);
+}
+
+// Whether lines may cross deep enough.
+bool DepthGraph::are_near(const Line &a, const Line &b) const {
+  return (a.highest + b.highest > level_) & a.extent.meets(b.extent);
+}
+
+// Every pair of lines in one loop.
+void DepthGraph::compare_all() {
+  const std::size_t pairs = lines_a_.count * lines_b_.count;
+  if (near_.size() <= pairs) near_.resize(pairs + 1);
+  LinePair *const near = near_.data();
+  const Line *a = lines_a_.found.data(), *const first_b = lines_b_.found.data(), *b = first_b;
+  const Line *const end_b = first_b + lines_b_.count;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < pairs; ++k) {
+    near[count].a = a, near[count].b = b;
+    count += static_cast<std::size_t>(are_near(*a, *b));
+    ++b;
+    const bool done = b == end_b;
+    a += static_cast<std::size_t>(done);
+    b = done ? first_b : b;
+  }
+  near_count_ = count;
+}
+
+// Lines whose extents along x overlap are found by a sweep.
+void DepthGraph::sweep() {
   lines_a_.sort();
   lines_b_.sort();
   const Line *a = lines_a_.ordered.data(), *b = lines_b_.ordered.data();
   const Line *const end_a = a + lines_a_.ordered.size(), *const end_b = b + lines_b_.ordered.size();
   const auto before = [](double x, const Line &line) { return x < line.extent.low_x; };
+  const auto add = [&](const Line *first, const Line *last, const auto &pair_of) {
+    const auto most = near_count_ + static_cast<std::size_t>(last - first);
+    if (near_.size() <= most) near_.resize(2 * most + 1);
+    for (; first != last; ++first) {
+      const LinePair pair = pair_of(first);
+      near_[near_count_] = pair;
+      near_count_ += static_cast<std::size_t>(are_near(*pair.a, *pair.b));
+    }
+  };
   while (a != end_a && b != end_b) {
     if (a->extent.low_x <= b->extent.low_x) {
-      add_crossings_of(*a, b, std::upper_bound(b, end_b, a->extent.high_x, before), true);
+      add(b, std::upper_bound(b, end_b, a->extent.high_x, before), [a](const Line *other) { return LinePair{a, other}; });
       ++a;
     } else {
-      add_crossings_of(*b, a, std::upper_bound(a, end_a, b->extent.high_x, before), false);
+      add(a, std::upper_bound(a, end_a, b->extent.high_x, before), [b](const Line *other) { return LinePair{other, b}; });
       ++b;
     }
-  }
-}
-
-// The crossings of a line with others of the other side. Which ones are near, and which of these cross, cannot be foretold:
-// they are sieved without a branch.
-void DepthGraph::add_crossings_of(const Line &line, const Line *others, const Line *end, bool of_a) {
-  const auto count = static_cast<std::size_t>(end - others);
-  if (sieve_.size() < count) sieve_.resize(count);
-  const Line *const own = &line;
-  const Line **const sieve = sieve_.data();
-  const double enough = level_ - line.highest;
-  std::size_t near = 0, crossing = 0;
-  for (const Line *other = others; other != end; ++other) {
-    sieve[near] = other;
-    near += static_cast<std::size_t>((other->highest > enough) & (other->extent.low_x <= own->extent.high_x) &
-                                     (other->extent.high_x >= own->extent.low_x) &
-                                     (other->extent.low_y <= own->extent.high_y) &
-                                     (other->extent.high_y >= own->extent.low_y));
-  }
-  for (std::size_t k = 0; k < near; ++k) {
-    const Line *const other = sieve[k];
-    sieve[crossing] = other;
-    crossing += static_cast<std::size_t>(own->parts(*other) & other->parts(*own));
-  }
-  for (std::size_t k = 0; k < crossing; ++k) {
-    of_a ? add_crossing(line.edge, sieve[k]->edge) : add_crossing(sieve[k]->edge, line.edge);
   }
 }
 

@@ -64,6 +64,7 @@ class DepthGraph {
     std::size_t count = 0;
     std::vector<Ridge> ridges;  // by the side's edge; made where asked for
     std::vector<std::pair<double, std::int32_t>> order;
+    std::vector<std::int32_t> within;
     // The lines' extents reach `beyond` those of the edges.
     void gather(const PolytopeSide &side, const Extent &region, double beyond);
     // Of an edge found; null where it is not visible. `turning` as for the vertices.
@@ -74,14 +75,21 @@ class DepthGraph {
   void add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side, double sense);
   void add_corner(double x, double y, double z, double depth, double part, const Stiffness &scale);
   void add_crossings();
-  void add_crossings_of(const Line &line, const Line *others, const Line *end, bool of_a);
+  bool are_near(const Line &a, const Line &b) const;
+  void compare_all();
+  void sweep();
   void add_crossing(std::int32_t edge_a, std::int32_t edge_b);
 
   double size_ = 0.0, level_ = 0.0, turning_a_ = 0.5;
   PolytopeSide side_a_, side_b_;
   Extent region_;
   Lines lines_a_, lines_b_;
-  std::vector<const Line *> sieve_;
+  // Lines that may cross: the first `near_count_` ones.
+  struct LinePair {
+    const Line *a, *b;
+  };
+  std::vector<LinePair> near_;
+  std::size_t near_count_ = 0;
   VertexStiffness stiffness_a_, stiffness_b_;
   DirectionCone cone_;
   std::vector<Corner> corners_;
