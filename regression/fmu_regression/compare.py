@@ -46,7 +46,7 @@ def evaluate(
     """
     try:
         if isinstance(check, SignalCheck):
-            return _signal(check, result, _needed(reference), time_tolerance)
+            return _signal(check, result, _needed(reference, result, check.window), time_tolerance)
         if isinstance(check, EventCheck):
             return _event(check, result, reference)
         if isinstance(check, MeanCheck):
@@ -214,7 +214,7 @@ def _event(check: EventCheck, result: SimulationResult, reference: SimulationRes
         expected: FloatArray | None = np.array(check.times)
         expected_values = np.array(check.values) if check.values is not None else None
     elif reference is not None and check.name in reference:
-        from_reference = find_events(check, reference)
+        from_reference = find_events(check, _needed(reference, result, check.window))
         expected, expected_values = from_reference.times, from_reference.values
         if check.values is not None:
             expected_values = np.array(check.values)
@@ -295,7 +295,7 @@ def mean_over(time: FloatArray, values: FloatArray, window: Window | None) -> fl
 def _mean(check: MeanCheck, result: SimulationResult, reference: SimulationResult | None) -> Outcome:
     expected = check.expected
     if expected is None:
-        known = _needed(reference)
+        known = _needed(reference, result, check.window)
         expected = mean_over(known.time, _sum(known, check.signals), check.window)
     mean = mean_over(result.time, _sum(result, check.signals), check.window)
     allowed = check.tolerance * abs(expected) if check.relative else check.tolerance
@@ -370,7 +370,13 @@ def _in_window(time: FloatArray, window: Window | None) -> NDArray[np.bool_]:
     return inside
 
 
-def _needed(reference: SimulationResult | None) -> SimulationResult:
+def _needed(reference: SimulationResult | None, result: SimulationResult, window: Window | None) -> SimulationResult:
+    """The reference, which must cover the window, or all that was simulated: what is cut off checks nothing."""
     if reference is None:
         raise InputError("the case names no reference")
+    begin, end = window if window is not None else (float(result.time[0]), float(result.time[-1]))
+    first, last = float(reference.time[0]), float(reference.time[-1])
+    rounding = _ROUNDING * max(abs(begin), abs(end))
+    if first > begin + rounding or last < end - rounding:
+        raise InputError(f"the reference, from {first:g} to {last:g} s, does not cover {begin:g} to {end:g} s")
     return reference

@@ -102,6 +102,22 @@ def test_result_that_ends_early_or_is_not_finite_fails() -> None:
     assert not check(SignalCheck("a", 1e-3, 1e-3, tube=1.0), broken, full).passed
 
 
+@pytest.mark.parametrize("rows", [slice(0, 1), slice(0, 60), slice(5, None)])
+def test_a_reference_that_does_not_cover_the_time_checks_nothing(rows: slice) -> None:
+    whole = bounce()
+    cut = SimulationResult(
+        whole.time[rows].copy(), {name: values[rows].copy() for name, values in whole.signals.items()}
+    )
+    checks = (SignalCheck("a", 1.0, 1e-3), EventCheck("n", 1.0), MeanCheck(("a",), 1e6))
+    for each in checks:
+        assert check(each, whole, whole).passed
+        outcome = check(each, whole, cut)
+        assert not outcome.passed
+        assert "does not cover 0 to 1 s" in outcome.message
+    if rows != slice(0, 1):
+        assert check(SignalCheck("a", 1.0, 1e-3, window=(0.1, 0.4)), whole, cut).passed
+
+
 def test_co_simulation_is_compared_at_its_communication_points() -> None:
     full = bounce(0.505)
     keep = np.isin(np.round(full.time, 9), np.round(np.linspace(0, 1, 101), 9))
