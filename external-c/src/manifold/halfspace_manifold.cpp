@@ -42,7 +42,7 @@ class Collector {
     std::vector<ContactPoint> &points = result_.points;
     const double greatest = greatest_depth(points, begin_);
     if (!(load_ > greatest)) return false;
-    limit_ = load_limit(points, begin_, greatest, load_width(greatest, fineness));
+    limit_ = load_limit(points, begin_, greatest, load_, load_width(greatest, fineness));
     load_ = 0.0;
     missing_ = {};
     std::size_t kept = begin_;

@@ -46,13 +46,12 @@ double load_kept(const std::vector<Corner> &corners, std::size_t begin, const Lo
   return load;
 }
 
-// The limit of the corners [begin..), whose greatest depth is `greatest` (> 0). Its level is -width, so that all keep
-// their weight, where the load is no more than that depth. Corners may be missing that are not deeper than a level at
-// which the load is that depth or more.
+// The limit of the corners [begin..), whose greatest depth is `greatest` (> 0) and whose load is `load_of_all`. Its level is
+// -width, so that all keep their weight, where the load is no more than that depth. Corners may be missing that are not
+// deeper than a level at which the load is that depth or more.
 template <typename Corner>
-LoadLimit load_limit(const std::vector<Corner> &corners, std::size_t begin, double greatest, double width) {
-  double load_of_all = 0.0;
-  for (std::size_t k = begin; k < corners.size(); ++k) load_of_all += corners[k].weight * corners[k].depth;
+LoadLimit load_limit(const std::vector<Corner> &corners, std::size_t begin, double greatest, double load_of_all,
+                     double width) {
   if (!(load_of_all > greatest)) return {-width, width};
   const double rate = 1.0 / width;
   // Newton's method, exact once on the right piece of the load, which is linear between corners; else halving.

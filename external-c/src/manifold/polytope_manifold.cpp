@@ -22,6 +22,25 @@ double first_level(double depth, double fineness) {
   return height < 0.6 * depth ? depth - height : 0.0;
 }
 
+// Sums over the corners, each with a part of its weight.
+struct CornerSums {
+  double greatest = 0.0;  // depth
+  double load = 0.0;
+  double missing_x = 0.0, missing_y = 0.0;  // torque that shares ask for as they change with the direction
+};
+
+template <typename Part>
+CornerSums sums_of(const std::vector<DepthGraph::Corner> &corners, const Part &part) {
+  CornerSums sums;
+  for (const DepthGraph::Corner &corner : corners) {
+    const double carried = corner.depth * part(corner.depth), half_square = 0.5 * corner.depth * carried;
+    sums.greatest = std::max(sums.greatest, corner.depth);
+    sums.load += corner.weight * carried;
+    sums.missing_x += half_square * corner.slope.x, sums.missing_y += half_square * corner.slope.y;
+  }
+  return sums;
+}
+
 }  // namespace
 
 void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
@@ -32,26 +51,22 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
   const double reach = graph.reach();
   if (!(reach > 0.0)) return;
   const double fineness = a.fineness() + b.fineness();
-  double level = first_level(reach, fineness), greatest, width;
+  double level = first_level(reach, fineness), width;
+  CornerSums sums;
   for (;;) {
     graph.find_corners(level);
-    greatest = greatest_depth(graph.corners(), 0);
-    width = load_width(greatest, fineness);
-    if (level == 0.0 || (greatest > 0.0 && load_kept(graph.corners(), 0, {level, width}) >= greatest)) break;
+    sums = sums_of(graph.corners(), [](double) { return 1.0; });
+    width = load_width(sums.greatest, fineness);
+    if (level == 0.0 || (sums.greatest > 0.0 && load_kept(graph.corners(), 0, {level, width}) >= sums.greatest)) break;
     level = reach - 2.0 * (reach - level);
     if (level < 0.4 * reach) level = 0.0;
   }
-  if (graph.corners().empty()) return;
-  const LoadLimit limit = load_limit(graph.corners(), 0, greatest, width);
-  double load = 0.0;
-  Vec3 missing;
-  for (const DepthGraph::Corner &corner : graph.corners()) {
-    const double carried = corner.depth * limit.part(corner.depth);
-    load += corner.weight * carried;
-    missing = missing + (0.5 * corner.depth * carried) * corner.slope;
+  const LoadLimit limit = load_limit(graph.corners(), 0, sums.greatest, sums.load, width);
+  if (sums.load > sums.greatest) {
+    sums = sums_of(graph.corners(), [&limit](double depth) { return limit.part(depth); });
   }
-  if (!(load > 0.0)) return;
-  const Vec3 shift{missing.x / load, missing.y / load, 0.0};
+  if (!(sums.load > 0.0)) return;
+  const Vec3 shift{sums.missing_x / sums.load, sums.missing_y / sums.load, 0.0};
   for (const DepthGraph::Corner &corner : graph.corners()) {
     const double weight = corner.weight * limit.part(corner.depth);
     if (!(weight > 0.0)) continue;
