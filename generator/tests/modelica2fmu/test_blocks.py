@@ -166,3 +166,25 @@ def test_linear_form_has_slopes_and_rest():
     )
     assert total == pytest.approx(ex.evaluate(expression, values))
     assert LinearForms(["x"])(ex.multiply(x, x)) is None
+
+
+REMEMBERED = """model Remembered "A rate follows from what was caught from a loop, and from nothing else"
+  Real phi(start = 0.3), psi(start = -0.4);
+  discrete Real caught;
+  Real s(start = 0, fixed = true);
+initial equation
+  pre(caught) = psi;
+equation
+  cos(phi) + cos(psi) = 1.5;
+  sin(phi) + sin(psi) = 0.1;
+  when time > 0.5 then
+    caught = 2*phi;
+  end when;
+  der(s) = caught;
+end Remembered;
+"""
+
+
+def test_rates_behind_discrete_variables_stay_out_of_the_loop_that_they_follow_from(simulate):
+    result = simulate(REMEMBERED, ["phi", "psi", "s"], stop=1.0)
+    assert result["s"][-1] == pytest.approx(0.5 * result["psi"][0] + 0.5 * 2 * result["phi"][0], abs=1e-6)
