@@ -105,7 +105,8 @@ class _Sorter:
             (entry,) = component
             found = {large[successor] for successor in successors[entry] if successor in large}
             if found and not isinstance(self._entries[entry], Residual):
-                found = {-1}  # discrete variables and calls are computed between components, and what follows them after
+                # Discrete variables and calls stand between components; what follows them comes after.
+                found = {-1}
             if found:
                 large[entry] = found.pop() if len(found) == 1 else -1
         for name in self._unknowns:
