@@ -35,10 +35,13 @@ def joint_declaration(joint: Joint, side: Pose, loops: LoopAnalysis) -> tuple[st
     if joint.type is JointType.SPHERICAL:
         start = side.rotation.T @ np.array(rates)
         fixed = "true" if all(independent) else "false"
+        # States of its own start as given; those of the body behind it had to be solved for.
+        own_states = ("enforceStates=true",) if all(independent) else ()
         return class_name, (
             f"angles_fixed={fixed}",
             f"w_rel_a_fixed={fixed}",
             f"w_rel_a_start={vector(tidy_length(start))}",
+            *own_states,
         )
     axes = _axis_modifiers(joint, side)
     if joint.name in loops.planar_constraints:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-
 import numpy as np
 
 from cad2modelica.collision_shapes import CollisionGeometry
@@ -128,26 +126,11 @@ class _Builder:
             if part.material is not None:
                 modifiers.append(f"material={self._draft.view.material_names[part.material]}")
         if connector is None and not grounded:
-            modifiers += _free_start(self._start_motion(part), part.pose)
-        elif part.name in self._behind_spherical_joints:
-            # The orientation of one of them is a state, which a tool must find from the joint's start.
-            modifiers += _orientation_start(self._start_motion(part)[1], part.pose)
+            motion = start_motion(self._assembly, self._tree, self._loops, part)
+            modifiers += _free_start(motion, part.pose)
         self._draft.place("ContactMultiBody.Parts.Body", name, tuple(modifiers), part.name, column, -1)
         if connector is not None:
             self._draft.connect(connector, f"{name}.frame_a")
-
-    def _start_motion(self, part: Part) -> tuple[Array, Array]:
-        return start_motion(self._assembly, self._tree, self._loops, part)
-
-    @cached_property
-    def _behind_spherical_joints(self) -> set[str]:
-        """Parts that a spherical joint of the tree carries, directly or through others."""
-        found: set[str] = set()
-        for branch in self._tree.branches:  # each after its predecessor
-            is_spherical = branch.joint is not None and branch.joint.type is JointType.SPHERICAL
-            if is_spherical or branch.predecessor in found:
-                found.add(branch.part.name)
-        return found
 
     def _add_plane(self, plane: Plane) -> None:
         modifiers = []
@@ -180,19 +163,14 @@ class _Builder:
 
 def _free_start(motion: tuple[Array, Array], pose: Pose) -> list[str]:
     velocity, angular_velocity = motion
+    angles = cardan_angles(pose.rotation)
     return [
         f"r_0(start={vector(pose.position)},each fixed=true)",
         f"v_0(start={vector(tidy_length(velocity))},each fixed=true)",
         "angles_fixed=true",
+        f"angles_start={vector(angles)}",
         "w_0_fixed=true",
-        *_orientation_start(angular_velocity, pose),
+        f"w_0_start={vector(tidy_length(angular_velocity))}",
         # Without it the root of the mechanism's orientations, whose coordinates are the states, may be any other body.
         "enforceStates=true",
-    ]
-
-
-def _orientation_start(angular_velocity: Array, pose: Pose) -> list[str]:
-    return [
-        f"angles_start={vector(cardan_angles(pose.rotation))}",
-        f"w_0_start={vector(tidy_length(angular_velocity))}",
     ]

@@ -13,7 +13,6 @@ from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import analyse_loops
 from cmb_base.errors import InputError
 from mechanics_simulation import ROOT, Trajectory, simulate
-from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 GRAVITY = np.array([0.0, 0.0, -9.81])
@@ -25,7 +24,7 @@ SWING = {"mass": 2.0, "center": (0.1, -0.05, 0.2), "inertia": (0.02, 0.03, 0.04)
 
 @pytest.fixture(scope="module")
 def moved(tmp_path_factory: pytest.TempPathFactory) -> Trajectory:
-    """One assembly with every joint type, each with a body of its own."""
+    """One assembly with all joint types but spherical ones, each with a body of its own."""
     folder = tmp_path_factory.mktemp("joints")
     turn = ((0.0, 0.6, 0.8), 0.7)
     parts = [
@@ -35,7 +34,6 @@ def moved(tmp_path_factory: pytest.TempPathFactory) -> Trajectory:
         part("cardan", position=(7, 0, 1), turn=turn, **SWING),
         part("cross", position=(9, 0, 1), mass=1e-9, inertia=(1e-12, 1e-12, 1e-12)),
         part("twin", position=(9, 0, 1), turn=turn, **SWING),
-        part("top", position=(11, 0, 1), turn=turn, **SWING),
         part(
             "stone",
             position=(13, 0, 2),
@@ -81,7 +79,6 @@ def moved(tmp_path_factory: pytest.TempPathFactory) -> Trajectory:
         ),
         joint("first", "revolute", "ground", "cross", origin=(9, 0, 1), axis=(0, 1, 0), start='speed="0.3"'),
         joint("second", "revolute", "cross", "twin", origin=(9, 0, 1), axis=(1, 0, 0), start='speed="0.7"'),
-        joint("ball", "spherical", "ground", "top", origin=(11, 0, 1), start='angularVelocity="1 -2 5"'),
         joint("throw", "free", "ground", "thrown", origin=(15, 1, 2), start='velocity="1 0 4" angularVelocity="0 0 2"'),
         joint("rail", "prismatic", "ground", "plate", origin=(17, 1, 0), axis=(1, 0, 0), start='speed="2"'),
         joint("weld", "fixed", "plate", "rider", origin=(17, 1, 0)),
@@ -119,26 +116,6 @@ def test_universal_is_two_revolutes(moved: Trajectory) -> None:
     np.testing.assert_allclose(moved.columns["hook.phi_a"], moved.columns["first.phi"], atol=1e-6)
     np.testing.assert_allclose(moved.columns["hook.phi_b"], moved.columns["second.phi"], atol=1e-6)
     assert np.ptp(moved.columns["hook.phi_b"]) > 0.1
-
-
-def test_spherical_against_eulers_equations(moved: Trajectory) -> None:
-    """A heavy top about its fixed point, integrated in the body's axes."""
-    start = Rotation.from_rotvec(0.7 * np.array([0, 0.6, 0.8]))
-    center, mass = np.array(SWING["center"]), SWING["mass"]
-    inertia = np.diag(SWING["inertia"]) + mass * (center @ center * np.eye(3) - np.outer(center, center))
-
-    def rates(_time: float, state: np.ndarray) -> np.ndarray:
-        x, y, z, w = state[:4]
-        spin = state[4:]
-        moment = np.cross(center, mass * Rotation.from_quat(state[:4]).inv().apply(GRAVITY))
-        change = np.linalg.solve(inertia, moment - np.cross(spin, inertia @ spin))
-        turning = 0.5 * np.append(w * spin + np.cross([x, y, z], spin), -spin @ [x, y, z])
-        return np.concatenate([turning, change])
-
-    begin = np.concatenate([start.as_quat(), start.inv().apply([1, -2, 5])])
-    solution = solve_ivp(rates, (0, TIME), begin, method="DOP853", rtol=1e-11, atol=1e-12)
-    expected = Rotation.from_quat(solution.y[:4, -1]).as_matrix().T
-    np.testing.assert_allclose(moved.matrix("top.frame_a.R.T")[-1], expected, atol=1e-6)
 
 
 def test_free_part_and_free_joint(moved: Trajectory) -> None:

@@ -1,4 +1,4 @@
-"""Spherical joints in open chains, between parts that are turned every way: built as an FMU, against free bodies."""
+"""Spherical joints in open chains, built as FMUs: between parts that are turned every way, and as a heavy top."""
 
 from __future__ import annotations
 
@@ -13,6 +13,8 @@ from constrained_bodies import ConstrainedBodies, Motion
 from fmpy import simulate_fmu
 from mechanics_simulation import ROOT
 from modelica2fmu.build import BuildOptions, build_fmu
+from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
 
 TIMES = np.linspace(0.0, 0.4, 5)
 NAMES = ("arm", "first", "second", "third", "beside")
@@ -62,3 +64,32 @@ def test_moves_as_free_bodies_with_constraint_forces_do(motions: tuple[Motion, M
     np.testing.assert_allclose(found.position[name], expected.position[name], atol=1e-6)
     np.testing.assert_allclose(found.rotation[name], expected.rotation[name], atol=1e-6)
     assert np.ptp(expected.position[name], axis=0).max() > 0.05
+
+
+def test_heavy_top_against_eulers_equations(tmp_path: Path, fmu_cache: Path) -> None:
+    """A body about a fixed point, integrated in its own axes."""
+    center, mass, moments, time = np.array([0.1, -0.05, 0.2]), 2.0, (0.02, 0.03, 0.04), 0.5
+    start = Rotation.from_rotvec(0.7 * np.array([0, 0.6, 0.8]))
+    top = part("top", position=(11, 0, 1), turn=((0, 0.6, 0.8), 0.7), mass=mass, center=center, inertia=moments)
+    ball = joint("ball", "spherical", "ground", "top", origin=(11, 0, 1), start='angularVelocity="1 -2 5"')
+    package = generate(write_assembly(tmp_path / "top.xml", [top], [ball]), tmp_path / "out")
+    sources = [package.root, ROOT / "ContactMultiBody"]
+    fmu = build_fmu(package.mechanics, sources, tmp_path / "top.fmu", BuildOptions(cache=fmu_cache)).fmu
+    words = [[f"top.frame_a.R.T[{i},{j}]" for j in (1, 2, 3)] for i in (1, 2, 3)]
+    output = [word for row in words for word in row]
+    rows = simulate_fmu(str(fmu), stop_time=time, relative_tolerance=1e-9, output_interval=time, output=output)
+    inertia = np.diag(moments) + mass * (center @ center * np.eye(3) - np.outer(center, center))
+
+    def rates(_time: float, state: np.ndarray) -> np.ndarray:
+        x, y, z, w = state[:4]
+        spin = state[4:]
+        moment = np.cross(center, mass * Rotation.from_quat(state[:4]).inv().apply([0, 0, -9.81]))
+        change = np.linalg.solve(inertia, moment - np.cross(spin, inertia @ spin))
+        turning = 0.5 * np.append(w * spin + np.cross([x, y, z], spin), -spin @ [x, y, z])
+        return np.concatenate([turning, change])
+
+    begin = np.concatenate([start.as_quat(), start.inv().apply([1, -2, 5])])
+    solution = solve_ivp(rates, (0, time), begin, method="DOP853", rtol=1e-11, atol=1e-12)
+    expected = Rotation.from_quat(solution.y[:4, -1]).as_matrix().T
+    found = [[rows[word][-1] for word in row] for row in words]
+    np.testing.assert_allclose(found, expected, atol=1e-6)
