@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 from typing import Any, Final
 
+from cmb_base.cache import user_cache
 from cmb_base.errors import InputError, Place
 
 from modelica2fmu.class_text import without_comments_and_strings
@@ -13,6 +15,9 @@ from modelica2fmu.class_text import without_comments_and_strings
 # rumoca's whole message where an equation leaves out outputs of a function.
 _NAMELESS: Final = "missing source scope for imports"
 _OUTPUTS_LEFT_OUT: Final = re.compile(r"^\s*\((?:\s*,[^=()]*|[^=()]*,\s*(?:,[^=()]*)?)\)\s*=")
+
+_LAYOUT: Final = re.compile(r"invalid Modelica package layout under '([^']*)': (.*)", re.DOTALL)
+_PROBLEMS_SHOWN: Final = 3
 
 
 def front_end_error(rumoca: Any, message: str, model: str, file: Path) -> InputError:
@@ -24,6 +29,9 @@ def front_end_error(rumoca: Any, message: str, model: str, file: Path) -> InputE
         model: name of the model that was to be compiled.
         file: the file that holds it.
     """
+    layout = _LAYOUT.search(message)
+    if layout:
+        return _layout_error(Path(layout[1]), layout[2].split("; "))
     place = Place(file=file, component=model)
     try:
         diagnostics = rumoca.validate(str(file), model=model)
@@ -45,6 +53,18 @@ def front_end_error(rumoca: Any, message: str, model: str, file: Path) -> InputE
         )
     first = message.strip().split("\nRelated failures")[0]
     return InputError(first or "the model cannot be compiled", place=place)
+
+
+def _layout_error(package: Path, problems: list[str]) -> InputError:
+    """A package's files do not fit together; or rumoca takes them for empty, as after a power failure."""
+    shown = "; ".join(problems[:_PROBLEMS_SHOWN])
+    more = f"; and {len(problems) - _PROBLEMS_SHOWN} more" if len(problems) > _PROBLEMS_SHOWN else ""
+    cache = Path(os.environ.get("RUMOCA_CACHE_DIR", "") or user_cache("").parent / "rumoca")
+    return InputError(
+        f"is no package: {shown}{more}",
+        place=Place(file=package),
+        remedy=f"Correct it; if these files are right, what the front end keeps of them is damaged: remove {cache}",
+    )
 
 
 def _line_of_quoted_name(message: str, file: Path) -> int | None:
