@@ -25,6 +25,7 @@ from cmb_base.output import whole_file
 from cad2modelica.actuator_catalogue import IDEAL, SENSOR, ComponentClass, Parameter, components_for
 from cad2modelica.loops import LoopAnalysis
 from cad2modelica.model import Assembly, Joint
+from cad2modelica.number_limits import LARGEST, are_usable
 from cad2modelica.problems import Problems
 
 FILE_NAME = "actuators.toml"
@@ -66,10 +67,13 @@ def read_assignments(file: Path, assembly: Assembly, loops: LoopAnalysis) -> tup
     entries = _entries(file, problems)
     for entry in entries:
         place = Place(file=file, component=f"actuator of joint {entry.get('joint')!r}")
-        joint = joints.get(entry.get("joint", ""))
+        name = entry.get("joint")
+        joint = joints.get(name) if isinstance(name, str) else None
         if joint is None:
             known = ", ".join(sorted(drivable_joints(assembly, loops))[:30]) or "none"
-            problems.add("there is no such joint", place, f"Joints that can be driven: {known}.")
+            message = "there is no such joint" if isinstance(name, str) else "the name of the joint is no text"
+            remedy = f"Joints of {assembly.file.name} that can be driven: {known}. --actuators names another file."
+            problems.add(message, place, remedy)
             continue
         assignment = _assignment(entry, joint, loops, problems, place)
         found += [assignment] if assignment is not None else []
@@ -141,14 +145,22 @@ def parameter_value(parameter: Parameter, value: object) -> float | bool:
 
 
 def finite_number(value: object) -> float:
-    """A finite number.
+    """A finite number of at most ``LARGEST``.
 
     Raises:
         ValueError: it is none.
     """
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise ValueError("must be a finite number")
+    if isinstance(value, bool) or not isinstance(value, int | float) or not are_usable(_as_float(value)):
+        raise ValueError(f"must be a finite number, of at most {LARGEST:g}")
     return float(value)
+
+
+def _as_float(value: int | float) -> float:
+    """The number; infinity for a whole one that is beyond all."""
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf
 
 
 def _entries(file: Path, problems: Problems) -> list[dict[str, Any]]:
@@ -159,7 +171,7 @@ def _entries(file: Path, problems: Problems) -> list[dict[str, Any]]:
         problems.raise_if_any()
     try:
         content = tomllib.loads(data.decode("utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
         problems.add(f"is not TOML: {error}", Place(file=file), "Correct the file.")
         problems.raise_if_any()
         return []
@@ -187,10 +199,11 @@ def _assignment(
     if unknown:
         problems.add(f"{', '.join(unknown)} has no meaning here", place, f"Known keys: {', '.join(_KEYS)}.")
         return None
-    component = known.get(entry.get("component", ""))
+    chosen = entry.get("component")
+    component = known.get(chosen) if isinstance(chosen, str) else None
     if component is None:
         problems.add(
-            f"component {entry.get('component')!r} is none for a {joint.type.value} joint",
+            f"component {chosen!r} is none for a {joint.type.value} joint",
             place,
             f"There are: {', '.join(known)}.",
         )

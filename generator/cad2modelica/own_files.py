@@ -59,11 +59,16 @@ class OwnFiles:
         kept = (name for name in self.order if name in known)
         return tuple(dict.fromkeys((*kept, *known)))
 
-    def references_to(self, names: Collection[str]) -> list[str]:
-        """Places in the modeller's Modelica files that name one of ``names``, one line of text each."""
+    def references_to(self, names: Collection[str], replaced: Collection[Path] = ()) -> list[str]:
+        """Places in the modeller's Modelica files that name one of ``names``, one line of text each.
+
+        Args:
+            names: of components.
+            replaced: files that are written anew in any case.
+        """
         found = []
         for file in self.files:
-            if file.suffix != ".mo":
+            if file.suffix != ".mo" or file in replaced or not (self.root / file).is_file():
                 continue
             lines = (self.root / file).read_text(encoding="utf-8", errors="replace").splitlines()
             found += [

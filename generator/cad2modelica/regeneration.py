@@ -128,12 +128,12 @@ def require_same_structure(
         return ()
     changes = differences(earlier.structure, structure)
     gone = earlier.structure.names - structure.names
-    lost = own.references_to(gone)
+    edited = is_edited(own, earlier)
+    lost = own.references_to(gone, () if edited else (MECHATRONICS_FILE,))
     joints = {joint.source for joint in structure.joints}
     lost += [f"actuators: no joint {name!r}" for name in dict.fromkeys(assigned) if name not in joints]
     if accepted:
         return (*(f"structure: {change}" for change in changes), *(f"no longer fits: {item}" for item in lost))
-    edited = is_edited(own, earlier)
     lines = ["the mechanism has another structure than the package that is there:"]
     lines += [f"  - {change}" for change in changes]
     lines += (
@@ -180,7 +180,10 @@ def plan_mechatronics(
         return Plan(not (same_actuators and same_structure), None, ())
     if same_actuators or (earlier is None and edited_choice is Edited.ASK):
         note = f"{MECHATRONICS_FILE} was edited and stays as it is"
-        return Plan(False, None, (note,) if earlier is None or not same_structure else ())
+        if edited_choice is Edited.REPLACE:
+            note += ", for the assignment of actuators has not changed; move it away to have it written anew"
+        is_news = earlier is None or not same_structure or edited_choice is Edited.REPLACE
+        return Plan(False, None, (note,) if is_news else ())
     if edited_choice is Edited.KEEP:
         return Plan(False, None, (f"{MECHATRONICS_FILE} was edited and stays; the new assignment is not in it",))
     if edited_choice is Edited.REPLACE:
