@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from fmpy import read_model_description, simulate_fmu
-from library_compiler import REPOSITORY
+from library_compiler import LIBRARIES, REPOSITORY, standard_library
 from modelica2fmu.build import BuildOptions, build_fmu
 from numpy.typing import NDArray
 
@@ -39,12 +39,15 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-@pytest.fixture(scope="module")
-def fmu(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Path:
+@pytest.fixture(scope="module", params=LIBRARIES)
+def fmu(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Path:
+    standard = standard_library(request.param)
+    if standard is None:
+        pytest.skip(f"Modelica Standard Library {request.param} is not on MODELICAPATH")
     folder = tmp_path_factory.mktemp("block")
     source = folder / "TouchesAndSlides.mo"
     source.write_text(BLOCK, encoding="utf-8")
-    options = BuildOptions(msl=REPOSITORY / "Resources" / "MultiBodyCore", cache=fmu_cache)
+    options = BuildOptions(msl=standard, cache=fmu_cache)
     report = build_fmu("TouchesAndSlides", [source, REPOSITORY / "ContactMultiBody"], folder / "slider.fmu", options)
     return report.fmu
 
