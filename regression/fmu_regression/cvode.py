@@ -37,6 +37,14 @@ from fmpy.sundials.sunmatrix_dense import SUNDenseMatrix
 from fmu_regression.result import FloatArray, SolverCounters
 
 _CV_ONE_STEP = 2
+# How far Newton's iteration goes, as a share of what the error test permits: CVODE's own share, and the one for where
+# the integrator creeps. At loose tolerances steps beside a kink, as of dry friction, can go round in a cycle of two
+# points with an error estimate that allows no longer step. Going on with the iteration breaks the cycle.
+_USUAL_NEWTON_SHARE = 0.1
+_CAREFUL_NEWTON_SHARE = 0.01
+# So many steps of one length, shorter than this share of the longest, are creeping.
+_STEPS_WATCHED = 200
+_CREEPING_SHARE = 0.1
 _ROOT_OF_ROUNDING = float(np.sqrt(np.finfo(float).eps))
 
 _FAILURES = {
@@ -63,6 +71,8 @@ def _declare(library: Any, name: str, *arguments: Any, result: Any = ctypes.c_in
 
 
 _set_stop_time = _declare(sundials_cvode, "CVodeSetStopTime", ctypes.c_void_p, ctypes.c_double)
+_set_newton_share = _declare(sundials_cvode, "CVodeSetNonlinConvCoef", ctypes.c_void_p, ctypes.c_double)
+_get_last_step = _declare(sundials_cvode, "CVodeGetLastStep", ctypes.c_void_p, ctypes.POINTER(ctypes.c_double))
 _get_dky = _declare(
     sundials_cvode, "CVodeGetDky", ctypes.c_void_p, ctypes.c_double, ctypes.c_int, CVRhsFn._argtypes_[1]
 )
@@ -151,6 +161,9 @@ class Cvode:
         self._error: BaseException | None = None
         self._message = ""
         self._tolerance = tolerance
+        self._max_step = max_step
+        self._last_step = ctypes.c_double(0.0)
+        self._steps_alike = 0
         self._totals = np.zeros(len(_counter), dtype=np.int64)
         self._memory: int | None = None
         self._matrix: int | None = None
@@ -223,7 +236,17 @@ class Cvode:
             error, self._error = self._error, None
             detail = _FAILURES.get(status, f"CVODE status {status}")
             raise IntegrationError(f"{detail} ({self._message})" if self._message else detail) from error
+        self._watch()
         return reached.value, StepEnd.ROOT if status == CV_ROOT_RETURN else StepEnd.STEP
+
+    def _watch(self) -> None:
+        """Lets Newton's iteration go further, until the next restart, where the integrator creeps."""
+        before = self._last_step.value
+        self._check(_get_last_step(self._memory, ctypes.byref(self._last_step)))
+        step = self._last_step.value
+        self._steps_alike = self._steps_alike + 1 if step == before and step < _CREEPING_SHARE * self._max_step else 0
+        if self._steps_alike == _STEPS_WATCHED:
+            self._check(_set_newton_share(self._memory, _CAREFUL_NEWTON_SHARE))
 
     def interpolate(self, time: float) -> Any:
         """Pointer to the states at a time within the last step, to the order of the method."""
@@ -237,6 +260,8 @@ class Cvode:
         _fill(self._x, states)
         _fill(self._absolute, self._absolute_share * nominal)
         self._check(CVodeReInit(self._memory, time, self._x))
+        self._check(_set_newton_share(self._memory, _USUAL_NEWTON_SHARE))
+        self._steps_alike = 0
         self._check(CVodeSVtolerances(self._memory, self._tolerance, self._absolute))
 
     def counters(self, state_events: int, time_events: int) -> SolverCounters:

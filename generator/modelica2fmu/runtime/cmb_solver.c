@@ -24,6 +24,15 @@ enum { MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
  * many bodies are so large; each body feels a few others, and few iterations do. */
 enum { KRYLOV_STATES = 500 };
 
+/* How far Newton's iteration goes, as a share of what the error test permits: CVODE's own share, and the one for where
+ * the integrator creeps. At loose tolerances one iteration with an old Jacobian may do, and steps beside a kink, as of
+ * dry friction, can go round in a cycle of two points: the error estimate is then always the same, just too large for a
+ * longer step. Going on with the iteration breaks the cycle. Always doing so makes bodies at rest tremble (tried). */
+static const double usual_newton_share = 0.1, careful_newton_share = 0.01;
+/* So many steps of one length, shorter than this share of the longest, are creeping. */
+enum { STEPS_WATCHED = 200 };
+static const double creeping_share = 0.1;
+
 struct cmb_solver {
   cmb_instance *instance;
   SUNContext context;
@@ -44,6 +53,7 @@ struct cmb_solver {
 static size_t vector_size(const cmb_solver *solver) { return solver->state_count > 0 ? solver->state_count : 1; }
 
 static void log_solver_error(int code, const char *module, const char *function, char *message, void *data) {
+  if (code == CV_TOO_MUCH_WORK) return; /* advance_watched calls again, or the step is given up with a message */
   cmb_log(data, CMB_LOG_DEBUG, CMB_LOG_SOLVER, "%s, %s (%d): %s", module, function, code, message);
 }
 
@@ -227,6 +237,7 @@ static int start(cmb_solver *solver) {
     flag = set_tolerances(solver);
     if (flag == CV_SUCCESS) flag = CVodeReInit(solver->memory, solver->instance->values.time, solver->state);
   }
+  if (flag == CV_SUCCESS) flag = CVodeSetNonlinConvCoef(solver->memory, usual_newton_share);
   memset(solver->counted, 0, sizeof solver->counted);
   solver->restart = flag != CV_SUCCESS;
   return flag;
@@ -296,12 +307,36 @@ static cmb_result jump(cmb_solver *solver, double target) {
   return CMB_RESULT_OK;
 }
 
-/* One call of CVODE from the instance's time; counts what it did. */
+/* 1 if all of the last STEPS_WATCHED steps, since `begin`, were as short as each other. */
+static int creeps(cmb_solver *solver, double begin, double largest_step) {
+  double time = 0.0, step = 0.0;
+  if (CVodeGetCurrentTime(solver->memory, &time) != CV_SUCCESS || CVodeGetLastStep(solver->memory, &step) != CV_SUCCESS) {
+    return 0;
+  }
+  const double way = STEPS_WATCHED * step;
+  return (largest_step <= 0.0 || step < creeping_share * largest_step) && fabs(time - begin - way) < 1e-6 * way;
+}
+
+/* Lets CVODE go on to `end`, as far as steps are left, and counts what it did; where it creeps, Newton's iteration is
+ * carried further until the next start. */
+static int advance_watched(cmb_solver *solver, double end, double largest_step, double *reached) {
+  for (;;) {
+    double begin = 0.0;
+    int flag = CVodeSetMaxNumSteps(solver->memory, solver->steps_left < STEPS_WATCHED ? solver->steps_left : STEPS_WATCHED);
+    if (flag == CV_SUCCESS) flag = CVodeGetCurrentTime(solver->memory, &begin);
+    if (flag != CV_SUCCESS) return flag;
+    flag = CVode(solver->memory, end, solver->state, reached, CV_NORMAL);
+    count(solver);
+    if (flag != CV_TOO_MUCH_WORK || solver->steps_left <= 0) return flag;
+    if (creeps(solver, begin, largest_step)) flag = CVodeSetNonlinConvCoef(solver->memory, careful_newton_share);
+  }
+}
+
+/* Integrates from the instance's time. */
 static int integrate(cmb_solver *solver, double end, double limit, double largest_step, double *reached) {
   solver->cause = CMB_RESULT_OK;
   solver->instance->message[0] = '\0';
   int flag = solver->restart ? start(solver) : CV_SUCCESS;
-  if (flag == CV_SUCCESS) flag = CVodeSetMaxNumSteps(solver->memory, solver->steps_left > 0 ? solver->steps_left : 1);
   /* Smaller steps than the rounding of time lead nowhere: they only creep up to where the model cannot be evaluated. */
   const double smallest_step = 2.0 * DBL_EPSILON * fmax(fabs(solver->instance->values.time), fabs(end));
   if (flag == CV_SUCCESS) flag = CVodeSetMinStep(solver->memory, 0.0);
@@ -315,9 +350,7 @@ static int integrate(cmb_solver *solver, double end, double limit, double larges
   }
   if (flag != CV_SUCCESS) return flag;
   if (solver->steps_left <= 0) return CV_TOO_MUCH_WORK;
-  flag = CVode(solver->memory, end, solver->state, reached, CV_NORMAL);
-  count(solver);
-  return flag;
+  return advance_watched(solver, end, largest_step, reached);
 }
 
 /* Failures after which a fresh start from the last point may help. */
