@@ -45,7 +45,8 @@ def with_stops(assembly: Assembly, wanted: bool | None) -> Assembly:
     if not limited or (wanted is None and assembly.limits_stop):
         return assembly
     if not wanted:
-        note = f"{len(limited)} joints move without stops at their limits; --stops adds them"
+        count = f"{len(limited)} joints move" if len(limited) > 1 else "1 joint moves"
+        note = f"{count} without stops at the limits; --stops adds them"
         return _without_limits(assembly, {joint.name for joint in limited}, (note,) if wanted is None else ())
     outside = [joint for joint in limited if _starts_outside(joint)]
     notes = tuple(

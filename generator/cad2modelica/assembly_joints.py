@@ -81,11 +81,12 @@ class _JointReader:
         parent = element.get("parent", "")
         parent = GROUND if parent == GROUND else prefix + parent
         child = prefix + element.get("child", "")
+        if element.get("child") == GROUND:
+            self._problem(f"{GROUND!r} cannot be a child", "Exchange parent and child.")
+            return None
         unknown = [name for name in (parent, child) if name != GROUND and name not in self._parts]
         for name in unknown:
             self._read.unknown(f"the joint {self._item.name!r}", name, self._parts, element)
-        if child == GROUND or element.get("child") == GROUND:
-            self._problem(f"{GROUND!r} cannot be a child", "Exchange parent and child.")
         if unknown:
             return None
         if parent == child:

@@ -14,14 +14,15 @@ from cad2modelica.start_motion import free_joint_of
 from cad2modelica.start_overlaps import StartCheck
 
 NOTED_OVERLAPS = 10
+LEAST_EXTENT = 1e-6  # m
 IGNORED_SPEED = 1e-6  # part of a start speed that may be lost without a word
 
 
 def unit_notes(assembly: Assembly) -> tuple[str, ...]:
     """Doubts about the units of parts without geometry; only joints tell how large such a mechanism is."""
-    if len(assembly.joints) < 2:
+    length = joint_extent(assembly)
+    if length < LEAST_EXTENT:  # axes through one point say nothing about the size
         return ()
-    length = max(joint_extent(assembly), 1e-6)
     notes = []
     for part in assembly.parts:
         finding = check_against_mechanism(part.mass_properties, length) if not part.meshes else None

@@ -189,3 +189,20 @@ def test_unusual_densities_are_noted_with_what_was_perhaps_meant(density: float,
 def test_usual_densities_are_not_noted(density: float) -> None:
     mesh, properties = solid_steel((0.2, 0.05, 0.03), density)
     assert check_against_geometry(properties, (mesh,)) == []
+
+
+def test_parts_without_geometry_are_compared_with_the_joints(tmp_path: Path) -> None:
+    """Inertia in kg.mm2 taken for kg.m2 is noted; joints at one point, as those of a cross table, say nothing."""
+
+    def doubts(distance: float, moment: float) -> list[str]:
+        parts = [part("slide", inertia=3 * (moment,)), part("table", inertia=3 * (moment,))]
+        joints = [
+            joint("x", "prismatic", "ground", "slide", axis=(1, 0, 0)),
+            joint("y", "prismatic", "slide", "table", origin=(distance, 0, 0), axis=(0, 1, 0)),
+        ]
+        file = write_assembly(tmp_path / "table.xml", parts, joints)
+        return [note for note in generate(file, tmp_path / "out").notes if "check the units" in note]
+
+    assert doubts(0.1, 0.01) == []
+    assert len(doubts(0.1, 1e4)) == 2
+    assert doubts(0.0, 1e4) == []

@@ -29,6 +29,7 @@ WRONG_XML = [
     ),
     ("missing-node", 'node="rod"', 'node="bar"', "'bar'", "bar"),
     ("unknown-joint-part", 'child="rod"', 'child="bar"', "'bar', which does not exist", "bar"),
+    ("child-ground", 'child="rod"', 'child="ground"', "'ground' cannot be a child", '<joint name="hinge"'),
     ("joint-with-itself", 'parent="block"', 'parent="rod"', "with itself", '<joint name="hinge"'),
     ("unknown-material", 'name="rod" material="steel"', 'name="rod" material="stell"', "'stell'", "stell"),
     ("schema-huge", "<mass>0.5</mass>", "<mass>1e400</mass>", "greater than the maximum value", "1e400"),
