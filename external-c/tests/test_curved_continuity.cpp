@@ -72,7 +72,13 @@ INSTANTIATE_TEST_SUITE_P(
                     RarePath{"a capsule's end enters a hull's shadow beside a steep face", {"capsule", "hull"}, 1137, 0.04},
                     RarePath{"the ball outgrows a capsule at an edge", {"capsule", "hull"}, 1178, 0.04},
                     RarePath{"the ball outgrows a capsule at a corner", {"capsule", "hull"}, 1488, 0.004},
-                    RarePath{"the ball outgrows a capsule at a cone", {"capsule", "cone"}, 1083, 0.04}));
+                    RarePath{"the ball outgrows a capsule at a cone", {"capsule", "cone"}, 1083, 0.04},
+                    RarePath{"the ball rests where a rim over an edge is as curved", {"cylinder", "box"}, 1112, 0.04},
+                    RarePath{"a side's end crosses an edge nearly along it", {"cylinder", "box"}, 1954, 0.04},
+                    RarePath{"the ball rests on a cone as curved, and beside", {"cone", "hull"}, 1826, 0.04},
+                    RarePath{"the ball rests on two places of a cone as curved", {"cone", "hull"}, 2430, 0.004},
+                    RarePath{"the ball goes from two places of a cone to another", {"cone", "hull"}, 2520, 0.004},
+                    RarePath{"the ball is held by four places at once", {"cylinder", "hull"}, 1422, 0.04}));
 
 std::vector<Kinds> all_kinds() {
   const char *const curved[] = {"sphere", "capsule", "cylinder", "cone", "ellipsoid"};
@@ -96,6 +102,11 @@ void PrintTo(const Path &path, std::ostream *stream) { *stream << path.name; }
 const char *const table = "cmb/1 box size=4,4,1", *const cylinder = "cmb/1 cylinder radius=0.3 length=0.5",
                   *const cone = "cmb/1 cone radius=0.3 length=0.5", *const capsule = "cmb/1 capsule radius=0.1 length=0.8";
 
+// The ball between its hips is the one between its long sides at one radius alone.
+const char *const roof =
+    "cmb/1 hull vertices=-0.6,-0.2,-0.6,0.6,-0.2,-0.6,-0.6,0.2,-0.6,0.6,0.2,-0.6,-0.6,-0.2,0,0.6,-0.2,0,-0.6,0.2,0,0.6,0.2,0,"
+    "0,-0.02,0.4,0,0.02,0.4";
+
 const Path paths[] = {
     {"cylinder slips off a border deeper than it overlaps", cylinder, table,
      [](double s) { return BodyPose{{2.2 + 0.15 * s, 0.1, 0.75 - 0.05}, {}}; }},
@@ -114,6 +125,10 @@ const Path paths[] = {
      [](double s) { return BodyPose{{2.0, 0.1, 0.65 - 0.3 * s}, rotation_about({1, 0, 0}, pi / 2)}; }},
     {"capsule turns about a box's corner", capsule, table,
      [](double s) { return BodyPose{{2.05, 2.05, 0.52}, rotation_about(normalized(Vec3{1, 0.5, 0.2}), 2 * pi * s)}; }},
+    {"sphere in a hipped roof, held by four of its faces at once", "cmb/1 sphere radius=0.01", roof,
+     [](double s) { return BodyPose{{0.002, 0.006, 0.39 - 0.1 * s}, {}}; }},
+    {"cylinder in a hipped roof, held by four of its faces at once", "cmb/1 cylinder radius=0.02 length=0.03", roof,
+     [](double s) { return BodyPose{{0.005, 0.003, 0.39 - 0.1 * s}, {}}; }},
     {"ellipsoid rolls over a hull", "cmb/1 ellipsoid size=0.9,0.6,0.4",
      "cmb/1 hull vertices=-0.5,-0.4,-0.3,0.5,-0.5,-0.3,0.4,0.5,-0.3,-0.4,0.4,-0.3,-0.3,0,0.4,0.3,0.1,0.5",
      [](double s) {

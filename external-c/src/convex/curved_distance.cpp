@@ -31,8 +31,6 @@ constexpr double same_minimum = 1e-5;
 // One minus the cosine up to which a direction is that of a place known to be near; how far places are from where a search saw
 // them (rad).
 constexpr double known_place = 1e-4, near_place = 0.05;
-// Difference of slopes up to which directions are at right angles to one side of a cone.
-constexpr double same_slope = 1e-7;
 // The ways out ask for balls of up to so many depths.
 constexpr double ways_reach = 1.5;
 
@@ -190,17 +188,6 @@ CoreDistance sharpened(const MinkowskiDifference &difference, const PenetrationR
   return best;
 }
 
-// Whether a direction is at right angles to a cone's side, as one that is known is: where a corner is on the cone's axis, the
-// side is equally near all round, and which of its lines tells so is of no meaning.
-bool on_same_side(const MinkowskiDifference &difference, const Vec3 &direction, const EquallyNear &known) {
-  const auto on_side = [&](CoreShape core, const Vec3 &axis) {
-    return core == CoreShape::cone && std::any_of(known.direction, known.direction + known.count, [&](const Vec3 &k) {
-             return std::fabs(dot(axis, direction - k)) <= same_slope;
-           });
-  };
-  return on_side(difference.body_a.core, {0, 0, 1}) || on_side(difference.body_b.core, difference.b_in_a.rotation.column(2));
-}
-
 CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult &gjk, DistanceScratch &scratch,
                          const EquallyNear *known) {
   PenetrationResult inside =
@@ -212,11 +199,13 @@ CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult 
     return std::any_of(known->direction, known->direction + known->count,
                        [&d](const Vec3 &k) { return dot(k, d) > 1.0 - known_place; });
   };
+  if (!is_known(best.direction)) {
+    take_lower(difference, refine_direction(difference, best.direction, best.a, best.b, near_place), best);
+  }
   scratch.expanding_polytope.find_others(inside.depth, inside);
   for (int k = 0; k < inside.other_count; ++k) {
     if (is_known(inside.other[k])) continue;
-    const RefinedDirection r = refine_direction(difference, inside.other[k], best.a, best.b, near_place);
-    if (!on_same_side(difference, r.direction, *known)) take_lower(difference, r, best);
+    take_lower(difference, refine_direction(difference, inside.other[k], best.a, best.b, near_place), best);
   }
   return best;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "closed_distance.hpp"
 #include "direction_newton.hpp"
 
 namespace cmb::convex {
@@ -81,6 +82,12 @@ Creases creases_of_b(const MinkowskiDifference &difference, const Vec3 &m, doubl
   return result;
 }
 
+// How far a point is outside of A, and that less `step` outside of B.
+double missing(const MinkowskiDifference &difference, const Vec3 &a, const Vec3 &step) {
+  return outside(difference.body_a, a) +
+         outside(difference.body_b, transposed_times(difference.b_in_a.rotation, a - step - difference.b_in_a.translation));
+}
+
 // Witness points for the final direction.
 void find_witness(const MinkowskiDifference &difference, RefinedDirection &result, const Vec3 &a_before) {
   constexpr double angle = 1e-7;
@@ -98,6 +105,19 @@ void find_witness(const MinkowskiDifference &difference, RefinedDirection &resul
     const double slope = dot(along_a, side);
     if (line_a && line_b && std::fabs(slope) > 1e-3) {
       result.a = p.a + (dot(p.b - p.a, side) / slope) * along_a;  // where B's line crosses A's, seen along m
+    } else if (line_a && line_b) {
+      // Nearly parallel: a point of A's line if it is B's too, else where they cross, or one of them ends.
+      const Vec3 ahead = p.a + dot(a_before - p.a, along_a) * along_a;
+      result.a = ahead;
+      double least = missing(difference, ahead, result.height * m);
+      const auto consider = [&](const Vec3 &candidate) {
+        if (!(least > 1e-15 * difference.scale)) return;
+        const double there = missing(difference, candidate, result.height * m);
+        if (there < least) least = there, result.a = candidate;
+      };
+      if (std::fabs(slope) > 1e-12) consider(p.a + (dot(p.b - p.a, side) / slope) * along_a);
+      consider(p.a);
+      consider(p.b + result.height * m);
     } else if (line_a) {
       result.a = p.a + dot(a_before - p.a, along_a) * along_a;
     } else if (line_b) {
