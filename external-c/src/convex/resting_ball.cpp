@@ -14,7 +14,7 @@ namespace {
 
 // The ball is at rest where what its places are seen from moves less than this, relative to the size.
 constexpr double at_rest = 1e-11;
-constexpr int most_cuts = 40, most_rounds = 24, most_divisions = 20;
+constexpr int most_cuts = 40, most_rounds = 60, most_divisions = 20;
 // As far as a way may turn about a place that the ball rests on, and an extrapolated one at once (rad).
 constexpr double nearby = 0.6, most_turn = 0.5;
 // A part of the change before that tells of a slow approach; the cosine of directions that may be of one place.
