@@ -60,10 +60,11 @@ LoadLimit load_limit(const std::vector<Corner> &corners, std::size_t begin, doub
   for (int step = 0; step < 100; ++step) {
     double load = 0.0, in_part = 0.0;
     for (std::size_t k = begin; k < corners.size(); ++k) {
-      // Which corners carry wholly, in part or not at all cannot be foretold: no branch.
+      // Which corners carry wholly, in part or not at all cannot be foretold: sums of products with 0 or 1, without a branch.
       const double part = (corners[k].depth - limit.level) * rate, full = corners[k].weight * corners[k].depth;
-      load += full * std::min(1.0, std::max(0.0, part));
-      in_part += full * static_cast<double>((part > 0.0) & (part < 1.0));
+      const double full_in_part = full * static_cast<double>((part > 0.0) & (part < 1.0));
+      load += full * static_cast<double>(part >= 1.0) + full_in_part * part;
+      in_part += full_in_part;
     }
     if (load == greatest) break;
     (load > greatest ? low : high) = limit.level;
