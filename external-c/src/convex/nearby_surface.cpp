@@ -1,5 +1,7 @@
 #include "nearby_surface.hpp"
 
+#include "angle.hpp"
+
 namespace cmb::convex {
 
 void FacetIntegral::add_edge(const Vec3 &p, const Vec3 &q) {
@@ -54,7 +56,8 @@ double FacetIntegral::value() const {
   const double whole = limit2_ * limit2_ * limit2_ / 6.0;
   if (all_beyond_) return outside_ ? 0.0 : full_turn * whole;
   if (!any_angle_) return std::max(0.0, sum_);
-  return std::max(0.0, sum_ + whole * (full_turn * turns_ + std::atan2(imaginary_, real_)));
+  const double angle = std::copysign(angle_from_x(real_, std::fabs(imaginary_)), imaginary_);
+  return std::max(0.0, sum_ + whole * (full_turn * turns_ + angle));
 }
 
 namespace {

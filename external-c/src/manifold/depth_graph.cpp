@@ -223,7 +223,6 @@ void DepthGraph::add_crossings() {
   if (lines_a_.count == 0) return;
   lines_b_.gather(side_b_, region_, beyond);
   if (lines_b_.count == 0) return;
-  near_count_ = 0;
   if (lines_a_.count * lines_b_.count <= few_pairs) {
     compare_all();
   } else {
@@ -239,27 +238,26 @@ void DepthGraph::add_crossings() {
   for (std::size_t k = 0; k < crossing; ++k) add_crossing(near_[k].a->edge, near_[k].b->edge);
 }
 
-// Whether lines may cross deep enough.
-bool DepthGraph::are_near(const Line &a, const Line &b) const {
-  return (a.highest + b.highest > level_) & a.extent.meets(b.extent);
+// Puts down which of the lines from `first` on may cross the `own` one deep enough. That cannot be foretold: all are put
+// down, and kept or overwritten. There has to be room for one more than all; the new count of pairs is returned.
+template <bool own_is_of_a>
+inline std::size_t DepthGraph::compare(const Line *own, const Line *first, const Line *last, std::size_t count) {
+  LinePair *const near = near_.data();
+  const Extent extent = own->extent;
+  const double enough = level_ - own->highest;
+  for (; first != last; ++first) {
+    near[count].a = own_is_of_a ? own : first, near[count].b = own_is_of_a ? first : own;
+    count += static_cast<std::size_t>((first->highest > enough) & extent.meets(first->extent));
+  }
+  return count;
 }
 
-// Every pair of lines in one loop.
 void DepthGraph::compare_all() {
-  const std::size_t pairs = lines_a_.count * lines_b_.count;
-  if (near_.size() <= pairs) near_.resize(pairs + 1);
-  LinePair *const near = near_.data();
-  const Line *a = lines_a_.found.data(), *const first_b = lines_b_.found.data(), *b = first_b;
-  const Line *const end_b = first_b + lines_b_.count;
+  const std::size_t most = lines_a_.count * lines_b_.count;
+  if (near_.size() <= most) near_.resize(most + 1);
+  const Line *const b = lines_b_.found.data(), *const end_b = b + lines_b_.count;
   std::size_t count = 0;
-  for (std::size_t k = 0; k < pairs; ++k) {
-    near[count].a = a, near[count].b = b;
-    count += static_cast<std::size_t>(are_near(*a, *b));
-    ++b;
-    const bool done = b == end_b;
-    a += static_cast<std::size_t>(done);
-    b = done ? first_b : b;
-  }
+  for (std::size_t k = 0; k < lines_a_.count; ++k) count = compare<true>(&lines_a_.found[k], b, end_b, count);
   near_count_ = count;
 }
 
@@ -270,24 +268,19 @@ void DepthGraph::sweep() {
   const Line *a = lines_a_.ordered.data(), *b = lines_b_.ordered.data();
   const Line *const end_a = a + lines_a_.ordered.size(), *const end_b = b + lines_b_.ordered.size();
   const auto before = [](double x, const Line &line) { return x < line.extent.low_x; };
-  const auto add = [&](const Line *first, const Line *last, const auto &pair_of) {
-    const auto most = near_count_ + static_cast<std::size_t>(last - first);
-    if (near_.size() <= most) near_.resize(2 * most + 1);
-    for (; first != last; ++first) {
-      const LinePair pair = pair_of(first);
-      near_[near_count_] = pair;
-      near_count_ += static_cast<std::size_t>(are_near(*pair.a, *pair.b));
-    }
-  };
+  std::size_t count = 0;
   while (a != end_a && b != end_b) {
+    const std::size_t most = count + static_cast<std::size_t>(std::max(end_a - a, end_b - b));
+    if (near_.size() <= most) near_.resize(2 * most);
     if (a->extent.low_x <= b->extent.low_x) {
-      add(b, std::upper_bound(b, end_b, a->extent.high_x, before), [a](const Line *other) { return LinePair{a, other}; });
+      count = compare<true>(a, b, std::upper_bound(b, end_b, a->extent.high_x, before), count);
       ++a;
     } else {
-      add(a, std::upper_bound(a, end_a, b->extent.high_x, before), [b](const Line *other) { return LinePair{other, b}; });
+      count = compare<false>(b, a, std::upper_bound(a, end_a, b->extent.high_x, before), count);
       ++b;
     }
   }
+  near_count_ = count;
 }
 
 }  // namespace cmb

@@ -75,7 +75,8 @@ class DepthGraph {
   void add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side, double sense);
   void add_corner(double x, double y, double z, double depth, double part, const Stiffness &scale);
   void add_crossings();
-  bool are_near(const Line &a, const Line &b) const;
+  template <bool own_is_of_a>
+  std::size_t compare(const Line *own, const Line *first, const Line *last, std::size_t count);
   void compare_all();
   void sweep();
   void add_crossing(std::int32_t edge_a, std::int32_t edge_b);
