@@ -62,12 +62,14 @@ Nearest nearest_of(const Difference *s, std::size_t count) {
   return best;
 }
 
-// Whether the origin lies in the tetrahedron.
+// Whether the origin lies in the tetrahedron: on each face's side of the opposite corner, and no farther from the face than
+// that. Of a flat one rounding alone would tell the sides.
 bool holds_origin(const Difference *s) {
   for (int k = 0; k < 4; ++k) {
     const Vec3 &a = s[(k + 1) % 4].w, &b = s[(k + 2) % 4].w, &c = s[(k + 3) % 4].w, &opposite = s[k].w;
     const Vec3 n = cross(b - a, c - a);
-    if (dot(n, opposite - a) * dot(n, -a) <= 0.0) return false;
+    const double height = dot(n, opposite - a), of_origin = dot(n, -a);
+    if (!(height * of_origin > 0.0 && std::fabs(of_origin) <= std::fabs(height))) return false;
   }
   return true;
 }
@@ -111,7 +113,6 @@ TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, con
       moved = nearest_of(tried.data(), tried_count);
     } else {
       const std::array<Difference, 4> corners{simplex[0], simplex[1], simplex[2], next};
-      // Where a plane parts the two, a flat tetrahedron may seem to hold the origin by rounding.
       if (!(lower > 0.0) && holds_origin(corners.data())) return gap(0.0);
       // The nearest face with the new corner; one corner goes.
       for (std::size_t k = 0; k < 3; ++k) {

@@ -70,4 +70,25 @@ TEST(ConvexGap, PointsLieOnBothAndAreAsFarApartAsItSays) {
   EXPECT_GT(apart, 1000);
 }
 
+// A cylinder's rim 2e-6 m from an edge: the search meets a tetrahedron so flat that by rounding it seems to hold the origin.
+// The reference is the distance to the ball of triangles that this one is of, as a hull (`convex/convex_distance.hpp`).
+TEST(ConvexGap, FlatTetrahedraDoNotMakeBodiesMeet) {
+  const Vec3 a{0x0p+0, -0x1.5db10e004ed4bp-3, 0x1.1ae80dfa49ff6p-2};
+  const Vec3 b{-0x1.9b164fba3c652p-4, -0x1.0d0f5e7afd928p-2, 0x1.4c939518dcf26p-3};
+  const Vec3 c{0x1.9b164fba3c652p-4, -0x1.0d0f5e7afd928p-2, 0x1.4c939518dcf26p-3};
+  const Pose pose{{{{-0x1.44bd0ce5ff187p-2, 0x1.af187de8f3e76p-2, 0x1.b31bc3312d7dp-1},
+                    {-0x1.35c227e70712bp-3, 0x1.b96c445f39d3ap-1, -0x1.ef25eb13985f9p-2},
+                    {-0x1.df5b7251286e3p-1, -0x1.20a509bb09e87p-2, -0x1.ad8b20c5d0ap-3}}},
+                  {0x1.054595518d41cp-2, -0x1.24e35f05eaefep-1, 0x1.9d30179764c5p-4}};
+  const ConvexBody cylinder = make_cylinder(0.1, 2.0);
+  const double enough[] = {2.0993755777948345e-06, 1.0, std::numeric_limits<double>::infinity()};
+  for (const double e : enough) {
+    for (int turn = 0; turn < 3; ++turn) {
+      const Vec3 corner[3] = {a, b, c};
+      const TriangleGap gap = triangle_convex_gap(corner[turn], corner[(turn + 1) % 3], corner[(turn + 2) % 3], cylinder, pose, e);
+      EXPECT_NEAR(gap.distance, 2.0993695676682222e-06, 1.5e-7) << e << ' ' << turn;
+    }
+  }
+}
+
 }  // namespace
