@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -28,11 +30,23 @@ def standard_library(version: str) -> Path | None:
     return None
 
 
+@contextmanager
+def roots_alone() -> Iterator[None]:
+    """Hides MODELICAPATH from rumoca, which would take its libraries in place of the roots it was given."""
+    path = os.environ.pop("MODELICAPATH", None)
+    try:
+        yield
+    finally:
+        if path is not None:
+            os.environ["MODELICAPATH"] = path
+
+
 class Compiler:
     """Loads classes of the library with one Standard Library; flattened models are kept."""
 
     def __init__(self, standard: Path, root: Path) -> None:
-        self._session = rumoca.Session([str(standard), str(root)])
+        with roots_alone():
+            self._session = rumoca.Session([str(standard), str(root)])
         self._flat: dict[str, Flat] = {}
 
     def model(self, name: str, modification: str = "") -> Any:
@@ -42,7 +56,8 @@ class Compiler:
             " constant Modelica.Units.SI.Time standardLibrary=0;"
             " constant ContactMultiBody.Types.Friction library=ContactMultiBody.Types.Friction.None; end Flattened;"
         )
-        return self._session.loads(source, model="Flattened")
+        with roots_alone():
+            return self._session.loads(source, model="Flattened")
 
     def flatten(self, name: str) -> Flat:
         if name not in self._flat:
