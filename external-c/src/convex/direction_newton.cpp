@@ -119,22 +119,32 @@ bool project_on_crease(const Crease &crease, Vec3 &m) {
 
 bool newton_on_crease(const MinkowskiDifference &difference, const Crease &crease, Vec3 &m) {
   const double radius = crease_radius(crease);
+  const auto on_crease = [&](const Vec3 &e) { return crease.height * crease.axis + radius * e; };
   Vec3 e = normalized(m - dot(m, crease.axis) * crease.axis);
+  m = on_crease(e);
+  Vec3 w = difference.support(m).w;
   for (int step = 0; step < most_steps; ++step) {
-    m = crease.height * crease.axis + radius * e;
     const Vec3 tangent = cross(crease.axis, e);
-    const Vec3 w = difference.support(m).w;
-    const double slope = radius * dot(w, tangent);
+    const double height = dot(w, m), slope = radius * dot(w, tangent);
     const double bend = radius * radius * curvature(difference, m, tangent, tangent).uu - radius * dot(w, e);
-    if (!(bend > 0.0)) return false;
     // Where a corner lies on a cone's axis all of the crease is equally low: a step would end anywhere on it.
-    if (std::fabs(slope) <= slope_rounding * difference.scale) return true;
-    const double turn = -slope / bend;
-    if (!(std::fabs(turn) < largest_step)) return false;
-    e = normalized(e + turn * tangent);
-    if (std::fabs(turn) < 1e-9) {
-      m = normalized(crease.height * crease.axis + radius * e);
+    if (std::fabs(slope) <= slope_rounding * difference.scale) return bend > 0.0;
+    // Far from the minimum, which may be on the other side of the crease, down the slope.
+    const double newton = bend > 0.0 ? -slope / bend : -std::copysign(largest_step, slope);
+    double turn = std::clamp(newton, -largest_step, largest_step);
+    if (std::fabs(newton) < 1e-9) {  // the next step would be below rounding
+      m = normalized(on_crease(normalized(e + turn * tangent)));
       return true;
+    }
+    // Near the minimum rounding hides the decrease; Newton's step is then right without it.
+    const double slack = std::fabs(turn) < 1e-5 ? INFINITY : 0.0;
+    for (int halving = 0;; ++halving, turn *= 0.5) {
+      if (halving == 12) return false;
+      const Vec3 next = normalized(e + turn * tangent);
+      const Vec3 next_m = on_crease(next), next_w = difference.support(next_m).w;
+      if (!(dot(next_w, next_m) < height + slack)) continue;
+      e = next, m = next_m, w = next_w;
+      break;
     }
   }
   return false;

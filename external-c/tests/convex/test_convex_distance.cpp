@@ -3,6 +3,7 @@
 
 #include "convex/feature_enumeration.hpp"
 #include "convex/minkowski_difference.hpp"
+#include "geometry/pose_algebra.hpp"
 #include "random_bodies.hpp"
 #include "reference_smooth.hpp"
 
@@ -322,6 +323,25 @@ TEST(ConvexDistance, BodiesOfRevolutionOnNearlyOneAxisAreAsDeepAsAlongAnyDirecti
         }
       }
     }
+  }
+}
+
+// A ball's centre hardly beside a cone's axis: the side is almost equally near all round, and the search ends anywhere on it.
+// The shortest way out is through the ruling that the centre leans to (closed form).
+TEST(ConvexDistance, BallsAsEllipsoidsHardlyBesideAConesAxis) {
+  random_bodies::Random random(11);
+  const double radius = 2.0, length = 2.0, slant = std::hypot(radius, length);
+  DistanceScratch scratch;
+  for (int k = 0; k < 200; ++k) {
+    const Pose cone{random_bodies::random_rotation(random), random.direction()};
+    const double turn = random.uniform(-3.2, 3.2), aside = random.log_uniform(1e-7, 1e-2), z = random.uniform(0.0, 0.4);
+    const Pose ball{random_bodies::random_rotation(random),
+                    cone({aside * std::cos(turn), aside * std::sin(turn), z})};
+    const double exact = -1.0 - (length * (radius - aside) - radius * (z + 0.5 * length)) / slant;
+    const Pose ball_in_cone = cmb::relative_pose(cone, ball), cone_in_ball = cmb::relative_pose(ball, cone);
+    const ConvexBody a = make_cone(radius, length), b = make_ellipsoid({1, 1, 1});
+    EXPECT_NEAR(signed_distance(a, b, ball_in_cone, scratch).distance, exact, 1e-12) << k;
+    EXPECT_NEAR(signed_distance(b, a, cone_in_ball, scratch).distance, exact, 1e-12) << k;
   }
 }
 
