@@ -143,8 +143,14 @@ Quick find_quickly(const MinkowskiDifference &difference, const Vec3 &first, Cor
 // Curved cores: Newton's method sharpens the answer; `best_possible` bounds the distance from above.
 CoreDistance refined(const MinkowskiDifference &difference, const CoreDistance &rough, double best_possible,
                      DistanceScratch &scratch) {
-  const RefinedDirection r = refine_direction(difference, rough.direction, rough.a, rough.b);
-  const bool proven = best_possible + r.height <= proof * difference.scale;
+  RefinedDirection r = refine_direction(difference, rough.direction, rough.a, rough.b);
+  const auto is_proven = [&] { return best_possible + r.height <= proof * difference.scale; };
+  if (!is_proven() && r.height > 0.0) {
+    // As beside a cone's axis, where a crease is about equally low all round.
+    const RefinedDirection farther = refine_direction(difference, r.direction, r.a, r.b, 3e-3, true);
+    if (farther.height < r.height) r = farther;
+  }
+  const bool proven = is_proven();
   if (!proven) ++scratch.counters.unproven;
   return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, proven};
 }

@@ -117,7 +117,7 @@ bool project_on_crease(const Crease &crease, Vec3 &m) {
   return true;
 }
 
-bool newton_on_crease(const MinkowskiDifference &difference, const Crease &crease, Vec3 &m) {
+bool newton_on_crease(const MinkowskiDifference &difference, const Crease &crease, Vec3 &m, bool from_afar) {
   const double radius = crease_radius(crease);
   const auto on_crease = [&](const Vec3 &e) { return crease.height * crease.axis + radius * e; };
   Vec3 e = normalized(m - dot(m, crease.axis) * crease.axis);
@@ -129,6 +129,7 @@ bool newton_on_crease(const MinkowskiDifference &difference, const Crease &creas
     const double bend = radius * radius * curvature(difference, m, tangent, tangent).uu - radius * dot(w, e);
     // Where a corner lies on a cone's axis all of the crease is equally low: a step would end anywhere on it.
     if (std::fabs(slope) <= slope_rounding * difference.scale) return bend > 0.0;
+    if (!from_afar && !(bend > 0.0 && std::fabs(slope) < largest_step * bend)) return false;
     // Far from the minimum, which may be on the other side of the crease, down the slope.
     const double newton = bend > 0.0 ? -slope / bend : -std::copysign(largest_step, slope);
     double turn = std::clamp(newton, -largest_step, largest_step);
@@ -137,7 +138,7 @@ bool newton_on_crease(const MinkowskiDifference &difference, const Crease &creas
       return true;
     }
     // Near the minimum rounding hides the decrease; Newton's step is then right without it.
-    const double slack = std::fabs(turn) < 1e-5 ? INFINITY : 0.0;
+    const double slack = !from_afar || std::fabs(turn) < 1e-5 ? INFINITY : 0.0;
     for (int halving = 0;; ++halving, turn *= 0.5) {
       if (halving == 12) return false;
       const Vec3 next = normalized(e + turn * tangent);

@@ -27,8 +27,9 @@ inline Crease crease_of_other(const Crease &c, const Mat3 &rotation) {
 // m is as low as before or lower all the same.
 bool newton_on_sphere(const MinkowskiDifference &difference, Vec3 &m);
 
-// Along a crease, from a point m on it.
-bool newton_on_crease(const MinkowskiDifference &difference, const Crease &crease, Vec3 &m);
+// Along a crease, from a point m on it: by steps that are not shortened, or, `from_afar`, down the slope until Newton's method
+// holds.
+bool newton_on_crease(const MinkowskiDifference &difference, const Crease &crease, Vec3 &m, bool from_afar = false);
 
 // Moves m to the crease's nearest point; false where all are equally near.
 bool project_on_crease(const Crease &crease, Vec3 &m);

@@ -132,7 +132,7 @@ void find_witness(const MinkowskiDifference &difference, RefinedDirection &resul
 }  // namespace
 
 RefinedDirection refine_direction(const MinkowskiDifference &difference, const Vec3 &direction, const Vec3 &a,
-                                  const Vec3 &b, double nearby) {
+                                  const Vec3 &b, double nearby, bool from_afar) {
   RefinedDirection result{direction, dot(difference.support(direction).w, direction), a, b};
   // A candidate that is as low to rounding replaces one found by less exact means.
   const double rounding = 1e-15 * difference.scale;
@@ -156,7 +156,7 @@ RefinedDirection refine_direction(const MinkowskiDifference &difference, const V
     m = start;
     if (!project_on_crease(all.crease[k], m)) continue;
     attempt(m);
-    if (newton_on_crease(difference, all.crease[k], m)) attempt(m);
+    if (newton_on_crease(difference, all.crease[k], m, from_afar)) attempt(m);
   }
   for (int k = 0; k < all.count; ++k) {
     for (int l = k + 1; l < all.count; ++l) {

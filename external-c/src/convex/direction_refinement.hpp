@@ -15,9 +15,10 @@ struct RefinedDirection {
 // for circles on the sphere of directions (a box's edges, a cylinder's side, a cone's side) and single
 // points (a flat end): the minimum is sought by Newton's method on the sphere, along each such circle
 // nearby, and where two of them meet, and the lowest taken. The height never exceeds that of the start
-// by more than rounding. `nearby` (radians) says how far away circles and points are looked for. Keeps
+// by more than rounding. `nearby` (radians) says how far away circles and points are looked for,
+// `from_afar` whether their lowest places may lie farther along them. Keeps
 // no state.
 RefinedDirection refine_direction(const MinkowskiDifference &difference, const Vec3 &direction, const Vec3 &a,
-                                  const Vec3 &b, double nearby = 3e-3);
+                                  const Vec3 &b, double nearby = 3e-3, bool from_afar = false);
 
 }  // namespace cmb::convex
