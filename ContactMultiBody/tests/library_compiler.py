@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 import rumoca
+from modelica2fmu.front_end import without_modelicapath
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 PACKAGES = ("ContactMultiBody", "ContactMultiBodyTest")
@@ -30,22 +29,11 @@ def standard_library(version: str) -> Path | None:
     return None
 
 
-@contextmanager
-def roots_alone() -> Iterator[None]:
-    """Hides MODELICAPATH from rumoca, which would take its libraries in place of the roots it was given."""
-    path = os.environ.pop("MODELICAPATH", None)
-    try:
-        yield
-    finally:
-        if path is not None:
-            os.environ["MODELICAPATH"] = path
-
-
 class Compiler:
     """Loads classes of the library with one Standard Library; flattened models are kept."""
 
     def __init__(self, standard: Path, root: Path) -> None:
-        with roots_alone():
+        with without_modelicapath():
             self._session = rumoca.Session([str(standard), str(root)])
         self._flat: dict[str, Flat] = {}
 
@@ -56,7 +44,7 @@ class Compiler:
             " constant Modelica.Units.SI.Time standardLibrary=0;"
             " constant ContactMultiBody.Types.Friction library=ContactMultiBody.Types.Friction.None; end Flattened;"
         )
-        with roots_alone():
+        with without_modelicapath():
             return self._session.loads(source, model="Flattened")
 
     def flatten(self, name: str) -> Flat:

@@ -45,7 +45,7 @@ def load_flat_model(model: str, file: Path, roots: Sequence[Path], source_map: S
     roots = [root for root in roots if root.resolve().parent not in resolved]
     with apart(file, roots, source_map) as given:
         try:
-            with _without_modelicapath():
+            with without_modelicapath():
                 session = rumoca.Session([str(root) for root in given.roots])
                 flat: dict[str, Any] = _compile(session, model, file, given).to_dict("flat")
         except rumoca.RumocaError as error:
@@ -88,7 +88,7 @@ def _compile(session: Any, model: str, file: Path, given: LoneFiles) -> Any:
 
 
 @contextmanager
-def _without_modelicapath() -> Iterator[None]:
+def without_modelicapath() -> Iterator[None]:
     """Hides MODELICAPATH from rumoca, which would prefer a library there to the one that was chosen."""
     path = os.environ.pop("MODELICAPATH", None)
     try:

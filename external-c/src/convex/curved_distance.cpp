@@ -147,7 +147,7 @@ CoreDistance refined(const MinkowskiDifference &difference, const CoreDistance &
   const auto is_proven = [&] { return best_possible + r.height <= proof * difference.scale; };
   if (!is_proven() && r.height > 0.0) {
     // As beside a cone's axis, where a crease is about equally low all round.
-    const RefinedDirection farther = refine_direction(difference, r.direction, r.a, r.b, 3e-3, true);
+    const RefinedDirection farther = refine_direction(difference, r.direction, r.a, r.b, near_creases, true);
     if (farther.height < r.height) r = farther;
   }
   const bool proven = is_proven();

@@ -11,6 +11,8 @@ struct RefinedDirection {
   Vec3 a, b;       // witness points
 };
 
+constexpr double near_creases = 3e-3;  // rad
+
 // Starts from `direction` (unit) and witness points near the answer. The support function is smooth but
 // for circles on the sphere of directions (a box's edges, a cylinder's side, a cone's side) and single
 // points (a flat end): the minimum is sought by Newton's method on the sphere, along each such circle
@@ -19,6 +21,6 @@ struct RefinedDirection {
 // `from_afar` whether their lowest places may lie farther along them. Keeps
 // no state.
 RefinedDirection refine_direction(const MinkowskiDifference &difference, const Vec3 &direction, const Vec3 &a,
-                                  const Vec3 &b, double nearby = 3e-3, bool from_afar = false);
+                                  const Vec3 &b, double nearby = near_creases, bool from_afar = false);
 
 }  // namespace cmb::convex

@@ -223,14 +223,10 @@ void DepthGraph::add_crossings() {
   if (lines_a_.count == 0) return;
   lines_b_.gather(side_b_, region_, beyond);
   if (lines_b_.count == 0) return;
-  if (lines_a_.count * lines_b_.count <= few_pairs) {
-    compare_all();
-  } else {
-    sweep();
-  }
+  const std::size_t near = lines_a_.count * lines_b_.count <= few_pairs ? compare_all() : sweep();
   // Which of those that are near cross cannot be foretold either.
   std::size_t crossing = 0;
-  for (std::size_t k = 0; k < near_count_; ++k) {
+  for (std::size_t k = 0; k < near; ++k) {
     const LinePair pair = near_[k];
     near_[crossing] = pair;
     crossing += static_cast<std::size_t>(pair.a->parts(*pair.b) & pair.b->parts(*pair.a));
@@ -252,17 +248,17 @@ inline std::size_t DepthGraph::compare(const Line *own, const Line *first, const
   return count;
 }
 
-void DepthGraph::compare_all() {
+std::size_t DepthGraph::compare_all() {
   const std::size_t most = lines_a_.count * lines_b_.count;
   if (near_.size() <= most) near_.resize(most + 1);
   const Line *const b = lines_b_.found.data(), *const end_b = b + lines_b_.count;
   std::size_t count = 0;
   for (std::size_t k = 0; k < lines_a_.count; ++k) count = compare<true>(&lines_a_.found[k], b, end_b, count);
-  near_count_ = count;
+  return count;
 }
 
 // Lines whose extents along x overlap are found by a sweep.
-void DepthGraph::sweep() {
+std::size_t DepthGraph::sweep() {
   lines_a_.sort();
   lines_b_.sort();
   const Line *a = lines_a_.ordered.data(), *b = lines_b_.ordered.data();
@@ -280,7 +276,7 @@ void DepthGraph::sweep() {
       ++b;
     }
   }
-  near_count_ = count;
+  return count;
 }
 
 }  // namespace cmb

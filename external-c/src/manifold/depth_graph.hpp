@@ -77,20 +77,19 @@ class DepthGraph {
   void add_crossings();
   template <bool own_is_of_a>
   std::size_t compare(const Line *own, const Line *first, const Line *last, std::size_t count);
-  void compare_all();
-  void sweep();
+  std::size_t compare_all();
+  std::size_t sweep();
   void add_crossing(std::int32_t edge_a, std::int32_t edge_b);
 
   double size_ = 0.0, level_ = 0.0, turning_a_ = 0.5;
   PolytopeSide side_a_, side_b_;
   Extent region_;
   Lines lines_a_, lines_b_;
-  // Lines that may cross: the first `near_count_` ones.
+  // Lines that may cross: as many as were found last.
   struct LinePair {
     const Line *a, *b;
   };
   std::vector<LinePair> near_;
-  std::size_t near_count_ = 0;
   VertexStiffness stiffness_a_, stiffness_b_;
   DirectionCone cone_;
   std::vector<Corner> corners_;
