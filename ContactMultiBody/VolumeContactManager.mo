@@ -9,9 +9,12 @@ model VolumeContactManager "Lets bodies collide that touch with faces, by forces
   parameter String geometry[n] "Descriptor of each body's geometry, usually {body1.geometry, ...}";
   parameter Real foundationModulus[m](each unit="N/m3")=fill(1e8, m) "Pressure by depth of each pair, E/h of a layer of thickness h"
     annotation (Dialog(group="Normal force"));
+  parameter Modelica.Units.SI.Length exactWithin(min=Modelica.Constants.small)=Modelica.Constants.inf
+    "Gap between bounding spheres up to which distances are exact; beyond it they are lower bounds, which cost less"
+    annotation (Dialog(tab="Advanced"));
   final parameter Integer scene=Internal.intern(geometry, pair, 0) "Handle of the scene in the engine";
 equation
-  (distance,depth,weight,normal,point) = Internal.queryVolume(scene, r_0, {frame[i].R.T for i in 1:n}, m);
+  (distance,depth,weight,normal,point) = Internal.queryVolume(scene, r_0, {frame[i].R.T for i in 1:n}, m, exactWithin);
   annotation (
     defaultComponentName="contacts",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
@@ -32,6 +35,9 @@ F = k V (1 + d/v0 dx/dt)
 <p>
 with the volume V of the overlap, acting at its centroid along the normal. Its energy is the integral of k/2 times the squared depth. A layer of thickness h and modulus E on a rigid base has k = E/h if it can spread sideways, and
 E (1 - &nu;)/((1 + &nu;)(1 - 2&nu;))/h if it cannot (K. L. Johnson, Contact Mechanics, section 4.3).
+</p>
+<p>
+<code>exactWithin</code> is that of the <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a>: bounds instead of exact distances of bodies far apart, with the same forces and impacts.
 </p>
 <h4>What it is good for</h4>
 <ul>

@@ -51,7 +51,7 @@ creep by less than 0.01 mm/s up to 0.99 of the largest friction force. What must
 <code>muStatic</code> and <code>muDynamic</code> of the ContactManager.
 </p>
 <p>
-<strong>Distances of pairs far apart</strong>: <code>exactWithin</code> of the ContactManager, 0.1 m say, lets the engine answer with the gap of bounding spheres where bodies are farther apart. Forces and impacts stay the same;
+<strong>Distances of pairs far apart</strong>: <code>exactWithin</code> of the ContactManager and the VolumeContactManager, 0.1 m say, lets the engine answer with the gap of bounding spheres where bodies are farther apart. Forces and impacts stay the same;
 <code>distance</code> is no clearance to read off then. One evaluation of a model of bodies of 1 m, 3 m apart, that may all touch, microseconds:
 </p>
 <table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
@@ -63,6 +63,7 @@ creep by less than 0.01 mm/s up to 0.99 of the largest friction force. What must
 </table>
 <p>
 What is left are the equations of the pairs. Mechanisms with few pairs gain nothing, nor do bodies whose bounding spheres overlap; pairs that never meet are better left out of <code>pairs</code>.
+The CompiledContactManager gives no distances and looks at near bodies alone; the distances of <a href=\"modelica://ContactMultiBody.PureModelica\">PureModelica</a> are closed forms that cost no more than bounds.
 </p>
 <p>
 <strong>Points</strong>: <code>pointCapacity</code> is the largest number of points the engine returns for a pair. 1 suffices for spheres; faces need 4 at least to stand without rocking.

@@ -35,6 +35,11 @@ void cmb_modelica_query_volume(int scene, const double *position, size_t body_co
                                size_t pair_count, double *distance, double *depth, double *weight, double *normal,
                                double *point);
 
+/* The same, cheaper for pairs farther apart than exact_within, as cmb_modelica_query_within; overlaps are the same. */
+void cmb_modelica_query_volume_within(int scene, double exact_within, const double *position, size_t body_count,
+                                      const double *rotation, size_t pair_count, double *distance, double *depth,
+                                      double *weight, double *normal, double *point);
+
 #ifdef __cplusplus
 }
 #endif

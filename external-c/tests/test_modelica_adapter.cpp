@@ -144,17 +144,23 @@ TEST(VolumeLaw, UnknownOverlapsAndBadPosesAreErrors) {
   EXPECT_THROW(VolumePoints("cmb/1 sphere radius=1", "cmb/1 halfspace", {}, reflected), ModelicaError);
 }
 
-// A cube on a cube, and one to the side of both.
+enum class Law { points, volume };
+
+// A cube on a cube, and one to the side of both; exact_within 0: by the calls that take no such length.
 struct ThreeCubes {
   double distance[3], depth[12], weight[12], normal[36], point[36];
 
-  explicit ThreeCubes(double exact_within) {
+  ThreeCubes(Law law, double exact_within) {
     const char *geometry[] = {"cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1"};
     const int pairs[] = {1, 2, 1, 3, 2, 3};
     const int scene = cmb_modelica_intern(geometry, 3, pairs, 3, 0);
     const double position[] = {0, 0, 0.99, 0, 0, 0, 3, 0, 0};
     const double rotation[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-    if (exact_within == 0.0) {
+    if (exact_within == 0.0 && law == Law::volume) {
+      cmb_modelica_query_volume(scene, position, 3, rotation, 3, distance, depth, weight, normal, point);
+    } else if (law == Law::volume) {
+      cmb_modelica_query_volume_within(scene, exact_within, position, 3, rotation, 3, distance, depth, weight, normal, point);
+    } else if (exact_within == 0.0) {
       cmb_modelica_query(scene, position, 3, rotation, 3, 4, distance, depth, weight, normal, point);
     } else {
       cmb_modelica_query_within(scene, exact_within, position, 3, rotation, 3, 4, distance, depth, weight, normal, point);
@@ -162,30 +168,37 @@ struct ThreeCubes {
   }
 };
 
-TEST(QueryWithin, GivesBoundsFarApartAndTheSameContacts) {
-  const ThreeCubes exact(0.0), bounds(0.1);
+class QueryWithin : public testing::TestWithParam<Law> {};
+
+TEST_P(QueryWithin, GivesBoundsFarApartAndTheSameContacts) {
+  const ThreeCubes exact(GetParam(), 0.0), bounds(GetParam(), 0.1);
   EXPECT_NEAR(exact.distance[2], 2.0, 1e-12);
   EXPECT_NEAR(bounds.distance[2], 3.0 - std::sqrt(3.0), 1e-12) << "the gap of the cubes' bounding spheres";
   EXPECT_LT(bounds.distance[1], exact.distance[1]);
   EXPECT_NEAR(exact.distance[0], -0.01, 1e-12);
   EXPECT_EQ(bounds.distance[0], exact.distance[0]);
+  EXPECT_GT(bounds.depth[0] * bounds.weight[0], 0.0);
   EXPECT_TRUE(std::equal(exact.depth, exact.depth + 12, bounds.depth));
   EXPECT_TRUE(std::equal(exact.weight, exact.weight + 12, bounds.weight));
   EXPECT_TRUE(std::equal(exact.normal, exact.normal + 12, bounds.normal));  // of the cubes that touch
   EXPECT_TRUE(std::equal(exact.point, exact.point + 12, bounds.point));
 }
 
-TEST(QueryWithin, ModelicasInfinityMeansExact) {
-  const ThreeCubes exact(0.0);
+TEST_P(QueryWithin, ModelicasInfinityMeansExact) {
+  const ThreeCubes exact(GetParam(), 0.0);
   for (const double infinity : {HUGE_VAL, DBL_MAX, 1e60}) {  // of C, and of the Standard Library on various tools
-    const ThreeCubes same(infinity);
+    const ThreeCubes same(GetParam(), infinity);
     EXPECT_TRUE(std::equal(exact.distance, exact.distance + 3, same.distance)) << infinity;
     EXPECT_TRUE(std::equal(exact.normal, exact.normal + 36, same.normal)) << infinity;
     EXPECT_TRUE(std::equal(exact.point, exact.point + 36, same.point)) << infinity;
   }
 }
 
-TEST(QueryWithin, NeedsAPositiveLength) { EXPECT_THROW(ThreeCubes(-0.1), ModelicaError); }
+TEST_P(QueryWithin, NeedsAPositiveLength) { EXPECT_THROW(ThreeCubes(GetParam(), -0.1), ModelicaError); }
+
+INSTANTIATE_TEST_SUITE_P(Laws, QueryWithin, testing::Values(Law::points, Law::volume), [](const auto &info) {
+  return std::string(info.param == Law::points ? "Points" : "Volume");
+});
 
 class Response : public testing::Test {
  protected:

@@ -73,8 +73,15 @@ static void place_points(const cmb_overlap *overlap, const double *n, double *po
 void cmb_modelica_query_volume(int scene, const double *position, size_t body_count, const double *rotation,
                                size_t pair_count, double *distance, double *depth, double *weight, double *normal,
                                double *point) {
-  cmb_modelica_query(scene, position, body_count, rotation, pair_count, volume_points, distance, depth, weight, normal,
-                     point);
+  cmb_modelica_query_volume_within(scene, HUGE_VAL, position, body_count, rotation, pair_count, distance, depth, weight,
+                                   normal, point);
+}
+
+void cmb_modelica_query_volume_within(int scene, double exact_within, const double *position, size_t body_count,
+                                      const double *rotation, size_t pair_count, double *distance, double *depth,
+                                      double *weight, double *normal, double *point) {
+  cmb_modelica_query_within(scene, exact_within, position, body_count, rotation, pair_count, volume_points, distance,
+                            depth, weight, normal, point);
   for (size_t i = 0; i < pair_count; ++i) {
     double *const pair_depth = depth + volume_points * i, *const pair_weight = weight + volume_points * i;
     double *const pair_normal = normal + 3 * volume_points * i, *const pair_point = point + 3 * volume_points * i;
