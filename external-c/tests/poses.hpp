@@ -19,6 +19,17 @@ inline std::string digits(double value) {
   return text;
 }
 
+// The hull of points spread evenly on a sphere of radius 0.5: Fibonacci's lattice.
+inline std::string tessellated_ball(int corners) {
+  std::string text = "cmb/1 hull vertices=";
+  for (int k = 0; k < corners; ++k) {
+    const double z = 1.0 - (2.0 * k + 1.0) / corners, across = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * k;
+    text += (k > 0 ? "," : "") + digits(0.5 * across * std::cos(turn)) + "," + digits(0.5 * across * std::sin(turn)) + "," +
+            digits(0.5 * z);
+  }
+  return text;
+}
+
 // A body's pose: `rotation` maps body to world.
 struct BodyPose {
   Vec3 position;

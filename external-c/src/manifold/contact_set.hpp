@@ -34,6 +34,14 @@ inline void reverse(ContactSet &contact) {
 // The sum of weight * depth.
 double total_load(const std::vector<ContactPoint> &points, std::size_t begin = 0);
 
+// The greatest depth of the points, or of other corners of a contact, from `begin` on; 0 where there are none.
+template <typename Corner>
+double greatest_depth(const std::vector<Corner> &corners, std::size_t begin = 0) {
+  double greatest = 0.0;
+  for (std::size_t k = begin; k < corners.size(); ++k) greatest = corners[k].depth > greatest ? corners[k].depth : greatest;
+  return greatest;
+}
+
 // Merges points until at most `capacity` (>= 1) are left, so that the sums of weight * depth (the load),
 // weight * depth^2 (the energy stored at exponent 1) and weight * depth * position stay the same; normals are
 // averaged by load. Of all pairs (of the 16 heaviest points), the one whose union changes the second moment of the load

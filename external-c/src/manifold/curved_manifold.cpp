@@ -9,7 +9,6 @@
 #include "manifold/axis_share.hpp"
 #include "manifold/capsule_manifold.hpp"
 #include "manifold/disc_manifold.hpp"
-#include "manifold/load_limit.hpp"
 
 namespace cmb {
 

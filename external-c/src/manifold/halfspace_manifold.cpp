@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "manifold/axis_share.hpp"
-#include "manifold/load_limit.hpp"
+#include "manifold/tessellation_load.hpp"
 
 namespace cmb {
 
@@ -36,28 +36,19 @@ class Collector {
     missing_ = missing_ + 0.5 * depth * depth * weight_gradient;
   }
 
-  // Limits the load (load_limit.hpp) of corners of the given fineness, and says whether that was needed: weights'
-  // derivatives have to be given again then (add_derivative), for corners deeper than `least_depth`.
-  bool limit_load(double fineness) {
-    std::vector<ContactPoint> &points = result_.points;
-    const double greatest = greatest_depth(points, begin_);
-    if (!(load_ > greatest)) return false;
-    limit_ = load_limit(points, begin_, greatest, load_, load_width(greatest, fineness));
-    load_ = 0.0;
-    missing_ = {};
-    std::size_t kept = begin_;
-    for (std::size_t i = begin_; i < points.size(); ++i) {
-      points[i].weight *= limit_.part(points[i].depth);
-      load_ += points[i].weight * points[i].depth;
-      if (points[i].weight > 0.0) points[kept++] = points[i];
-    }
-    points.resize(kept);
-    return true;
+  // A corner of a tessellated body: the same for the part of its weight that it keeps. `share_load` follows the last one.
+  void add_corner(const Vec3 &p, const TessellationLoad &shared, const ContactPolytope::Share &share) {
+    const double depth = -height(p), part = shared.part(depth);
+    linear_ = linear_ + (0.5 * part * depth) * share.gradient;
+    squares_ += part * share.value * depth * depth;
+    add(p, part * share.value, part * share.gradient);
   }
-  double least_depth() const { return std::fmax(0.0, limit_.level); }
-  void add_derivative(const Vec3 &p, const Vec3 &weight_gradient) {
-    const double depth = -height(p);
-    missing_ = missing_ + (0.5 * depth * depth * limit_.part(depth)) * weight_gradient;
+  void share_load(const TessellationLoad &shared) {
+    if (!(load_ > 0.0)) return;
+    const TessellationLoad::Scale scale = shared.scale(load_, squares_);
+    load_ *= scale.weight;
+    missing_ = scale.weight * missing_ - scale.level * linear_;
+    for (std::size_t i = begin_; i < result_.points.size(); ++i) result_.points[i].weight *= scale.weight;
   }
 
   // Ends the collection: `lowest` is the shape's lowest point.
@@ -83,9 +74,8 @@ class Collector {
   std::size_t begin_;
   Vec3 down_;
   double offset_;
-  double load_ = 0.0;
-  Vec3 missing_;
-  LoadLimit limit_{0.0, 1.0};
+  double load_ = 0.0, squares_ = 0.0;
+  Vec3 missing_, linear_;
 };
 
 // Calls visit(vertex) for all vertices that lie deeper than `level` below the plane, from `lowest` along the edges.
@@ -123,14 +113,13 @@ void polytope_contact(const ContactPolytope &polytope, Collector &collector) {
   const convex::Polytope &geometry = polytope.geometry();
   const std::int32_t lowest = geometry.support_vertex(collector.down());
   const auto place = [&](std::int32_t v) -> const Vec3 & { return geometry.vertices()[static_cast<std::size_t>(v)]; };
-  visit_deeper(geometry, lowest, 0.0, collector, [&](std::int32_t v) {
-    const ContactPolytope::Share share = polytope.share(v, collector.down());
-    collector.add(place(v), share.value, share.gradient);
-  });
-  if (collector.limit_load(polytope.fineness())) {
-    visit_deeper(geometry, lowest, collector.least_depth(), collector, [&](std::int32_t v) {
-      collector.add_derivative(place(v), polytope.share(v, collector.down()).gradient);
+  const double deepest = -collector.height(place(lowest));
+  if (deepest > 0.0) {
+    const TessellationLoad shared(deepest, polytope.fineness());
+    visit_deeper(geometry, lowest, std::max(0.0, shared.level()), collector, [&](std::int32_t v) {
+      collector.add_corner(place(v), shared, polytope.share(v, collector.down()));
     });
+    collector.share_load(shared);
   }
   collector.finish(place(lowest));
 }

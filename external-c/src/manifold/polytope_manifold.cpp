@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/pose_algebra.hpp"
-#include "manifold/load_limit.hpp"
+#include "manifold/tessellation_load.hpp"
 
 namespace cmb {
 
@@ -16,29 +16,40 @@ Pose contact_axes(const Vec3 &up, const Vec3 &origin) {
   return {transposed(convex::Mat3{{first, cross(up, first), up}}), origin};
 }
 
-// Down to where corners are looked for at first; any depth would do. Corners carry about a third each.
-double first_level(double depth, double fineness) {
-  const double height = 2.5 / fineness + load_width(depth, fineness);
-  return height < 0.6 * depth ? depth - height : 0.0;
-}
-
 // Sums over the corners, each with a part of its weight.
 struct CornerSums {
-  double greatest = 0.0;  // depth
-  double load = 0.0;
-  double missing_x = 0.0, missing_y = 0.0;  // torque that shares ask for as they change with the direction
+  double load = 0.0, squares = 0.0;  // of weight * depth, m, and of weight * depth^2, m^2
+  // Torque that shares ask for as they change with the direction: of depth * slope / 2 and of depth^2 * slope / 2.
+  double linear_x = 0.0, linear_y = 0.0, square_x = 0.0, square_y = 0.0;
 };
 
-template <typename Part>
-CornerSums sums_of(const std::vector<DepthGraph::Corner> &corners, const Part &part) {
+CornerSums sums_of(const std::vector<DepthGraph::Corner> &corners, const TessellationLoad &shared) {
   CornerSums sums;
   for (const DepthGraph::Corner &corner : corners) {
-    const double carried = corner.depth * part(corner.depth), half_square = 0.5 * corner.depth * carried;
-    sums.greatest = std::max(sums.greatest, corner.depth);
+    const double carried = corner.depth * shared.part(corner.depth), half_square = 0.5 * corner.depth * carried;
     sums.load += corner.weight * carried;
-    sums.missing_x += half_square * corner.slope.x, sums.missing_y += half_square * corner.slope.y;
+    sums.squares += corner.weight * carried * corner.depth;
+    sums.linear_x += 0.5 * carried * corner.slope.x, sums.linear_y += 0.5 * carried * corner.slope.y;
+    sums.square_x += half_square * corner.slope.x, sums.square_y += half_square * corner.slope.y;
   }
   return sums;
+}
+
+// Finds the corners that carry, and returns the greatest depth; 0 where there are none. Which carry is not known before that
+// depth: it is mostly what the bodies reach, or less by a part of the tessellation's step.
+double find_corners(double fineness, DepthGraph &graph) {
+  const double reach = graph.reach();
+  if (!(reach > 0.0)) return 0.0;
+  const double slack = std::min(0.15 / fineness + 0.004 * reach, 1.0 / fineness);
+  double level = std::max(0.0, TessellationLoad(reach, fineness).level() - slack);
+  for (;;) {
+    graph.find_corners(level);
+    const double greatest = greatest_depth(graph.corners());
+    if (level == 0.0) return greatest;
+    const double needed = greatest > 0.0 ? TessellationLoad(greatest, fineness).level() : reach - 2.0 * (reach - level);
+    if (needed >= level) return greatest;
+    level = std::max(0.0, needed);
+  }
 }
 
 }  // namespace
@@ -48,27 +59,18 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
                       std::vector<ContactPoint> &points) {
   const Pose axes = contact_axes(normal, witness);
   graph.place(a, relative_pose(axes, pose_a), b, relative_pose(axes, pose_b));
-  const double reach = graph.reach();
-  if (!(reach > 0.0)) return;
   const double fineness = a.fineness() + b.fineness();
-  double level = first_level(reach, fineness), width;
-  CornerSums sums;
-  for (;;) {
-    graph.find_corners(level);
-    sums = sums_of(graph.corners(), [](double) { return 1.0; });
-    width = load_width(sums.greatest, fineness);
-    if (level == 0.0 || (sums.greatest > 0.0 && load_kept(graph.corners(), 0, {level, width}) >= sums.greatest)) break;
-    level = reach - 2.0 * (reach - level);
-    if (level < 0.4 * reach) level = 0.0;
-  }
-  const LoadLimit limit = load_limit(graph.corners(), 0, sums.greatest, sums.load, width);
-  if (sums.load > sums.greatest) {
-    sums = sums_of(graph.corners(), [&limit](double depth) { return limit.part(depth); });
-  }
+  const double greatest = find_corners(fineness, graph);
+  if (!(greatest > 0.0)) return;
+  const TessellationLoad shared(greatest, fineness);
+  const CornerSums sums = sums_of(graph.corners(), shared);
   if (!(sums.load > 0.0)) return;
-  const Vec3 shift{sums.missing_x / sums.load, sums.missing_y / sums.load, 0.0};
+  const TessellationLoad::Scale scale = shared.scale(sums.load, sums.squares);
+  const double inverse = 1.0 / (scale.weight * sums.load);
+  const Vec3 shift{(scale.weight * sums.square_x - scale.level * sums.linear_x) * inverse,
+                   (scale.weight * sums.square_y - scale.level * sums.linear_y) * inverse, 0.0};
   for (const DepthGraph::Corner &corner : graph.corners()) {
-    const double weight = corner.weight * limit.part(corner.depth);
+    const double weight = scale.weight * corner.weight * shared.part(corner.depth);
     if (!(weight > 0.0)) continue;
     const Vec3 at = axes(corner.middle + shift);
     points.emplace_back();
