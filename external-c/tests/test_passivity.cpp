@@ -96,10 +96,12 @@ BodyPose rolling_cylinder(double s) {
   return {{0, 0, 0.5 + 0.25 * std::fabs(axis.z) + 0.3 * std::hypot(axis.x, axis.y) - breathing(t - 1.0)}, rotation};
 }
 
-BodyPose rolling_ball(double s) {
+// To and fro over some vertices, 0.06 to 0.14 m deep.
+BodyPose rocking_ball(double s) {
   const double t = 2 * pi * s;
-  const Mat3 rotation = product(rotation_about({0, 0, 1}, std::cos(t)), rotation_about({0, 1, 0}, 0.8 + 0.9 * std::sin(t)));
-  return {{0.2 * std::sin(t), 0, 1.0 - breathing(t - 1.0)}, rotation};
+  const Mat3 rotation =
+      product(rotation_about({0, 0, 1}, 0.1 * std::cos(2.0 * t)), rotation_about({0, 1, 0}, 0.8 + 0.1 * std::sin(t)));
+  return {{0.05 * std::sin(t), 0, 0.9 - 0.04 * std::cos(t - 1.0)}, rotation};
 }
 
 BodyPose overhanging(double s) {
@@ -142,8 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
         Loop{"box over the border of a table", cube, table, overhanging, 1.0, 1e-9},
         Loop{"box over the border of a table", cube, table, overhanging, 1.5, 1e-9},
         // As deep as several steps of its tessellation: nearly the ball's one point.
-        Loop{"tessellated ball rolls on a half-space", tessellated_ball(1000), floor_halfspace, rolling_ball, 1.0, 0.01},
-        Loop{"tessellated ball rolls on a table", tessellated_ball(1000), table, rolling_ball, 1.0, 0.01},
+        Loop{"tessellated ball rocks on a half-space", tessellated_ball(200), floor_halfspace, rocking_ball, 1.0, 0.005},
+        Loop{"tessellated ball rocks on a table", tessellated_ball(200), table, rocking_ball, 1.0, 0.005},
         // Shares that change with the direction: exact for exponent 1 (here: to the midpoint rule).
         Loop{"prism rolls on a half-space", hexagonal_prism(), floor_halfspace, rolling_prism, 1.0, 1e-4},
         Loop{"prism rolls on a half-space", hexagonal_prism(), floor_halfspace, rolling_prism, 1.5, 0.01},
