@@ -16,7 +16,7 @@ class TessellationLoad {
  public:
   // `greatest`: the depth D (m, > 0); `fineness`: how many corners are met for each metre of depth (1/m, >= 0).
   TessellationLoad(double greatest, double fineness) : greatest_(greatest) {
-    constexpr double springs_to = 1.0, smooth_from = 3.0, carrying = 1.5;  // steps
+    constexpr double springs_to = 1.0, smooth_from = 3.0, carrying = 1.2;  // steps
     const double steps = greatest * fineness;
     const double part = std::min(1.0, std::max(0.0, (steps - springs_to) / (smooth_from - springs_to)));
     smooth_ = part * part * (3.0 - 2.0 * part);
