@@ -1,7 +1,7 @@
 // Two boxes by their fifteen possible separating axes.
 #pragma once
 
-#include "vector3.hpp"
+#include "box_pair.hpp"
 
 namespace cmb::convex {
 
@@ -11,7 +11,6 @@ struct BoxAxes {
   Vec3 a, b;          // witness points of the overlap, valid where separation <= 0
 };
 
-// Half lengths of both boxes, B's pose in A's frame.
-BoxAxes box_axes(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a);
+BoxAxes box_axes(const BoxPair &boxes);
 
 }  // namespace cmb::convex

@@ -58,12 +58,13 @@ double outside_box(const Vec3 &half, const Vec3 &p) {
   return std::max({std::fabs(p.x) - half.x, std::fabs(p.y) - half.y, std::fabs(p.z) - half.z});
 }
 
-CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const Pose &pose, const BoxAxes &axes,
+CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const BoxPair &boxes, const BoxAxes &axes,
                                bool with_mean) {
+  const Pose &pose = boxes.b_in_a();
   CoreDistance result{axes.separation, axes.axis, axes.a, axes.b, DistanceMethod::separating_axes, true};
   if (with_mean) {
     result.mean_outward =
-        nearby_surface_of_boxes(a.half, b.half, pose, std::max(0.0, -axes.separation), core_radius(a) + core_radius(b));
+        nearby_surface_of_boxes(boxes, std::max(0.0, -axes.separation), core_radius(a) + core_radius(b));
   }
   const double scale = norm(a.half) + norm(b.half);
   const Vec3 b_local = transposed_times(pose.rotation, axes.b - pose.translation);
@@ -124,8 +125,9 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
   Vec3 first = core_center(a) - pose(core_center(b));
   const double reach = core_radius(a) + core_radius(b);
   if (a.core == CoreShape::box && b.core == CoreShape::box && norm2(pose.translation) <= reach * reach) {
-    const BoxAxes axes = box_axes(a.half, b.half, pose);
-    if (axes.separation <= 0.0) return overlapping_boxes(a, b, pose, axes, with_mean);
+    const BoxPair boxes(a.half, b.half, pose);
+    const BoxAxes axes = box_axes(boxes);
+    if (axes.separation <= 0.0) return overlapping_boxes(a, b, boxes, axes, with_mean);
     first = -axes.axis;
   }
   if (is_box_like(a.core) && is_box_like(b.core)) {

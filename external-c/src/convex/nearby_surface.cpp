@@ -65,16 +65,15 @@ namespace {
 // The difference of two boxes is a zonotope: each pair of their six axes spans two of its facets, parallelograms.
 class BoxDifference {
  public:
-  BoxDifference(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a, double radius)
-      : translation_(b_in_a.translation), radius_(radius) {
+  BoxDifference(const BoxPair &boxes, double radius) : translation_(boxes.b_in_a().translation), radius_(radius) {
     // Boxes with parallel axes have facets in one plane; which of them lies where is decided as if B were turned by a
     // tiny angle about an axis of no special direction.
     constexpr double tiny = 1e-11;
     const Vec3 turn{0.53 * tiny, -0.31 * tiny, 0.79 * tiny};
     for (int k = 0; k < 3; ++k) {
-      axis_[k].set(k, half_a[k]);
+      axis_[k].set(k, boxes.a[k]);
       shaken_[k] = axis_[k];
-      axis_[3 + k] = half_b[k] * b_in_a.rotation.column(k);
+      axis_[3 + k] = boxes.b[k] * boxes.b_in_a().rotation.column(k);
       shaken_[3 + k] = axis_[3 + k] + cross(turn, axis_[3 + k]);
     }
   }
@@ -83,7 +82,7 @@ class BoxDifference {
   void add(int p, int q) {
     const Vec3 across = cross(axis_[p], axis_[q]);
     const double length2 = norm2(across);
-    if (!(length2 > 1e-24 * norm2(axis_[p]) * norm2(axis_[q]))) return;  // parallel
+    if (!(length2 > parallel2 * norm2(axis_[p]) * norm2(axis_[q]))) return;
     const Vec3 shaken_across = cross(shaken_[p], shaken_[q]);
     Vec3 offset;  // of the facet's middle from the difference's, on the side of `across`
     for (int k = 0; k < 6; ++k) {
@@ -106,14 +105,8 @@ class BoxDifference {
 
   const Vec3 &sum() const { return sum_; }
 
-  // The outward normal of the facet that the axes p and q span, on the side that is nearer to the origin; zero where
-  // they are parallel.
-  Vec3 nearer_normal(int p, int q) const {
-    const Vec3 across = cross(axis_[p], axis_[q]);
-    const double length2 = norm2(across);
-    if (!(length2 > 1e-24 * norm2(axis_[p]) * norm2(axis_[q]))) return {};
-    return ((dot(across, translation_) < 0.0 ? -1.0 : 1.0) / std::sqrt(length2)) * across;
-  }
+  // The square of the sine up to which axes are parallel.
+  static constexpr double parallel2 = 1e-24;
 
  private:
   Vec3 axis_[6], shaken_[6];  // half edges
@@ -121,53 +114,67 @@ class BoxDifference {
   double radius_;
 };
 
+// Two opposite facets, one of which may be near the origin: the axes that span them, their height seen as that of a
+// separating axis, and how far apart the boxes' middles are along it.
+struct NearFacets {
+  int p, q;
+  double shift, length2;
+
+  Vec3 across(const BoxPair &boxes) const {
+    if (p < 3 && q >= 3) return boxes.across_direction(p, q - 3);
+    const int other = 3 - p % 3 - q % 3;
+    if (p >= 3) return boxes.b_in_a().rotation.column(other);
+    Vec3 axis;
+    axis.set(other, 1.0);
+    return axis;
+  }
+  // The outward normal of the facet that is nearer to the origin.
+  Vec3 normal(const BoxPair &boxes) const {
+    return ((shift < 0.0 ? -1.0 : 1.0) / std::sqrt(length2)) * across(boxes);
+  }
+};
+
+// Whether all those facets are in one plane, whose normal is then put down.
+bool in_one_plane(const BoxPair &boxes, const NearFacets *near, int count, Vec3 &normal) {
+  bool any = false;
+  for (int k = 0; k < count; ++k) {
+    if (!(near[k].length2 > BoxDifference::parallel2)) continue;
+    const Vec3 other = near[k].normal(boxes);
+    if (any && !(norm2(other - normal) <= same_normal2)) return false;
+    if (!any) normal = other;
+    any = true;
+  }
+  return any;
+}
+
 }  // namespace
 
-Vec3 nearby_surface_of_boxes(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a, double depth, double size) {
+Vec3 nearby_surface_of_boxes(const BoxPair &boxes, double depth, double size) {
   const double radius = surface_reach(depth, size);
-  BoxDifference difference(half_a, half_b, b_in_a, radius);
   // Most facets are far away: their heights, as those of the separating axes, are quickly found.
-  const Mat3 &r = b_in_a.rotation;
-  const Vec3 &t = b_in_a.translation, t_in_b = transposed_times(r, t);
-  const double far = radius + 1e-9 * size;
-  double absolute[3][3];
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) absolute[i][j] = std::fabs(r.row[i][j]);
-  }
-  struct {
-    int p, q;
-  } near[15];
+  const double far = radius + 1e-9 * size, far2 = far * far;
+  NearFacets near[15];
   int count = 0;
   bool both_sides = false;  // of some pair of facets
   const auto consider = [&](double reach, double shift, double length2, int p, int q) {
-    const double gap = reach - std::fabs(shift), other_gap = reach + std::fabs(shift), limit2 = far * far * length2;
+    const double gap = reach - std::fabs(shift), other_gap = reach + std::fabs(shift), limit2 = far2 * length2;
     if (gap > 0.0 && gap * gap >= limit2) return;
     both_sides = both_sides || other_gap * other_gap < limit2;
-    near[count].p = p, near[count++].q = q;
+    near[count++] = {p, q, shift, length2};
   };
-  constexpr int next[3] = {1, 2, 0};
   for (int i = 0; i < 3; ++i) {
-    const int i1 = next[i], i2 = next[i1];
-    const double of_b = half_b.x * absolute[i][0] + half_b.y * absolute[i][1] + half_b.z * absolute[i][2];
-    const double of_a = half_a.x * absolute[0][i] + half_a.y * absolute[1][i] + half_a.z * absolute[2][i];
-    consider(half_a[i] + of_b, t[i], 1.0, i1, i2);
-    consider(half_b[i] + of_a, t_in_b[i], 1.0, 3 + i1, 3 + i2);
+    const int i1 = BoxPair::next[i], i2 = BoxPair::next[i1];
+    consider(boxes.a[i] + boxes.reach_of_b[i], boxes.shift_a[i], 1.0, i1, i2);
+    consider(boxes.b[i] + boxes.reach_of_a[i], boxes.shift_b[i], 1.0, 3 + i1, 3 + i2);
     for (int j = 0; j < 3; ++j) {
-      const int j1 = next[j], j2 = next[j1];
-      const double reach = half_a[i1] * absolute[i2][j] + half_a[i2] * absolute[i1][j] + half_b[j1] * absolute[i][j2] +
-                           half_b[j2] * absolute[i][j1];
-      consider(reach, t[i2] * r.row[i1][j] - t[i1] * r.row[i2][j],
-               r.row[i1][j] * r.row[i1][j] + r.row[i2][j] * r.row[i2][j], i, 3 + j);
+      const BoxPair::Across across = boxes.across(i, j);
+      consider(across.reach, across.shift, across.length2, i, 3 + j);
     }
   }
   // Of facets in one plane the mean is their normal.
-  bool one_plane = !both_sides && count > 0;
-  const Vec3 first = one_plane ? difference.nearer_normal(near[0].p, near[0].q) : Vec3{};
-  for (int k = 1; k < count && one_plane; ++k) {
-    const Vec3 normal = difference.nearer_normal(near[k].p, near[k].q);
-    one_plane = norm2(normal) == 0.0 || norm2(normal - first) <= same_normal2;
-  }
-  if (one_plane && norm2(first) > 0.0) return first;
+  Vec3 normal;
+  if (!both_sides && in_one_plane(boxes, near, count, normal)) return normal;
+  BoxDifference difference(boxes, radius);
   for (int k = 0; k < count; ++k) difference.add(near[k].p, near[k].q);
   return difference.sum();
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "box_pair.hpp"
 #include "vector3.hpp"
 
 namespace cmb::convex {
@@ -48,8 +49,7 @@ class FacetIntegral {
   bool all_beyond_ = true, outside_ = false, any_angle_ = false;
 };
 
-// The sum of the facets' normals times their weights, for two boxes of the given half lengths that overlap `depth` (> 0)
-// deep.
-Vec3 nearby_surface_of_boxes(const Vec3 &half_a, const Vec3 &half_b, const Pose &b_in_a, double depth, double size);
+// The sum of the facets' normals times their weights, for two boxes that overlap `depth` (> 0) deep.
+Vec3 nearby_surface_of_boxes(const BoxPair &boxes, double depth, double size);
 
 }  // namespace cmb::convex

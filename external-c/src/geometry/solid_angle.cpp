@@ -13,12 +13,20 @@ namespace {
 
 // Products of complex numbers are scaled where they leave this range.
 constexpr double smallest_scale = 1e-100, largest_scale = 1e100;
-// Squares of lengths below which products of several would underflow.
-constexpr double smallest_length2 = 1e-80;
+// Up to this z a direction is horizontal: products of several lengths would underflow.
+constexpr double horizontal = 1e-40;
 
 // The direction whose slope is the sum of those of p and q; zero where both are horizontal.
 Vec3 sum_of_slopes(const Vec3 &p, const Vec3 &q) {
   return {p.x * q.z + q.x * p.z, p.y * q.z + q.y * p.z, p.z * q.z};
+}
+
+// Solid angle between two horizontal directions, u and v, and a third one, all of any length.
+double corner_solid_angle(const Vec3 &u, const Vec3 &v, const Vec3 &top) {
+  const double lu = std::sqrt(u.x * u.x + u.y * u.y), lv = std::sqrt(v.x * v.x + v.y * v.y);
+  const double beside_u = top.x * u.x + top.y * u.y, beside_v = top.x * v.x + top.y * v.y;
+  const double cosine = norm(top) * (lu * lv + u.x * v.x + u.y * v.y) + beside_u * lv + beside_v * lu;
+  return 2.0 * angle_from_x(cosine, top.z * std::fabs(u.x * v.y - u.y * v.x));
 }
 
 }  // namespace
@@ -32,20 +40,16 @@ double triangle_solid_angle(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
 }
 
 double parallelogram_solid_angle(const DirectionArc &p, const DirectionArc &q) {
+  // A corner between two horizontal directions does not count.
+  if ((p.lower().z < horizontal) & (q.lower().z < horizontal)) {
+    return corner_solid_angle(p.lower(), q.lower(), sum_of_slopes(p.upper(), q.upper()));
+  }
   // The corners in turn, and the two triangles at a diagonal. Their determinants are the parallelogram's area, times
   // heights.
   const Vec3 a = sum_of_slopes(p.first, q.first), b = sum_of_slopes(p.second, q.first);
   const Vec3 c = sum_of_slopes(p.second, q.second), d = sum_of_slopes(p.first, q.second);
   const double area = std::fabs(p.across_x * q.across_y - p.across_y * q.across_x);
-  const double a2 = norm2(a), b2 = norm2(b), c2 = norm2(c), d2 = norm2(d);
-  if (!(std::min(std::min(a2, b2), std::min(c2, d2)) > smallest_length2)) {
-    // A corner between two horizontal directions does not count; there is one at most.
-    if (!(a2 > smallest_length2)) return std::fabs(triangle_solid_angle(b, c, d));
-    if (!(b2 > smallest_length2)) return std::fabs(triangle_solid_angle(a, c, d));
-    if (!(c2 > smallest_length2)) return std::fabs(triangle_solid_angle(a, b, d));
-    return std::fabs(triangle_solid_angle(a, b, c));
-  }
-  const double la = std::sqrt(a2), lb = std::sqrt(b2), lc = std::sqrt(c2), ld = std::sqrt(d2);
+  const double la = norm(a), lb = norm(b), lc = norm(c), ld = norm(d);
   const double diagonal = la * lc + dot(a, c);
   const double cosine_b = diagonal * lb + dot(a, b) * lc + dot(b, c) * la;
   const double cosine_d = diagonal * ld + dot(a, d) * lc + dot(c, d) * la;

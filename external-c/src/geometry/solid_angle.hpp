@@ -36,10 +36,13 @@ class DirectionCone {
 // orientation; any lengths > 0.
 double triangle_solid_angle(const Vec3 &a, const Vec3 &b, const Vec3 &c);
 
-// The directions between two rays of the upper hemisphere, not both horizontal.
+// The directions between two rays of the upper hemisphere, not both horizontal, of lengths about 1.
 struct DirectionArc {
   Vec3 first, second;                   // z >= 0
   double across_x = 0.0, across_y = 0.0;  // second.z first.z (second's slope - first's slope)
+
+  const Vec3 &lower() const { return second.z < first.z ? second : first; }
+  const Vec3 &upper() const { return second.z < first.z ? first : second; }
 
   DirectionArc() = default;
   DirectionArc(const Vec3 &from, const Vec3 &to)

@@ -54,6 +54,7 @@ double end_influence(double t) {
 Stiffness edge_stiffness(const ContactPolytope::EdgeFaces &faces, const Vec3 &first, const Vec3 &second,
                          double turning) {
   constexpr double smallest = 1e-28;
+  if (faces.stiffness[0] == faces.stiffness[1]) return {faces.stiffness[0], {}};
   const double u = 1.0 - first.z, v = 1.0 - second.z, part = 1.0 / (u * u + v * v + smallest);
   const double value = (faces.stiffness[0] * (v * v) + faces.stiffness[1] * (u * u)) * part;
   const double by_first = -2.0 * turning * part * u * (faces.stiffness[1] - value);

@@ -7,7 +7,19 @@ namespace cmb {
 
 namespace {
 
+// Of polytopes with no more vertices all are looked at.
+constexpr std::size_t few_vertices = 12;
+
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+// The extent of an edge's part beyond the limit; `from` is its end there.
+inline void find_part_beyond(const Vec3 &from, const Vec3 &to, double limit, Extent &extent) {
+  const double rise = from.z - limit, fall = from.z - to.z;
+  const double way = rise / (fall > rise ? fall : rise);  // 1 where the other end is beyond the limit, too
+  const double x = from.x + way * (to.x - from.x), y = from.y + way * (to.y - from.y);
+  extent.low_x = from.x < x ? from.x : x, extent.high_x = from.x > x ? from.x : x;
+  extent.low_y = from.y < y ? from.y : y, extent.high_y = from.y > y ? from.y : y;
+}
 
 }  // namespace
 
@@ -20,9 +32,57 @@ void PolytopeSide::place(const ContactPolytope &body, const Pose &to_side, const
 }
 
 void PolytopeSide::gather(double limit) {
+  if (body_->geometry().vertices().size() <= few_vertices) {
+    gather_from_all(limit);
+  } else {
+    gather_from_summit(limit);
+  }
+}
+
+void PolytopeSide::gather_from_all(double limit) {
   const convex::Polytope &geometry = body_->geometry();
+  make_room();
   const Vec3 *const places = geometry.vertices().data();
-  const std::int32_t *const neighbours = geometry.neighbours().data(), *const numbers = geometry.neighbour_edges().data();
+  const convex::Polytope::Edge *const all_edges = geometry.edges().data();
+  const Pose to_side = to_side_;
+  Vertex *const vertices = vertices_.data();
+  const std::size_t vertex_count = geometry.vertices().size(), all_edge_count = geometry.edges().size();
+  std::size_t inside_count = 0, edge_count = 0;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    Vertex &vertex = vertices[v];
+    const Vec3 at = to_side(places[v]);
+    vertex.at.x = at.x, vertex.at.y = at.y, vertex.at.z = at.z;
+    vertex.number = static_cast<std::int32_t>(v);
+    vertex.inside = at.z > limit;
+    inside_[inside_count] = vertex.number;
+    inside_count += static_cast<std::size_t>(vertex.inside);
+  }
+  // Which edges are kept cannot be foretold: all are put down, and kept or overwritten. Upright ones cross nothing at an angle.
+  Edge *const edges = edges_.data();
+  for (std::size_t e = 0; e < all_edge_count; ++e) {
+    const std::int32_t first = all_edges[e].vertex[0], second = all_edges[e].vertex[1];
+    const bool from_first = vertices[first].inside;
+    const std::int32_t self = from_first ? first : second, other = from_first ? second : first;
+    edges[edge_count].vertex[0] = self;
+    edges[edge_count].vertex[1] = other;
+    edges[edge_count].number = static_cast<std::int32_t>(e);
+    const Vec3 way = vertices[second].at - vertices[first].at;
+    const bool upright = way.x * way.x + way.y * way.y <= wall_cosine * wall_cosine * norm2(way);
+    edge_count += static_cast<std::size_t>((from_first | vertices[second].inside) & !upright);
+  }
+  Extent extent;
+  for (std::size_t k = 0; k < edge_count; ++k) {
+    find_part_beyond(vertices[edges[k].vertex[0]].at, vertices[edges[k].vertex[1]].at, limit, edges[k].extent);
+    extent.add(edges[k].extent);
+  }
+  vertex_count_ = vertex_count;
+  edge_count_ = edge_count;
+  inside_count_ = inside_count;
+  extent_ = extent;
+}
+
+void PolytopeSide::make_room() {
+  const convex::Polytope &geometry = body_->geometry();
   faces_gathered_ = false;
   // One place more than can be taken: what turns out not to be needed is overwritten.
   if (vertices_.size() <= geometry.vertices().size()) vertices_.resize(geometry.vertices().size() + 1);
@@ -35,6 +95,13 @@ void PolytopeSide::gather(double limit) {
     std::fill(face_mark_.begin(), face_mark_.end(), 0);
     gathering_ = 1;
   }
+}
+
+void PolytopeSide::gather_from_summit(double limit) {
+  const convex::Polytope &geometry = body_->geometry();
+  const Vec3 *const places = geometry.vertices().data();
+  const std::int32_t *const neighbours = geometry.neighbours().data(), *const numbers = geometry.neighbour_edges().data();
+  make_room();
   const Pose to_side = to_side_;
   const std::uint32_t gathering = gathering_;
   Mark *const marks = vertex_mark_.data();
@@ -60,28 +127,21 @@ void PolytopeSide::gather(double limit) {
     count += static_cast<std::int32_t>(!met);
     return mark.place;
   };
-  // The vertices beyond a plane hang together: they are found from the farthest one along the edges.
   add_vertex(summit_);
-  double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;
+  Extent extent;
   for (std::size_t k = 0; k < inside_count; ++k) {
     const std::int32_t self = inside[k];
-    const double x = vertices[self].at.x, y = vertices[self].at.y, z = vertices[self].at.z;
+    const Vec3 at = vertices[self].at;
     const std::int32_t v = vertices[self].number, last_slot = geometry.neighbour_begin(v + 1);
     for (std::int32_t slot = geometry.neighbour_begin(v); slot < last_slot; ++slot) {
       const std::int32_t other = add_vertex(neighbours[slot]);
       const Vertex &end = vertices[other];
-      const double rise = z - limit, fall = z - end.at.z;
-      const double way = rise / (fall > rise ? fall : rise);  // 1 where the end is beyond the limit, too
-      const double end_x = x + way * (end.at.x - x), end_y = y + way * (end.at.y - y);
       Edge *const edge = edges + edge_count;
       edge->vertex[0] = self;
       edge->vertex[1] = other;
       edge->number = numbers[slot];
-      Extent &extent = edge->extent;
-      extent.low_x = x < end_x ? x : end_x, extent.high_x = x > end_x ? x : end_x;
-      extent.low_y = y < end_y ? y : end_y, extent.high_y = y > end_y ? y : end_y;
-      low_x = extent.low_x < low_x ? extent.low_x : low_x, high_x = extent.high_x > high_x ? extent.high_x : high_x;
-      low_y = extent.low_y < low_y ? extent.low_y : low_y, high_y = extent.high_y > high_y ? extent.high_y : high_y;
+      find_part_beyond(at, end.at, limit, edge->extent);
+      extent.add(edge->extent);
       // Of an edge with both ends beyond the limit the one that comes first keeps it.
       edge_count += 1 - (static_cast<std::size_t>(end.inside) & static_cast<std::size_t>(other < self));
     }
@@ -89,7 +149,7 @@ void PolytopeSide::gather(double limit) {
   vertex_count_ = static_cast<std::size_t>(count);
   edge_count_ = edge_count;
   inside_count_ = inside_count;
-  extent_ = {low_x, high_x, low_y, high_y};
+  extent_ = extent;
 }
 
 void PolytopeSide::gather_faces() {

@@ -46,8 +46,8 @@ struct Extent {
   }
 };
 
-// A polytope's vertices that reach beyond a limit towards the other body, the edges at them and the edges' other ends.
-// All in the side's axes: x and y in the contact plane, z towards the other body.
+// A polytope's vertices that reach beyond a limit towards the other body, the edges at them (upright ones, which cross
+// nothing at an angle, may be missing) and the edges' other ends. All in the side's axes: x and y in the contact plane, z towards the other body.
 class PolytopeSide {
  public:
   struct Vertex {
@@ -98,6 +98,12 @@ class PolytopeSide {
   bool face_over(const Vertex &vertex, const Vec3 &seen, double level, double slack, Plane &plane);
 
  private:
+  void make_room();
+  // By looking at all vertices and edges.
+  void gather_from_all(double limit);
+  // The vertices beyond a plane hang together: they are found from the farthest one along the edges.
+  void gather_from_summit(double limit);
+
   const ContactPolytope *body_ = nullptr;
   Pose to_side_;
   Shake shake_;
