@@ -53,6 +53,12 @@ def add_generation_arguments(parser: ArgumentParser) -> None:
         metavar="{keep,replace}",
         help="what happens to a mechatronic model edited by hand when the assignment of actuators has changed",
     )
+    parser.add_argument(
+        "--strict",
+        action="store_true",
+        help="what the assembly gives and the model would be without (a missing mesh, geometry of no part, limits, "
+        "start speeds that do not count) is an error instead of a note; nothing is written then",
+    )
     add_collision_arguments(parser)
 
 
@@ -70,4 +76,5 @@ def generation_options(arguments: Namespace) -> GenerateOptions:
         ground=tuple(arguments.ground),
         stops=arguments.stops,
         couple=arguments.couple,
+        strict=arguments.strict,
     )

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -27,6 +27,7 @@ from cad2modelica.loops import LoopAnalysis
 from cad2modelica.model import Assembly, Joint
 from cad2modelica.number_limits import LARGEST, are_usable
 from cad2modelica.problems import Problems
+from cad2modelica.renames import Renamed, closest
 
 FILE_NAME = "actuators.toml"
 MAXIMUM_BYTES = 2**20
@@ -55,8 +56,16 @@ class Assignment:
     inputs: dict[str, float] = field(default_factory=dict)
 
 
-def read_assignments(file: Path, assembly: Assembly, loops: LoopAnalysis) -> tuple[Assignment, ...]:
+def read_assignments(
+    file: Path, assembly: Assembly, loops: LoopAnalysis, renamed: Mapping[str, Renamed] | None = None
+) -> tuple[Assignment, ...]:
     """Reads an actuator file and checks it against the assembly and the library.
+
+    Args:
+        file: the file.
+        assembly: what it is for.
+        loops: of the assembly.
+        renamed: joints that seem to have another name since an earlier generation, for messages.
 
     Raises:
         InputError: the file is wrong; a ``ProblemList`` if several problems were found.
@@ -70,9 +79,11 @@ def read_assignments(file: Path, assembly: Assembly, loops: LoopAnalysis) -> tup
         name = entry.get("joint")
         joint = joints.get(name) if isinstance(name, str) else None
         if joint is None:
+            message, hint = _unknown_joint(name, joints, renamed or {})
             known = ", ".join(sorted(drivable_joints(assembly, loops))[:30]) or "none"
-            message = "there is no such joint" if isinstance(name, str) else "the name of the joint is no text"
-            remedy = f"Joints of {assembly.file.name} that can be driven: {known}. --actuators names another file."
+            remedy = (
+                f"{hint}Joints of {assembly.file.name} that can be driven: {known}. --actuators names another file."
+            )
             problems.add(message, place, remedy)
             continue
         assignment = _assignment(entry, joint, loops, problems, place)
@@ -84,14 +95,33 @@ def read_assignments(file: Path, assembly: Assembly, loops: LoopAnalysis) -> tup
     return tuple(found)
 
 
-def named_joints(file: Path) -> tuple[str, ...]:
-    """Names of the joints that the entries of an actuator file give, whether they exist or not.
+def _unknown_joint(name: object, joints: Iterable[str], renamed: Mapping[str, Renamed]) -> tuple[str, str]:
+    """What is wrong with the name of a joint, and which one is likely meant; the latter may be empty."""
+    if not isinstance(name, str):
+        return "the name of the joint is no text", ""
+    message, guess = "there is no such joint", renamed.get(name)
+    if guess is not None:
+        message += f"; renamed {guess.name!r}, it seems: {guess.reason}"
+    likely = guess.name if guess is not None else closest(name, joints)
+    return message, f"Write joint = {_text(likely)}, if that is meant. " if likely is not None else ""
+
+
+@dataclass(frozen=True)
+class NamedJoints:
+    """Joints that the entries of an actuator file name, whether they exist or not."""
+
+    file: Path
+    names: tuple[str, ...]
+
+
+def named_joints(file: Path) -> NamedJoints:
+    """The joints that an actuator file names.
 
     Raises:
         InputError: the file is no list of actuators.
     """
     entries = _entries(file, Problems(str(file)))
-    return tuple(entry["joint"] for entry in entries if isinstance(entry.get("joint"), str))
+    return NamedJoints(file, tuple(entry["joint"] for entry in entries if isinstance(entry.get("joint"), str)))
 
 
 def drivable_joints(assembly: Assembly, loops: LoopAnalysis) -> dict[str, Joint]:

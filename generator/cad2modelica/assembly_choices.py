@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from cmb_base.errors import InputError, Place
 
+from cad2modelica.lost import Lost
 from cad2modelica.model import Assembly, Joint
 
 LISTED = 30  # parts named in a message
@@ -46,12 +47,14 @@ def with_stops(assembly: Assembly, wanted: bool | None) -> Assembly:
         return assembly
     if not wanted:
         count = f"{len(limited)} joints move" if len(limited) > 1 else "1 joint moves"
-        note = f"{count} without stops at the limits; --stops adds them"
+        note = Lost(f"{count} without stops at the limits; --stops adds them, --no-stops does without")
         return _without_limits(assembly, {joint.name for joint in limited}, (note,) if wanted is None else ())
     outside = [joint for joint in limited if _starts_outside(joint)]
     notes = tuple(
-        f"joint {joint.name!r} has no stops, for it starts at {joint.position:g}, outside its range "
-        f"{joint.limits.lower} to {joint.limits.upper}"
+        Lost(
+            f"joint {joint.name!r} has no stops, for it starts at {joint.position:g}, outside its range "
+            f"{joint.limits.lower} to {joint.limits.upper}"
+        )
         for joint in outside
         if joint.limits is not None
     )

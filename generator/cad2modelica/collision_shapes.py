@@ -12,6 +12,7 @@ from cad2modelica.collision_shape import CollisionShape
 from cad2modelica.convex_decomposition import decompose
 from cad2modelica.convex_hull import convex_hull
 from cad2modelica.hull_thinning import MOST_CORNERS, share_of_corners, thinned
+from cad2modelica.lost import Lost
 from cad2modelica.mesh import Indices, bodies, is_closed, join, volume_integrals, weld
 from cad2modelica.model import NO_LIMITS, CollisionChoice, Decomposer, DecompositionLimits, Part
 from cad2modelica.reach import Ball
@@ -81,7 +82,7 @@ def collision_geometry(part: Part, limits: DecompositionLimits = NO_LIMITS) -> C
     corners = share_of_corners([hull for hull in hulls.values() if hull is not None])
     for number, hull in hulls.items():
         if hull is None:
-            remarks.append((number, "is flat and was left out of the contacts"))
+            remarks.append((number, Lost("is flat and was left out of the contacts")))
             continue
         label = _label(part, [number], len(found))
         own_shapes, texts = _body_shapes(part, label, hull, found[number], limits, refusal, corners)
@@ -96,7 +97,7 @@ def _largest(found: list[Body]) -> tuple[list[int], str]:
         return list(range(len(found))), ""
     sizes = np.array([np.linalg.norm(np.ptp(vertices, axis=0)) for vertices, _ in found])
     order = np.argsort(-sizes, kind="stable")
-    return sorted(order[:MOST_SHAPES].tolist()), (
+    return sorted(order[:MOST_SHAPES].tolist()), Lost(
         f"has {len(found)} bodies, but collides with {MOST_SHAPES} shapes at most: the largest do, those left out are "
         f"up to {1000 * sizes[order[MOST_SHAPES]]:.3g} mm in size; split the part or join its bodies if these matter"
     )
@@ -131,8 +132,8 @@ def _notes(part: Part, remarks: list[tuple[int, str]], count: int, note: str) ->
     by_text: dict[str, list[int]] = {}
     for number, text in remarks:
         by_text.setdefault(text, []).append(number)
-    whole = (f"part {part.name!r}: {note}",) if note else ()
-    return (*whole, *(f"{_label(part, numbers, count)}: {text}" for text, numbers in by_text.items()))
+    whole = (type(note)(f"part {part.name!r}: {note}"),) if note else ()
+    return (*whole, *(type(text)(f"{_label(part, numbers, count)}: {text}") for text, numbers in by_text.items()))
 
 
 def _body_shapes(

@@ -22,6 +22,7 @@ from cad2modelica.joint_couplings import with_couplings
 from cad2modelica.joint_distance import distance_notes
 from cad2modelica.kinematic_graph import kinematic_tree
 from cad2modelica.loops import analyse_loops
+from cad2modelica.lost import require_nothing_lost
 from cad2modelica.mechanism_building import mechanism_view
 from cad2modelica.mechanism_draft import RESERVED
 from cad2modelica.mechanism_pictures import mechanism_pictures
@@ -38,15 +39,17 @@ from cad2modelica.regeneration import (
     Record,
     actuator_signature,
     checksum,
+    lost_references,
     plan_mechatronics,
     read_record,
     record_text,
     require_same_structure,
 )
+from cad2modelica.renames import Renames, marks_in, marks_of, renames
 from cad2modelica.scene_file import scene_text
 from cad2modelica.spherical_axes import with_spherical_axes
 from cad2modelica.start_overlaps import start_overlaps
-from cad2modelica.structure import structure_of
+from cad2modelica.structure import Structure, structure_of
 
 GENERATED = ("package.mo", "Mechanics.mo", "Geometry.mo", RECORD)
 
@@ -69,6 +72,7 @@ class GenerateOptions:
         ground: names of parts that are held in the world where they stand.
         stops: whether joints have stops at their limits; None: as the format has it (XML: yes, URDF: no).
         couple: whether joints that are to follow others (mimic of URDF) do.
+        strict: whether something of the source that the model does not have is an error, instead of a note.
     """
 
     package: str | None = None
@@ -82,6 +86,7 @@ class GenerateOptions:
     ground: tuple[str, ...] = ()
     stops: bool | None = None
     couple: bool = True
+    strict: bool = False
 
 
 @dataclass(frozen=True)
@@ -161,13 +166,18 @@ def generate(
         *(note for item in geometries.values() for note in item.notes),
         *dropped,
     )
+    if options.strict:
+        require_nothing_lost(notes, assembly.file)
     earlier = read_record(output / name)
     own = find_own_files(output, name, {*GENERATED, ORDER, *(earlier.files if earlier is not None else ())})
     structure = structure_of(assembly, loops, view)
     file = _actuator_file(assembly_path, options)
-    assigned = named_joints(file) if file is not None else ()
-    changes = require_same_structure(earlier, structure, own, assigned, options.accept_structure)
-    assignments: tuple[Assignment, ...] = read_assignments(file, assembly, loops) if file is not None else ()
+    assigned = named_joints(file) if file is not None else None
+    renamed = _renames(earlier, structure, output, assembly)
+    changes = require_same_structure(earlier, structure, own, renamed, assigned, options.accept_structure)
+    assignments: tuple[Assignment, ...] = ()
+    if file is not None:
+        assignments = read_assignments(file, assembly, loops, renamed.joints)
     plan = plan_mechatronics(own, earlier, structure, actuator_signature(assignments, assembly), options.edited)
     taken = {component.name for component in view.components} | {*view.material_names.values(), *RESERVED}
     actuators = place_actuators(assignments, assembly, view.joint_names, taken)
@@ -180,7 +190,7 @@ def generate(
         written = earlier.mechatronics
     progress("start configuration", 0.0, name)
     start = start_overlaps(assembly, geometries, pairs)
-    notes += (*changes, *plan.notes, *overlap_notes(start))
+    notes += (*changes, *plan.notes, *lost_references(own, plan, texts.mechatronics), *overlap_notes(start))
     drawing = graph_svg(assembly, tree, loops.loops)
     report = report_html(
         ReportInput(
@@ -243,6 +253,12 @@ def _check(options: GenerateOptions) -> None:
         raise InputError(
             f"the largest number of pieces is {options.max_pieces}", remedy=f"Give a number from 1 to {MAXIMUM_PIECES}."
         )
+
+
+def _renames(earlier: Record | None, structure: Structure, output: Path, assembly: Assembly) -> Renames:
+    if earlier is None or earlier.structure == structure:
+        return Renames()
+    return renames(earlier.structure, structure, marks_in(output / SCENE), marks_of(assembly))
 
 
 def _actuator_file(assembly_path: Path, options: GenerateOptions) -> Path | None:

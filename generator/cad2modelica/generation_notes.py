@@ -7,6 +7,7 @@ import numpy as np
 from cad2modelica.joint_twists import joint_twists, start_rates
 from cad2modelica.kinematic_graph import KinematicTree
 from cad2modelica.loops import joint_extent
+from cad2modelica.lost import Lost
 from cad2modelica.mass_check import check_against_mechanism
 from cad2modelica.model import Assembly, Joint, JointType, Part
 from cad2modelica.spatial import Array
@@ -38,28 +39,28 @@ def speed_notes(assembly: Assembly, tree: KinematicTree) -> tuple[str, ...]:
     return tuple(note for note in (*parts, *joints) if note is not None)
 
 
-def _part_speed_note(part: Part, assembly: Assembly, tree: KinematicTree) -> str | None:
+def _part_speed_note(part: Part, assembly: Assembly, tree: KinematicTree) -> Lost | None:
     if not (part.velocity.any() or part.angular_velocity.any()):
         return None
     ignored = f"part {part.name!r}: its start speed was ignored, for"
     if part.name in tree.fixed:
-        return f"{ignored} it is fixed in the world"
+        return Lost(f"{ignored} it is fixed in the world")
     if tree.branch(part.name).predecessor is not None:
-        return f"{ignored} joints hold it; give it to a joint"
+        return Lost(f"{ignored} joints hold it; give it to a joint")
     joint = free_joint_of(assembly, part.name)
-    return f"{ignored} that of its free joint {joint.name!r} counts" if joint is not None else None
+    return Lost(f"{ignored} that of its free joint {joint.name!r} counts") if joint is not None else None
 
 
-def _joint_speed_note(joint: Joint, assembly: Assembly, tree: KinematicTree) -> str | None:
+def _joint_speed_note(joint: Joint, assembly: Assembly, tree: KinematicTree) -> Lost | None:
     given = np.concatenate([joint.angular_velocity, joint.velocity])
     if not given.any():
         return None
     if joint.type is JointType.FREE:
         if tree.branch(joint.child).predecessor is not None:
-            return f"joint {joint.name!r}: its start speed was ignored, for {joint.child!r} is held otherwise"
+            return Lost(f"joint {joint.name!r}: its start speed was ignored, for {joint.child!r} is held otherwise")
         counts = free_joint_of(assembly, joint.child)
         if counts is not None and counts is not joint:
-            return f"joint {joint.name!r}: its start speed was ignored, for that of {counts.name!r} counts"
+            return Lost(f"joint {joint.name!r}: its start speed was ignored, for that of {counts.name!r} counts")
         return None
     possible = np.zeros(6)
     for twist, rate in zip(joint_twists(joint), start_rates(joint), strict=True):
@@ -68,7 +69,7 @@ def _joint_speed_note(joint: Joint, assembly: Assembly, tree: KinematicTree) -> 
     left = np.linalg.norm(given - possible)
     if left <= IGNORED_SPEED * np.linalg.norm(given):
         return None
-    return (
+    return Lost(
         f"joint {joint.name!r}: of its start speed only what a {joint.type.value} joint can move counts, "
         f"angular velocity {_listed(possible[:3])} rad/s and velocity {_listed(possible[3:])} m/s in the world's axes"
     )

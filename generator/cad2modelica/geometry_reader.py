@@ -9,6 +9,7 @@ import numpy as np
 from cmb_base.errors import CmbError, InputError, Place
 
 from cad2modelica.file_reference import resolve_inside
+from cad2modelica.lost import Lost
 from cad2modelica.mesh import Mesh
 from cad2modelica.number_limits import LARGEST, are_usable
 from cad2modelica.spatial import Pose
@@ -93,8 +94,10 @@ class GeometryReader:
                 if index not in self._matched[file]:
                     left[shape.path] = left.get(shape.path, 0) + 1
             notes += [
-                f"{file.name}: geometry {path!r} ({count} shape{'s' if count > 1 else ''}) "
-                "belongs to no part and was left out"
+                Lost(
+                    f"{file.name}: geometry {path!r} ({count} shape{'s' if count > 1 else ''}) "
+                    "belongs to no part and was left out"
+                )
                 for path, count in left.items()
             ]
         return notes

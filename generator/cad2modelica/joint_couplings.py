@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from cad2modelica.lost import Lost
 from cad2modelica.model import Assembly, Coupling, Joint, JointType
 from cad2modelica.modelica_text import number
 
@@ -70,7 +71,7 @@ def with_couplings(assembly: Assembly, wanted: bool) -> Assembly:
 
 def follow(
     couplings: Sequence[Coupling], independent: dict[str, list[bool]], rates: dict[str, list[float]]
-) -> list[str]:
+) -> list[Lost]:
     """Makes coordinates of joints that follow dependent, and their rates what the leaders' say; changes both.
 
     Joints that follow stand in no loop: sources with couplings are trees.
@@ -89,7 +90,7 @@ def follow(
         followed = rate(name)
         if rates[name][0] not in (0.0, followed):
             notes.append(
-                f"joint {name!r}: its start speed follows from the joint it follows; the one given was ignored"
+                Lost(f"joint {name!r}: its start speed follows from the joint it follows; the one given was ignored")
             )
         rates[name] = [followed]
         independent[name] = [False]

@@ -22,6 +22,7 @@ from cad2modelica.joint_twists import (
 from cad2modelica.kinematic_graph import KinematicTree
 from cad2modelica.loop_closures import Closure, NotMovable, movable_closures
 from cad2modelica.loop_diagnosis import overconstrained
+from cad2modelica.lost import Lost
 from cad2modelica.model import GROUND, Assembly, Joint, JointType
 from cad2modelica.planar_loops import Loop, Step
 from cad2modelica.spatial import Array
@@ -34,7 +35,8 @@ class LoopAnalysis:
     Attributes:
         loops: all independent loops, in the order of the joints that close them.
         planar_constraints: names of the cut joints that become planar loop constraints.
-        closures: conditions that close overconstrained loops which move, by the names of their cut joints.
+        closures: conditions that close loops where no planar constraint or ordinary joint does: overconstrained ones
+            which move, and planar ones whose cut joint has stops or friction; by the names of their cut joints.
         independent: for every joint, which of its coordinates (in the order of ``joint_twists``) start as given;
             the others follow from the loops.
         rates: for every joint, the rates at the start that satisfy the loops.
@@ -127,7 +129,11 @@ def _coupled(loops: Sequence[Loop]) -> list[list[Loop]]:
 def _closures(
     assembly: Assembly, loops: Sequence[Loop], tree: KinematicTree, joints: Sequence[Joint], length: float
 ) -> dict[str, Closure]:
-    """Conditions for coupled loops that move although they are overconstrained; none if they are not."""
+    """Conditions that close coupled loops where their closing joints alone do not.
+
+    Those of loops that move although they are overconstrained, and of planar ones whose closing joint has stops or
+    friction.
+    """
     columns = _columns(loops, tree, joints, ())
     matrix = loop_matrix(loops, columns, length)
     missing = sum(loop_equations(loop) for loop in loops) - len(independent_columns(matrix))
@@ -145,7 +151,7 @@ def _solve(
     length: float,
     given: dict[str, list[float]],
     independent: dict[str, list[bool]],
-) -> list[str]:
+) -> list[Lost]:
     """Finds the dependent coordinates of coupled loops and their rates; changes ``given`` and ``independent``."""
     matrix = loop_matrix(loops, columns, length)
     dependent = independent_columns(matrix)
@@ -157,9 +163,8 @@ def _solve(
         joint, k = columns[column]
         independent[joint.name][k] = False
         if given[joint.name][k] != 0.0 and abs(value - given[joint.name][k]) > 1e-6 * max(1.0, abs(value)):
-            notes.append(
-                f"joint {joint.name!r}: its start speed follows from a loop ({value:.4g}); the one given was ignored"
-            )
+            speed = f"its start speed follows from a loop ({value:.4g}); the one given was ignored"
+            notes.append(Lost(f"joint {joint.name!r}: {speed}"))
         given[joint.name][k] = float(value)
     return notes
 

@@ -54,7 +54,8 @@ def _named(geometry: CollisionGeometry, computed: Part, part: Part) -> Collision
     if part is computed:
         return geometry
     begin = f"part {computed.name!r}"
-    return replace(geometry, notes=tuple(f"part {part.name!r}{note.removeprefix(begin)}" for note in geometry.notes))
+    notes = tuple(type(note)(f"part {part.name!r}{note.removeprefix(begin)}") for note in geometry.notes)
+    return replace(geometry, notes=notes)
 
 
 def _key(part: Part) -> bytes:

@@ -17,10 +17,12 @@ from typing import Any
 
 from cmb_base.errors import InputError, Place
 
-from cad2modelica.actuator_file import Assignment
+from cad2modelica.actuator_file import Assignment, NamedJoints
 from cad2modelica.model import Assembly
-from cad2modelica.own_files import OwnFiles
-from cad2modelica.structure import Structure, differences, structure_from
+from cad2modelica.own_files import OwnFiles, declared_names
+from cad2modelica.renames import Renames
+from cad2modelica.structure import Structure, structure_from
+from cad2modelica.structure_changes import differences
 
 RECORD = "Resources/generation.json"
 MECHATRONICS_FILE = Path("Mechatronics.mo")
@@ -107,7 +109,12 @@ def checksum(data: bytes) -> str:
 
 
 def require_same_structure(
-    earlier: Record | None, structure: Structure, own: OwnFiles, assigned: Sequence[str], accepted: bool
+    earlier: Record | None,
+    structure: Structure,
+    own: OwnFiles,
+    renames: Renames,
+    assigned: NamedJoints | None,
+    accepted: bool,
 ) -> tuple[str, ...]:
     """Compares the structure with the earlier one.
 
@@ -115,7 +122,8 @@ def require_same_structure(
         earlier: of the earlier package.
         structure: now.
         own: the modeller's files, the mechatronic model among them.
-        assigned: joints the actuator file names.
+        renames: parts and joints that seem renamed.
+        assigned: joints that the actuator file names, if there is one.
         accepted: whether a changed structure may be written.
 
     Returns:
@@ -126,12 +134,11 @@ def require_same_structure(
     """
     if earlier is None or earlier.structure == structure:
         return ()
-    changes = differences(earlier.structure, structure)
-    gone = earlier.structure.names - structure.names
+    changes = differences(earlier.structure, structure, renames)
     edited = is_edited(own, earlier)
+    gone = dict.fromkeys(earlier.structure.names - structure.names) | _names_now(earlier.structure, structure, renames)
     lost = own.references_to(gone, () if edited else (MECHATRONICS_FILE,))
-    joints = {joint.source for joint in structure.joints}
-    lost += [f"actuators: no joint {name!r}" for name in dict.fromkeys(assigned) if name not in joints]
+    lost += _without_joint(assigned, structure, renames) if assigned is not None else []
     if accepted:
         return (*(f"structure: {change}" for change in changes), *(f"no longer fits: {item}" for item in lost))
     lines = ["the mechanism has another structure than the package that is there:"]
@@ -150,8 +157,35 @@ def require_same_structure(
     raise InputError(
         "\n".join(lines),
         place=Place(file=own.root),
-        remedy="Adapt the files named above (or rename back in the CAD system), then repeat with --accept-structure.",
+        remedy="Adapt the files named above (or rename back in the CAD system), then repeat with --accept-structure."
+        if lost
+        else "Repeat with --accept-structure if that is meant.",
     )
+
+
+def _names_now(before: Structure, after: Structure, renames: Renames) -> dict[str, str | None]:
+    """What components that are gone seem to be called in the model now, by their earlier names in it."""
+    found: dict[str, str | None] = {}
+    for old, new, renamed in (
+        (before.bodies, after.bodies, renames.parts),
+        (before.joints, after.joints, renames.joints),
+    ):
+        now = {item.source: item.name for item in new}
+        found |= {item.name: now[renamed[item.source].name] for item in old if item.source in renamed}
+    kept = {*after.names}
+    return {name: present for name, present in found.items() if name not in kept}
+
+
+def _without_joint(assigned: NamedJoints, structure: Structure, renames: Renames) -> list[str]:
+    """Entries of the actuator file whose joint is not there, and which joint it seems to be now."""
+    joints = {joint.source for joint in structure.joints}
+    lines = []
+    for name in dict.fromkeys(assigned.names):
+        if name not in joints:
+            guess = renames.joints.get(name)
+            hint = f"; it seems to be {guess.name!r} now" if guess is not None else ""
+            lines.append(f"{assigned.file}: no joint {name!r}{hint}")
+    return lines
 
 
 def is_edited(own: OwnFiles, earlier: Record | None) -> bool:
@@ -196,6 +230,22 @@ def plan_mechatronics(
         remedy="Choose --mechatronics keep (it stays as it is) or --mechatronics replace (it is written anew, the "
         "edited file is kept beside it).",
     )
+
+
+def lost_references(own: OwnFiles, plan: Plan, mechatronics: str) -> tuple[str, ...]:
+    """Notes on what the modeller's files use of a mechatronic model that is written anew and no longer has it.
+
+    Args:
+        own: the modeller's files, the earlier mechatronic model among them.
+        plan: what is going to be written.
+        mechatronics: the new model's text.
+    """
+    if not plan.write_mechatronics or MECHATRONICS_FILE not in own.files:
+        return ()
+    before = (own.root / MECHATRONICS_FILE).read_text(encoding="utf-8", errors="replace")
+    gone = sorted(declared_names(before) - declared_names(mechatronics))
+    found = own.references_to(dict.fromkeys(gone), (MECHATRONICS_FILE,))
+    return tuple(f"no longer fits: {item}, which {MECHATRONICS_FILE} had" for item in found)
 
 
 def _free_name(own: OwnFiles) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 from cmb_base.errors import Place
 from lxml import etree
 
+from cad2modelica.lost import Lost
 from cad2modelica.number_limits import LARGEST, are_usable
 from cad2modelica.problems import Problems
 from cad2modelica.spatial import Array, Pose, rotation_of_roll_pitch_yaw
@@ -58,7 +59,8 @@ class UrdfElements:
         if words != text.split():
             self.notes.append(f"{self.place(element)}: {name}={text!r} was read as {' '.join(words)!r}")
         if len(words) > len(default):
-            self.notes.append(f"{self.place(element)}: of {name}={text!r} the first {len(default)} numbers count")
+            note = f"{self.place(element)}: of {name}={text!r} the first {len(default)} numbers count"
+            self.notes.append(Lost(note))
         if len(values) != len(default) or not are_usable(values):
             self.problems.add(
                 f"{name}={text!r} must be {len(default)} finite number{'s' if len(default) > 1 else ''}, "
@@ -80,7 +82,7 @@ class UrdfElements:
             return value
         if "inf" not in text:  # no limit
             doubt = "is no number" if np.isnan(value) else f"is beyond {LARGEST:g}"
-            self.notes.append(f"{self.place(element)}: {name}={text!r} {doubt} and was left out")
+            self.notes.append(Lost(f"{self.place(element)}: {name}={text!r} {doubt} and was left out"))
         return 0.0
 
     def refuse_macros(self, root: etree._Element) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from lxml import etree
 
+from cad2modelica.lost import Lost
 from cad2modelica.model import Coupling
 from cad2modelica.urdf_elements import UrdfElements
 
@@ -39,7 +40,8 @@ def read_couplings(joints: Sequence[etree._Element], elements: UrdfElements) -> 
         else:
             found[follower] = Coupling(follower, leader, ratio, offset)
             continue
-        elements.notes.append(f"joint {follower!r} is to follow joint {leader!r} (mimic), {reason}: it moves by itself")
+        note = f"joint {follower!r} is to follow joint {leader!r} (mimic), {reason}: it moves by itself"
+        elements.notes.append(Lost(note))
     return tuple(found.values())
 
 

@@ -14,6 +14,7 @@ from cmb_base.errors import CmbError, Place
 from cmb_base.progress import Progress, silent
 from lxml import etree
 
+from cad2modelica.lost import Lost
 from cad2modelica.mesh import Mesh
 from cad2modelica.model import (
     GROUND,
@@ -125,7 +126,7 @@ class _UrdfReader:
                         target.append(self._geometry.mesh(element, name, host.inner))
                     except CmbError as error:
                         reason = " ".join(str(error).split())
-                        self._notes.append(f"link {name!r}: {kind} geometry left out: {reason}")
+                        self._notes.append(Lost(f"link {name!r}: {kind} geometry left out: {reason}"))
         parts = []
         ground = GROUND
         for name, link in tree.links.items():
@@ -179,9 +180,9 @@ class _UrdfReader:
             if item.leader in joints and item.follower in joints:
                 kept.append(item)
             elif item.follower in joints:
+                reason = "which was taken as fixed: it moves by itself"
                 self._notes.append(
-                    f"joint {item.follower!r} is to follow joint {item.leader!r} (mimic), which was taken as fixed: it "
-                    "moves by itself"
+                    Lost(f"joint {item.follower!r} is to follow joint {item.leader!r} (mimic), {reason}")
                 )
         return tuple(kept)
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from lxml import etree
 
+from cad2modelica.lost import Lost
 from cad2modelica.model import GROUND, Coupling, JointType
 from cad2modelica.spatial import IDENTITY, Array, Pose, rotation_about
 from cad2modelica.urdf_elements import UrdfElements
@@ -108,7 +109,7 @@ class _TreeReader:
                 )
             links[name] = Link(name, element)
             if has_inertia_alone(element):
-                self._notes.append(f"link {name!r} has inertia without mass, which is left out")
+                self._notes.append(Lost(f"link {name!r} has inertia without mass, which is left out"))
         return links
 
     def joints(self, links: dict[str, Link]) -> list[UrdfJoint]:
@@ -214,7 +215,7 @@ class _TreeReader:
                 hosts[joint.child] = Host(joint.child, IDENTITY, world)
                 continue
             if joint.type != "fixed":
-                self._notes.append(f"joint {joint.name!r} moves nothing that has mass: it was taken as fixed")
+                self._notes.append(Lost(f"joint {joint.name!r} moves nothing that has mass: it was taken as fixed"))
             hosts[joint.child] = Host(parent.part, parent.inner @ origin, world)
         return hosts
 

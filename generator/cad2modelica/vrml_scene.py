@@ -11,6 +11,7 @@ import numpy as np
 from cmb_base.errors import InputError, Place
 
 from cad2modelica.file_reference import resolve_inside
+from cad2modelica.lost import Lost
 from cad2modelica.mesh import Indices
 from cad2modelica.spatial import Array, rotation_about
 from cad2modelica.vrml_prototypes import instance_of
@@ -107,8 +108,8 @@ def read_scene(file: Path, folder: Path) -> VrmlScene:
     """
     walker = _Walker(folder)
     walker.walk_file(file, (), ())
-    notes = [f"{file.name}: node type {name} is not known and was left out" for name in sorted(walker.unknown)]
-    notes += [f"{file.name}: {note}" for note in dict.fromkeys(walker.left_out)]
+    unknown = [f"node type {name} is not known and was left out" for name in sorted(walker.unknown)]
+    notes: list[str] = [Lost(f"{file.name}: {note}") for note in dict.fromkeys((*unknown, *walker.left_out))]
     if walker.curves:
         notes.append(f"{file.name}: {walker.curves} shapes without a surface (lines, points, text) were left out")
     return VrmlScene(file, tuple(walker.shapes), tuple(notes))

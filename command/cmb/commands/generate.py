@@ -24,6 +24,7 @@ EXAMPLES = """examples:
   cmb generate robot/robot.urdf --output out/robot \\
     --actuators robot/drives.toml
   cmb generate arm/arm.urdf --output out/arm --ground base_link --stops
+  cmb generate arm/arm.urdf --output out/arm --stops --strict
   cmb generate robot/robot.xml --output out/robot --accept-structure
 """
 

@@ -162,3 +162,165 @@ def test_record_is_what_the_documentation_says(made: Path) -> None:
     assert record["signature"] == hashlib.sha256(compact.encode()).hexdigest()
     assert record["mechatronics"] == hashlib.sha256((made / "Mechatronics.mo").read_bytes()).hexdigest()
     assert [joint["source"] for joint in record["structure"]["joints"]] == ["hip", "knee"]
+
+
+# ----- names that have changed -----
+
+
+def robot(folder: Path, names: dict[str, str], *, moved: float = 0.0) -> Path:
+    """Two legs of thigh and shank, the left ones heavier; ``names`` says what is called otherwise."""
+
+    def now(name: str) -> str:
+        return names.get(name, name)
+
+    parts, joints = [], []
+    for side, mass in (("left", 2.0), ("right", 1.0)):
+        y = 0.1 if side == "left" else -0.1
+        thigh, shank = f"{side} thigh", f"{side} shank"
+        parts += [
+            part(now(thigh), position=(moved, y, 0), mass=mass, inertia=(0.02, 0.02, 0.02)),
+            part(now(shank), position=(0, y, -0.4), mass=mass),
+        ]
+        joints += [
+            joint(now(f"{side} hip"), "revolute", "ground", now(thigh), origin=(0, y, 0), axis=(0, 1, 0)),
+            joint(now(f"{side} knee"), "revolute", now(thigh), now(shank), origin=(0, y, -0.4), axis=(0, 1, 0)),
+        ]
+    return write_assembly(folder / "robot.xml", parts, joints, name="Robot")
+
+
+RENAMED = {
+    "a part": (
+        {"left thigh": "femur"},
+        0.0,
+        ["part 'left thigh' is gone; renamed 'femur', it seems: same mass, inertia"],
+    ),
+    "a part that was moved": ({"left thigh": "femur"}, 0.1, ["renamed 'femur', it seems: same mass and inertia"]),
+    "two parts of one mass": (
+        {"left thigh": "upper left", "left shank": "lower left"},
+        0.0,
+        ["'left thigh' is gone; renamed 'upper left'", "'left shank' is gone; renamed 'lower left'"],
+    ),
+    "a joint and both its parts": (
+        {"left knee": "K1", "left thigh": "P1", "left shank": "P2"},
+        0.0,
+        ["'left knee' is gone; renamed 'K1', it seems: same type, parent and child", "renamed 'P1'", "renamed 'P2'"],
+    ),
+    "everything": (
+        {
+            f"{side} {name}": f"{name}_{side[0].upper()}"
+            for side in ("left", "right")
+            for name in ("thigh", "shank", "hip", "knee")
+        },
+        0.0,
+        [
+            f"'{side} {name}' is gone; renamed '{name}_{side[0].upper()}'"
+            for side in ("left", "right")
+            for name in ("thigh", "shank", "hip", "knee")
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize("case", RENAMED)
+def test_new_names_are_recognised(tmp_path: Path, case: str) -> None:
+    names, moved, words = RENAMED[case]
+    generate(robot(tmp_path, {}), tmp_path / "out")
+    with pytest.raises(InputError) as caught:
+        generate(robot(tmp_path, names, moved=moved), tmp_path / "out")
+    changes = str(caught.value).split("What no longer fits")[0].split("Nothing refers")[0]
+    for word in words:
+        assert word in changes
+    # Each renamed thing has one line; that joints hold parts of other names is none of its own.
+    assert changes.count("\n  - ") == len(names)
+
+
+def test_parts_of_other_numbers_are_told_by_what_holds_them(tmp_path: Path, made: Path) -> None:
+    text = leg(tmp_path, mass=1.7).read_text().replace('"thigh"', '"femur"')
+    (tmp_path / "leg.xml").write_text(text)
+    with pytest.raises(InputError, match="part 'thigh' is gone; renamed 'femur', it seems: held by the same joint"):
+        generate(tmp_path / "leg.xml", tmp_path / "out")
+    assert made.is_dir()
+
+
+def test_what_has_nothing_in_common_is_no_renaming(tmp_path: Path, made: Path) -> None:
+    foot = part("wheel", position=(3, 0, 0), mass=9.0)
+    slide = joint("rail", "prismatic", "ground", "wheel", axis=(1, 0, 0))
+    write_assembly(tmp_path / "leg.xml", [foot], [slide], name="Leg")
+    (tmp_path / "actuators.toml").write_text(DRIVE.replace("hip", "rail").replace("Servo", "Force").split("param")[0])
+    with pytest.raises(InputError) as caught:
+        generate(tmp_path / "leg.xml", tmp_path / "out")
+    assert "renamed" not in str(caught.value)
+    assert "part 'thigh' is gone" in str(caught.value)
+    assert "part 'wheel' is new" in str(caught.value)
+    assert made.is_dir()
+
+
+@pytest.mark.parametrize("scene", [None, "[1", '{"bodies": [{"label": "thigh", "mass": "much"}]}', '{"bodies": [7]}'])
+def test_renaming_is_told_without_an_earlier_scene(tmp_path: Path, made: Path, scene: str | None) -> None:
+    file = tmp_path / "out" / "scene.json"
+    file.unlink() if scene is None else file.write_text(scene)
+    with pytest.raises(InputError, match="joint 'knee' is gone; renamed 'kneecap'"):
+        generate(leg(tmp_path, joints=("hip", "kneecap")), tmp_path / "out")
+    assert made.is_dir()
+
+
+def test_actuator_of_a_renamed_joint_is_told_the_new_name_and_nothing_is_lost(tmp_path: Path, made: Path) -> None:
+    (made / "Drive.mo").write_text(
+        "within Leg;\nmodel Drive\n  extends Mechatronics(hipServo(c=60), hip.phi);\nend Drive;\n"
+    )
+    before = files_of(tmp_path)
+    file = leg(tmp_path, joints=("femoral joint", "knee"))
+    with pytest.raises(InputError) as caught:
+        generate(file, tmp_path / "out")
+    message = str(caught.value)
+    assert f"{tmp_path / 'actuators.toml'}: no joint 'hip'; it seems to be 'femoral joint' now" in message
+    assert "Drive.mo:3 uses 'hip', which seems to be 'femoralJoint' now" in message
+    with pytest.raises(InputError) as caught:
+        generate(file, tmp_path / "out", GenerateOptions(accept_structure=True))
+    assert "no such joint; renamed 'femoral joint', it seems: same type, parent and child" in str(caught.value)
+    assert 'Write joint = "femoral joint"' in str(caught.value)
+    assert changed(before, files_of(tmp_path)) == {"leg.xml"}
+
+    (tmp_path / "actuators.toml").write_text(DRIVE.replace("hip", "femoral joint"))
+    notes = generate(file, tmp_path / "out", GenerateOptions(accept_structure=True)).notes
+    assert "no longer fits: Drive.mo:3 uses 'hipServo', which Mechatronics.mo had" in notes
+    assert (made / "Drive.mo").read_bytes() == before["out/Leg/Drive.mo"]
+    assert "Servo femoralJointServo(" in (made / "Mechatronics.mo").read_text()
+
+
+def test_names_of_removed_actuators_are_told_where_they_are_used(tmp_path: Path, made: Path) -> None:
+    (made / "Drive.mo").write_text("model Drive\n  extends Mechatronics(hipAngleReference=1);\nend Drive;\n")
+    (tmp_path / "actuators.toml").write_text(DRIVE.replace("hip", "knee"))
+    notes = generate(leg(tmp_path), tmp_path / "out").notes
+    assert "no longer fits: Drive.mo:2 uses 'hipAngleReference', which Mechatronics.mo had" in notes
+    assert not [note for note in generate(leg(tmp_path), tmp_path / "out").notes if "fits" in note]
+
+
+def test_misspelt_joint_of_an_actuator_is_told_the_closest_name(tmp_path: Path) -> None:
+    (tmp_path / "actuators.toml").write_text(DRIVE.replace("hip", "Knees"))
+    with pytest.raises(InputError, match=r'no such joint\n  Write joint = "knee", if that is meant\.'):
+        generate(leg(tmp_path), tmp_path / "out")
+
+
+# ----- folders in which nothing is -----
+
+
+def test_empty_folders_of_the_modeller_stay(tmp_path: Path, made: Path) -> None:
+    for name in ("Measurements/2026/autumn", "Resources/Images"):
+        (made / name).mkdir(parents=True)
+    for _ in range(2):
+        generate(leg(tmp_path, mass=1.5), tmp_path / "out")
+        for name in ("Measurements/2026/autumn", "Resources/Images"):
+            assert (made / name).is_dir()
+    (made / "Measurements" / "2026" / "autumn").rmdir()
+    generate(leg(tmp_path), tmp_path / "out")
+    assert (made / "Measurements" / "2026").is_dir()
+    assert not (made / "Measurements" / "2026" / "autumn").exists()
+
+
+def test_empty_folder_in_place_of_a_file_is_refused(tmp_path: Path, made: Path) -> None:
+    (made / "Geometry.mo").unlink()
+    (made / "Geometry.mo").mkdir()
+    with pytest.raises(InputError, match=r"Geometry\.mo"):
+        generate(leg(tmp_path), tmp_path / "out")
+    assert (made / "Geometry.mo").is_dir()
