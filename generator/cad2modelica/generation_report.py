@@ -115,7 +115,7 @@ def _joint(joint: Joint, given: ReportInput) -> dict[str, Any]:
         role = "closes a planar loop: planar loop constraint, no coordinate"
     elif joint.name in given.loops.closures:
         empty = given.loops.closures[joint.name].is_empty
-        role = "left out: repeats what others hold" if empty else "closes an overconstrained loop, by a loop closure"
+        role = "left out: repeats what others hold" if empty else "closes a loop, with a loop closure behind it"
     elif cut:
         role = "closes a loop in space"
     else:

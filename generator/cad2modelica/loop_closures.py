@@ -19,12 +19,13 @@ import numpy as np
 from cad2modelica.joint_twists import Column, independent_columns, loop_equations, loop_projection
 from cad2modelica.loop_motion import LoopMotion, Position, scaled
 from cad2modelica.model import GROUND, Assembly, Joint, JointType
-from cad2modelica.planar_loops import Loop
+from cad2modelica.planar_loops import PARALLEL_TOLERANCE, Loop
 from cad2modelica.spatial import Array
 
 LEAST_TOLERANCE = 1e-6  # rad, or part of the mechanism's length, that a closed loop may show when simulated
 STILL = 1e-6  # rad or m: a coordinate that changes less does not move
 MARGIN = 10.0  # of the same over what the positions looked at leave open
+SURE_DIGITS = 6
 AXES = ("x", "y", "z")
 
 
@@ -99,6 +100,33 @@ def movable_closures(
     if blocked:
         last = list(found)[-1]
         found[last] = replace(found[last], note=f"{found[last].note}. In these loops cannot move: {blocked}")
+    return found
+
+
+def resisting_closures(assembly: Assembly, loops: Sequence[Loop], length: float) -> dict[str, Closure]:
+    """Conditions for planar loops whose closing joint has stops or friction, by the names of these joints.
+
+    A planar loop constraint has no coordinate that they could act on. The joint keeps its own, and the part that it
+    meets is held in the plane of the loop: two shifts and a turn in that part's axes, whatever the position.
+
+    Args:
+        assembly: the mechanism.
+        loops: of any kind.
+        length: typical length of the mechanism, m.
+    """
+    found = {}
+    for loop in loops:
+        joint = loop.joint
+        if loop.normal is not None and (joint.limits is not None or joint.friction is not None):
+            across = np.abs(assembly.part(joint.child).pose.rotation.T @ loop.normal)
+            axis = int(np.argmax(np.round(across, SURE_DIGITS)))  # rounding must not decide between equals
+            angle = MARGIN * PARALLEL_TOLERANCE
+            note = (
+                f"joint {joint.name!r} closes a planar loop and keeps its coordinate, for its stops or friction: "
+                f"in the axes of {joint.child!r} the turn about {AXES[axis]} and the shifts along the others are held"
+            )
+            x, y, z = (k == axis for k in range(3))
+            found[joint.name] = Closure((not x, not y, not z), (x, y, z), float(f"{angle * length:.2g}"), angle, note)
     return found
 
 

@@ -20,7 +20,7 @@ from cad2modelica.joint_twists import (
     start_rates,
 )
 from cad2modelica.kinematic_graph import KinematicTree
-from cad2modelica.loop_closures import Closure, NotMovable, movable_closures
+from cad2modelica.loop_closures import Closure, NotMovable, movable_closures, resisting_closures
 from cad2modelica.loop_diagnosis import overconstrained
 from cad2modelica.lost import Lost
 from cad2modelica.model import GROUND, Assembly, Joint, JointType
@@ -137,10 +137,11 @@ def _closures(
     columns = _columns(loops, tree, joints, ())
     matrix = loop_matrix(loops, columns, length)
     missing = sum(loop_equations(loop) for loop in loops) - len(independent_columns(matrix))
+    found = resisting_closures(assembly, loops, length)
     if missing == 0:
-        return {}
+        return found
     try:
-        return movable_closures(assembly, loops, columns, length)
+        return found | movable_closures(assembly, loops, columns, length)
     except NotMovable as finding:
         raise overconstrained(loops, columns, missing, length, finding) from None
 
