@@ -27,6 +27,7 @@ from cad2modelica.structure_changes import differences
 RECORD = "Resources/generation.json"
 MECHATRONICS_FILE = Path("Mechatronics.mo")
 FORMAT = 1
+LISTED = 50  # changes told before consent; the notes of what is then written hold all
 
 
 class Edited(Enum):
@@ -142,10 +143,8 @@ def require_same_structure(
     if accepted:
         return (*(f"structure: {change}" for change in changes), *(f"no longer fits: {item}" for item in lost))
     lines = ["the mechanism has another structure than the package that is there:"]
-    lines += [f"  - {change}" for change in changes]
-    lines += (
-        ["What no longer fits:", *(f"  - {item}" for item in lost)] if lost else ["Nothing refers to what is gone."]
-    )
+    lines += _listed(changes)
+    lines += ["What no longer fits:", *_listed(lost)] if lost else ["Nothing refers to what is gone."]
     lines.append(
         "Nothing was written. With --accept-structure Mechanics, Geometry and scene.json are written anew, and"
     )
@@ -161,6 +160,12 @@ def require_same_structure(
         if lost
         else "Repeat with --accept-structure if that is meant.",
     )
+
+
+def _listed(items: Sequence[str]) -> list[str]:
+    """Lines of a message, as many as can be read."""
+    more = [f"  - and {len(items) - LISTED} more"] if len(items) > LISTED else []
+    return [*(f"  - {item}" for item in items[:LISTED]), *more]
 
 
 def _names_now(before: Structure, after: Structure, renames: Renames) -> dict[str, str | None]:

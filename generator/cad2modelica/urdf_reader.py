@@ -230,7 +230,15 @@ class _UrdfReader:
         dry = float(self._elements.numbers(element, "friction", (0.0,))[0])
         if min(viscous, dry) < 0:
             self._problems.add("damping and friction must not be negative", self._place(joint.element), "Correct them.")
-        return JointFriction(viscous, dry) if kind.is_scalar and max(viscous, dry) > 0 else None
+        if max(viscous, dry) <= 0 or kind is JointType.FIXED:
+            return None
+        if not kind.is_scalar:
+            note = (
+                f"joint {joint.name!r}: damping and friction are left out, which a {joint.type} joint cannot have here"
+            )
+            self._notes.append(Lost(note))
+            return None
+        return JointFriction(viscous, dry)
 
     def _place(self, element: etree._Element | None) -> Place:
         return self._elements.place(element)

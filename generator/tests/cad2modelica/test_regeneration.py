@@ -302,6 +302,25 @@ def test_misspelt_joint_of_an_actuator_is_told_the_closest_name(tmp_path: Path) 
         generate(leg(tmp_path), tmp_path / "out")
 
 
+def test_many_changes_are_told_in_few_lines(tmp_path: Path) -> None:
+    def swarm(count: int, prefix: str) -> Path:
+        balls = [part(f"{prefix} {number}", position=(number, 0, 0)) for number in range(count)]
+        slide = joint("slide", "prismatic", "ground", f"{prefix} 0", axis=(1, 0, 0))
+        return write_assembly(tmp_path / "swarm.xml", balls, [slide], name="Swarm")
+
+    generate(swarm(70, "ball"), tmp_path / "out")
+    with pytest.raises(InputError) as caught:
+        generate(swarm(70, "sphere"), tmp_path / "out")
+    lines = str(caught.value).splitlines()
+    assert sum("renamed 'sphere" in line for line in lines) == 50
+    assert "  - and 20 more" in lines
+    notes = generate(swarm(70, "sphere"), tmp_path / "out", GenerateOptions(accept_structure=True)).notes
+    for number in range(70):
+        assert any(
+            note.startswith(f"structure: part 'ball {number}' is gone; renamed 'sphere {number}'") for note in notes
+        )
+
+
 # ----- folders in which nothing is -----
 
 

@@ -90,6 +90,10 @@ LOST: dict[str, tuple[Write, str]] = {
         robot(INERTIAL.replace("<mass", '<origin xyz="0 0 0 1"/><mass') + BOX),
         "the first 3 numbers count",
     ),
+    "friction of a joint that has none": (
+        robot(INERTIAL + BOX, INERTIAL + BOX, joints=hinge(1, '<dynamics damping="0.1"/>', kind="planar")),
+        "joint 'j1': damping and friction are left out",
+    ),
     "limit that is no number": (
         robot(INERTIAL + BOX, INERTIAL + BOX, joints=hinge(1, LIMIT.replace('effort="0"', 'effort="much"'))),
         "effort='much' is no number",
