@@ -483,7 +483,7 @@ def mechanics(tmp_path: Path, options: GenerateOptions, *replacements: tuple[str
 def test_limits_are_stops_if_asked(tmp_path: Path) -> None:
     text, notes = mechanics(tmp_path, GenerateOptions())
     assert "EndStop" not in text
-    assert "1 joint moves without stops at the limits; --stops adds them" in notes
+    assert "1 joint moves without stops at the limits; --stops adds them, --no-stops does without" in notes
     text, notes = mechanics(tmp_path, GenerateOptions(stops=True, accept_structure=True))
     assert text.count("Actuators.Rotational.EndStop ") == 1
     assert "phi_min=-0.5" in text
