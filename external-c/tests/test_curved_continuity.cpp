@@ -75,10 +75,43 @@ INSTANTIATE_TEST_SUITE_P(
                     RarePath{"the ball outgrows a capsule at a cone", {"capsule", "cone"}, 1083, 0.04},
                     RarePath{"the ball rests where a rim over an edge is as curved", {"cylinder", "box"}, 1112, 0.04},
                     RarePath{"a side's end crosses an edge nearly along it", {"cylinder", "box"}, 1954, 0.04},
+                    RarePath{"a tip leaves the polygon that stands for a disc", {"cylinder", "hull"}, 2356, 0.004},
                     RarePath{"the ball rests on a cone as curved, and beside", {"cone", "hull"}, 1826, 0.04},
                     RarePath{"the ball rests on two places of a cone as curved", {"cone", "hull"}, 2430, 0.004},
                     RarePath{"the ball goes from two places of a cone to another", {"cone", "hull"}, 2520, 0.004},
                     RarePath{"the ball is held by four places at once", {"cylinder", "hull"}, 1422, 0.04}));
+
+class TipUnderDisc : public testing::TestWithParam<const char *> {};
+
+// A sharp tip slides from beside between disc and support, all ways round, blunt or sharp, level or inclined.
+TEST_P(TipUnderDisc, SumsHaveNoJumps) {
+  constexpr double radius = 0.3, top = 0.25;
+  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+    Random random(seed);
+    std::string tip = "cmb/1 hull vertices=0,0,0";
+    const double wide = random.uniform(0.05, 0.5), steep = random.uniform(0.02, 0.6);
+    for (int k = random.integer(3, 6); k > 0; --k) {
+      tip += ",0.6," + digits(wide * random.uniform(-1, 1)) + "," + digits(0.6 * steep * random.uniform(0.05, 1));
+    }
+    const double angle = random.uniform(0, 2 * pi), depth = std::exp(random.uniform(std::log(3e-4), std::log(1e-2)));
+    const Mat3 attitude = product(rotation_about({0, 0, 1}, angle + random.uniform(-0.3, 0.3)),
+                                  product(rotation_about({0, 1, 0}, random.uniform(-0.15, 0.15)),
+                                          rotation_about({1, 0, 0}, random.uniform(-0.1, 0.1))));
+    const double turn = random.uniform(0, 0.3), lift = random.uniform(0, 0.5);
+    const PosePath path = [=](double s) {
+      const double far = radius * (1.05 - 0.1 * s), around = angle + 0.2 * s;
+      return BodyPose{{far * std::cos(around), far * std::sin(around), top - depth * (1.0 + lift * std::sin(5.0 * s))},
+                      product(rotation_about({0, 0, 1}, turn * s), attitude)};
+    };
+    const PathSums sums = follow(PairScene(tip, GetParam()), path, {}, 600, 15);
+    EXPECT_LT(sums.largest_jump, 1e-5 * sums.largest_load) << tip << ", " << depth << " deep";
+    EXPECT_GT(sums.largest_load, 0.0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TipUnderDisc,
+                         testing::Values("cmb/1 cylinder radius=0.3 length=0.5",
+                                         "cmb/1 cone radius=0.3 length=0.5 rotation=1,0,0,0,-1,0,0,0,-1"));
 
 std::vector<Kinds> all_kinds() {
   const char *const curved[] = {"sphere", "capsule", "cylinder", "cone", "ellipsoid"};

@@ -115,6 +115,24 @@ TEST(RimContacts, DiscOverAFacesCornerCarriesByItsOutline) {
   EXPECT_NEAR(contact.total_weight(), 1.0, 1e-12);
 }
 
+// Whether the corner is under the disc is lost in rounding; what the outline carries is not.
+TEST(RimContacts, RimThroughAFacesCornerCarriesAsBesideIt) {
+  const PairScene scene(cylinder, "cmb/1 box size=4,4,1");
+  for (int k = 0; k < 40; ++k) {
+    const double angle = 0.02 + 0.0375 * k, tilt = 0.002 * (k % 4);
+    const Mat3 rotation = product(rotation_about({0.6, 0.8, 0}, tilt), yaw);
+    // The disc's middle is so placed that its rim runs through the corner.
+    const Vec3 middle = 0.25 * (rotation * Vec3{0, 0, 1});
+    const Vec3 rim = 0.3 * (rotation * Vec3{std::cos(angle), std::sin(angle), 0.0});
+    const Vec3 on_corner{2.0 - rim.x + middle.x, 2.0 - rim.y + middle.y, 0.5 - depth - rim.z + middle.z};
+    const auto load_at = [&](double aside) {
+      return norm(scene.query({on_corner + Vec3{aside, aside, 0.0}, rotation}, {}, 64).load());
+    };
+    const double beside = load_at(1e-9);
+    for (int step = -8; step <= 8; ++step) EXPECT_NEAR(load_at(step * 1e-16), beside, 1e-6 * depth) << angle;
+  }
+}
+
 TEST(RimContacts, DiscsThatOverlapInPartCarryByTheirLens) {
   const PairScene scene(cylinder, "cmb/1 cylinder radius=0.4 length=1");
   const Contact contact = scene.query({{0.5, 0, 0.75 - depth}, yaw}, {}, 64);

@@ -5,13 +5,19 @@
 
 namespace cmb {
 
+namespace {
+
+constexpr double sector = 2.0 * 3.14159265358979323846 / rim_corners;
+
+}  // namespace
+
 std::shared_ptr<const ContactPolytope> make_rim_polytope(const convex::ConvexBody &body) {
   constexpr int n = rim_corners;
   const bool cone = body.core == convex::CoreShape::cone;
   const double r = body.half.x, h = body.half.z;
   std::vector<Vec3> vertices;
   for (int k = 0; k < n; ++k) {
-    const double angle = 2.0 * 3.14159265358979323846 * k / n;
+    const double angle = sector * k;
     vertices.push_back({r * std::cos(angle), r * std::sin(angle), -h});
   }
   if (cone) {
@@ -33,6 +39,11 @@ std::shared_ptr<const ContactPolytope> make_rim_polytope(const convex::ConvexBod
   convex::Polytope geometry;
   convex::Polytope::build(vertices, faces, geometry, nullptr);
   return std::make_shared<const ContactPolytope>(std::move(geometry));
+}
+
+double inside_rim_polygon(double radius, double x, double y) {
+  const double angle = std::atan2(y, x), aside = angle - sector * (std::floor(angle / sector) + 0.5);
+  return radius * std::cos(0.5 * sector) - std::sqrt(x * x + y * y) * std::cos(aside);
 }
 
 }  // namespace cmb

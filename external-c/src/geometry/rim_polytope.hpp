@@ -15,4 +15,8 @@ std::shared_ptr<const ContactPolytope> make_rim_polytope(const convex::ConvexBod
 // Regular: a disc that rests wholly on its rim's corners has the second moments of one that rests on its rim.
 constexpr int rim_corners = 16;
 
+// How far inside the polygon, which stands for a disc of `radius` (m), the place x, y from the disc's middle lies (m); negative
+// outside. Axes of the body's frame.
+double inside_rim_polygon(double radius, double x, double y);
+
 }  // namespace cmb

@@ -6,6 +6,7 @@
 #include "convex/nearby_surface.hpp"
 #include "convex/ways_out.hpp"
 #include "geometry/pose_algebra.hpp"
+#include "geometry/rim_polytope.hpp"
 #include "manifold/axis_share.hpp"
 #include "manifold/capsule_manifold.hpp"
 #include "manifold/disc_manifold.hpp"
@@ -61,6 +62,29 @@ double agreement(double found, double depth) {
   return faded(std::max(0.0, (full - found / depth) / (full - none)));
 }
 
+// The part that counts of what points[begin, end) carry under the polygon that stands for the disc of a cylinder or cone. A
+// tip that comes under the disc from beside leaves the polygon before the disc, at its depth: what is left in there shrinks to
+// a point on the polygon's border, and counts the less the smaller it is and the nearer to the border.
+double polygon_part(const Shape &shape, const Pose &pose, const std::vector<ContactPoint> &points, std::size_t begin) {
+  constexpr double border = 0.02;  // of the radius: as wide as what the polygon leaves of the disc
+  double load = 0.0, inside = 0.0;
+  Vec3 first;
+  for (std::size_t k = begin; k < points.size(); ++k) {
+    const double carried = points[k].weight * points[k].depth;
+    const Vec3 place = transposed_times(pose.rotation, points[k].position - pose.translation);
+    load += carried;
+    inside += carried * std::max(0.0, inside_rim_polygon(shape.body.half.x, place.x, place.y));
+    first = first + carried * points[k].position;
+  }
+  if (!(load > 0.0)) return 0.0;
+  const Vec3 middle = (1.0 / load) * first;
+  double second = 0.0;
+  for (std::size_t k = begin; k < points.size(); ++k) {
+    second += points[k].weight * points[k].depth * norm2(points[k].position - middle);
+  }
+  return 1.0 - faded((inside / load + std::sqrt(second / load)) / (border * shape.body.half.x));
+}
+
 // Scales the weights of points[begin, end).
 void scale_weights(double part, std::size_t begin, std::size_t end, std::vector<ContactPoint> &points) {
   for (std::size_t k = begin; k < end; ++k) points[k].weight *= part;
@@ -102,7 +126,8 @@ double flat_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   if (face < 1.0 - 1e-12) {
     const std::size_t begin = points.size();
     polytope_contact(corners_of(a), pose_a, corners_of(b), pose_b, normal, witness, graph, points);
-    agree = (1.0 - face) * agreement(greatest_depth(points, begin), depth);
+    const double counts = a.rim ? polygon_part(a, pose_a, points, begin) : polygon_part(b, pose_b, points, begin);
+    agree = (1.0 - face) * counts * agreement(greatest_depth(points, begin), depth);
     scale_weights(1.0 - face, begin, points.size(), points);
   }
   if (face > 0.0) {

@@ -205,23 +205,27 @@ double disc_on_face(const Disc &disc, const Shape &box, const Pose &pose, const 
   }
   const auto at = [&angle](int k) { return angle[(k + 4) % 4] + (k < 0 ? -2.0 * pi : k > 3 ? 2.0 * pi : 0.0); };
   const auto within = [&half](int k) { return half[(k + 4) % 4]; };
+  // The face's corners, each between a side and the next, those under the disc. Whether the rim goes in or out through a side
+  // beside a corner is told by these, so that of a corner and the rim's ways through its sides none is missing or too much where
+  // the rim runs through the corner.
+  bool under[4];
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 corner = face + (k == 0 || k == 3 ? half1 : -half1) * e1 + (k < 2 ? half2 : -half2) * e2;
+    const double depth = dot(disc.axis, corner - disc.center) / dot(disc.axis, normal);
+    under[k] = norm2(corner - depth * normal - disc.center) < disc.radius * disc.radius;
+    if (under[k]) outline.corner(corner - (0.5 * depth) * normal, depth, at(k + 1) - at(k));
+  }
   for (int k = 0; k < 4; ++k) {
     outline.arc(rim, std::max(at(k) + within(k), at(k - 1) + within(k - 1)),
                 std::min(at(k + 1) - within(k + 1), at(k + 2) - within(k + 2)));
-    // Where the rim goes in and out through this side.
-    for (const double way : {-1.0, 1.0}) {
-      if (!(half[k] > 0.0)) continue;
-      const double t = angle[k] + way * half[k];
-      const double aside = k % 2 == 0 ? (y + swing_y * std::cos(t - angle_y)) / half2
-                                      : (x + swing_x * std::cos(t - angle_x)) / half1;
-      if (std::fabs(aside) < 1.0) outline.corner(rim, t, half[k]);
-    }
-    // The face's corner between this side and the next, if it is under the disc.
-    const Vec3 corner = face + (k == 0 || k == 3 ? half1 : -half1) * e1 + (k < 2 ? half2 : -half2) * e2;
-    const double depth = dot(disc.axis, corner - disc.center) / dot(disc.axis, normal);
-    if (norm2(corner - depth * normal - disc.center) < disc.radius * disc.radius) {
-      outline.corner(corner - (0.5 * depth) * normal, depth, at(k + 1) - at(k));
-    }
+    if (!(half[k] > 0.0)) continue;
+    // Where the middle of the rim's ways through this side lies: between the corner before, at -1, and the one after, at 1.
+    const double along = k % 2 == 0 ? (y + swing_y * std::cos(half[k]) * std::cos(angle[k] - angle_y)) / half2
+                                    : (x + swing_x * std::cos(half[k]) * std::cos(angle[k] - angle_x)) / half1;
+    const double middle = k == 0 || k == 3 ? along : -along;
+    const bool after = under[k], before = under[(k + 3) % 4];
+    if (!before && middle > -1.0 && (after || middle < 1.0)) outline.corner(rim, angle[k] - half[k], half[k]);
+    if (!after && middle < 1.0 && (before || middle > -1.0)) outline.corner(rim, angle[k] + half[k], half[k]);
   }
   return outline.deepest();
 }
