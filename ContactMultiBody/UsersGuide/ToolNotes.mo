@@ -30,8 +30,8 @@ shape, and set <code>animateGround=true</code> in the world to see a floor at z 
 <ul>
 <li>Classes that extend ExternalObject are not translated, hence the Integer handle of a scene.</li>
 <li>rumoca 0.10.2 leaves some redeclarations of components out without a word: modifiers in <code>constrainedby</code> clauses, modifiers of a replaceable declaration where an element
-redeclares it, and <code>extends Base(redeclare ...)</code> where the component comes from a class that Base extends. Give modifiers with the redeclaration, and redeclare where the
-component is declared or one <code>extends</code> away. Replaceable functions are not concerned.</li>
+redeclares it, and <code>extends Base(redeclare ...)</code> where the component comes from a class that Base extends. The FMU builder finds these and more, and refuses the model with the place and what to write instead:
+modifiers with the redeclaration or in a class of its own, redeclarations one <code>extends</code> away from the declaration.</li>
 <li>Long vertex lists of <a href=\"modelica://ContactMultiBody.Shapes.hull\">hull</a> are better given as one literal descriptor string.</li>
 </ul>
 </html>"));

@@ -11,10 +11,14 @@ from typing import Any, Final
 from cmb_base.errors import BuildError, InputError, Place
 
 from modelica2fmu import ir
+from modelica2fmu.class_library import ClassLibrary
+from modelica2fmu.class_syntax import Extent
+from modelica2fmu.flat_check import check_flat_model
 from modelica2fmu.flat_reader import read_flat_model
+from modelica2fmu.flat_reading import FlatReading
 from modelica2fmu.front_end_errors import front_end_error
 from modelica2fmu.lone_files import LoneFiles, apart
-from modelica2fmu.source_map import SourceMap
+from modelica2fmu.source_map import SourceMap, source_number
 
 # What a folder with the Modelica Standard Library holds.
 _STANDARD_PACKAGES: Final = ("Modelica", "ModelicaServices", "Complex")
@@ -56,7 +60,18 @@ def load_flat_model(model: str, file: Path, roots: Sequence[Path], source_map: S
                 raise
             message = f"{model} cannot be compiled: {given.restored(str(error))}"
             raise InputError(message, place=Place(file=file)) from error
+        _check(flat, model, file, given, source_map)
         return read_flat_model(flat, model, source_map)
+
+
+def _check(flat: dict[str, Any], model: str, file: Path, given: LoneFiles, source_map: SourceMap) -> None:
+    """Raises UnsupportedModelError if the front end left out a modifier or a redeclaration."""
+
+    def place(extent: Extent) -> Place:
+        return source_map.place(ir.Span(source_number(str(extent.file)), extent.start, extent.end))
+
+    library = ClassLibrary(given.file, file.read_bytes(), given.roots)
+    check_flat_model(flat, model, FlatReading(library, place))
 
 
 def _compile(session: Any, model: str, file: Path, given: LoneFiles) -> Any:

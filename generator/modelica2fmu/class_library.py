@@ -1,0 +1,110 @@
+"""Finds classes by name in files and folders, which are read when they are first asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from pathlib import Path
+
+from modelica2fmu.class_parser import UnreadableError, call_arguments, parse
+from modelica2fmu.class_syntax import ClassDefinition, Extent
+from modelica2fmu.source_map import source_number
+
+
+class ClassLibrary:
+    """Classes of the highest level, and those that lie in folders of packages.
+
+    Args:
+        file: holds the model: a file by itself or a package's ``package.mo``.
+        text: of the file, which need not exist under its name.
+        roots: folders that contain packages or files, and folders of packages.
+    """
+
+    def __init__(self, file: Path, text: bytes, roots: Sequence[Path]) -> None:
+        self._file = file
+        self._text = text
+        self._roots = tuple(roots)
+        self._found: dict[str, ClassDefinition | None] = {}
+        self._missing: set[tuple[Path, str]] = set()
+        self._texts: dict[Path, bytes] = {}
+        self._files: dict[int, Path] = {}
+
+    def file(self, source: int) -> Path | None:
+        """The file that has a number of the front end, if a class of it was read."""
+        return self._files.get(source)
+
+    def text(self, extent: Extent) -> str:
+        """What is written in a range of a file that was read."""
+        return self._written(extent).decode("utf-8", errors="replace")
+
+    def arguments(self, call: Extent) -> list[tuple[str, Extent]]:
+        """The arguments of a call that is written in a range, with their names; see ``call_arguments``."""
+        return [
+            (name, Extent(call.file, call.start + start, call.start + end))
+            for name, start, end in call_arguments(self._written(call))
+        ]
+
+    def _written(self, extent: Extent) -> bytes:
+        return self._texts[extent.file][extent.start : extent.end]
+
+    def top(self, name: str) -> ClassDefinition | None:
+        """A class of the highest level; raises UnreadableError."""
+        if name not in self._found:
+            self._found[name] = self._own.get(name) or self._search(name)
+        return self._found[name]
+
+    def member(self, definition: ClassDefinition, name: str) -> ClassDefinition | None:
+        """A class that is declared in another one, or lies in its folder; raises UnreadableError."""
+        found = definition.classes.get(name)
+        if found is None and definition.folder is not None and (definition.folder, name) not in self._missing:
+            found = self._in_folder(definition.folder, name)
+            if found is None:
+                self._missing.add((definition.folder, name))
+            else:
+                definition.classes[name] = found
+        return found
+
+    @cached_property
+    def _own(self) -> dict[str, ClassDefinition]:
+        classes = self._parse(self._text, self._file)
+        if self._file.name == "package.mo":
+            for package in classes.values():
+                package.folder = self._file.parent
+        return classes
+
+    def _search(self, name: str) -> ClassDefinition | None:
+        for root in self._roots:
+            if (root / "package.mo").is_file():
+                if root.name == name:
+                    return self._package(root)
+                continue
+            found = self._in_folder(root, name)
+            if found is None and not (root / name).exists():
+                files = sorted(root.glob("*.mo"))
+                found = self._read(files[0]).get(name) if len(files) == 1 else None
+            if found is not None:
+                return found
+        return None
+
+    def _in_folder(self, folder: Path, name: str) -> ClassDefinition | None:
+        if (folder / name / "package.mo").is_file():
+            return self._package(folder / name)
+        file = folder / f"{name}.mo"
+        return self._read(file).get(name) if file.is_file() else None
+
+    def _package(self, folder: Path) -> ClassDefinition | None:
+        definition = self._read(folder / "package.mo").get(folder.name)
+        if definition is not None:
+            definition.folder = folder
+        return definition
+
+    def _read(self, file: Path) -> dict[str, ClassDefinition]:
+        try:
+            return self._parse(file.read_bytes(), file)
+        except OSError as error:
+            raise UnreadableError(f"{file}: {error.strerror}") from error
+
+    def _parse(self, text: bytes, file: Path) -> dict[str, ClassDefinition]:
+        self._texts[file] = text
+        self._files[source_number(str(file))] = file
+        return parse(text, file)

@@ -1,0 +1,328 @@
+"""Compares the front end's flattened model with what the language says about its components and modifiers.
+
+rumoca 0.10 leaves some modifiers and redeclarations out without a word. Each variable, equation and function of the
+flattened model carries the place it was written at; so does each component of an instance tree that is made from the
+sources independently (``class_instances``). Where the two name different places, the model is refused.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, Final
+
+from cmb_base.errors import UnsupportedModelError
+
+from modelica2fmu.class_instances import ClassInstance, Component, Role, UnknownError, Value, full_name
+from modelica2fmu.class_parser import UnreadableError
+from modelica2fmu.class_syntax import Modifier
+from modelica2fmu.flat_expression_check import ExpressionCheck, Site
+from modelica2fmu.flat_reading import FlatReading, WrittenPlaces, spans
+
+_PART: Final = re.compile(r"'(?:\\.|[^'\\])*'|[^.\[\]]+(?:\[[^\]]*\])?")
+_SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
+_REFERENCE: Final = re.compile(r"\.?(?!(?:true|false)\b)[A-Za-z_][\w.\s\[\],:]*")
+_EQUATIONS: Final = ("equations", "initial_equations")
+_ALGORITHMS: Final = ("algorithms", "initial_algorithms")
+_ALGORITHM_OF: Final = "algorithm from "
+
+_Path = tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Node:
+    """A component on the way to variables.
+
+    Attributes:
+        instance: its class.
+        component: ``None`` for the model itself.
+        is_certain: = true, if its modifiers are, and those of all components around it.
+        has_value: = true, if a record around it has a value, which gives its own.
+    """
+
+    instance: ClassInstance
+    component: Component | None
+    is_certain: bool = True
+    has_value: bool = False
+
+
+def check_flat_model(flat: Mapping[str, Any], model: str, reading: FlatReading) -> None:
+    """Holds a flattened model against its sources, as far as the names in them are found.
+
+    Args:
+        flat: as the front end gives it.
+        model: full name.
+        reading: the sources.
+
+    Raises:
+        UnsupportedModelError: the front end left out a modifier or a redeclaration.
+    """
+    try:
+        root = full_name(reading.library, tuple(model.split(".")))
+    except (UnknownError, UnreadableError):
+        return
+    _FlatCheck(flat, root, reading).run()
+
+
+class _FlatCheck:
+    """One flattened model."""
+
+    def __init__(self, flat: Mapping[str, Any], root: ClassInstance, reading: FlatReading) -> None:
+        self._flat = flat
+        self._reading = reading
+        self._nodes: dict[_Path, _Node | None] = {(): _Node(root, None)}
+        self._expressions = ExpressionCheck(flat["functions"], reading, self._inner)
+        self._variables: dict[_Path, list[Mapping[str, Any]]] = {}
+        for variable in flat["variables"].values():
+            path = tuple(part["ident"] for part in variable["component_ref"]["parts"])
+            self._variables.setdefault(path, []).append(variable)
+
+    def run(self) -> None:
+        """Raises UnsupportedModelError at the first difference."""
+        for path, variables in self._variables.items():
+            for variable in variables:
+                self._as_far_as_known(self._variable, path, variable)
+        for kind in _EQUATIONS:
+            for equation in self._flat[kind]:
+                self._as_far_as_known(self._equation, equation)
+        for kind in _ALGORITHMS:
+            for algorithm in self._flat[kind]:
+                self._as_far_as_known(self._algorithm, algorithm)
+        filled = {path[:length] for path in self._variables for length in range(len(path) + 1)}
+        for path in [path for path, node in self._nodes.items() if node is not None]:
+            self._as_far_as_known(self._empty, path, filled)
+            if path in filled:
+                self._as_far_as_known(self._without_equations, path)
+
+    @staticmethod
+    def _as_far_as_known(check: Callable[..., None], *arguments: Any) -> None:
+        try:
+            check(*arguments)
+        except (UnknownError, UnreadableError, RecursionError):
+            return
+
+    # --- components ---
+
+    def _node(self, path: _Path) -> _Node | None:
+        """What a path leads to; ``None`` if there is no such component; raises UnknownError."""
+        if path not in self._nodes:
+            around = self._node(path[:-1])
+            component = None if around is None else around.instance.component(path[-1])
+            if around is None or component is None:
+                self._nodes[path] = None
+            else:
+                has_value = around.component is not None and around.component.binding is not None
+                self._nodes[path] = _Node(
+                    component.type,
+                    component,
+                    around.is_certain and component.is_certain,
+                    around.has_value or has_value,
+                )
+        return self._nodes[path]
+
+    def _inner(self, path: _Path, name: str) -> ClassInstance | None:
+        """The class of the component that a name means in another one, where it is an outer one that of its inner."""
+        for length in range(len(path), -1, -1):
+            node = self._node((*path[:length], name))
+            if node is not None and node.component is not None and not node.component.is_outer:
+                return node.instance
+        return None
+
+    def _redeclaration(self, path: _Path) -> Modifier | None:
+        """The innermost redeclaration on the way to a component."""
+        for length in range(len(path), 0, -1):
+            node = self._nodes.get(path[:length])
+            if node is not None and node.component is not None:
+                for found in (node.component.redeclaration, node.instance.redeclaration):
+                    if found is not None:
+                        return found
+        return None
+
+    def _other_class(self, path: _Path) -> UnsupportedModelError | None:
+        """The component has another class in the flattened model; ``None`` if nothing was to be replaced."""
+        found = self._redeclaration(path)
+        return None if found is None else self._reading.ignored_redeclaration(".".join(path), found.extent)
+
+    # --- variables ---
+
+    def _variable(self, path: _Path, variable: Mapping[str, Any]) -> None:
+        node = self._node(path)
+        span = variable["source_span"]
+        if node is None or node.component is None:
+            if self._node(path[:-1]) is not None and (error := self._other_class(path[:-1])) is not None:
+                raise error
+            return
+        if span and not any(self._reading.ends_in(span, extent) for extent in node.component.declarations):
+            if (error := self._other_class(path)) is not None:
+                raise error
+            return
+        if node.has_value:
+            self._constructed(path, variable)
+        elif node.is_certain and node.instance.predefined is not None:
+            self._binding(path, node.component, variable)
+            if node.component.binding is None:
+                self._attributes(node.instance.predefined, variable)
+
+    def _binding(self, path: _Path, component: Component, variable: Mapping[str, Any]) -> None:
+        value, given = component.binding, variable["binding"]
+        if value is None:
+            return
+        places = list(spans(given))
+        if any(self._reading.begins_in(span, value.extent) for span in places):
+            self._expressions.check(given, Site(value.scope, (value.extent,), path[:-1]))
+        elif not self._is_copy(path, value, places):
+            redeclaration = self._redeclaration(path)
+            if redeclaration is None or value.role in (Role.CONSTRAINT, Role.CLASS):
+                raise self._reading.ignored_value(variable["name"], value, given)
+            wanted = self._reading.shown(value.extent)
+            consequence = f", which would be {self._reading.taken(given)} in place of {wanted}"
+            raise self._reading.ignored_redeclaration(variable["name"], redeclaration.extent, consequence)
+
+    def _constructed(self, path: _Path, variable: Mapping[str, Any]) -> None:
+        """A field of a record that is bound to a call of its constructor has the argument's value."""
+        length = next(
+            length
+            for length in range(1, len(path))
+            if (node := self._node(path[:length])) is not None and node.component is not None and node.component.binding
+        )
+        record = self._node(path[:length])
+        if record is None or record.component is None or record.component.binding is None or not record.is_certain:
+            return
+        value = record.component.binding
+        instance = record.instance
+        for name in path[length:]:
+            arguments = self._reading.library.arguments(value.extent)
+            order = instance.fields()
+            extent = next((extent for each, extent in arguments if each == name), None)
+            if extent is None and name in order and order.index(name) < len(arguments):
+                positional, found = arguments[order.index(name)]
+                extent = None if positional else found
+            component = instance.component(name)
+            if extent is None or component is None:
+                return
+            value, instance = replace(value, extent=extent, modifier=None), component.type
+        places = list(spans(variable["binding"]))
+        if not any(self._reading.begins_in(span, value.extent) for span in places) and not _REFERENCE.fullmatch(
+            self._reading.text(value.extent)
+        ):
+            raise self._reading.ignored_value(variable["name"], value, variable["binding"])
+
+    def _is_copy(self, path: _Path, value: Value, places: list[Mapping[str, int]]) -> bool:
+        """= true, if the value is a name, and the front end put in its place what that name is bound to."""
+        text = self._reading.text(value.extent)
+        if not _REFERENCE.fullmatch(text):
+            return False
+        found = {(span["source"], span["start"]) for span in places}
+        for length in range(len(path)):
+            for other in self._variables.get((*path[:length], *_names(text)), ()):
+                if found & {(span["source"], span["start"]) for span in spans(other["binding"])}:
+                    return True
+        return False
+
+    def _attributes(self, predefined: ClassInstance, variable: Mapping[str, Any]) -> None:
+        start = predefined.attribute("start")
+        if start is not None and not _REFERENCE.fullmatch(self._reading.text(start.extent)):
+            places = spans(variable["start"])
+            if not any(self._reading.begins_in(span, start.extent) for span in places):
+                raise self._reading.ignored_value(f"start of {variable['name']}", start, variable["start"])
+        fixed = predefined.attribute("fixed")
+        flags = variable["fixed"]
+        text = "" if fixed is None else self._reading.text(fixed.extent)
+        if fixed is not None and text in ("true", "false") and set(flags or [False]) != {text == "true"}:
+            raise self._reading.ignored_value(f"fixed of {variable['name']}", fixed, None)
+
+    # --- equations ---
+
+    def _equation(self, equation: Mapping[str, Any]) -> None:
+        origin = equation["origin"]
+        span = equation["span"]
+        if not isinstance(origin, dict) or "ComponentEquation" not in origin or not span:
+            return
+        path = _names(origin["ComponentEquation"]["component"])
+        node = self._node(path)
+        if node is None:
+            return
+        own = False
+        for each in node.instance.chain():
+            extents = tuple(each.definition.behaviour)
+            if any(self._reading.begins_in(span, extent) for extent in extents):
+                own = True
+                self._expressions.check(equation["residual"], Site(each, extents, path))
+        if not own and not self._is_value(node.instance, span) and (error := self._other_class(path)) is not None:
+            raise error
+
+    def _algorithm(self, algorithm: Mapping[str, Any]) -> None:
+        origin, span = algorithm["origin"], algorithm["span"]
+        if not isinstance(origin, str) or not origin.startswith(_ALGORITHM_OF) or not span:
+            return
+        path = _names(origin.removeprefix(_ALGORITHM_OF))
+        node = self._node(path)
+        if node is None:
+            return
+        own = False
+        for each in node.instance.chain():
+            extents = tuple(each.definition.behaviour)
+            if any(self._reading.begins_in(span, extent) for extent in extents):
+                own = True
+                self._expressions.check(algorithm["statements"], Site(each, extents, path))
+        if not own and (error := self._other_class(path)) is not None:
+            raise error
+
+    def _is_value(self, instance: ClassInstance, span: Mapping[str, int]) -> bool:
+        """= true, if the equation is made from the value of a component."""
+        for name in instance.component_names():
+            component = instance.component(name)
+            if component is not None:
+                extents = [*component.declarations, *([component.binding.extent] if component.binding else [])]
+                if any(self._reading.begins_in(span, extent) for extent in extents):
+                    return True
+        return False
+
+    # --- what is not there ---
+
+    @cached_property
+    def _written(self) -> WrittenPlaces:
+        return WrittenPlaces(self._flat, self._reading.library)
+
+    def _without_equations(self, path: _Path) -> None:
+        """A component that is redeclared as a class with equations has some of them."""
+        node = self._nodes[path]
+        if node is None or node.component is None:
+            return
+        if node.component.redeclaration is None and node.instance.redeclaration is None:
+            return
+        for each in node.instance.chain():
+            equations = each.definition.equations
+            if equations and not any(self._written.any_in(extent) for extent in equations):
+                error = self._other_class(path)
+                if error is not None:
+                    raise error
+
+    def _empty(self, path: _Path, filled: set[_Path]) -> None:
+        """A component that is redeclared as a class with variables has some."""
+        node = self._nodes[path]
+        if node is None or node.instance.predefined is not None:
+            return
+        for name in node.instance.component_names():
+            inner = (*path, name)
+            found = None if inner in filled else self._node(inner)
+            if found is None or found.component is None or not self._has_variables(found.component):
+                continue
+            is_replaced = found.component.redeclaration is not None or found.instance.redeclaration is not None
+            if is_replaced and (error := self._other_class(inner)) is not None:
+                raise error
+
+    def _has_variables(self, component: Component) -> bool:
+        if component.may_be_absent or component.is_outer:
+            return False
+        if component.type.predefined is not None:
+            return True
+        inner = (component.type.component(name) for name in component.type.component_names())
+        return any(self._has_variables(each) for each in inner if each is not None)
+
+
+def _names(path: str) -> _Path:
+    """The names of a path without subscripts."""
+    return tuple(_SUBSCRIPTS.sub("", part.strip()) for part in _PART.findall(path))
