@@ -27,67 +27,62 @@ Vec3 middle_over(const BoxRim &edge, const BoxRim &other) {
   return edge.middle + 0.5 * (low + high) * edge.half[0];
 }
 
-// A point, in the coordinates of a face that is the square |x| <= 1, |y| <= 1.
-struct Place {
-  double x, y;
-  bool in_square() const { return std::fabs(x) <= 1.0 && std::fabs(y) <= 1.0; }
-};
+// A convex polygon in a face's coordinates, in which the face is the square of half edge 1.
+struct Polygon {
+  static constexpr int capacity = 8;
+  struct Corner {
+    double at[2];
+  };
+  Corner corner[capacity];
+  int count = 0;
 
-Place place(const BoxRim &face, const Vec3 &way) {
-  return {dot(face.half[0], way) / norm2(face.half[0]), dot(face.half[1], way) / norm2(face.half[1])};
-}
+  void add(double x, double y) {
+    if (count == capacity) return;  // more than a square's four borders leave of four corners: rounding
+    corner[count].at[0] = x, corner[count].at[1] = y;
+    ++count;
+  }
 
-// Sums up places.
-struct Places {
-  double x = 0.0, y = 0.0, count = 0.0;
-
-  void add_if(bool counts, const Place &p) {
-    const auto one = static_cast<double>(counts);  // which ones count cannot be foretold: no branch
-    x += one * p.x, y += one * p.y, count += one;
+  // Keeps what is on the inner side of one of the square's borders; or all, as above, where nothing is left.
+  void clip(int axis, double sense) {
+    double beyond[capacity], farthest = -1.0;
+    for (int k = 0; k < count; ++k) {
+      beyond[k] = sense * corner[k].at[axis] - 1.0;
+      farthest = std::max(farthest, beyond[k]);
+    }
+    if (farthest <= 0.0) return;
+    Polygon kept;
+    for (int k = 0; k < count; ++k) {
+      const int next = k + 1 < count ? k + 1 : 0;
+      const double here = beyond[k], there = beyond[next];
+      const Corner &from = corner[k], &to = corner[next];
+      if (here <= 0.0) kept.add(from.at[0], from.at[1]);
+      if ((here < 0.0 && there > 0.0) || (here > 0.0 && there < 0.0)) {
+        const double way = here / (here - there);
+        kept.add(from.at[0] + way * (to.at[0] - from.at[0]), from.at[1] + way * (to.at[1] - from.at[1]));
+      }
+    }
+    if (kept.count > 0) *this = kept;
   }
 };
-
-// Narrows [from, to] to where |x + t dx| <= 1.
-void narrow(double x, double dx, double inverse, double &from, double &to) {
-  if (dx == 0.0) {
-    if (std::fabs(x) > 1.0) to = -1.0;
-    return;
-  }
-  const double first = (-1.0 - x) * inverse, second = (1.0 - x) * inverse;
-  from = std::max(from, std::min(first, second));
-  to = std::min(to, std::max(first, second));
-}
 
 Vec3 mean_of_common_corners(const BoxRim &face, const BoxRim &other) {
-  const Place middle = place(other, face.middle - other.middle);
-  const Place u = place(other, face.half[0]), v = place(other, face.half[1]);
-  Places corners;
-  // The face's corners and where its edges enter and leave the square.
-  const auto add_edges = [&](const Place &along, const Place &aside) {
-    const double dx = 2.0 * along.x, dy = 2.0 * along.y, inverse_x = 1.0 / dx, inverse_y = 1.0 / dy;
-    for (const double side : {-1.0, 1.0}) {
-      // One edge runs forwards, the other one back, so that each corner begins one edge.
-      const Place begin{middle.x + side * aside.x + side * along.x, middle.y + side * aside.y + side * along.y};
-      double from = 0.0, to = 1.0;
-      narrow(begin.x, -side * dx, -side * inverse_x, from, to);
-      narrow(begin.y, -side * dy, -side * inverse_y, from, to);
-      const auto at = [&](double t) { return Place{begin.x - t * side * dx, begin.y - t * side * dy}; };
-      corners.add_if(begin.in_square(), begin);
-      corners.add_if((from > 0.0) & (from < to), at(from));
-      corners.add_if((to < 1.0) & (from < to), at(to));
-    }
-  };
-  add_edges(u, v);
-  add_edges(v, {-u.x, -u.y});
-  // The square's corners inside the face: one on its border has been met there.
-  const double area = u.x * v.y - u.y * v.x;
-  for (const Place &corner : {Place{-1.0, -1.0}, Place{1.0, -1.0}, Place{1.0, 1.0}, Place{-1.0, 1.0}}) {
-    const double x = corner.x - middle.x, y = corner.y - middle.y;
-    corners.add_if((std::fabs(x * v.y - y * v.x) < std::fabs(area)) & (std::fabs(y * u.x - x * u.y) < std::fabs(area)), corner);
-  }
-  const double part = 1.0 / corners.count;
-  return corners.count > 0.0 ? other.middle + (part * corners.x) * other.half[0] + (part * corners.y) * other.half[1]
-                             : face.middle;  // they meet by rounding only
+  const Vec3 along_x = (1.0 / norm2(other.half[0])) * other.half[0], along_y = (1.0 / norm2(other.half[1])) * other.half[1];
+  const Vec3 between = face.middle - other.middle;
+  const double x = dot(along_x, between), ux = dot(along_x, face.half[0]), vx = dot(along_x, face.half[1]);
+  const double y = dot(along_y, between), uy = dot(along_y, face.half[0]), vy = dot(along_y, face.half[1]);
+  Polygon common;
+  common.add(x - ux - vx, y - uy - vy);
+  common.add(x + ux - vx, y + uy - vy);
+  common.add(x + ux + vx, y + uy + vy);
+  common.add(x - ux + vx, y - uy + vy);
+  common.clip(1, -1.0);
+  common.clip(0, 1.0);
+  common.clip(1, 1.0);
+  common.clip(0, -1.0);
+  double sum_x = 0.0, sum_y = 0.0;
+  for (int k = 0; k < common.count; ++k) sum_x += common.corner[k].at[0], sum_y += common.corner[k].at[1];
+  const double part = 1.0 / common.count;
+  return other.middle + (part * sum_x) * other.half[0] + (part * sum_y) * other.half[1];
 }
 
 }  // namespace

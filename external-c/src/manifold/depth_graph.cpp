@@ -42,7 +42,7 @@ bool cut_arc(Vec3 &first, Vec3 &second) {
   return true;
 }
 
-// How much an edge's end at the part t of its length counts beside the edges.
+// How much an edge's end at the part t of its length counts beside the edges; the farther end never does.
 double end_influence(double t) {
   constexpr double reach = 0.25, smallest = 1e-14;
   if (!(t < reach)) return 0.0;
@@ -123,6 +123,8 @@ void DepthGraph::place(const ContactPolytope &a, const Pose &a_in_axes, const Co
   mirrored.translation.z = -mirrored.translation.z;
   side_a_.place(a, mirrored, {});
   side_b_.place(b, b_in_axes, shake_of(size_));
+  const Vec3 &half_a = a.geometry().box_half(), &half_b = b.geometry().box_half();
+  flush_ = half_a.x > 0.0 && half_b.x > 0.0 && flush_boxes_.find(half_a, mirrored, half_b, b_in_axes, shake_of(size_));
   turning_a_ = 0.5;
   if (!a.shares_are_constant() || !b.shares_are_constant()) {
     // The contact normal turns with the body that has a face in it.
@@ -134,6 +136,10 @@ void DepthGraph::place(const ContactPolytope &a, const Pose &a_in_axes, const Co
 void DepthGraph::find_corners(double level) {
   corners_.clear();
   level_ = level;
+  if (flush_) {
+    add_flush_corners();
+    return;
+  }
   side_a_.gather(level - side_b_.reach());
   side_b_.gather(level - side_a_.reach());
   region_ = common(side_a_.extent(), side_b_.extent(), margin * size_);
@@ -172,6 +178,13 @@ void DepthGraph::add_vertices(const PolytopeSide &side, VertexStiffness &stiffne
   }
 }
 
+// Boxes' edges and vertices that look towards a level face would carry 1 each if their normal cones filled the hemisphere.
+void DepthGraph::add_flush_corners() {
+  const double depth = reach(), height = 0.5 * (side_b_.reach() - side_a_.reach());
+  if (!(depth > level_)) return;
+  for (const FlushBoxes::Corner &corner : flush_boxes_) add_corner(corner.x, corner.y, height, depth, corner.part, {1.0, {}});
+}
+
 // Written member by member: objects put together on the stack and copied as a whole would wait for the store.
 void DepthGraph::add_corner(double x, double y, double z, double depth, double part, const Stiffness &scale) {
   corners_.emplace_back();
@@ -202,18 +215,16 @@ void DepthGraph::add_crossing(std::int32_t edge_a, std::int32_t edge_b) {
   if (of_f == nullptr) return;
   Stiffness sum{of_e->stiffness.value + of_f->stiffness.value, of_e->stiffness.slope + of_f->stiffness.slope};
   double influences = 2.0;
-  const auto add_end = [&](VertexStiffness &stiffness, std::int32_t vertex, double way) {
-    const double influence = end_influence(way);
+  const auto add_nearer_end = [&](VertexStiffness &stiffness, const PolytopeSide::Edge &edge, double way) {
+    const double influence = end_influence(std::min(way, 1.0 - way));
     if (!(influence > 0.0)) return;
-    const Stiffness &end = stiffness.of(vertex);
+    const Stiffness &end = stiffness.of(edge.vertex[way > 0.5 ? 1 : 0]);
     influences += influence;
     sum.value += influence * end.value;
     sum.slope = sum.slope + influence * end.slope;
   };
-  add_end(stiffness_a_, e.vertex[0], t);
-  add_end(stiffness_a_, e.vertex[1], 1.0 - t);
-  add_end(stiffness_b_, f.vertex[0], s);
-  add_end(stiffness_b_, f.vertex[1], 1.0 - s);
+  add_nearer_end(stiffness_a_, e, t);
+  add_nearer_end(stiffness_b_, f, s);
   const double part = parallelogram_solid_angle(of_e->directions, of_f->directions) * inverse_hemisphere;
   add_corner(0.5 * (on_e.x + on_f.x), 0.5 * (on_e.y + on_f.y), 0.5 * (on_f.z - on_e.z), depth, part / influences, sum);
 }

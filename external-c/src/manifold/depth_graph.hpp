@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "manifold/flush_boxes.hpp"
 #include "manifold/polytope_side.hpp"
 #include "manifold/vertex_stiffness.hpp"
 
@@ -73,6 +74,7 @@ class DepthGraph {
   };
 
   void add_vertices(const PolytopeSide &side, VertexStiffness &stiffness, PolytopeSide &other_side, double sense);
+  void add_flush_corners();
   void add_corner(double x, double y, double z, double depth, double part, const Stiffness &scale);
   void add_crossings();
   template <bool own_is_of_a>
@@ -83,6 +85,8 @@ class DepthGraph {
 
   double size_ = 0.0, level_ = 0.0, turning_a_ = 0.5;
   PolytopeSide side_a_, side_b_;
+  FlushBoxes flush_boxes_;
+  bool flush_ = false;
   Extent region_;
   Lines lines_a_, lines_b_;
   // Lines that may cross: as many as were found last.

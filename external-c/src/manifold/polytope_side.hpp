@@ -47,7 +47,8 @@ struct Extent {
 };
 
 // A polytope's vertices that reach beyond a limit towards the other body, the edges at them (upright ones, which cross
-// nothing at an angle, may be missing) and the edges' other ends. All in the side's axes: x and y in the contact plane, z towards the other body.
+// nothing at an angle, may be missing) and the edges' other ends. All in the side's axes: x and y in the contact plane, z
+// towards the other body.
 class PolytopeSide {
  public:
   struct Vertex {

@@ -48,9 +48,7 @@ void VertexStiffness::start(const PolytopeSide &side, double turning) {
   for (std::size_t k = 0; k < side.vertex_count(); ++k) known_[k].value = -1.0;
 }
 
-const Stiffness &VertexStiffness::of(std::int32_t k) {
-  Stiffness &stiffness = known_[index(k)];
-  if (stiffness.value >= 0.0) return stiffness;
+void VertexStiffness::find(std::int32_t k, Stiffness &stiffness) {
   const ContactPolytope &body = side_->body();
   const std::int32_t v = side_->vertex(index(k)).number;
   const ContactPolytope::Share share = body.share(v, side_->towards());
@@ -59,7 +57,6 @@ const Stiffness &VertexStiffness::of(std::int32_t k) {
   stiffness.value = scale * share.value;
   stiffness.slope = body.shares_are_constant() ? Vec3{}
                                                : (scale * turning_) * (side_->to_side().rotation * share.gradient);
-  return stiffness;
 }
 
 }  // namespace cmb

@@ -32,9 +32,15 @@ class VertexStiffness {
   void start(const PolytopeSide &side, double turning);
 
   // Of the side's vertex k.
-  const Stiffness &of(std::int32_t k);
+  const Stiffness &of(std::int32_t k) {
+    Stiffness &stiffness = known_[static_cast<std::size_t>(k)];
+    if (stiffness.value < 0.0) find(k, stiffness);
+    return stiffness;
+  }
 
  private:
+  void find(std::int32_t k, Stiffness &stiffness);
+
   const PolytopeSide *side_ = nullptr;
   double turning_ = 0.0;
   std::vector<Stiffness> known_;
