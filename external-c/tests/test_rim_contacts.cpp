@@ -54,6 +54,27 @@ TEST_P(RimContacts, EqualThoseOnAHalfspace) {
 
 INSTANTIATE_TEST_SUITE_P(All, RimContacts, testing::ValuesIn(cases));
 
+// On a hull a polygon stands for the disc: it is no tessellation, and carries what the disc carries on a box however deep.
+TEST(RimContacts, DiscOnAHullCarriesAsOnABox) {
+  std::string hull = "cmb/1 hull vertices=";
+  for (const char *corner : {"2,2", "2,-2", "-2,2", "-2,-2"}) hull += std::string(corner) + ",0.5," + corner + ",-0.5,";
+  hull.pop_back();
+  for (const char *body : {cylinder, cone}) {
+    const PairScene on_hull(body, hull), on_box(body, "cmb/1 box size=4,4,1");
+    for (const double deep : {0.01, 0.03, 0.1}) {
+      for (const double degrees : {0.0, 1.0, 3.0, 6.0, 12.0}) {
+        BodyPose pose{{0.2, 0.1, 2.0}, product(rotation_about({0.6, 0.8, 0}, degrees * pi / 180), yaw)};
+        pose.position.z -= on_box.query(pose, {}, 8).distance + deep;
+        const Contact hulls = on_hull.query(pose, {}, 64), boxes = on_box.query(pose, {}, 64);
+        ASSERT_NEAR(hulls.distance, -deep, 1e-9);
+        EXPECT_LT(norm(hulls.load() - boxes.load()), 0.02 * norm(boxes.load())) << body << " " << deep << " " << degrees;
+        EXPECT_LT(norm(hulls.moment(pose.position) - boxes.moment(pose.position)), 0.02 * 0.3 * norm(boxes.load()))
+            << body << " " << deep << " " << degrees;
+      }
+    }
+  }
+}
+
 // What rests wholly carries wholly: the moment of a tilt is that of a rim, half of radius^2 times tilt.
 TEST(RimContacts, TiltedDiscIsRightedByTheRimsSecondMoment) {
   const PairScene scene(cylinder, "cmb/1 box size=4,4,1");

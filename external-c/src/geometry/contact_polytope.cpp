@@ -26,7 +26,7 @@ struct Neighbourhood {
 
 }  // namespace
 
-ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::move(geometry)) {
+ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : geometry_(std::move(geometry)) {
   const std::size_t vertex_count = geometry_.vertices().size();
   std::vector<std::vector<Neighbourhood>> around(vertex_count);
   for (std::size_t f = 0; f < geometry_.faces().size(); ++f) {
@@ -87,6 +87,7 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::mov
           part * (share_in(edge.vertex[0], edge.face[side]) + share_in(edge.vertex[1], edge.face[side]));
     }
   }
+  if (meaning == Corners::curve) return;
   double radius = 0.0;
   for (const Vec3 &v : geometry_.vertices()) radius = std::max(radius, norm(v - geometry_.center()));
   fineness_ = static_cast<double>(vertex_count) / (2.0 * radius);

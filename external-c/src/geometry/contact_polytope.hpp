@@ -18,7 +18,10 @@ using convex::Vec3;
 // between them its share changes smoothly with the direction the load comes from.
 class ContactPolytope {
  public:
-  explicit ContactPolytope(convex::Polytope geometry);
+  // Whether the vertices are a tessellation's, met the more the deeper a contact is, or stand for a curve's places.
+  enum class Corners { tessellation, curve };
+
+  explicit ContactPolytope(convex::Polytope geometry, Corners meaning = Corners::tessellation);
   // The convex bodies made of it borrow the geometry: it must not move.
   ContactPolytope(const ContactPolytope &) = delete;
   ContactPolytope &operator=(const ContactPolytope &) = delete;
@@ -60,7 +63,7 @@ class ContactPolytope {
   // climbing from face to face from vertex `start`, the farthest one along that direction.
   double greatest_face_cosine(const Vec3 &direction, std::int32_t start) const;
 
-  // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated.
+  // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated; 0 where they stand for a curve.
   double fineness() const { return fineness_; }
 
   // The solid angle of vertex v's whole normal cone.

@@ -38,7 +38,7 @@ std::shared_ptr<const ContactPolytope> make_rim_polytope(const convex::ConvexBod
   }
   convex::Polytope geometry;
   convex::Polytope::build(vertices, faces, geometry, nullptr);
-  return std::make_shared<const ContactPolytope>(std::move(geometry));
+  return std::make_shared<const ContactPolytope>(std::move(geometry), ContactPolytope::Corners::curve);
 }
 
 double inside_rim_polygon(double radius, double x, double y) {
