@@ -93,13 +93,7 @@ class BoxDifference {
     for (const double side : {1.0, -1.0}) {
       const double height = (reach - side * shift) / length;
       if (!(height < radius_)) continue;
-      const Vec3 normal = (side / length) * across, middle = side * offset - translation_;
-      FacetIntegral integral(normal, std::max(height, 0.0), radius_);
-      if (integral.empty()) continue;
-      const Vec3 &u = axis_[p], v = side * axis_[q];
-      const Vec3 corner[4] = {middle - u - v, middle + u - v, middle + u + v, middle - u + v};
-      for (int k = 0; k < 4; ++k) integral.add_edge(corner[k], corner[(k + 1) % 4]);
-      sum_ = sum_ + integral.value() * normal;
+      add_facet({(side / length) * across, side * offset - translation_, axis_[p], side * axis_[q]}, height, length);
     }
   }
 
@@ -109,6 +103,28 @@ class BoxDifference {
   static constexpr double parallel2 = 1e-24;
 
  private:
+  struct Facet {
+    Vec3 normal, middle, u, v;  // half edges u and v
+  };
+
+  // A facet whose plane is `height` from the origin, which may be on the wrong side of it; a quarter of its area is `quarter`.
+  void add_facet(const Facet &facet, double height, double quarter) {
+    const double outward = std::max(height, 0.0), limit2 = radius_ * radius_ - outward * outward;
+    const Vec3 to_foot = outward * facet.normal - facet.middle;
+    // Whether the ball is beyond one of the two sides along an edge.
+    const auto misses = [&](const Vec3 &edge) {
+      const double beyond = std::fabs(dot(facet.normal, cross(edge, to_foot))) - quarter;
+      return beyond > 0.0 && beyond * beyond >= limit2 * norm2(edge);
+    };
+    if (misses(facet.u) || misses(facet.v)) return;
+    FacetIntegral integral(facet.normal, outward, radius_);
+    if (integral.empty()) return;
+    const Vec3 sum = facet.u + facet.v, difference = facet.u - facet.v;
+    const Vec3 corner[4] = {facet.middle - sum, facet.middle + difference, facet.middle + sum, facet.middle - difference};
+    for (int k = 0; k < 4; ++k) integral.add_edge(corner[k], corner[(k + 1) % 4]);
+    sum_ = sum_ + integral.value() * facet.normal;
+  }
+
   Vec3 axis_[6], shaken_[6];  // half edges
   Vec3 translation_, sum_;
   double radius_;
