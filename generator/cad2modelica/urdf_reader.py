@@ -125,7 +125,7 @@ class _UrdfReader:
                     try:
                         target.append(self._geometry.mesh(element, name, host.inner))
                     except CmbError as error:
-                        reason = " ".join(str(error).split())
+                        reason = ". ".join(line.strip().rstrip(".") for line in str(error).splitlines())
                         self._notes.append(Lost(f"link {name!r}: {kind} geometry left out: {reason}"))
         parts = []
         ground = GROUND

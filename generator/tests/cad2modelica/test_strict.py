@@ -140,6 +140,7 @@ def test_all_losses_are_told_at_once(tmp_path: Path) -> None:
     with pytest.raises(InputError) as caught:
         generate(file, tmp_path / "out", GenerateOptions(strict=True))
     assert "without 2 things" in str(caught.value)
+    assert f"does not exist in {tmp_path}. Copy the file" in str(caught.value)
     for words in ("gone.stl", "without stops"):
         assert words in str(caught.value)
 
