@@ -6,7 +6,7 @@
 
 namespace cmb::convex {
 
-BoxAxes box_axes(const BoxPair &boxes) {
+void find_box_axes(const BoxPair &boxes, BoxAxes &result) {
   const Vec3 &half_a = boxes.half_a(), &half_b = boxes.half_b();
   const Mat3 &r = boxes.b_in_a().rotation;
   const Vec3 &t = boxes.b_in_a().translation;
@@ -24,9 +24,10 @@ BoxAxes box_axes(const BoxPair &boxes) {
   }
   Vec3 edge_axis;
   // Where a face parts the boxes, edges need not be looked at.
+  if (best <= 0.0) result.edges.find(boxes);
   for (int i = 0; i < 3 && best <= 0.0; ++i) {
     for (int j = 0; j < 3; ++j) {
-      const BoxPair::Across across = boxes.across(i, j);
+      const auto &across = result.edges.of[i][j];
       double s, along;
       Vec3 axis;
       if (across.length2 > 1e-6) {
@@ -52,7 +53,6 @@ BoxAxes box_axes(const BoxPair &boxes) {
       best = s, best_axis = 6, best_shift = along, edge_axis = axis;
     }
   }
-  BoxAxes result;
   result.separation = best;
   const double sense = std::copysign(1.0, best_shift);
   if (best_axis < 3) {
@@ -61,7 +61,7 @@ BoxAxes box_axes(const BoxPair &boxes) {
   } else {
     result.axis = sense * (best_axis < 6 ? r.column(best_axis - 3) : edge_axis);
   }
-  if (best > 0.0) return result;
+  if (best > 0.0) return;
   const Vec3 &m = result.axis;
   const double slack = 1e-10 * scale;
   const BoxRim rim_a = farthest_rim(half_a, Pose{}, m, slack);
@@ -71,7 +71,6 @@ BoxAxes box_axes(const BoxPair &boxes) {
   const double plane = half_a.x * std::fabs(m.x) + half_a.y * std::fabs(m.y) + half_a.z * std::fabs(m.z);
   result.a = p + (plane - dot(m, p)) * m;
   result.b = result.a + best * m;
-  return result;
 }
 
 }  // namespace cmb::convex

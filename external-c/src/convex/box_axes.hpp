@@ -8,9 +8,11 @@ namespace cmb::convex {
 struct BoxAxes {
   double separation;  // the exact signed distance where negative; else along some axis that parts the boxes
   Vec3 axis;          // unit, from A to B, in A's frame
-  Vec3 a, b;          // witness points of the overlap, valid where separation <= 0
+  // Valid where separation <= 0:
+  Vec3 a, b;          // witness points of the overlap
+  AcrossEdges edges;
 };
 
-BoxAxes box_axes(const BoxPair &boxes);
+void find_box_axes(const BoxPair &boxes, BoxAxes &result);
 
 }  // namespace cmb::convex

@@ -33,18 +33,7 @@ class BoxPair {
   const Pose &b_in_a() const { return pose_; }
 
   static constexpr int next[3] = {1, 2, 0};
-  // Along the cross product of A's axis i and B's axis j, which is not a unit vector: how far both boxes reach together,
-  // where B's middle is seen from A's, and the square of the product's length.
-  struct Across {
-    double reach, shift, length2;
-  };
-  Across across(int i, int j) const {
-    const int i1 = next[i], i2 = next[i1], j1 = next[j], j2 = next[j1];
-    // The product's components along A's axes i, i1, i2 are 0, -rotation[i2][j], rotation[i1][j].
-    const double y = rotation[i1][j], z = rotation[i2][j];
-    return {a[i1] * absolute[i2][j] + a[i2] * absolute[i1][j] + b[j1] * absolute[i][j2] + b[j2] * absolute[i][j1],
-            shift_a[i2] * y - shift_a[i1] * z, y * y + z * z};
-  }
+  // Of the cross product of A's axis i and B's axis j.
   Vec3 across_direction(int i, int j) const {
     Vec3 direction;
     direction.set(next[i], -rotation[next[next[i]]][j]);
@@ -60,6 +49,29 @@ class BoxPair {
  private:
   Vec3 a_, b_;
   Pose pose_;
+};
+
+// Along the cross product of A's axis i and B's axis j, which is not a unit vector: how far both boxes reach together, where
+// B's middle is seen from A's, and the square of the product's length.
+struct AcrossEdges {
+  struct {
+    double reach, shift, length2;
+  } of[3][3];
+
+  void find(const BoxPair &boxes) {
+    for (int i = 0; i < 3; ++i) {
+      const int i1 = BoxPair::next[i], i2 = BoxPair::next[i1];
+      for (int j = 0; j < 3; ++j) {
+        const int j1 = BoxPair::next[j], j2 = BoxPair::next[j1];
+        // The product's components along A's axes i, i1, i2 are 0, -z, y.
+        const double y = boxes.rotation[i1][j], z = boxes.rotation[i2][j];
+        of[i][j].reach = boxes.a[i1] * boxes.absolute[i2][j] + boxes.a[i2] * boxes.absolute[i1][j] +
+                         boxes.b[j1] * boxes.absolute[i][j2] + boxes.b[j2] * boxes.absolute[i][j1];
+        of[i][j].shift = boxes.shift_a[i2] * y - boxes.shift_a[i1] * z;
+        of[i][j].length2 = y * y + z * z;
+      }
+    }
+  }
 };
 
 }  // namespace cmb::convex

@@ -64,7 +64,7 @@ CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const B
   CoreDistance result{axes.separation, axes.axis, axes.a, axes.b, DistanceMethod::separating_axes, true};
   if (with_mean) {
     result.mean_outward =
-        nearby_surface_of_boxes(boxes, std::max(0.0, -axes.separation), core_radius(a) + core_radius(b));
+        nearby_surface_of_boxes(boxes, axes.edges, std::max(0.0, -axes.separation), core_radius(a) + core_radius(b));
   }
   const double scale = norm(a.half) + norm(b.half);
   const Vec3 b_local = transposed_times(pose.rotation, axes.b - pose.translation);
@@ -126,7 +126,8 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
   const double reach = core_radius(a) + core_radius(b);
   if (a.core == CoreShape::box && b.core == CoreShape::box && norm2(pose.translation) <= reach * reach) {
     const BoxPair boxes(a.half, b.half, pose);
-    const BoxAxes axes = box_axes(boxes);
+    BoxAxes axes;
+    find_box_axes(boxes, axes);
     if (axes.separation <= 0.0) return overlapping_boxes(a, b, boxes, axes, with_mean);
     first = -axes.axis;
   }

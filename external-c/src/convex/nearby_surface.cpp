@@ -165,7 +165,7 @@ bool in_one_plane(const BoxPair &boxes, const NearFacets *near, int count, Vec3 
 
 }  // namespace
 
-Vec3 nearby_surface_of_boxes(const BoxPair &boxes, double depth, double size) {
+Vec3 nearby_surface_of_boxes(const BoxPair &boxes, const AcrossEdges &edges, double depth, double size) {
   const double radius = surface_reach(depth, size);
   // Most facets are far away: their heights, as those of the separating axes, are quickly found.
   const double far = radius + 1e-9 * size, far2 = far * far;
@@ -183,7 +183,7 @@ Vec3 nearby_surface_of_boxes(const BoxPair &boxes, double depth, double size) {
     consider(boxes.a[i] + boxes.reach_of_b[i], boxes.shift_a[i], 1.0, i1, i2);
     consider(boxes.b[i] + boxes.reach_of_a[i], boxes.shift_b[i], 1.0, 3 + i1, 3 + i2);
     for (int j = 0; j < 3; ++j) {
-      const BoxPair::Across across = boxes.across(i, j);
+      const auto &across = edges.of[i][j];
       consider(across.reach, across.shift, across.length2, i, 3 + j);
     }
   }

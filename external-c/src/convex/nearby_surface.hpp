@@ -50,6 +50,6 @@ class FacetIntegral {
 };
 
 // The sum of the facets' normals times their weights, for two boxes that overlap `depth` (> 0) deep.
-Vec3 nearby_surface_of_boxes(const BoxPair &boxes, double depth, double size);
+Vec3 nearby_surface_of_boxes(const BoxPair &boxes, const AcrossEdges &edges, double depth, double size);
 
 }  // namespace cmb::convex
