@@ -202,9 +202,9 @@ class ClassInstance:
             return self
         return next((found for base in self.bases if (found := base.predefined) is not None), None)
 
-    def attribute(self, name: str) -> Value | None:
-        """An attribute of a predefined type."""
-        return _value(self._modifiers_of(name))
+    def attribute(self, name: str) -> list[Value]:
+        """Values that are given to an attribute of a predefined type, the one that holds first."""
+        return _values(self._modifiers_of(name))
 
     # --- lookup ---
 
@@ -379,6 +379,8 @@ def _layers(modifiers: _Modifiers) -> tuple[Layer, ...]:
 
 
 def _value(modifiers: _Modifiers) -> Value | None:
-    return next(
-        (Value(item.value, layer.scope, layer.role, item) for item, layer in modifiers if item.value is not None), None
-    )
+    return next(iter(_values(modifiers)), None)
+
+
+def _values(modifiers: _Modifiers) -> list[Value]:
+    return [Value(item.value, layer.scope, layer.role, item) for item, layer in modifiers if item.value is not None]

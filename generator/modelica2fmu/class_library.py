@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
 
-from modelica2fmu.class_parser import UnreadableError, call_arguments, parse
+from modelica2fmu.class_parser import parse
 from modelica2fmu.class_syntax import ClassDefinition, Extent
+from modelica2fmu.class_tokens import UnreadableError, call_arguments
 from modelica2fmu.source_map import source_number
 
 

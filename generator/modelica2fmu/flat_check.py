@@ -16,8 +16,8 @@ from typing import Any, Final
 from cmb_base.errors import UnsupportedModelError
 
 from modelica2fmu.class_instances import ClassInstance, Component, Role, UnknownError, Value, full_name
-from modelica2fmu.class_parser import UnreadableError
 from modelica2fmu.class_syntax import Modifier
+from modelica2fmu.class_tokens import UnreadableError
 from modelica2fmu.flat_expression_check import ExpressionCheck, Site
 from modelica2fmu.flat_reading import FlatReading, WrittenPlaces, spans
 
@@ -163,7 +163,7 @@ class _FlatCheck:
         elif node.is_certain and node.instance.predefined is not None:
             self._binding(path, node.component, variable)
             if node.component.binding is None:
-                self._attributes(node.instance.predefined, variable)
+                self._attributes(node.component, node.instance.predefined, variable)
 
     def _binding(self, path: _Path, component: Component, variable: Mapping[str, Any]) -> None:
         value, given = component.binding, variable["binding"]
@@ -221,17 +221,21 @@ class _FlatCheck:
                     return True
         return False
 
-    def _attributes(self, predefined: ClassInstance, variable: Mapping[str, Any]) -> None:
-        start = predefined.attribute("start")
-        if start is not None and not _REFERENCE.fullmatch(self._reading.text(start.extent)):
-            places = spans(variable["start"])
-            if not any(self._reading.begins_in(span, start.extent) for span in places):
-                raise self._reading.ignored_value(f"start of {variable['name']}", start, variable["start"])
-        fixed = predefined.attribute("fixed")
-        flags = variable["fixed"]
-        text = "" if fixed is None else self._reading.text(fixed.extent)
-        if fixed is not None and text in ("true", "false") and set(flags or [False]) != {text == "true"}:
-            raise self._reading.ignored_value(f"fixed of {variable['name']}", fixed, None)
+    def _attributes(self, component: Component, predefined: ClassInstance, variable: Mapping[str, Any]) -> None:
+        """Start value and fixed; both may be those of another variable which an equation makes equal."""
+        starts = predefined.attribute("start")
+        places = list(spans(variable["start"]))
+        is_right = any(self._reading.begins_in(span, value.extent) for span in places for value in starts[:1])
+        if starts and not is_right and not _REFERENCE.fullmatch(self._reading.text(starts[0].extent)):
+            left = [*(value.extent for value in starts[1:]), *component.declarations]
+            for span in places:
+                if any(self._reading.begins_in(span, each) or self._reading.ends_in(span, each) for each in left):
+                    raise self._reading.ignored_value(f"start of {variable['name']}", starts[0], variable["start"])
+        is_fixed = any(variable["fixed"] or ())
+        given = predefined.attribute("fixed")
+        texts = [self._reading.text(value.extent) for value in given]
+        if (texts[:1] == ["true"] and not is_fixed) or (texts[:1] == ["false"] and is_fixed and "true" in texts):
+            raise self._reading.ignored_value(f"fixed of {variable['name']}", given[0], None)
 
     # --- equations ---
 

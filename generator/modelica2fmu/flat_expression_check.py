@@ -14,8 +14,8 @@ from typing import Any, Final
 from cmb_base.errors import UnsupportedModelError
 
 from modelica2fmu.class_instances import ClassInstance, UnknownError, Value
-from modelica2fmu.class_parser import UnreadableError
 from modelica2fmu.class_syntax import Extent
+from modelica2fmu.class_tokens import UnreadableError
 from modelica2fmu.flat_reading import FlatReading, spans
 
 _NAME: Final = re.compile(r"\.?\s*[A-Za-z_]\w*(?:\s*\.\s*[A-Za-z_]\w*)*")

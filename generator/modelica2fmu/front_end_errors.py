@@ -2,42 +2,50 @@
 
 from __future__ import annotations
 
-import os
 import re
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
-from cmb_base.cache import user_cache
 from cmb_base.errors import InputError, Place
 
 from modelica2fmu.class_text import without_comments_and_strings
+from modelica2fmu.front_end_runner import LAYOUT, Answer
 
 # rumoca's whole message where an equation leaves out outputs of a function.
 _NAMELESS: Final = "missing source scope for imports"
 _OUTPUTS_LEFT_OUT: Final = re.compile(r"^\s*\((?:\s*,[^=()]*|[^=()]*,\s*(?:,[^=()]*)?)\)\s*=")
 
-_LAYOUT: Final = re.compile(r"invalid Modelica package layout under '([^']*)': (.*)", re.DOTALL)
+_CRASH: Final = (
+    "leave out parts of it to find what the front end does not take; known are `redeclare ... extends` in a model, in"
+    " place of a package, and classes that stand for themselves"
+)
 _PROBLEMS_SHOWN: Final = 3
 
 
-def front_end_error(rumoca: Any, message: str, model: str, file: Path) -> InputError:
+class FrontEndError(Exception):
+    """The front end's own words."""
+
+
+def front_end_error(answer: Answer, model: str, file: Path) -> InputError:
     """The front end's message with the best place that can be found for it.
 
     Args:
-        rumoca: the module.
-        message: that of its exception.
+        answer: with an error or a crash, in the names that the user knows.
         model: name of the model that was to be compiled.
         file: the file that holds it.
     """
-    layout = _LAYOUT.search(message)
+    message = answer.error
+    if answer.crash:
+        return InputError(
+            f"the front end crashed ({answer.crash}) while it compiled the model",
+            place=Place(file=file, component=model),
+            remedy=_CRASH,
+        )
+    layout = LAYOUT.search(message)
     if layout:
         return _layout_error(Path(layout[1]), layout[2].split("; "))
     place = Place(file=file, component=model)
-    try:
-        diagnostics = rumoca.validate(str(file), model=model)
-    except Exception:  # the message at hand must not be lost to a second failure
-        diagnostics = []
-    text = "\n".join(str(diagnostic.message) for diagnostic in diagnostics) + "\n" + message
+    text = "\n".join((*answer.diagnostics, message))
     located = re.search(r"\[([^\[\]\s]+\.mo):(\d+):\d+\]", text)
     if located:
         place = Place(file=Path(located[1]), line=int(located[2]), component=model)
@@ -56,15 +64,10 @@ def front_end_error(rumoca: Any, message: str, model: str, file: Path) -> InputE
 
 
 def _layout_error(package: Path, problems: list[str]) -> InputError:
-    """A package's files do not fit together; or rumoca takes them for empty, as after a power failure."""
+    """A package's files do not fit together."""
     shown = "; ".join(problems[:_PROBLEMS_SHOWN])
     more = f"; and {len(problems) - _PROBLEMS_SHOWN} more" if len(problems) > _PROBLEMS_SHOWN else ""
-    cache = Path(os.environ.get("RUMOCA_CACHE_DIR", "") or user_cache("").parent / "rumoca")
-    return InputError(
-        f"is no package: {shown}{more}",
-        place=Place(file=package),
-        remedy=f"Correct it; if these files are right, what the front end keeps of them is damaged: remove {cache}",
-    )
+    return InputError(f"is no package: {shown}{more}", place=Place(file=package), remedy="Correct these files.")
 
 
 def _line_of_quoted_name(message: str, file: Path) -> int | None:

@@ -23,6 +23,7 @@ from typing import Final
 
 from cmb_base.cache import user_cache
 
+from modelica2fmu.cache_pruning import mark_used
 from modelica2fmu.source_map import SourceMap
 
 
@@ -93,6 +94,11 @@ REPAIRS: Final = (
 )  # fmt: skip
 
 
+def views_folder(environment: Mapping[str, str] = os.environ) -> Path:
+    """Where views of libraries are kept; who uses them holds it (:func:`cache_pruning.pruned_after_use`)."""
+    return user_cache("library", environment)
+
+
 def repaired_library(library: Path, source_map: SourceMap, environment: Mapping[str, str] = os.environ) -> Path:
     """A folder that shows the library with its repairs, ``library`` itself where there is nothing to repair.
 
@@ -104,9 +110,10 @@ def repaired_library(library: Path, source_map: SourceMap, environment: Mapping[
     replaced = _replaced_files(library)
     if not replaced:
         return library
-    folder = user_cache("library", environment) / _digest(library, replaced)
+    folder = views_folder(environment) / _digest(library, replaced)
     if not folder.is_dir():
         _write(folder, library, replaced)
+    mark_used(folder)
     source_map.add_view(folder, library)
     return folder
 

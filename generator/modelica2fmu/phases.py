@@ -21,6 +21,7 @@ class PhaseClock:
         self._progress = progress
         self._start = time.perf_counter()
         self._phase = ""
+        self._remark = ""
         self.timings: dict[str, float] = {}
 
     def __call__(self, phase: str, fraction: float, message: str = "") -> None:
@@ -36,9 +37,14 @@ class PhaseClock:
         self._phase, self._start = phase, time.perf_counter()
         self._progress(phase, 0.0)
 
+    def remark(self, message: str) -> None:
+        """Something to be known of the present phase; told now and when it ends."""
+        self._remark = message
+        self._progress(self._phase, 0.0, message)
+
     def end(self) -> None:
         """Ends the present phase, if there is one."""
         if self._phase:
             self.timings[self._phase] = self.timings.get(self._phase, 0.0) + time.perf_counter() - self._start
-            self._progress(self._phase, 1.0)
-        self._phase = ""
+            self._progress(self._phase, 1.0, self._remark)
+        self._phase = self._remark = ""

@@ -13,6 +13,7 @@ from cmb_base.errors import InputError
 
 from modelica2fmu import expression as ex
 from modelica2fmu.alias import ReducedModel, eliminate_aliases
+from modelica2fmu.cache_pruning import pruned_after_use
 from modelica2fmu.code_generation import GeneratedModel, generate
 from modelica2fmu.description import ExternalCode, ModelDescription
 from modelica2fmu.experiment import read_experiment
@@ -20,7 +21,7 @@ from modelica2fmu.external_code import find_external_code, named_file
 from modelica2fmu.front_end import load_flat_model
 from modelica2fmu.geometry_files import write_out_geometry
 from modelica2fmu.icon_rendering import icon_png
-from modelica2fmu.library_repairs import repaired_library
+from modelica2fmu.library_repairs import repaired_library, views_folder
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.scalar_model import ScalarModel, derivative_name
 from modelica2fmu.scalarize import scalarize
@@ -63,12 +64,12 @@ def translate(
     limit = sys.getrecursionlimit()
     sys.setrecursionlimit(max(limit, _RECURSION_LIMIT))
     try:
-        with library.root() as original:
+        with library.root() as original, pruned_after_use(views_folder()):
             library_root = repaired_library(original, source_map)
             file = _shown(file, original, library_root)
             roots = [*(_shown(root, original, library_root) for root in found), library_root, *other_libraries()]
             ex.new_graph()
-            flat = load_flat_model(model, file, roots, source_map)
+            flat = load_flat_model(model, file, roots, source_map, clock.remark)
             clock.begin("expand")
             scalar = scalarize(flat, source_map, lambda name: named_file(name, roots, file))
             external = _with_real_paths(find_external_code(scalar.external_annotations, roots, model.split(".")[0]))

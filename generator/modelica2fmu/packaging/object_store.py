@@ -9,6 +9,7 @@ from typing import Final
 
 from cmb_base.output import whole_file
 
+from modelica2fmu.cache_pruning import mark_used, prune_unused
 from modelica2fmu.packaging.toolchain import COMPILE_OPTIONS, DEPENDENCIES, Compilation, compiler, run_tool
 
 _DIGEST_BYTES: Final = 32
@@ -38,10 +39,12 @@ class ObjectStore:
 
     def fetch(self, compilation: Compilation, target: Path) -> bool:
         """Copies the object of a source, and what is known of its dependencies, to ``target``; whether it was there."""
+        path = self._path(compilation)
         try:
-            content = self._path(compilation).read_bytes()
+            content = path.read_bytes()
         except OSError:
             return False
+        mark_used(path)
         digest, data = content[:_DIGEST_BYTES], content[_DIGEST_BYTES:]
         if digest != hashlib.sha256(data).digest():
             return False
@@ -57,6 +60,7 @@ class ObjectStore:
         try:
             with whole_file(self._path(compilation)) as staging:
                 staging.write_bytes(hashlib.sha256(data).digest() + data)
+            prune_unused(self._folder.glob("*.object"))
         except OSError:
             return
 

@@ -23,6 +23,7 @@ import rumoca
 from cmb_base.errors import CmbError
 from fmpy import read_model_description, simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
+from modelica2fmu.front_end_errors import FrontEndError
 from modelica2fmu.standard_library import find_standard_library
 
 PROJECT: Final = Path(__file__).resolve().parents[3]
@@ -93,7 +94,7 @@ def attempt(model: str, library: Path, folder: Path, cache: Path | None = None) 
     try:
         report = build_fmu(model, [library / "Modelica"], fmu, BuildOptions(msl=library, cache=cache))
     except CmbError as error:
-        by = "front end" if isinstance(error.__cause__, rumoca.RumocaError) else "builder"
+        by = "front end" if isinstance(error.__cause__, FrontEndError) else "builder"
         return Outcome(model, by, f"{error.message.splitlines()[0]}")
     # What is integrated for a quaternion is the builder's own; the quaternion is the model's.
     states = [name.replace("_integrated", "") for name in report.states if not name.startswith("der(")]

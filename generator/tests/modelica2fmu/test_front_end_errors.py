@@ -1,24 +1,117 @@
-"""What the front end refuses is told briefly, with the place and a way out."""
+"""What the front end refuses is told briefly, with the place and a way out; what kills it kills no build."""
 
 from __future__ import annotations
 
+import random
+from pathlib import Path
+
 import pytest
 from cmb_base.errors import InputError
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import build_fmu, translate
+from modelica2fmu.phases import PhaseClock
+from modelica2fmu.standard_library import StandardLibrary, core_subset
+
+LIBRARY = StandardLibrary(core_subset(), "", "core subset")
+BALL = """model Ball
+  inner Modelica.Mechanics.MultiBody.World world;
+  Modelica.Mechanics.MultiBody.Parts.Body body(m = 2);
+end Ball;
+"""
+# Redeclaring a class of a model as an extension of itself overflows the front end's stack.
+ENDLESS = """model Endless
+  model Plain
+    replaceable model Part
+      Real x = 1;
+    end Part;
+    Part part;
+  end Plain;
+  extends Plain;
+  redeclare model extends Part
+    Real y = x;
+  end Part;
+end Endless;
+"""
 
 
-def test_a_package_whose_files_do_not_fit_is_named_with_a_few_of_them(tmp_path, monkeypatch):
-    """As all files seem to be when a power failure has emptied what the front end keeps of them."""
+class Heard:
+    """A receiver of progress that remembers it."""
+
+    def __init__(self) -> None:
+        self.all: list[tuple[str, float, str]] = []
+
+    def __call__(self, phase: str, fraction: float, message: str = "") -> None:
+        self.all.append((phase, fraction, message))
+
+    @property
+    def remarks(self) -> list[str]:
+        return [message for _, _, message in self.all if message]
+
+
+@pytest.fixture
+def cache(tmp_path, monkeypatch) -> Path:
+    """What the front end keeps, in an empty cache of the user."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    return tmp_path / "cache" / "contactmultibody" / "rumoca"
+
+
+def kept(cache: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(cache)): path.read_bytes() for path in cache.rglob("*.bin")}
+
+
+def states_of_ball(folder: Path, heard: Heard) -> tuple[str, ...]:
+    (folder / "Ball.mo").write_text(BALL)
+    return tuple(translate("Ball", [folder / "Ball.mo"], LIBRARY, PhaseClock(heard)).systems.reduction.states)
+
+
+def test_a_damaged_cache_of_the_front_end_is_made_anew(tmp_path, cache):
+    first = states_of_ball(tmp_path, Heard())
+    whole = kept(cache)
+    assert whole
+    noise = random.Random(1)
+    for name, content in whole.items():
+        (cache / name).write_bytes(noise.randbytes(len(content)))
+    heard = Heard()
+    assert states_of_ball(tmp_path, heard) == first
+    assert any("damaged" in remark and str(cache) in remark for remark in heard.remarks)
+    heard = Heard()
+    assert states_of_ball(tmp_path, heard) == first
+    assert not heard.remarks
+    assert kept(cache).keys() == whole.keys()
+    assert sorted(path.name for path in cache.parent.iterdir() if "rumoca" in path.name) == ["rumoca"]
+
+
+def test_a_model_that_kills_the_front_end_is_refused_and_the_cache_stays(tmp_path, cache):
+    states_of_ball(tmp_path, Heard())
+    whole = kept(cache)
+    (tmp_path / "Endless.mo").write_text(ENDLESS)
+    with pytest.raises(InputError, match=r"the front end crashed \(SIG") as caught:
+        build_fmu("Endless", [tmp_path / "Endless.mo"], tmp_path / "e.fmu")
+    assert caught.value.exit_status == 2
+    assert caught.value.place is not None
+    assert caught.value.place.file == tmp_path / "Endless.mo"
+    assert "redeclare ... extends" in (caught.value.remedy or "")
+    assert kept(cache) == whole
+    assert not (tmp_path / "e.fmu").exists()
+
+
+@pytest.mark.usefixtures("cache")
+def test_a_package_whose_files_do_not_fit_is_named_with_a_few_of_them(tmp_path):
     package = tmp_path / "Broken"
     package.mkdir()
     (package / "package.mo").write_text("package Broken end Broken;\n")
     for k in range(9):
         (package / f"M{k}.mo").write_text(f"model M{k} Real x = 1; end M{k};\n")  # without `within`
     (tmp_path / "Uses.mo").write_text("model Uses extends Broken.M1; end Uses;\n")
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     with pytest.raises(InputError, match=r"Broken: is no package: ") as caught:
         build_fmu("Uses", [tmp_path / "Uses.mo", package], tmp_path / "u.fmu")
     text = str(caught.value)
     assert text.count("Broken") < 15
     assert "more\n" in text
-    assert f"remove {tmp_path / 'cache' / 'rumoca'}" in text
+
+
+def test_a_file_in_another_encoding_is_named(tmp_path):
+    (tmp_path / "M.mo").write_bytes('model M "Größe" Real x = 1; end M;'.encode("latin-1"))
+    with pytest.raises(InputError, match="UTF-8") as caught:
+        build_fmu("M", [tmp_path / "M.mo"], tmp_path / "m.fmu")
+    assert caught.value.place is not None
+    assert caught.value.place.file == tmp_path / "M.mo"
