@@ -169,6 +169,41 @@ const Path paths[] = {
      }},
 };
 
+// The ball in a regular tip touches all of its faces, whatever its size.
+class RegularTips : public testing::TestWithParam<const char *> {};
+
+TEST_P(RegularTips, SumsHaveNoJumps) {
+  for (const int sides : {4, 5, 8}) {
+    std::string pyramid = "cmb/1 hull vertices=";
+    for (const double height : {0.0, -0.6}) {
+      for (int k = 0; k < sides; ++k) {
+        const double angle = 0.3 + 2 * pi * k / sides;
+        pyramid += digits(0.42 * std::cos(angle)) + "," + digits(0.42 * std::sin(angle)) + "," + digits(height) + ",";
+      }
+    }
+    const PairScene scene(GetParam(), pyramid + "0,0,0.4");
+    for (const double aside : {0.002, 0.01}) {
+      // About the axis, level and turning, and beside it, through the level attitude.
+      const auto around = [=](double s) { return Vec3{aside * std::cos(6.2 * s), aside * std::sin(6.2 * s), 0.31 + 0.01 * s}; };
+      const PosePath ways[] = {
+          [=](double s) { return BodyPose{around(s), {}}; },
+          [=](double s) {
+            return BodyPose{around(s), rotation_about(normalized(Vec3{0.3, 0.5, 0.2}), 0.5 * std::sin(3.0 * s - 1.0))};
+          },
+          [=](double s) { return BodyPose{around(0.3), rotation_about(normalized(Vec3{0.3, 0.5, 0}), 0.5 * (s - 0.48))}; }};
+      for (const PosePath &way : ways) {
+        const PathSums sums = follow(scene, way, {}, 200, 10);
+        EXPECT_LT(sums.largest_jump, 1e-5 * sums.largest_load) << sides << " sides, " << aside << " beside the axis";
+        EXPECT_GT(sums.largest_load, 0.0);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RegularTips,
+                         testing::Values("cmb/1 sphere radius=0.01", "cmb/1 cylinder radius=0.02 length=0.03",
+                                         "cmb/1 cone radius=0.02 length=0.03", "cmb/1 capsule radius=0.01 length=0.03"));
+
 class CurvedPaths : public testing::TestWithParam<Path> {};
 
 TEST_P(CurvedPaths, SumsHaveNoJumps) {

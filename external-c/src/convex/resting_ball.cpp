@@ -3,10 +3,7 @@
 #include <algorithm>
 
 #include "anderson_mixing.hpp"
-#include "curved_distance.hpp"
-#include "direction_refinement.hpp"
-#include "fade.hpp"
-#include "minkowski_difference.hpp"
+#include "difference_cuts.hpp"
 
 namespace cmb::convex {
 
@@ -14,41 +11,11 @@ namespace {
 
 // The ball is at rest where what its places are seen from moves less than this, relative to the size.
 constexpr double at_rest = 1e-11;
-constexpr int most_cuts = 40, most_rounds = 60, most_divisions = 20;
-// As far as a way may turn about a place that the ball rests on, and an extrapolated one at once (rad).
-constexpr double nearby = 0.6, most_turn = 0.5;
+constexpr int most_cuts = 40, most_rounds = 60;
+// As far as an extrapolated way may turn at once (rad).
+constexpr double most_turn = 0.5;
 // A part of the change before that tells of a slow approach; the cosine of directions that may be of one place.
 constexpr double slow = 0.5, same_place = 0.995;
-// How far the ball's centre moves to find places that it nearly touches, as a part of the radius.
-constexpr double window = 0.05;
-
-// The supporting plane where the surface is nearest to `centre`, B moved by which the distance is.
-Cut cut_at(const SignedDistance &there, const Vec3 &centre) {
-  return {-there.normal, -there.distance - dot(centre, there.normal), there.point_a, there.point_b - centre, 0.0};
-}
-
-// Of bodies, B moved by p, whose difference's surface is about equally near at the cuts, and may be as near elsewhere.
-SignedDistance distance_beside(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const HeldBall &ball,
-                               DistanceScratch &scratch) {
-  const Pose moved{b_in_a.rotation, b_in_a.translation + ball.centre};
-  if (is_polyhedral(a.core) && is_polyhedral(b.core)) return signed_distance(a, b, moved, scratch);
-  EquallyNear known;
-  for (; known.count < ball.count; ++known.count) known.direction[known.count] = ball.cuts[known.count].direction;
-  return swept_distance(curved_distance(a, b, moved, -ball.cuts[0].direction, scratch, &known), a.radius, b.radius);
-}
-
-// Moves a cut to where the surface is the nearest to `from`.
-void move_cut(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const Vec3 &from, Cut &cut) {
-  const Pose moved{b_in_a.rotation, b_in_a.translation + from};
-  const MinkowskiDifference difference(a, b, moved);
-  const RefinedDirection r =
-      refine_direction(difference, cut.direction, cut.a - a.radius * cut.direction, cut.b + from + b.radius * cut.direction);
-  if (!(dot(r.direction, cut.direction) > 1.0 - 0.5 * nearby * nearby)) return;  // another place, as near
-  cut.direction = r.direction;
-  cut.height = r.height + a.radius + b.radius + dot(from, r.direction);
-  cut.a = r.a + a.radius * r.direction;
-  cut.b = r.b - b.radius * r.direction - from;
-}
 
 // What the cuts' places are seen from: the centre as it would be without the cut's own pull. As the nearest to that the
 // place is well defined however nearly the surface there is as curved as the ball, from whose centre a whole arc is as near.
@@ -133,80 +100,6 @@ bool hasten_to_rest(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a
   return true;
 }
 
-// Moves a ball that rests on three places to where it is `away` (m) from each, or as far in them where that is negative:
-// where a larger or smaller ball touches them. False where it does not come there within twice the way that the planes
-// tell, `step` (m).
-bool move_away(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, double away, double step,
-               HeldBall &ball) {
-  const Vec3 from = ball.centre;
-  const double radius = ball.radius + away;
-  for (int round = 0; round < most_rounds; ++round) {
-    const Vec3 last = ball.centre;
-    const Cut *cuts = ball.cuts;
-    if (!ball.meeting_place(cuts[0].height - radius, cuts[1].height - radius, cuts[2].height - radius, ball.centre)) {
-      return false;
-    }
-    if (!(norm2(ball.centre - from) < 4.0 * step * step)) return false;
-    if (norm2(ball.centre - last) <= at_rest * at_rest * size * size) break;
-    for (Cut *cut = ball.cuts; cut != ball.cuts + 3; ++cut) {
-      move_cut(a, b, b_in_a, ball.centre + cut->pull * cut->direction, *cut);
-    }
-  }
-  return true;
-}
-
-// The place nearest to a ball that has been moved away from its three places, if it is nearer than these. `part`
-// receives how near it is to the ball at rest: 1 where that touches it, 0 where it is just as near as those to the other.
-bool find_near_place(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, const HeldBall &ball,
-                     double away, double step, DistanceScratch &scratch, Cut &place, double &part) {
-  HeldBall other = ball;
-  if (!move_away(a, b, b_in_a, size, away, step, other)) return false;
-  const SignedDistance there = distance_beside(a, b, b_in_a, other, scratch);
-  const double nearer = ball.radius + away + there.distance;
-  if (!(nearer > ball.slack)) return false;
-  place = cut_at(there, other.centre);
-  move_cut(a, b, b_in_a, ball.centre, place);
-  const double gap = std::max(0.0, place.height - dot(place.direction, ball.centre) - ball.radius);
-  part = faded(gap / (gap + nearer));
-  return part > 0.0;
-}
-
-// Sets the pulls to those of springs of the stiffnesses `part` at the places, which hold a body that is loaded by `load`: it
-// moves by some v, and a place pulls by part * (direction . v) where that is positive. Newton's method, from pulls of the first
-// three that bear the load.
-void divide_pulls(const Vec3 &load, const double *part, Cut *places, int count) {
-  const auto solve = [](const Vec3 column[3], const Vec3 &right, Vec3 &v) {
-    const Vec3 yz = cross(column[1], column[2]);
-    const double determinant = dot(column[0], yz);
-    if (!(determinant > 0.0)) return false;
-    v = (1.0 / determinant) *
-        Vec3{dot(right, yz), dot(column[0], cross(right, column[2])), dot(column[0], cross(column[1], right))};
-    return true;
-  };
-  Vec3 v;
-  bool pulling[most_places];
-  for (int k = 0; k < count; ++k) pulling[k] = k < 3;
-  for (int step = 0; step < most_divisions; ++step) {
-    Vec3 column[3];
-    for (int k = 0; k < count; ++k) {
-      if (!pulling[k]) continue;
-      const Vec3 &d = places[k].direction;
-      column[0] = column[0] + (part[k] * d.x) * d, column[1] = column[1] + (part[k] * d.y) * d;
-      column[2] = column[2] + (part[k] * d.z) * d;
-    }
-    if (!solve(column, load, v)) return;
-    bool same = true;
-    for (int k = 0; k < count; ++k) {
-      const bool pulls = dot(places[k].direction, v) > 0.0;
-      same = same && pulls == pulling[k];
-      pulling[k] = pulls;
-    }
-    if (!same) continue;
-    for (int k = 0; k < count; ++k) places[k].pull = pulling[k] ? part[k] * dot(places[k].direction, v) : 0.0;
-    return;
-  }
-}
-
 }  // namespace
 
 bool bring_to_rest(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, HeldBall &ball,
@@ -226,26 +119,6 @@ bool bring_to_rest(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a,
     if (!ball.settle()) return false;
   }
   return true;
-}
-
-int share_pulls(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, const HeldBall &ball,
-                DistanceScratch &scratch, Cut places[most_places]) {
-  std::copy_n(ball.cuts, ball.count, places);
-  if (ball.count != 3) return ball.count;
-  double least = INFINITY, sum = 0.0;
-  for (int k = 0; k < 3; ++k) least = std::min(least, places[k].pull), sum += places[k].pull;
-  const double step = window * ball.radius * (3.0 * least / sum);
-  Vec3 way;  // of the centre, for each metre that the ball grows
-  if (!ball.meeting_place(-1.0, -1.0, -1.0, way)) return ball.count;
-  const double change = step / norm(way);
-  int count = 3;
-  double part[most_places] = {1.0, 1.0, 1.0};
-  for (const double away : {change, -change}) {
-    if (find_near_place(a, b, b_in_a, size, ball, away, step, scratch, places[count], part[count])) ++count;
-  }
-  if (count == 3) return count;
-  divide_pulls(-ball.centre, part, places, count);
-  return static_cast<int>(std::remove_if(places, places + count, [](const Cut &cut) { return !(cut.pull > 0.0); }) - places);
 }
 
 }  // namespace cmb::convex

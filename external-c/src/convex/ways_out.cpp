@@ -5,6 +5,7 @@
 #include "fade.hpp"
 #include "inner_ball.hpp"
 #include "nearby_surface.hpp"
+#include "pull_shares.hpp"
 #include "resting_ball.hpp"
 
 namespace cmb::convex {

@@ -4,8 +4,8 @@
 // given radius, a little greater than the depth, whose centre is the nearest to the origin. The centres of all such balls
 // form a convex set (C worn off by the radius), and the nearest point of a convex set moves continuously with it. Where
 // one place alone is near, the ball touches there, and the way is the shortest one, exactly. Else the ball rests
-// on up to three places, in passing on more, and the pull of the origin on its centre divides among them as among the
-// supports of a load.
+// on up to three places, in passing or in a regular tip on more, and the pull of the origin on its centre divides among them
+// as among the supports of a load.
 #pragma once
 
 #include "convex_distance.hpp"
@@ -22,7 +22,7 @@ struct WayOut {
 };
 
 struct WaysOut {
-  static constexpr int most = 6;
+  static constexpr int most = 24;
   WayOut way[most];
   int count = 0;
 };

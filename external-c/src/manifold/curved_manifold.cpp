@@ -62,23 +62,33 @@ double agreement(double found, double depth) {
   return faded(std::max(0.0, (full - found / depth) / (full - none)));
 }
 
-// The part that counts of what points[begin, end) carry under the polygon that stands for the disc of a cylinder or cone. A
-// tip that comes under the disc from beside leaves the polygon before the disc, at its depth: what is left in there shrinks to
-// a point on the polygon's border, and counts the less the smaller it is and the nearer to the border.
-double polygon_part(const Shape &shape, const Pose &pose, const std::vector<ContactPoint> &points, std::size_t begin) {
+// The deepest of the corners or points from `begin` on that have weight, of which there is one.
+template <typename Corner>
+const Corner &deepest_of(const std::vector<Corner> &corners, std::size_t begin = 0) {
+  std::size_t deepest = begin;
+  for (std::size_t k = begin; k < corners.size(); ++k) {
+    const bool better = corners[k].depth > corners[deepest].depth || !(corners[deepest].weight > 0.0);
+    if (corners[k].weight > 0.0 && better) deepest = k;
+  }
+  return corners[deepest];
+}
+
+// The part that counts of what points[begin, end) carry under the polygon that stands for the disc of a cylinder or cone; they
+// are `aside` of their places. A tip that comes under the disc from beside leaves the polygon before the disc, at its depth:
+// what is left in there shrinks to a point on the polygon's border, and counts the less the smaller it is and the nearer to it.
+double polygon_part(const Shape &shape, const Pose &pose, const Vec3 &aside, const std::vector<ContactPoint> &points,
+                    std::size_t begin) {
   constexpr double border = 0.02;  // of the radius: as wide as what the polygon leaves of the disc
-  double load = 0.0, inside = 0.0;
+  double load = 0.0, inside = 0.0, second = 0.0;
   Vec3 first;
   for (std::size_t k = begin; k < points.size(); ++k) {
     const double carried = points[k].weight * points[k].depth;
-    const Vec3 place = transposed_times(pose.rotation, points[k].position - pose.translation);
+    const Vec3 place = transposed_times(pose.rotation, points[k].position - aside - pose.translation);
     load += carried;
     inside += carried * std::max(0.0, inside_rim_polygon(shape.body.half.x, place.x, place.y));
     first = first + carried * points[k].position;
   }
-  if (!(load > 0.0)) return 0.0;
   const Vec3 middle = (1.0 / load) * first;
-  double second = 0.0;
   for (std::size_t k = begin; k < points.size(); ++k) {
     second += points[k].weight * points[k].depth * norm2(points[k].position - middle);
   }
@@ -126,8 +136,13 @@ double flat_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   if (face < 1.0 - 1e-12) {
     const std::size_t begin = points.size();
     polytope_contact(corners_of(a), pose_a, corners_of(b), pose_b, normal, witness, graph, points);
-    const double counts = a.rim ? polygon_part(a, pose_a, points, begin) : polygon_part(b, pose_b, points, begin);
-    agree = (1.0 - face) * counts * agreement(greatest_depth(points, begin), depth);
+    if (points.size() > begin) {
+      const ContactPoint &deepest = deepest_of(points, begin);
+      const Vec3 aside = deepest.position - contact_axes(normal, witness)(deepest_of(graph.corners()).middle);
+      const double counts =
+          a.rim ? polygon_part(a, pose_a, aside, points, begin) : polygon_part(b, pose_b, aside, points, begin);
+      agree = (1.0 - face) * counts * agreement(deepest.depth, depth);
+    }
     scale_weights(1.0 - face, begin, points.size(), points);
   }
   if (face > 0.0) {

@@ -10,12 +10,6 @@ namespace cmb {
 
 namespace {
 
-// The contact's axes: z along `up` (unit, world axes), the origin near the contact.
-Pose contact_axes(const Vec3 &up, const Vec3 &origin) {
-  const Vec3 first = convex::any_perpendicular(up);
-  return {transposed(convex::Mat3{{first, cross(up, first), up}}), origin};
-}
-
 // Sums over the corners, each with a part of its weight.
 struct CornerSums {
   double load = 0.0, squares = 0.0;  // of weight * depth, m, and of weight * depth^2, m^2
@@ -53,6 +47,11 @@ double find_corners(double fineness, DepthGraph &graph) {
 }
 
 }  // namespace
+
+Pose contact_axes(const Vec3 &normal, const Vec3 &witness) {
+  const Vec3 first = convex::any_perpendicular(normal);
+  return {transposed(convex::Mat3{{first, cross(normal, first), normal}}), witness};
+}
 
 void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
                       const Vec3 &normal, const Vec3 &witness, DepthGraph &graph,

@@ -18,4 +18,7 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
                       const Vec3 &normal, const Vec3 &witness, DepthGraph &graph,
                       std::vector<ContactPoint> &points);
 
+// The axes, in world axes, in which `graph` has the corners of such a contact.
+Pose contact_axes(const Vec3 &normal, const Vec3 &witness);
+
 }  // namespace cmb
