@@ -92,11 +92,34 @@ class Component:
 _Modifiers = Sequence[tuple[Modifier, Layer]]
 
 
+class Names:
+    """Full names of classes.
+
+    Args:
+        library: where they are found.
+    """
+
+    def __init__(self, library: ClassLibrary) -> None:
+        self.library = library
+        self._top: dict[str, ClassInstance] = {}
+
+    def find(self, name: tuple[str, ...]) -> ClassInstance:
+        """The class of a full name, without modifiers; raises UnknownError."""
+        if name[0] not in self._top:
+            definition = self.library.top(name[0])
+            if definition is None and name[0] in PREDEFINED:
+                definition = ClassDefinition(name[0], "type", _NOWHERE)
+            if definition is None:
+                raise UnknownError(name[0])
+            self._top[name[0]] = ClassInstance(self, definition, None)
+        return self._top[name[0]].within(name[1:])
+
+
 class ClassInstance:
     """A class where it is used: with the modifiers that hold there.
 
     Args:
-        library: for names.
+        names: for names that are not found in it.
         definition: of the class.
         parent: the class that it is declared in.
         above: modifiers that win over those of the class.
@@ -107,7 +130,7 @@ class ClassInstance:
 
     def __init__(
         self,
-        library: ClassLibrary,
+        names: Names,
         definition: ClassDefinition,
         parent: ClassInstance | None,
         above: tuple[Layer, ...] = (),
@@ -121,7 +144,7 @@ class ClassInstance:
         self.definition = definition
         self.parent = parent
         self.redeclaration = redeclaration
-        self._library = library
+        self._names = names
         self._above = above
         self._below = below
         self._inherited = inherited
@@ -133,7 +156,7 @@ class ClassInstance:
     def modified(self, layers: tuple[Layer, ...]) -> ClassInstance:
         """The same class with modifiers that win over those it has."""
         return ClassInstance(
-            self._library,
+            self._names,
             self.definition,
             self.parent,
             layers + self._above,
@@ -168,7 +191,7 @@ class ClassInstance:
             return self.lookup(base.type_name)
         if self.parent is not None:
             return self.parent.lookup(base.type_name)
-        return full_name(self._library, base.type_name)
+        return self._names.find(base.type_name)
 
     @property
     def _scope_of_modifiers(self) -> ClassInstance:
@@ -211,12 +234,12 @@ class ClassInstance:
     def lookup(self, name: tuple[str, ...]) -> ClassInstance:
         """The class that a name means here; raises UnknownError."""
         if name[0] == "":
-            return full_name(self._library, name[1:])
+            return self._names.find(name[1:])
         for scope in self.scopes():
             found = scope.class_element(name[0]) or scope._imported(name[0])
             if found is not None:
                 return found.within(name[1:])
-        return full_name(self._library, name)
+        return self._names.find(name)
 
     def scopes(self) -> Iterator[ClassInstance]:
         """The class and those around it, in which names are looked up."""
@@ -238,16 +261,16 @@ class ClassInstance:
     def _imported(self, name: str) -> ClassInstance | None:
         for item in self.definition.imports:
             if item.name == name:
-                return full_name(self._library, item.path)
+                return self._names.find(item.path)
             if item.name is None:
-                found = full_name(self._library, item.path).class_element(name)
+                found = self._names.find(item.path).class_element(name)
                 if found is not None:
                     return found
         return None
 
     def class_element(self, name: str) -> ClassInstance | None:
         """A class that is declared in this one or inherited, as modified and redeclared; raises UnknownError."""
-        own = None if self._is_short else self._library.member(self.definition, name)
+        own = None if self._is_short else self._names.library.member(self.definition, name)
         if own is not None and not own.redeclares:
             if name not in self._classes:
                 self._classes[name] = self._class(own, self._modifiers_of(name))
@@ -312,7 +335,7 @@ class ClassInstance:
         redeclaration: Modifier | None,
     ) -> ClassInstance:
         below = below if definition.is_short else ()
-        return ClassInstance(self._library, definition, parent, above, below, inherited, redeclaration, self._depth + 1)
+        return ClassInstance(self._names, definition, parent, above, below, inherited, redeclaration, self._depth + 1)
 
     def _constraint(self, declared: ClassDefinition | ComponentDeclaration, modifiers: _Modifiers) -> tuple[Layer, ...]:
         """Modifiers that hold in the declaration and in each redeclaration (7.3.2).
@@ -358,16 +381,6 @@ class ClassInstance:
             declared.is_outer,
             declared.may_be_absent,
         )
-
-
-def full_name(library: ClassLibrary, name: tuple[str, ...]) -> ClassInstance:
-    """The class of a full name, without modifiers; raises UnknownError."""
-    definition = library.top(name[0])
-    if definition is None and name[0] in PREDEFINED:
-        definition = ClassDefinition(name[0], "type", _NOWHERE)
-    if definition is None:
-        raise UnknownError(name[0])
-    return ClassInstance(library, definition, None).within(name[1:])
 
 
 def _first_redeclaration(modifiers: _Modifiers) -> int | None:

@@ -15,7 +15,7 @@ from typing import Any, Final
 
 from cmb_base.errors import UnsupportedModelError
 
-from modelica2fmu.class_instances import ClassInstance, Component, Role, UnknownError, Value, full_name
+from modelica2fmu.class_instances import ClassInstance, Component, Names, Role, UnknownError, Value
 from modelica2fmu.class_syntax import Modifier
 from modelica2fmu.class_tokens import UnreadableError
 from modelica2fmu.flat_expression_check import ExpressionCheck, Site
@@ -60,7 +60,7 @@ def check_flat_model(flat: Mapping[str, Any], model: str, reading: FlatReading) 
         UnsupportedModelError: the front end left out a modifier or a redeclaration.
     """
     try:
-        root = full_name(reading.library, tuple(model.split(".")))
+        root = Names(reading.library).find(tuple(model.split(".")))
     except (UnknownError, UnreadableError):
         return
     _FlatCheck(flat, root, reading).run()
