@@ -161,7 +161,7 @@ class ExpressionCheck:
 
     def _call(self, call: Mapping[str, Any], site: Site, depth: int) -> None:
         written = self._written(call.get("span"), site)
-        function = self._functions.get(call["name"]["name"])
+        function = self._functions.get(_called(call))
         if written is None or function is None or call.get("is_constructor") or depth > _DEEPEST:
             return
         extent, name = written
@@ -218,6 +218,12 @@ class ExpressionCheck:
         return all(
             any(self._reading.begins_in(span, extent) for extent in extents) for span in _assignments(function["body"])
         )
+
+
+def _called(call: Mapping[str, Any]) -> str:
+    """Name of the function that an expression or a statement calls; the latter has it where others have a target."""
+    place = call["name"] if "name" in call else call["comp"]
+    return str(place["name"]) if "name" in place else ".".join(part["ident"] for part in place["parts"])
 
 
 def _assignments(body: Any) -> Iterator[Mapping[str, int]]:

@@ -395,3 +395,28 @@ def test_classes_in_folders_are_found(tmp_path):
         translate("Laws.Inner.Wanted", [package], StandardLibrary(core_subset(), "", "core subset"))
     assert caught.value.place is not None
     assert (caught.value.place.file, caught.value.place.line) == (package / "Inner" / "Holder.mo", 4)
+
+
+def test_functions_that_call_others_by_statements_are_looked_into(tmp_path):
+    functions = """
+  function split
+    input Real u;
+    output Real half;
+    output Real rest;
+  algorithm
+    half := u/2;
+    rest := u - half;
+  end split;
+  function joined
+    input Real u;
+    output Real y;
+  protected
+    Real half;
+    Real rest;
+  algorithm
+    (half,rest) := split(u);
+    y := half + rest;
+  end joined;
+"""
+    file = written(tmp_path, f"{functions}\n  model Wanted\n    Real x = joined(time);\n  end Wanted;")
+    assert translate("Laws.Wanted", [file], StandardLibrary(core_subset(), "", "core subset"))
