@@ -244,6 +244,8 @@ class _FlatCheck:
         span = equation["span"]
         if not isinstance(origin, dict) or "ComponentEquation" not in origin or not span:
             return
+        if _has_lost_its_right_side(equation):
+            raise self._reading.lost_right_side(span)
         path = _names(origin["ComponentEquation"]["component"])
         node = self._node(path)
         if node is None:
@@ -325,6 +327,16 @@ class _FlatCheck:
             return True
         inner = (component.type.component(name) for name in component.type.component_names())
         return any(self._has_variables(each) for each in inner if each is not None)
+
+
+def _has_lost_its_right_side(equation: Mapping[str, Any]) -> bool:
+    """= true, for ``der(v[i]) = ...`` in a for-loop where rumoca wrote 0, with the place of the loop, on the right."""
+    residual = equation["residual"].get("Binary")
+    if residual is None or "Literal" not in residual["rhs"]:
+        return False
+    right = residual["rhs"]["Literal"]
+    left = residual["lhs"].get("BuiltinCall")
+    return left is not None and left["function"] == "Der" and bool(right.get("span") == equation["span"])
 
 
 def _names(path: str) -> _Path:

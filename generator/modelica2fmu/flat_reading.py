@@ -140,3 +140,12 @@ class FlatReading:
             place=self.place_of(extent),
             remedy=_REDECLARE,
         )
+
+    def lost_right_side(self, span: RawSpan) -> UnsupportedModelError:
+        """A derivative of an element in a for-loop was taken for 0."""
+        extent = self.extent(span)
+        return UnsupportedModelError(
+            "the front end takes 0 for the right side of a derivative of an element in this for-loop",
+            place=Place() if extent is None else self.place_of(extent),
+            remedy="give the right sides in the loop, a[i] = ..., and the derivatives at once: der(v) = a",
+        )

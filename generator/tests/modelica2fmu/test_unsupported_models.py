@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -109,3 +110,32 @@ end Escape;
 """
     error = refused(text, tmp_path, InputError)
     assert "leaves its package" in error.message
+
+
+LOOP = (
+    "model Loop\n  Real v[4](each start = 1, each fixed = true);\n  Real a[4];\nequation\n  for i in 1:4 loop\n    {}\n"
+)
+LOOP += "  end for;\n  {}\nend Loop;\n"
+
+
+def test_derivatives_of_elements_in_a_loop_are_refused_where_they_are_lost(tmp_path):
+    error = refused(LOOP.format("der(v[i]) = -i*v[i];", "a = v;"), tmp_path, UnsupportedModelError)
+    assert "0 for the right side" in error.message
+    assert error.place is not None
+    assert (error.place.file.name if error.place.file else "", error.place.line) == ("Loop.mo", 5)
+    assert "der(v) = a" in (error.remedy or "")
+
+
+def test_the_loop_written_as_the_message_says_decays(simulate):
+    result = simulate(LOOP.format("a[i] = -i*v[i];", "der(v) = a;"), ["v[1]", "v[4]"])
+    assert result["v[1]"][-1] == pytest.approx(math.exp(-1), rel=1e-6)
+    assert result["v[4]"][-1] == pytest.approx(math.exp(-4), rel=1e-5)
+
+
+def test_a_derivative_that_is_zero_is_none_that_was_lost(simulate):
+    text = (
+        LOOP.format("a[i] = i;", "der(v) = zeros(4);")
+        .replace("model Loop", "model Rest")
+        .replace("end Loop", "end Rest")
+    )
+    assert simulate(text.replace("Loop", "Rest"), ["v[3]"])["v[3]"][-1] == 1.0
