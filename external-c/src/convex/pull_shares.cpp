@@ -129,21 +129,20 @@ int share_pulls(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, do
 
   // Faces that the ball nearly touches. Other places pass into these, and go over to them where they are about to leave.
   const FlatPlaces faces(a, b, b_in_a, ball, window * ball.radius);
-  double nearest = 0.0;
+  bool more = false;
   for (int k = 0; k < faces.count(); ++k) {
-    if (place_in(ball, faces.cut(k).direction) == ball.count) nearest = std::max(nearest, faces.part(k));
+    more = more || (faces.part(k) > 0.0 && place_in(ball, faces.cut(k).direction) == ball.count);
   }
   Springs springs(places);
   for (const Cut *place = ball.cuts; place != ball.cuts + ball.count; ++place) {
     const int face = faces.find(place->direction);
     const double of_face = face < faces.count() ? faces.part(face) : 0.0;
-    const double going = nearest * faded(place->pull / (leaving * sum));
+    const double going = more ? faded(place->pull / (leaving * sum)) : 0.0;
     springs.add(*place, of_face + (1.0 - going) * (1.0 - likeness(*place, faces)));
   }
   for (int k = 0; k < faces.count(); ++k) {
     if (place_in(ball, faces.cut(k).direction) == ball.count) springs.add(faces.cut(k), faces.part(k));
   }
-  bool more = nearest > 0.0;
 
   if (ball.count == 3) {
     const double step = window * ball.radius * (3.0 * least / sum);
