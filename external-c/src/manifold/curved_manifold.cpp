@@ -78,7 +78,7 @@ const Corner &deepest_of(const std::vector<Corner> &corners, std::size_t begin =
 // what is left in there shrinks to a point on the polygon's border, and counts the less the smaller it is and the nearer to it.
 double polygon_part(const Shape &shape, const Pose &pose, const Vec3 &aside, const std::vector<ContactPoint> &points,
                     std::size_t begin) {
-  constexpr double border = 0.02;  // of the radius: as wide as what the polygon leaves of the disc
+  constexpr double border = 0.005;  // of the radius; narrow, as the point that stands in for the rest is any of a flush edge
   double load = 0.0, inside = 0.0, second = 0.0;
   Vec3 first;
   for (std::size_t k = begin; k < points.size(); ++k) {
