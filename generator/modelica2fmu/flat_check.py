@@ -48,7 +48,7 @@ class _Node:
     has_value: bool = False
 
 
-def check_flat_model(flat: Mapping[str, Any], model: str, reading: FlatReading) -> None:
+def check_flat_model(flat: Mapping[str, Any], model: str, reading: FlatReading) -> tuple[str, ...]:
     """Holds a flattened model against its sources, as far as the names in them are found.
 
     Args:
@@ -56,14 +56,17 @@ def check_flat_model(flat: Mapping[str, Any], model: str, reading: FlatReading) 
         model: full name.
         reading: the sources.
 
+    Returns:
+        The variables that are ``fixed`` by a modifier which the front end left out.
+
     Raises:
-        UnsupportedModelError: the front end left out a modifier or a redeclaration.
+        UnsupportedModelError: the front end left out another modifier, or a redeclaration.
     """
     try:
         root = Names(reading.library).find(tuple(model.split(".")))
     except (UnknownError, UnreadableError):
-        return
-    _FlatCheck(flat, root, reading).run()
+        return ()
+    return _FlatCheck(flat, root, reading).run()
 
 
 class _FlatCheck:
@@ -75,12 +78,13 @@ class _FlatCheck:
         self._nodes: dict[_Path, _Node | None] = {(): _Node(root, None)}
         self._expressions = ExpressionCheck(flat["functions"], reading, self._inner)
         self._variables: dict[_Path, list[Mapping[str, Any]]] = {}
+        self._not_fixed: list[str] = []
         for variable in flat["variables"].values():
             path = tuple(part["ident"] for part in variable["component_ref"]["parts"])
             self._variables.setdefault(path, []).append(variable)
 
-    def run(self) -> None:
-        """Raises UnsupportedModelError at the first difference."""
+    def run(self) -> tuple[str, ...]:
+        """The variables that lost their ``fixed``; raises UnsupportedModelError at the first other difference."""
         for path, variables in self._variables.items():
             for variable in variables:
                 self._as_far_as_known(self._variable, path, variable)
@@ -95,6 +99,7 @@ class _FlatCheck:
             self._as_far_as_known(self._empty, path, filled)
             if path in filled:
                 self._as_far_as_known(self._without_equations, path)
+        return tuple(self._not_fixed)
 
     @staticmethod
     def _as_far_as_known(check: Callable[..., None], *arguments: Any) -> None:
@@ -234,7 +239,9 @@ class _FlatCheck:
         is_fixed = any(variable["fixed"] or ())
         given = predefined.attribute("fixed")
         texts = [self._reading.text(value.extent) for value in given]
-        if (texts[:1] == ["true"] and not is_fixed) or (texts[:1] == ["false"] and is_fixed and "true" in texts):
+        if texts[:1] == ["true"] and not is_fixed:
+            self._not_fixed.append(variable["name"])
+        elif texts[:1] == ["false"] and is_fixed and "true" in texts:
             raise self._reading.ignored_value(f"fixed of {variable['name']}", given[0], None)
 
     # --- equations ---

@@ -58,13 +58,14 @@ def load_flat_model(
 
 
 def _check(flat: dict[str, Any], model: str, file: Path, given: LoneFiles, source_map: SourceMap) -> None:
-    """Raises UnsupportedModelError if the front end left out a modifier or a redeclaration."""
+    """Restores what is fixed; raises UnsupportedModelError if the front end left out anything else."""
 
     def place(extent: Extent) -> Place:
         return source_map.place(ir.Span(source_number(str(extent.file)), extent.start, extent.end))
 
     library = ClassLibrary(given.file, file.read_bytes(), given.roots)
-    check_flat_model(flat, model, FlatReading(library, place))
+    for name in check_flat_model(flat, model, FlatReading(library, place)):
+        flat["variables"][name]["fixed"] = [True]
 
 
 def _request(model: str, file: Path, given: LoneFiles) -> Request:

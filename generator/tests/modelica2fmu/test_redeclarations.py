@@ -14,6 +14,8 @@ import pytest
 from cmb_base.errors import UnsupportedModelError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu, translate
+from modelica2fmu.front_end import load_flat_model
+from modelica2fmu.source_map import SourceMap
 from modelica2fmu.standard_library import StandardLibrary, core_subset
 
 CLASSES = """
@@ -197,6 +199,20 @@ CLASSES = """
   equation
     der(x) = 0;
   end Falling;
+  partial model Moving
+    Real s;
+  end Moving;
+  model Drifting
+    extends Moving(s(start = 2, fixed = true));
+  equation
+    der(s) = 0;
+  end Drifting;
+  model Carrier
+    Real s(start = 0, fixed = true);
+    Drifting m(s(fixed = true));
+  equation
+    der(s) = 1;
+  end Carrier;
   model Subject
     outer Linear law;
     Real y = law.f;
@@ -367,6 +383,14 @@ def test_what_the_front_end_leaves_out_is_refused(case, tmp_path):
     assert error.place.file == file
     assert error.place.line is not None
     assert (case.line or case.named) in lines[error.place.line - 1]
+
+
+def test_fixed_holds_beside_a_component_of_that_name_that_is_not(tmp_path):
+    file = written(tmp_path, "  model Wanted\n    Carrier c(s(fixed = false));\n  end Wanted;")
+    flat = load_flat_model("Laws.Wanted", file, [], SourceMap([file]), [].append)
+    fixed = {variable.name: variable.fixed for variable in flat.variables.values()}
+    assert fixed["c.s"] == (False,)
+    assert fixed["c.m.s"] == (True,)
 
 
 def test_places_are_right_behind_letters_of_several_bytes(tmp_path):
