@@ -38,8 +38,8 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     return;
   }
   const std::size_t begin = result.points.size();
-  polytope_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.mean_normal, result.witness, scratch.polytope,
-                   result.points);
+  polytope_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.mean_normal, result.witness,
+                   -answer.distance, scratch.polytope, result.points);
   // Where one swallows the other, no corners may be left.
   if (result.points.size() == begin) result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
 }

@@ -135,7 +135,7 @@ double flat_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   double agree = 0.0;
   if (face < 1.0 - 1e-12) {
     const std::size_t begin = points.size();
-    polytope_contact(corners_of(a), pose_a, corners_of(b), pose_b, normal, witness, graph, points);
+    polytope_contact(corners_of(a), pose_a, corners_of(b), pose_b, normal, witness, depth, graph, points);
     if (points.size() > begin) {
       const ContactPoint &deepest = deepest_of(points, begin);
       const Vec3 aside = deepest.position - contact_axes(normal, witness)(deepest_of(graph.corners()).middle);

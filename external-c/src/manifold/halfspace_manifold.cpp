@@ -43,9 +43,9 @@ class Collector {
     squares_ += part * share.value * depth * depth;
     add(p, part * share.value, part * share.gradient);
   }
-  void share_load(const TessellationLoad &shared) {
+  void share_load(const TessellationLoad &shared, double deepest) {
     if (!(load_ > 0.0)) return;
-    const TessellationLoad::Scale scale = shared.scale(load_, squares_);
+    const TessellationLoad::Scale scale = shared.scale(load_, squares_, deepest);
     load_ *= scale.weight;
     missing_ = scale.weight * missing_ - scale.level * linear_;
     for (std::size_t i = begin_; i < result_.points.size(); ++i) result_.points[i].weight *= scale.weight;
@@ -119,7 +119,7 @@ void polytope_contact(const ContactPolytope &polytope, Collector &collector) {
     visit_deeper(geometry, lowest, std::max(0.0, shared.level()), collector, [&](std::int32_t v) {
       collector.add_corner(place(v), shared, polytope.share(v, collector.down()));
     });
-    collector.share_load(shared);
+    collector.share_load(shared, deepest);
   }
   collector.finish(place(lowest));
 }

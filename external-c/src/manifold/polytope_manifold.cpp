@@ -54,7 +54,7 @@ Pose contact_axes(const Vec3 &normal, const Vec3 &witness) {
 }
 
 void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
-                      const Vec3 &normal, const Vec3 &witness, DepthGraph &graph,
+                      const Vec3 &normal, const Vec3 &witness, double shortest, DepthGraph &graph,
                       std::vector<ContactPoint> &points) {
   const Pose axes = contact_axes(normal, witness);
   graph.place(a, relative_pose(axes, pose_a), b, relative_pose(axes, pose_b));
@@ -64,7 +64,7 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
   const TessellationLoad shared(greatest, fineness);
   const CornerSums sums = sums_of(graph.corners(), shared);
   if (!(sums.load > 0.0)) return;
-  const TessellationLoad::Scale scale = shared.scale(sums.load, sums.squares);
+  const TessellationLoad::Scale scale = shared.scale(sums.load, sums.squares, shortest);
   const double inverse = 1.0 / (scale.weight * sums.load);
   const Vec3 shift{(scale.weight * sums.square_x - scale.level * sums.linear_x) * inverse,
                    (scale.weight * sums.square_y - scale.level * sums.linear_y) * inverse, 0.0};
