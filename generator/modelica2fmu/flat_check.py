@@ -257,12 +257,7 @@ class _FlatCheck:
         node = self._node(path)
         if node is None:
             return
-        own = False
-        for each in node.instance.chain():
-            extents = tuple(each.definition.behaviour)
-            if any(self._reading.begins_in(span, extent) for extent in extents):
-                own = True
-                self._expressions.check(equation["residual"], Site(each, extents, path))
+        own = self._is_own(path, node.instance, span, equation["residual"])
         if not own and not self._is_value(node.instance, span) and (error := self._other_class(path)) is not None:
             raise error
 
@@ -274,14 +269,19 @@ class _FlatCheck:
         node = self._node(path)
         if node is None:
             return
+        own = self._is_own(path, node.instance, span, algorithm["statements"])
+        if not own and (error := self._other_class(path)) is not None:
+            raise error
+
+    def _is_own(self, path: _Path, instance: ClassInstance, span: Mapping[str, int], tree: Any) -> bool:
+        """= true, if what is at the place is written in the component's class; its names are checked then."""
         own = False
-        for each in node.instance.chain():
+        for each in instance.chain():
             extents = tuple(each.definition.behaviour)
             if any(self._reading.begins_in(span, extent) for extent in extents):
                 own = True
-                self._expressions.check(algorithm["statements"], Site(each, extents, path))
-        if not own and (error := self._other_class(path)) is not None:
-            raise error
+                self._expressions.check(tree, Site(each, extents, path))
+        return own
 
     def _is_value(self, instance: ClassInstance, span: Mapping[str, int]) -> bool:
         """= true, if the equation is made from the value of a component."""

@@ -70,22 +70,16 @@ class ExpressionCheck:
         """Raises UnsupportedModelError where a constant or a function is not the one that is named."""
         # All parts of an expression that was put in the place of a name have that place.
         parts = Counter((span["source"], span["start"], span["end"]) for span in spans(tree))
-        stack = [tree]
-        while stack:
-            item = stack.pop()
-            if isinstance(item, list):
-                stack.extend(item)
-            elif isinstance(item, dict):
-                stack.extend(item.values())
-                try:
-                    if "Literal" in item:
-                        span = item["Literal"].get("span")
-                        if span and parts[span["source"], span["start"], span["end"]] == 1:
-                            self._literal(item["Literal"], site)
-                    elif "FunctionCall" in item:
-                        self._call(item["FunctionCall"], site, depth)
-                except (UnknownError, UnreadableError, RecursionError):
-                    continue
+        for item in _objects(tree):
+            try:
+                if "Literal" in item:
+                    span = item["Literal"].get("span")
+                    if span and parts[span["source"], span["start"], span["end"]] == 1:
+                        self._literal(item["Literal"], site)
+                elif "FunctionCall" in item:
+                    self._call(item["FunctionCall"], site, depth)
+            except (UnknownError, UnreadableError, RecursionError):
+                continue
 
     def _written(self, span: Mapping[str, int] | None, site: Site) -> tuple[Extent, tuple[str, ...]] | None:
         """The name that is written at a place of the site."""
@@ -228,14 +222,20 @@ def _called(call: Mapping[str, Any]) -> str:
 
 def _assignments(body: Any) -> Iterator[Mapping[str, int]]:
     """Places of the targets of all assignments in statements."""
-    stack = [body]
+    for item in _objects(body):
+        if "Assignment" in item:
+            span = item["Assignment"]["comp"].get("span")
+            if span:
+                yield span
+
+
+def _objects(tree: Any) -> Iterator[Mapping[str, Any]]:
+    """All objects of a tree, each before those in it."""
+    stack = [tree]
     while stack:
         item = stack.pop()
         if isinstance(item, list):
             stack.extend(item)
         elif isinstance(item, dict):
-            if "Assignment" in item:
-                span = item["Assignment"]["comp"].get("span")
-                if span:
-                    yield span
             stack.extend(item.values())
+            yield item
