@@ -91,6 +91,19 @@ TEST(SlicedOverlap, TwoBallsNeedNoGuess) {
   FromAnyGuess(low, high, {ball(1.0, {0, 2.5, 0}), ball(1.0, {0, 4.2, 0})}).expect_volume(0.0, {2.6}, "beyond the box");
 }
 
+// Where neighbouring numbers lie farther apart than the slices' precision. Centres are rounded likewise.
+TEST(SlicedOverlap, EndsFarFromTheOrigin) {
+  for (const double radius : {1e-5, 1e-7, 1e-9}) {
+    const Vec3 center{0.0, 1.0, 0.0}, reach{2 * radius, 2 * radius, 2 * radius};
+    FromAnyGuess corner(center - reach, center + reach, {ball(radius, center)});
+    corner.cut({0.6, 0.8, 0.0}, 0.8);
+    corner.cut({-0.6, 0.8, 0.0}, 0.8);
+    // What is left of the ball within the wedge.
+    const double angle = pi - 2.0 * std::acos(0.8), volume = angle / (2.0 * pi) * 4.0 / 3.0 * pi * radius * radius * radius;
+    corner.expect_volume(volume, {1.0 - 0.5 * radius}, "a wedge of a ball", 1e-15 * radius * radius);
+  }
+}
+
 TEST(SlicedOverlap, MarkedFacesAreTakenApart) {
   // A ball cut level above its middle: the face is the circle.
   FromAnyGuess half({-3, -3, -3}, {3, 3, 3}, {ball(1.0, {0.2, 0.1, 0.0})});

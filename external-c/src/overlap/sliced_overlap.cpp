@@ -18,6 +18,7 @@ double SlicedOverlap::order_change(double low, std::uint64_t at_low, double high
   const double precision = 1e-10 * (range_.end - range_.begin);
   while (high - low > precision) {
     const double middle = 0.5 * (low + high);
+    if (middle == low || middle == high) break;  // far from the origin no number is left between them
     (slice_.order(middle) == at_low ? low : high) = middle;
   }
   return 0.5 * (low + high);
