@@ -18,7 +18,7 @@ void read_vertex(TextScanner &text, MeshData &data) {
 
 void read_face(TextScanner &text, MeshData &data, PolygonReader &polygon) {
   const auto count = static_cast<std::int64_t>(data.vertices.size());
-  polygon.begin();
+  polygon.begin(text.line());
   for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
     // vertex/texture/normal: the first counts; negative numbers count back from the last vertex so far.
     const std::int64_t given = text.whole_number(word.substr(0, word.find('/')));
@@ -46,6 +46,10 @@ MeshData read_obj(std::string_view contents, const std::string &source) {
     if (word == "f") read_face(text, data, polygon);
   } while (text.next_line());
   if (data.triangles.empty()) text.fail("no faces", "export the body's surface as triangles");
+  polygon.unfold_all(data, [&](std::size_t line) {
+    const auto [problem, remedy] = PolygonReader::not_a_polygon();
+    throw MeshError(source, "line " + std::to_string(line) + ": " + problem, remedy);
+  });
   return data;
 }
 

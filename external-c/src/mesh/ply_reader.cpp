@@ -227,7 +227,7 @@ void read_element(const Element &element, Values &values, const std::string &sou
       if (count < 0.0) fail("a list of negative length", damaged);
       const bool corners = property.role == Role::corners;
       if (corners && count < 3.0) fail("fewer than three corners", damaged);
-      polygon.begin();
+      polygon.begin(i + 1);
       // A length that is not true ends where the file does.
       for (double k = 0.0; k < count; k += 1.0) {
         const double value = values.number(property.type);
@@ -285,6 +285,10 @@ MeshData read_ply(std::string_view contents, const std::string &source) {
     }
   }
   if (data.triangles.empty()) throw MeshError(source, "no faces", "export the body's surface as triangles");
+  polygon.unfold_all(data, [&](std::size_t face) {
+    const auto [problem, remedy] = PolygonReader::not_a_polygon();
+    throw MeshError(source, "face " + std::to_string(face) + ": " + problem, remedy);
+  });
   return data;
 }
 
