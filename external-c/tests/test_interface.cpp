@@ -163,11 +163,23 @@ TEST(CallGuard, TurnsEveryExceptionIntoAStatus) {
 }
 
 TEST(LastError, IsCutNotOverrun) {
-  const std::string longer(1 << 20, 'x');
+  std::string longer;
+  for (int k = 0; k < 1 << 16; ++k) longer += std::to_string(k) + ' ';
   cmb::set_last_error(longer.c_str());
-  const std::string kept = cmb_last_error();
-  EXPECT_FALSE(kept.empty());
-  EXPECT_EQ(kept, longer.substr(0, kept.size()));
+  const std::string kept = cmb_last_error(), gap = " ... ";
+  const std::size_t middle = kept.find(gap);
+  ASSERT_NE(middle, std::string::npos) << kept;
+  const std::string end = kept.substr(middle + gap.size());
+  EXPECT_EQ(kept.substr(0, middle), longer.substr(0, middle));
+  EXPECT_EQ(end, longer.substr(longer.size() - end.size()));
+  EXPECT_GT(middle, 400u);
+  EXPECT_GT(end.size(), 400u);
+  // Whatever just has room is whole.
+  for (const std::size_t length : {std::size_t{0}, kept.size() - 1, kept.size()}) {
+    const std::string whole = longer.substr(0, length);
+    cmb::set_last_error(whole.c_str());
+    EXPECT_EQ(whole, cmb_last_error());
+  }
 }
 
 // Two balls that touch, above a fixed floor that one of them touches.

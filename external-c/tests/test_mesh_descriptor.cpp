@@ -1,6 +1,8 @@
 // Descriptors of meshes, height fields and hulls from files: what is accepted, and what is said of the rest.
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -133,6 +135,25 @@ TEST_F(MeshFiles, BadFilesAreRefusedWithFileAndElement) {
   refuses("cmb/1 mesh file=half.stl", 17, "half.stl");
   write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n");
   refuses("cmb/1 mesh file=nan.obj", 17, "nan.obj");
+  std::filesystem::create_directories(path("folder.stl"));
+  refuses("cmb/1 mesh file=folder.stl", 17, "folder.stl: a folder; name a file in it");
+  refuses("cmb/1 heightfield size=1,1 file=inside", 33, "inside: a folder; name a file in it");
+  ASSERT_EQ(::mkfifo(path("pipe.stl").c_str(), 0600), 0);
+  refuses("cmb/1 mesh file=pipe.stl", 17, "pipe.stl: no regular file");
+  std::filesystem::create_symlink("/dev/zero", path("endless.obj"));
+  cmb::GeometryFiles anywhere("/");
+  try {
+    parse_descriptor("cmb/1 mesh file=" + path("endless.obj"), anywhere);
+    ADD_FAILURE() << "accepted";
+  } catch (const cmb::DescriptorError &error) {
+    EXPECT_NE(std::string(error.what()).find("zero"), std::string::npos) << error.what();
+  }
+  try {
+    parse_descriptor("cmb/1 heightfield size=1,1 file=/dev/zero", anywhere);
+    ADD_FAILURE() << "accepted";
+  } catch (const cmb::DescriptorError &error) {
+    EXPECT_STREQ(error.what(), "/dev/zero: no regular file; name a file on a disk");
+  }
   write("many.stl", std::string(80, ' ') + std::string("\x80\x96\x98\x00", 4));  // claims ten million triangles
   refuses("cmb/1 mesh file=many.stl", 17, "many.stl");
   write("many.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -146,6 +167,51 @@ TEST_F(MeshFiles, BadFilesAreRefusedWithFileAndElement) {
   refuses("cmb/1 heightfield size=1,1 file=word.txt", 33, "line 2");
   write("row.txt", "0 1 2\n");
   refuses("cmb/1 heightfield size=1,1 file=row.txt", 33, "2 x 2");
+}
+
+// The limits of lengths hold for hulls and meshes as for all other shapes.
+TEST_F(MeshFiles, SizesOutOfRangeAreRefused) {
+  for (const std::string kind : {"hull", "mesh"}) {
+    EXPECT_EQ(complaint("cmb/1 " + kind + " file=tetrahedron.obj scale=1e-9"), "");
+    EXPECT_EQ(complaint("cmb/1 " + kind + " file=tetrahedron.obj scale=1e9"), "");
+  }
+  write("small.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0\nv 0 0 0.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  write("large.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  for (const std::string kind : {"hull", "mesh"}) {
+    refuses("cmb/1 " + kind + " file=small.obj scale=1e-9", 17, "small.obj: all vertices lie within 1e-9 m; check the");
+    refuses("cmb/1 " + kind + " file=large.obj scale=1e9", 17, "lies farther than 1e9 m from the origin; check the");
+  }
+  const std::string tiny = "vertices=0,0,0,1e-10,0,0,0,1e-10,0,0,0,1e-10";
+  refuses("cmb/1 hull " + tiny, 21, "vertices: all vertices lie within 1e-9 m");
+  refuses("cmb/1 mesh " + tiny + " triangles=1,3,2,1,2,4,1,4,3,2,3,4", 67, "mesh: all vertices lie within 1e-9 m");
+  // Of 1e-75 m neither contacts with a box nor with an ellipsoid were numbers.
+  refuses("cmb/1 hull vertices=0,0,0,1e-75,0,0,0,1e-75,0,0,0,1e-75", 21, "vertices: all vertices lie within 1e-9 m");
+}
+
+// A second body so small in a mesh that what is computed of its triangles' sides vanishes: contacts were no numbers.
+TEST_F(MeshFiles, TrianglesWithoutSizeAreRefused) {
+  const auto with_second_body = [](const std::string &size) {
+    return "cmb/1 mesh vertices=5,0,0,6,0,0,5,1,0,5,0,1,0,0,0," + size + ",0,0,0," + size + ",0,0,0," + size +
+           " triangles=1,3,2,1,2,4,1,4,3,2,3,4,5,7,6,5,6,8,5,8,7,6,7,8";
+  };
+  for (const std::string size : {"1e-13", "1e-40", "1e-70"}) {
+    refuses(with_second_body(size), 0, "triangle 5 is degenerate: its corners coincide");
+  }
+  EXPECT_EQ(complaint(with_second_body("1e-12")), "");
+}
+
+// Names may be longer than the text that is kept of an error: what is wrong and what to do are said all the same.
+TEST_F(MeshFiles, LongNamesLeaveRoomForProblemAndRemedy) {
+  std::string name;
+  for (int k = 0; k < 800; ++k) name += "a/";
+  const std::string descriptor = "cmb/1 mesh file=" + name + "part.stl";
+  const char *geometry[] = {descriptor.c_str()};
+  cmb_scene scene = 0;
+  ASSERT_EQ(cmb_intern_with_files(geometry, 1, nullptr, 0, CMB_BACKEND_AUTO, path("").c_str(), &scene),
+            CMB_ERROR_DESCRIPTOR);
+  const std::string said = cmb_last_error();
+  EXPECT_EQ(said.find("descriptor 1, column 17: "), 0u) << said;
+  EXPECT_NE(said.find("part.stl: no such file; check the path"), std::string::npos) << said;
 }
 
 // Ten million triangles in a file that is really there: refused by their number, quickly.

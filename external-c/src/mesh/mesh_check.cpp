@@ -13,6 +13,8 @@ namespace cmb::mesh {
 namespace {
 
 constexpr double largest_coordinate = 1e9;       // m
+constexpr double smallest_extent = 1e-9;         // m, along some axis
+constexpr double smallest_side = 1e-12;          // m, of a triangle's sides the longest
 constexpr double degenerate_height = 1e-10;      // of a triangle, relative to its longest side
 constexpr double smallest_relative_volume = 1e-12;  // relative to area^(3/2)
 
@@ -50,27 +52,13 @@ void check_numbers(const MeshData &data, const std::string &source) {
   }
 }
 
-void check_coordinates(const MeshData &data, const std::string &source) {
-  for (std::size_t v = 0; v < data.vertices.size(); ++v) {
-    const Vec3 &p = data.vertices[v];
-    if (!is_finite(p)) {
-      throw MeshError(source, vertex_name(v) + " has a coordinate that is not a finite number",
-                      "the file is damaged: export it again");
-    }
-    if (std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z))) > largest_coordinate) {
-      throw MeshError(source, vertex_name(v) + " lies farther than 1e9 m from the origin",
-                      "check the file's unit of length");
-    }
-  }
-}
-
 void check_shapes(const MeshData &data, const std::string &source) {
   for (std::size_t t = 0; t < data.triangles.size(); ++t) {
     const Triangle &corner = data.triangles[t];
     const Vec3 &a = data.vertices[corner[0]], &b = data.vertices[corner[1]], &c = data.vertices[corner[2]];
     const double longest2 = std::fmax(norm2(b - a), std::fmax(norm2(c - b), norm2(a - c)));
-    // A sum of squares may underflow for tiny triangles: they are degenerate too.
-    if (!(norm(cross(b - a, c - a)) > degenerate_height * longest2)) {
+    const bool tiny = longest2 < smallest_side * smallest_side;  // squares of squares underflow, in the end
+    if (tiny || !(norm(cross(b - a, c - a)) > degenerate_height * longest2)) {
       throw MeshError(source, triangle_name(t) + " is degenerate: its corners coincide or lie on a line",
                       "remove it, or repair the mesh in the program that made it");
     }
@@ -138,9 +126,34 @@ void check_volume(const MeshData &data, const std::string &source) {
 
 }  // namespace
 
+void check_coordinates(const std::vector<Vec3> &vertices, const std::string &source) {
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const Vec3 &p = vertices[v];
+    if (!is_finite(p)) {
+      throw MeshError(source, vertex_name(v) + " has a coordinate that is not a finite number",
+                      "the file is damaged: export it again");
+    }
+    if (std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z))) > largest_coordinate) {
+      throw MeshError(source, vertex_name(v) + " lies farther than 1e9 m from the origin", "check the unit of length");
+    }
+  }
+}
+
+void check_extent(const std::vector<Vec3> &vertices, const std::string &source) {
+  Vec3 low = vertices.front(), high = low;
+  for (const Vec3 &p : vertices) {
+    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
+    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
+  }
+  const Vec3 extent = high - low;
+  if (std::fmax(extent.x, std::fmax(extent.y, extent.z)) < smallest_extent) {
+    throw MeshError(source, "all vertices lie within 1e-9 m", "check the unit of length");
+  }
+}
+
 void weld_vertices(MeshData &data, const std::string &source) {
   check_numbers(data, source);
-  check_coordinates(data, source);  // an order of coordinates needs numbers
+  check_coordinates(data.vertices, source);  // an order of coordinates needs numbers
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> order(data.vertices.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -174,8 +187,9 @@ void weld_vertices(MeshData &data, const std::string &source) {
 
 void check_mesh(const MeshData &data, MeshUse use, const std::string &source) {
   check_numbers(data, source);
-  check_coordinates(data, source);
+  check_coordinates(data.vertices, source);
   check_shapes(data, source);
+  check_extent(data.vertices, source);
   check_repetition(data, source);
   if (check_edges(data, source)) {
     check_volume(data, source);

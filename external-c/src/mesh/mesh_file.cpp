@@ -11,9 +11,14 @@ namespace cmb::mesh {
 
 std::string read_whole_file(const std::string &path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    throw MeshError(path, "no such file", "check the path");
+  const std::filesystem::file_type type = std::filesystem::status(path, error).type();
+  if (type == std::filesystem::file_type::not_found) throw MeshError(path, "no such file", "check the path");
+  if (type == std::filesystem::file_type::none) {
+    throw MeshError(path, "cannot be read: " + error.message(), "check its name and its permissions");
   }
+  if (type == std::filesystem::file_type::directory) throw MeshError(path, "a folder", "name a file in it");
+  // Devices and pipes may never end.
+  if (type != std::filesystem::file_type::regular) throw MeshError(path, "no regular file", "name a file on a disk");
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) throw MeshError(path, "cannot be read: " + error.message(), "check its permissions");
   if (size > MeshLimits::file_bytes) {

@@ -9,8 +9,8 @@
 namespace cmb::mesh {
 
 // The readers take a file's whole contents; `source` names it in messages. Numbers are taken as metres. They throw
-// MeshError for anything that is not such a file, and std::bad_alloc. Polygons are cut into triangles from their first
-// corner, which is right for convex ones. No size that a file claims is believed before the bytes are there. What
+// MeshError for anything that is not such a file, and std::bad_alloc. Polygons are cut into triangles, concave ones too
+// (polygon_split.hpp). No size that a file claims is believed before the bytes are there. What
 // they return has numbers in range, but no other check: see check_mesh.
 MeshData read_stl(std::string_view contents, const std::string &source);  // ASCII and binary; vertices are not shared
 MeshData read_obj(std::string_view contents, const std::string &source);  // v and f; all else is passed over

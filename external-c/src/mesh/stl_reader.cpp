@@ -21,15 +21,15 @@ MeshData read_binary(std::string_view contents, const std::string &source) {
   ByteReader bytes(contents, false);
   bytes.skip(header_size);
   const auto count = bytes.read<std::uint32_t>();
-  if (count > MeshLimits::triangles) {
-    throw MeshError(source, std::to_string(count) + " triangles, more than the " +
-                                std::to_string(MeshLimits::triangles) + " allowed",
-                    "export with a coarser tolerance");
-  }
   if (bytes.left() < count * record_size) {
     throw MeshError(source, "cut short: room for " + std::to_string(bytes.left() / record_size) + " of " +
                                 std::to_string(count) + " triangles",
                     "export or copy it again");
+  }
+  if (count > MeshLimits::triangles) {
+    throw MeshError(source, std::to_string(count) + " triangles, more than the " +
+                                std::to_string(MeshLimits::triangles) + " allowed",
+                    "export with a coarser tolerance");
   }
   MeshData data;
   data.triangles.reserve(count);

@@ -10,6 +10,7 @@
 
 #include "convex/convex_hull.hpp"
 #include "mesh/height_field.hpp"
+#include "mesh/mesh_check.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace cmb {
@@ -108,12 +109,14 @@ void parse_hull(Keys &keys, GeometryFiles &files, Shape &shape) {
                                       std::to_string(DescriptorLimits::hull_points) +
                                       " are accepted: simplify the mesh");
   }
+  at_column(column, [&] { mesh::check_coordinates(points, source); });
   convex::Polytope polytope;
   std::string problem;
   if (!convex::build_convex_hull(points, polytope, nullptr, &problem)) {
     throw DescriptorError(column,
                           source + ": " + problem + "; give at least 4 points that do not lie in a plane");
   }
+  at_column(column, [&] { mesh::check_extent(polytope.vertices(), source); });
   shape.kind = ShapeKind::hull;
   shape.polytope = std::make_shared<const ContactPolytope>(std::move(polytope));
   shape.body = convex::make_polytope(shape.polytope->geometry());

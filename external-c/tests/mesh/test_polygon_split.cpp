@@ -135,7 +135,9 @@ TEST(PolygonSplit, NotchesStayOpen) {
     const Border border = begun_at(l_shape, first);
     std::string text;
     for (const double z : {0.0, 1.0}) {
-      for (const Point &p : border) text += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(z) + "\n";
+      for (const Point &p : border) {
+        text += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(z) + "\n";
+      }
     }
     std::string bottom = "f", top = "f";
     for (std::size_t i = 0; i < n; ++i) {
@@ -177,7 +179,8 @@ TEST(PolygonSplit, BordersThatCrossThemselvesAreRefused) {
   }
   expect_refusal(read_ply,
                  "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                 "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n3 0 1 2\n4 0 1 2 3\n",
+                 "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                 "0 0 0\n1 1 0\n1 0 0\n0 1 0\n3 0 1 2\n4 0 1 2 3\n",
                  "face 2: a face whose border crosses itself");
 }
 
