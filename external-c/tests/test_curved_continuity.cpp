@@ -79,6 +79,10 @@ INSTANTIATE_TEST_SUITE_P(
                     RarePath{"the ball rests on a cone as curved, and beside", {"cone", "hull"}, 1826, 0.04},
                     RarePath{"the ball rests on two places of a cone as curved", {"cone", "hull"}, 2430, 0.004},
                     RarePath{"the ball goes from two places of a cone to another", {"cone", "hull"}, 2520, 0.004},
+                    RarePath{"a second corner under the disc's polygon loses its depth", {"cylinder", "hull"}, 1537, 0.04},
+                    RarePath{"a second corner under the disc's polygon gains depth", {"cylinder", "hull"}, 1597, 0.004},
+                    RarePath{"an edge crosses the disc's polygon at no depth", {"cylinder", "hull"}, 1974, 0.04},
+                    RarePath{"a corner under a base's polygon gains depth", {"cone", "hull"}, 1774, 0.004},
                     RarePath{"the ball is held by four places at once", {"cylinder", "hull"}, 1422, 0.04}));
 
 class TipUnderDisc : public testing::TestWithParam<const char *> {};

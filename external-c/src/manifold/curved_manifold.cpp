@@ -76,10 +76,12 @@ const Corner &deepest_of(const std::vector<Corner> &corners, std::size_t begin =
 // The part that counts of what points[begin, end) carry under the polygon that stands for the disc of a cylinder or cone; they
 // are `aside` of their places. A tip that comes under the disc from beside leaves the polygon before the disc, at its depth:
 // what is left in there shrinks to a point on the polygon's border, and counts the less the smaller it is and the nearer to it.
+// How small is told by the mean distance from the middle: its root mean square would change by the root of what a corner
+// carries whose depth comes from 0.
 double polygon_part(const Shape &shape, const Pose &pose, const Vec3 &aside, const std::vector<ContactPoint> &points,
                     std::size_t begin) {
   constexpr double border = 0.005;  // of the radius; narrow, as the point that stands in for the rest is any of a flush edge
-  double load = 0.0, inside = 0.0, second = 0.0;
+  double load = 0.0, inside = 0.0, spread = 0.0;
   Vec3 first;
   for (std::size_t k = begin; k < points.size(); ++k) {
     const double carried = points[k].weight * points[k].depth;
@@ -90,9 +92,9 @@ double polygon_part(const Shape &shape, const Pose &pose, const Vec3 &aside, con
   }
   const Vec3 middle = (1.0 / load) * first;
   for (std::size_t k = begin; k < points.size(); ++k) {
-    second += points[k].weight * points[k].depth * norm2(points[k].position - middle);
+    spread += points[k].weight * points[k].depth * norm(points[k].position - middle);
   }
-  return 1.0 - faded((inside / load + std::sqrt(second / load)) / (border * shape.body.half.x));
+  return 1.0 - faded((inside + spread) / (load * border * shape.body.half.x));
 }
 
 // Scales the weights of points[begin, end).
