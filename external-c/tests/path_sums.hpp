@@ -16,6 +16,7 @@ using PosePath = std::function<BodyPose(double)>;  // over 0 to 1
 
 struct PathSums {
   double largest_jump = 0.0;  // of load and moment, m
+  double jump_at = 0.0;       // where along the path
   double largest_load = 0.0;  // m
 };
 
@@ -52,7 +53,7 @@ inline PathSums follow(const PairScene &scene, const PosePath &pose_a, const Bod
       jump = std::fmax(first, second);
       (first > second ? end : begin) = middle;
     }
-    result.largest_jump = std::fmax(result.largest_jump, jump);
+    if (jump > result.largest_jump) result.largest_jump = jump, result.jump_at = begin;
   }
   return result;
 }
@@ -99,6 +100,17 @@ inline std::string random_hull(random_bodies::Random &random) {
     text += digits(0.5 * p.x) + "," + digits(0.4 * p.y) + "," + digits(0.3 * p.z) + (k + 1 < count ? "," : "");
   }
   return text;
+}
+
+// Of a kind by name: sphere, capsule, cylinder, cone, ellipsoid, box or hull.
+inline std::string random_shape(const std::string &kind, random_bodies::Random &random) {
+  const auto length = [&](double low, double high) { return digits(random.uniform(low, high)); };
+  if (kind == "sphere") return "cmb/1 sphere radius=" + length(0.25, 0.5);
+  if (kind == "capsule") return "cmb/1 capsule radius=" + length(0.1, 0.3) + " length=" + length(0.2, 0.8);
+  if (kind == "cylinder") return "cmb/1 cylinder radius=" + length(0.2, 0.5) + " length=" + length(0.3, 1.0);
+  if (kind == "cone") return "cmb/1 cone radius=" + length(0.25, 0.5) + " length=" + length(0.4, 1.0);
+  if (kind == "ellipsoid") return "cmb/1 ellipsoid size=" + length(0.4, 1) + "," + length(0.4, 1) + "," + length(0.4, 1);
+  return kind == "box" ? random_box(random) : random_hull(random);
 }
 
 // Corners on an ellipsoid.

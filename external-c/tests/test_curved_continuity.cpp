@@ -8,16 +8,6 @@ using random_bodies::Random;
 
 constexpr double pi = 3.14159265358979323846;
 
-std::string random_shape(const std::string &kind, Random &random) {
-  const auto length = [&](double low, double high) { return digits(random.uniform(low, high)); };
-  if (kind == "sphere") return "cmb/1 sphere radius=" + length(0.25, 0.5);
-  if (kind == "capsule") return "cmb/1 capsule radius=" + length(0.1, 0.3) + " length=" + length(0.2, 0.8);
-  if (kind == "cylinder") return "cmb/1 cylinder radius=" + length(0.2, 0.5) + " length=" + length(0.3, 1.0);
-  if (kind == "cone") return "cmb/1 cone radius=" + length(0.25, 0.5) + " length=" + length(0.4, 1.0);
-  if (kind == "ellipsoid") return "cmb/1 ellipsoid size=" + length(0.4, 1) + "," + length(0.4, 1) + "," + length(0.4, 1);
-  return kind == "box" ? random_box(random) : random_hull(random);
-}
-
 struct Kinds {
   const char *a, *b;
 };
@@ -83,6 +73,21 @@ INSTANTIATE_TEST_SUITE_P(
                     RarePath{"a second corner under the disc's polygon gains depth", {"cylinder", "hull"}, 1597, 0.004},
                     RarePath{"an edge crosses the disc's polygon at no depth", {"cylinder", "hull"}, 1974, 0.04},
                     RarePath{"a corner under a base's polygon gains depth", {"cone", "hull"}, 1774, 0.004},
+                    RarePath{"a corner on a cone's axis holds the ball all round", {"cone", "hull"}, 1787, 0.004},
+                    RarePath{"the same, found from elsewhere", {"cone", "hull"}, 2132, 0.04},
+                    RarePath{"the same, but for where an edge is", {"cone", "hull"}, 2019, 0.04},
+                    RarePath{"the same, but for where two edges are", {"cone", "hull"}, 7692, 0.04},
+                    RarePath{"two places of a cone nearly in one direction", {"cone", "hull"}, 4903, 0.04},
+                    RarePath{"the ball leaves a face by very little", {"cone", "hull"}, 3402, 0.004},
+                    RarePath{"a rim leaves a face over an edge of other corners", {"cone", "hull"}, 9896, 0.004},
+                    RarePath{"two faces nearly in one plane are nearest", {"cone", "hull"}, 8757, 0.04},
+                    RarePath{"a tip on another cone's axis holds the ball on an arc", {"cone", "cone"}, 1952, 0.04},
+                    RarePath{"a side is nearest just beside a cone's crease", {"cylinder", "cone"}, 1204, 0.04},
+                    RarePath{"a rim is nearest just beside a base's normal", {"cylinder", "cone"}, 1738, 0.04},
+                    RarePath{"the ball is at rest to a tighter bound alone", {"cylinder", "cone"}, 3301, 0.04},
+                    RarePath{"a rim over an edge as curved as the ball", {"cylinder", "hull"}, 7314, 0.04},
+                    RarePath{"a place nearly touched is one that the ball rests on", {"cylinder", "hull"}, 9502, 0.04},
+                    RarePath{"a rim is nearest just beside a crease", {"cylinder", "hull"}, 5758, 0.004},
                     RarePath{"the ball is held by four places at once", {"cylinder", "hull"}, 1422, 0.04}));
 
 class TipUnderDisc : public testing::TestWithParam<const char *> {};

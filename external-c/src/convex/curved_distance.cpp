@@ -74,6 +74,24 @@ bool coaxial_way_out(const MinkowskiDifference &difference, Vec3 &direction, dou
   return depth > 0.0;
 }
 
+// How far the points of an overlap, in A's frame, are from lying in the bodies.
+double missing(const MinkowskiDifference &difference, const RefinedDirection &r) {
+  return outside(difference.body_a, r.a) +
+         outside(difference.body_b, transposed_times(difference.b_in_a.rotation, r.b - difference.b_in_a.translation));
+}
+
+// The same; of a polytope the farthest beyond a face.
+double missing_of_faces(const MinkowskiDifference &difference, const RefinedDirection &r) {
+  const auto beyond = [](const ConvexBody &body, const Vec3 &p) {
+    if (body.core != CoreShape::polytope) return outside(body, p);
+    double result = 0.0;
+    for (const Polytope::Face &face : body.polytope->faces()) result = std::max(result, dot(face.normal, p) - face.offset);
+    return result;
+  };
+  return beyond(difference.body_a, r.a) +
+         beyond(difference.body_b, transposed_times(difference.b_in_a.rotation, r.b - difference.b_in_a.translation));
+}
+
 // Whether a minimum of the support function is the least: where the bodies are apart their points prove it, where they overlap
 // a ball in the difference does.
 bool proven(const MinkowskiDifference &difference, const RefinedDirection &r, CoreDistance &result) {
@@ -86,8 +104,7 @@ bool proven(const MinkowskiDifference &difference, const RefinedDirection &r, Co
     ball = inner_ball(a, b, pose, r.direction, r.a, r.b, enough, tolerance);
     if (!(ball >= r.height)) return false;
   } else {
-    const double missing = outside(a, r.a) + outside(b, transposed_times(pose.rotation, r.b - pose.translation));
-    if (!(missing <= tolerance)) return false;
+    if (!(missing(difference, r) <= tolerance)) return false;
   }
   result = {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, true, {}, ball};
   return true;
@@ -177,12 +194,15 @@ void take_lower(const MinkowskiDifference &difference, const RefinedDirection &r
 CoreDistance sharpened(const MinkowskiDifference &difference, const PenetrationResult &inside, DistanceScratch &scratch) {
   const CoreDistance result{-inside.depth, inside.direction, inside.a, inside.b, DistanceMethod::expanding_polytope,
                             inside.proven, {}};
-  // Where the search proved the depth, the feature that it ended at has the minimum.
+  // Where the search proved the depth, the feature that it ended at has the minimum; or, if the points there are beside the
+  // bodies, one just beside that has; or another one as near to the tolerance.
   RefinedDirection there;
   const Vec3 b_local = transposed_times(difference.b_in_a.rotation, inside.b - difference.b_in_a.translation);
   if (inside.proven && touching_direction(difference, inside.direction, inside.a, b_local, there) &&
       there.height <= inside.depth && there.height - inside.lower <= proof * difference.scale &&
-      dot(there.direction, inside.direction) > 1.0 - same_minimum) {
+      dot(there.direction, inside.direction) > 1.0 - same_minimum &&
+      missing_of_faces(difference, there) <= relative_tolerance * difference.scale &&
+      !borders_nearby(difference, there.direction)) {
     return {-there.height, there.direction, there.a, there.b, DistanceMethod::refined, true, {}};
   }
   // Surfaces of revolution on one axis are equally deep all round: no bound settles that, but the

@@ -4,6 +4,7 @@
 
 #include "closed_distance.hpp"
 #include "direction_newton.hpp"
+#include "leaving_borders.hpp"
 
 namespace cmb::convex {
 
@@ -131,40 +132,54 @@ void find_witness(const MinkowskiDifference &difference, RefinedDirection &resul
 
 }  // namespace
 
+bool borders_nearby(const MinkowskiDifference &difference, const Vec3 &direction) {
+  constexpr double on_border = 1e-9;
+  const auto among = [&direction](const Creases &creases) {
+    for (int k = 0; k < creases.count; ++k) {
+      if (std::fabs(dot(direction, creases.crease[k].axis) - creases.crease[k].height) > on_border) return true;
+    }
+    for (int k = 0; k < creases.flat_count; ++k) {
+      if (norm2(direction - creases.flat[k]) > on_border * on_border) return true;
+    }
+    return false;
+  };
+  return among(creases_of_a(difference, direction, near_creases)) ||
+         among(creases_of_b(difference, direction, near_creases));
+}
+
 RefinedDirection refine_direction(const MinkowskiDifference &difference, const Vec3 &direction, const Vec3 &a,
                                   const Vec3 &b, double nearby, bool from_afar) {
-  RefinedDirection result{direction, dot(difference.support(direction).w, direction), a, b};
-  // A candidate that is as low to rounding replaces one found by less exact means.
+  LowestDirection lowest{direction, dot(difference.support(direction).w, direction), false, {}};
   const double rounding = 1e-15 * difference.scale;
-  const auto attempt = [&](const Vec3 &m) {
-    const double height = dot(difference.support(m).w, m);
-    if (height > result.height + rounding) return;
-    result.height = std::min(result.height, height);
-    result.direction = m;
-  };
   Creases all = creases_of_a(difference, direction, nearby);
   const Creases of_b = creases_of_b(difference, direction, nearby);
-  const Vec3 start = direction;
-  for (int k = 0; k < all.flat_count; ++k) attempt(all.flat[k]);
-  for (int k = 0; k < of_b.flat_count; ++k) attempt(of_b.flat[k]);
+  for (const Creases *of_one : {static_cast<const Creases *>(&all), &of_b}) {
+    for (const Vec3 *flat = of_one->flat; flat != of_one->flat + of_one->flat_count; ++flat) {
+      lowest.attempt(difference, *flat, rounding, true);
+    }
+  }
   for (int k = 0; k < of_b.count; ++k) all.add(of_b.crease[k]);
-  Vec3 m = start;
+  Vec3 m = direction;
   newton_on_sphere(difference, m);  // where it does not converge, as in a valley all round, it is lower all the same
-  attempt(m);
+  lowest.attempt(difference, m, rounding);
   for (int k = 0; k < all.count; ++k) {
     // All of a crease is equally low where both bodies are of revolution about its axis.
-    m = start;
+    m = direction;
     if (!project_on_crease(all.crease[k], m)) continue;
-    attempt(m);
-    if (newton_on_crease(difference, all.crease[k], m, from_afar)) attempt(m);
+    lowest.attempt(difference, m, rounding, false, &all.crease[k]);
+    if (newton_on_crease(difference, all.crease[k], m, from_afar)) {
+      lowest.attempt(difference, m, rounding, false, &all.crease[k]);
+    }
   }
   for (int k = 0; k < all.count; ++k) {
     for (int l = k + 1; l < all.count; ++l) {
-      m = start;
-      if (meeting_point(all.crease[k], all.crease[l], m)) attempt(m);
+      m = direction;
+      if (!meeting_point(all.crease[k], all.crease[l], m)) continue;
+      lowest.attempt(difference, m, rounding, false, &all.crease[k], &all.crease[l]);
     }
   }
-  result.height = dot(difference.support(result.direction).w, result.direction);
+  leave_borders(difference, rounding, lowest);
+  RefinedDirection result{lowest.direction, dot(difference.support(lowest.direction).w, lowest.direction), a, b};
   find_witness(difference, result, a);
   return result;
 }

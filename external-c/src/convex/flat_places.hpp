@@ -6,8 +6,8 @@
 
 namespace cmb::convex {
 
-// Whether two directions (unit) are those of one place, found in two ways: they differ by less than 1e-5.
-inline bool same_place(const Vec3 &a, const Vec3 &b) { return norm2(a - b) < 1e-10; }
+// Whether two directions (unit) are those of one place, found in two ways: they differ by less than 1e-8.
+inline bool same_place(const Vec3 &a, const Vec3 &b) { return norm2(a - b) < 1e-16; }
 
 // The supporting planes of C along the faces of a box or polytope whose partner is curved. They stay what they are while the
 // ball moves, and are known without a search.

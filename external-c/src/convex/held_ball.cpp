@@ -48,10 +48,12 @@ class Centre {
   }
 
   void consider_two(int i, int j) {
-    const double cosine = dot(cuts_[i].direction, cuts_[j].direction), sine2 = 1.0 - cosine * cosine;
+    // Accurate where both are nearly one direction, too: of a difference and a cross product, not of a cosine near 1.
+    const Vec3 &u = cuts_[i].direction, &v = cuts_[j].direction;
+    const double apart = 0.5 * norm2(v - u), sine2 = norm2(cross(u, v));  // 1 less the cosine
     if (!(sine2 > 1e-20)) return;
     const int which[] = {i, j};
-    const double pull[] = {(lack(i) - cosine * lack(j)) / sine2, (lack(j) - cosine * lack(i)) / sine2};
+    const double more = lack(i) - lack(j), pull[] = {(more + apart * lack(j)) / sine2, (apart * lack(i) - more) / sine2};
     consider(which, pull, 2);
   }
 

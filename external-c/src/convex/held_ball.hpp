@@ -21,6 +21,7 @@ struct HeldBall {
   static constexpr int most = 4;
   Cut cuts[most];
   int count = 0;
+  bool all_round = false;  // the cuts are those that stand for places all about an axis (cone_ring.hpp)
 
   // Finds the centre and the pulls for the planes of the cuts as they are, at most four, and drops cuts without pull, so
   // that three stay at most. False, and nothing changed, where there is no centre.

@@ -99,12 +99,22 @@ class Springs {
   int count_ = 0;
 };
 
-// How nearly a place is one of the faces: 1 where it is.
+// How nearly two places are one: 1 where they are.
+double likeness(const Cut &place, const Cut &other) {
+  return faded(norm(place.direction - other.direction) / like_direction);
+}
+
+// How nearly a place is one of the faces.
 double likeness(const Cut &place, const FlatPlaces &faces) {
   double result = 0.0;
-  for (int k = 0; k < faces.count(); ++k) {
-    result = std::max(result, faces.part(k) * faded(norm(place.direction - faces.cut(k).direction) / like_direction));
-  }
+  for (int k = 0; k < faces.count(); ++k) result = std::max(result, faces.part(k) * likeness(place, faces.cut(k)));
+  return result;
+}
+
+// How nearly a place is one of those that the ball rests on.
+double likeness(const Cut &place, const HeldBall &ball) {
+  double result = 0.0;
+  for (int k = 0; k < ball.count; ++k) result = std::max(result, likeness(place, ball.cuts[k]));
   return result;
 }
 
@@ -144,7 +154,7 @@ int share_pulls(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, do
     if (place_in(ball, faces.cut(k).direction) == ball.count) springs.add(faces.cut(k), faces.part(k));
   }
 
-  if (ball.count == 3) {
+  if (ball.count == 3 && !ball.all_round) {
     const double step = window * ball.radius * (3.0 * least / sum);
     Vec3 way;  // of the centre, for each metre that the ball grows
     if (ball.meeting_place(-1.0, -1.0, -1.0, way)) {
@@ -153,7 +163,7 @@ int share_pulls(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, do
         Cut place;
         double part;
         if (!find_near_place(a, b, b_in_a, size, ball, away, step, scratch, place, part)) continue;
-        part *= 1.0 - likeness(place, faces);
+        part *= (1.0 - likeness(place, faces)) * (1.0 - likeness(place, ball));
         springs.add(place, part);
         more = more || part > 0.0;
       }

@@ -104,18 +104,32 @@ bool hasten_to_rest(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a
 
 bool bring_to_rest(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, HeldBall &ball,
                    DistanceScratch &scratch) {
+  const auto lacks_nothing = [](const SignedDistance &there, const HeldBall &held) {
+    return -there.distance >= held.radius - held.slack;
+  };
   bool at_rest_there = true, hasten = false;
   for (int step = 0; step < most_cuts; ++step) {
     if (step > 0 && !hasten) at_rest_there = move_to_rest(a, b, b_in_a, size, ball);
     if (hasten && !hasten_to_rest(a, b, b_in_a, size, ball)) return false;
     const SignedDistance there = distance_beside(a, b, b_in_a, ball, scratch);
-    if (-there.distance >= ball.radius - ball.slack) {
+    if (lacks_nothing(there, ball)) {
       if (at_rest_there || hasten) break;
       hasten = true;
       continue;
     }
-    for (int k = 0; k < ball.count; ++k) hasten = hasten || -dot(there.normal, ball.cuts[k].direction) > same_place;
-    ball.cuts[ball.count++] = cut_at(there, ball.centre);
+    const Cut added = cut_at(there, ball.centre);
+    for (int k = 0; k < ball.count; ++k) {
+      if (!(dot(added.direction, ball.cuts[k].direction) > same_place)) continue;
+      hasten = true;
+      // Where the surface is nearly as curved as the ball, the place that holds it may have moved as far.
+      HeldBall moved = ball;
+      moved.cuts[k] = added;
+      if (!moved.settle() || !hasten_to_rest(a, b, b_in_a, size, moved)) continue;
+      if (!lacks_nothing(distance_beside(a, b, b_in_a, moved, scratch), moved)) continue;
+      ball = moved;
+      return true;
+    }
+    ball.cuts[ball.count++] = added;
     if (!ball.settle()) return false;
   }
   return true;

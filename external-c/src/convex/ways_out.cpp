@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cone_ring.hpp"
 #include "fade.hpp"
 #include "inner_ball.hpp"
 #include "nearby_surface.hpp"
@@ -12,8 +13,11 @@ namespace cmb::convex {
 
 namespace {
 
-// Agreement of the ball's distance from the surface with its radius, relative to the bodies' size.
-constexpr double tolerance = 1e-10;
+// Agreement of the ball's distance from the surface with its radius, relative to the bodies' size. A ball that was farther
+// from rest would rest on any two of the places of a surface that is nearly as curved as the ball.
+constexpr double tolerance = 1e-12;
+// How far a point of a known ball may be outside of its body, relative to the size.
+constexpr double on_surface = 1e-10;
 // Overlaps less deep, relative to the size, have one way out: what the ball rests on would be lost in rounding.
 constexpr double shallow = 1e-7;
 // The sums of shares from which on, and at which, the shortest way takes over.
@@ -41,7 +45,7 @@ WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
                  DistanceScratch &scratch) {
   const double depth = -nearest.distance, radius = surface_reach(depth, size), slack = tolerance * size;
   if (!(depth > shallow * size)) return single(nearest);
-  const double known = std::max(nearest.ball, ball_at(a, b, b_in_a, nearest, radius, slack));
+  const double known = std::max(nearest.ball, ball_at(a, b, b_in_a, nearest, radius, on_surface * size));
   if (known >= radius) return single(nearest);
 
   HeldBall ball;
@@ -49,6 +53,7 @@ WaysOut ways_out(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, c
   ball.cuts[0] = {-nearest.normal, depth, nearest.point_a, nearest.point_b, 0.0};
   ball.count = 1;
   if (!ball.settle() || !bring_to_rest(a, b, b_in_a, size, ball, scratch)) return single(nearest);
+  hold_all_round(a, b, b_in_a, size, ball);
   Cut places[most_places];
   const int count = share_pulls(a, b, b_in_a, size, ball, scratch, places);
   WaysOut result;  // the centre is at least radius - depth > 0 from the origin
