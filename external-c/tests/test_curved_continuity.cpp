@@ -78,6 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
                     RarePath{"the same, but for where an edge is", {"cone", "hull"}, 2019, 0.04},
                     RarePath{"the same, but for where two edges are", {"cone", "hull"}, 7692, 0.04},
                     RarePath{"two places of a cone nearly in one direction", {"cone", "hull"}, 4903, 0.04},
+                    RarePath{"an edge of a hull comes to lie in a base's plane", {"cone", "hull"}, 3383, 0.004},
                     RarePath{"the ball leaves a face by very little", {"cone", "hull"}, 3402, 0.004},
                     RarePath{"a rim leaves a face over an edge of other corners", {"cone", "hull"}, 9896, 0.004},
                     RarePath{"two faces nearly in one plane are nearest", {"cone", "hull"}, 8757, 0.04},
@@ -115,6 +116,25 @@ TEST_P(TipUnderDisc, SumsHaveNoJumps) {
     const PathSums sums = follow(PairScene(tip, GetParam()), path, {}, 600, 15);
     EXPECT_LT(sums.largest_jump, 1e-5 * sums.largest_load) << tip << ", " << depth << " deep";
     EXPECT_GT(sums.largest_load, 0.0);
+  }
+}
+
+// An edge that lies across the disc's border, outside of the polygon that stands for the disc or just within, rocks through
+// the attitude in which all of it is as deep.
+TEST_P(TipUnderDisc, EdgeAtTheBorderRocks) {
+  constexpr double pi_16 = pi / 16, top = 0.25;
+  const PairScene scene("cmb/1 hull vertices=0,-0.02,0,0,0.03,0,0.6,-0.2,0.2,0.6,0.2,0.3,0.5,0,0.5", GetParam());
+  for (const double far : {0.2935, 0.2945, 0.2955, 0.2965, 0.298}) {
+    for (const double depth : {2e-4, 1e-3}) {
+      const PosePath path = [=](double s) {
+        const double at = far + 5e-4 * s;
+        return BodyPose{{at * std::cos(pi_16), at * std::sin(pi_16), top - depth},
+                        product(rotation_about({0, 0, 1}, pi_16), rotation_about({1, 0, 0}, 0.2 * (s - 0.473)))};
+      };
+      const PathSums sums = follow(scene, path, {}, 600, 15);
+      EXPECT_LT(sums.largest_jump, 1e-5 * sums.largest_load) << far << ", " << depth << " deep";
+      EXPECT_GT(sums.largest_load, 0.0);
+    }
   }
 }
 

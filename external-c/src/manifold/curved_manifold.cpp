@@ -9,6 +9,7 @@
 #include "geometry/rim_polytope.hpp"
 #include "manifold/axis_share.hpp"
 #include "manifold/capsule_manifold.hpp"
+#include "manifold/deepest_edges.hpp"
 #include "manifold/disc_manifold.hpp"
 
 namespace cmb {
@@ -80,7 +81,7 @@ const Corner &deepest_of(const std::vector<Corner> &corners, std::size_t begin =
 // carries whose depth comes from 0.
 double polygon_part(const Shape &shape, const Pose &pose, const Vec3 &aside, const std::vector<ContactPoint> &points,
                     std::size_t begin) {
-  constexpr double border = 0.005;  // of the radius; narrow, as the point that stands in for the rest is any of a flush edge
+  constexpr double border = 0.005;  // of the radius
   double load = 0.0, inside = 0.0, spread = 0.0;
   Vec3 first;
   for (std::size_t k = begin; k < points.size(); ++k) {
@@ -167,6 +168,20 @@ void line_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose
   scale_weights(0.5, begin, points.size(), points);
 }
 
+// Where the point acts that stands in for flat contact of which nothing is told by polygons.
+Vec3 middle_of_flats(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+                     const Vec3 &witness) {
+  if (a.rim && b.polytope) {
+    const Disc disc(a, pose_a, -answer.normal);
+    return middle_of_deepest(disc, b.polytope->geometry(), pose_b, -answer.distance, answer.point_b, witness);
+  }
+  if (b.rim && a.polytope) {
+    const Disc disc(b, pose_b, answer.normal);
+    return middle_of_deepest(disc, a.polytope->geometry(), pose_a, -answer.distance, answer.point_a, witness);
+  }
+  return witness;
+}
+
 // Appends the contact along one way out: each shape touches with a flat end or its faces, on a line, or at a point, in parts.
 void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
                    CurvedManifoldScratch &scratch, std::vector<ContactPoint> &points) {
@@ -185,7 +200,8 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
   const Ways of_a(a, pose_a, -normal), of_b(b, pose_b, normal);
   // Each of the ways of touching: its part, and what it stores where it is all.
   const double of_point = 0.5 * depth * depth;
-  double flats = of_a.flat * of_b.flat, rest = 1.0;
+  const double flats = of_a.flat * of_b.flat;
+  double rest = 1.0, untold = 0.0;  // the parts of a point at the deepest place, and of it that of flat contact
   double more_flats = 0.0, more_a_on_b = 0.0, more_b_on_a = 0.0, more_lines = 0.0;
   const auto close = [&](double part, std::size_t first) {
     const double more = stored(points, first, points.size()) - of_point;
@@ -196,6 +212,7 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
   if (flats > 0.0) {
     const double agree = flat_contact(a, pose_a, b, pose_b, depth, normal, witness, scratch.polytope, points);
     more_flats = agree * close(flats * agree, begin);
+    untold = flats * (1.0 - agree);
   }
   if (of_a.line * of_b.flat > 0.0) {
     const std::size_t first = points.size();
@@ -212,7 +229,14 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     line_contact(a, pose_a, b, pose_b, answer, scratch.axis, points);
     more_lines = close(of_a.line * of_b.line, first);
   }
-  if (rest > 1e-12) points.push_back({depth, rest, normal, witness});
+  if (rest > 1e-12) {
+    Vec3 place = witness;
+    if (untold > 1e-12) {
+      const double part = std::min(1.0, untold / rest);
+      place = witness + part * (middle_of_flats(a, pose_a, b, pose_b, answer, witness) - witness);
+    }
+    points.push_back({depth, rest, normal, place});
+  }
   points.erase(std::remove_if(points.begin() + static_cast<std::ptrdiff_t>(begin), points.end(),
                               [](const ContactPoint &p) { return !(p.weight > 0.0); }),
                points.end());
