@@ -23,9 +23,9 @@ void check_extent(const std::vector<Vec3> &vertices, const std::string &source);
 void weld_vertices(MeshData &data, const std::string &source);
 
 // Throws MeshError unless `data` is an oriented manifold surface with or without boundary: finite coordinates, sizes
-// and numbers in range, no degenerate triangle (of sides below 1e-12 m, or nearly on a line) and no repeated one, at most two
-// triangles an edge, in opposite sense, and, where it is closed, a positive volume. Self-intersection is not looked for.
-// `source` names the mesh in messages.
+// and numbers in range, no degenerate triangle (of sides below 1e-12 m, or nearly on a line) and no repeated one, at most
+// two triangles an edge, in opposite sense, and, where it is closed, a positive volume. Self-intersection is not looked
+// for. `source` names the mesh in messages.
 void check_mesh(const MeshData &data, MeshUse use, const std::string &source);
 
 }  // namespace cmb::mesh

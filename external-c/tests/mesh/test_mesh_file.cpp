@@ -145,6 +145,7 @@ TEST(MeshFile, MalformedPlyIsRefused) {
   expect_refusal(read_ply, replaced(ascii, "property double x", "property double u"), "no vertices with x, y and z");
   expect_refusal(read_ply, replaced(ascii, "property double y", "property double x"), "comes twice");
   expect_refusal(read_ply, replaced(ascii, "vertex_indices", "edges"), "no faces with vertex_indices");
+  expect_refusal(read_ply, replaced(ascii, "face 12", "face 0"), "no faces; export");
   expect_refusal(read_ply, replaced(ascii, "list uchar int", "list uchar float"), "no list of whole numbers");
   expect_refusal(read_ply, replaced(ascii, "list uchar int", "list double int"), "without a whole count");
   expect_refusal(read_ply, replaced(ascii, "list uchar int", "int"), "no list of whole numbers");
