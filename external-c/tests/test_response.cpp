@@ -529,6 +529,17 @@ TEST(Response, SaysWhatIsWrong) {
   refused("body 1: the mass");
   ball.bodies.inertia[4] = -1.0;
   refused("body 1: the inertia");
+  // One half of the tensor is as good as the other: both have to say the same.
+  for (const std::size_t entry : {1, 2, 3, 5, 6, 7}) {
+    ball.bodies.inertia[entry] = NAN;
+    refused("body 1: the inertia");
+    ball.bodies.inertia[entry] = 1e-3 * ball.bodies.inertia[0];
+    refused("body 1: the inertia");
+  }
+  for (const std::size_t axis : {0, 1, 2}) {
+    ball.bodies.center_of_mass[axis] = axis == 1 ? HUGE_VAL : NAN;
+    refused("body 1: the centre of mass is not finite");
+  }
   ball.bodies.stiffness[1] = -1.0;
   refused("body 2: the stiffness");
   ball.bodies.stiffness[0] = HUGE_VAL;

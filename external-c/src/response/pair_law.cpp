@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cmb {
 
@@ -33,7 +34,12 @@ void require_of_body(bool holds, std::size_t body, const char *what) {
 
 bool not_negative(double value) { return value >= 0.0 && std::isfinite(value); }
 
+// Symmetric up to what rounding leaves.
 bool positive_definite(const double *m) {
+  const double slight = 1e-9 * (m[0] + m[4] + m[8]);
+  for (const auto &[above, below] : {std::pair{1, 3}, {2, 6}, {5, 7}}) {
+    if (!(std::fabs(m[above] - m[below]) <= slight)) return false;
+  }
   const double minor = m[0] * m[4] - m[3] * m[3];
   const double determinant = m[0] * (m[4] * m[8] - m[7] * m[7]) - m[3] * (m[3] * m[8] - m[7] * m[6]) +
                              m[6] * (m[3] * m[7] - m[4] * m[6]);
@@ -123,7 +129,10 @@ void check_body(const cmb_contact_law &law, const cmb_body_properties &propertie
       const double *inertia = properties.inertia + 9 * body;
       require_of_body(std::all_of(inertia, inertia + 9, [](double value) { return value == 0.0; }) ||
                           positive_definite(inertia),
-                      body, "the inertia is neither 0 nor positive definite; give all three moments of inertia");
+                      body, "the inertia is neither 0 nor symmetric and positive definite; give the whole tensor");
+      const double *center = properties.center_of_mass + 3 * body;
+      require_of_body(std::isfinite(center[0]) && std::isfinite(center[1]) && std::isfinite(center[2]), body,
+                      "the centre of mass is not finite; give it in the body's frame");
     }
   }
   if (law.use_friction != 0) {
