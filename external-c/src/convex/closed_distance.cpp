@@ -100,4 +100,11 @@ double outside(const ConvexBody &body, const Vec3 &p) {
   }
 }
 
+double outside_planes(const ConvexBody &body, const Vec3 &p) {
+  if (body.core != CoreShape::polytope) return outside(body, p);
+  double result = 0.0;
+  for (const Polytope::Face &face : body.polytope->faces()) result = std::max(result, dot(face.normal, p) - face.offset);
+  return result;
+}
+
 }  // namespace cmb::convex

@@ -74,6 +74,8 @@ inline double box_to_point(const Vec3 &half, const Vec3 &p, Vec3 &direction) {
 // An upper bound, exact to rounding near the surface, of how far a point of a core's frame is outside it; infinite for
 // polytopes.
 double outside(const ConvexBody &body, const Vec3 &p);
+// The same; for polytopes how far it is beyond the farthest of the faces' planes, which is less off their edges.
+double outside_planes(const ConvexBody &body, const Vec3 &p);
 
 // Whether a core is a point or a segment.
 inline bool lies_on_line(CoreShape core) { return core == CoreShape::point || core == CoreShape::segment; }

@@ -80,16 +80,10 @@ double missing(const MinkowskiDifference &difference, const RefinedDirection &r)
          outside(difference.body_b, transposed_times(difference.b_in_a.rotation, r.b - difference.b_in_a.translation));
 }
 
-// The same; of a polytope the farthest beyond a face.
-double missing_of_faces(const MinkowskiDifference &difference, const RefinedDirection &r) {
-  const auto beyond = [](const ConvexBody &body, const Vec3 &p) {
-    if (body.core != CoreShape::polytope) return outside(body, p);
-    double result = 0.0;
-    for (const Polytope::Face &face : body.polytope->faces()) result = std::max(result, dot(face.normal, p) - face.offset);
-    return result;
-  };
-  return beyond(difference.body_a, r.a) +
-         beyond(difference.body_b, transposed_times(difference.b_in_a.rotation, r.b - difference.b_in_a.translation));
+// The same, by the planes of polytopes' faces.
+double missing_of_planes(const MinkowskiDifference &difference, const RefinedDirection &r) {
+  const Vec3 b_local = transposed_times(difference.b_in_a.rotation, r.b - difference.b_in_a.translation);
+  return outside_planes(difference.body_a, r.a) + outside_planes(difference.body_b, b_local);
 }
 
 // Whether a minimum of the support function is the least: where the bodies are apart their points prove it, where they overlap
@@ -201,7 +195,7 @@ CoreDistance sharpened(const MinkowskiDifference &difference, const PenetrationR
   if (inside.proven && touching_direction(difference, inside.direction, inside.a, b_local, there) &&
       there.height <= inside.depth && there.height - inside.lower <= proof * difference.scale &&
       dot(there.direction, inside.direction) > 1.0 - same_minimum &&
-      missing_of_faces(difference, there) <= relative_tolerance * difference.scale &&
+      missing_of_planes(difference, there) <= relative_tolerance * difference.scale &&
       !borders_nearby(difference, there.direction)) {
     return {-there.height, there.direction, there.a, there.b, DistanceMethod::refined, true, {}};
   }

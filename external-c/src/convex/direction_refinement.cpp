@@ -85,8 +85,8 @@ Creases creases_of_b(const MinkowskiDifference &difference, const Vec3 &m, doubl
 
 // How far a point is outside of A, and that less `step` outside of B.
 double missing(const MinkowskiDifference &difference, const Vec3 &a, const Vec3 &step) {
-  return outside(difference.body_a, a) +
-         outside(difference.body_b, transposed_times(difference.b_in_a.rotation, a - step - difference.b_in_a.translation));
+  const Vec3 b_local = transposed_times(difference.b_in_a.rotation, a - step - difference.b_in_a.translation);
+  return outside_planes(difference.body_a, a) + outside_planes(difference.body_b, b_local);
 }
 
 // Witness points for the final direction.
