@@ -22,7 +22,7 @@ class CoalPeer : public ContactPeer {
  public:
   CoalPeer(const PosedPair &pair, bool with_patch)
       : a_(coal_geometry(pair.a)),
-        b_(coal_geometry(pair.b)),
+        b_(pair.is_of_equals() ? a_ : coal_geometry(pair.b)),
         at_a_(transforms(pair.pose_a)),
         at_b_(transforms(pair.pose_b)),
         collide_(a_.get(), b_.get()),
@@ -42,7 +42,7 @@ class CoalPeer : public ContactPeer {
   }
 
  private:
-  std::unique_ptr<coal::CollisionGeometry> a_, b_;
+  std::shared_ptr<coal::CollisionGeometry> a_, b_;
   std::vector<coal::Transform3s> at_a_, at_b_;
   coal::ComputeCollision collide_;
   coal::ComputeContactPatch find_patch_;
@@ -57,6 +57,7 @@ class CoalPeer : public ContactPeer {
 
 }  // namespace cmb::bench
 
-extern "C" __attribute__((visibility("default"))) cmb::bench::ContactPeer *cmb_bench_coal_peer(const cmb::bench::PosedPair *pair, int with_patch) {
+extern "C" __attribute__((visibility("default"))) cmb::bench::ContactPeer *cmb_bench_coal_peer(
+    const cmb::bench::PosedPair *pair, int with_patch) {
   return new cmb::bench::CoalPeer(*pair, with_patch != 0);
 }

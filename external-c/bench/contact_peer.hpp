@@ -15,6 +15,9 @@ struct PosedPair {
   std::string descriptor_a, descriptor_b;
   Shape a, b;                   // parsed from the descriptors
   std::vector<Pose> pose_a, pose_b;  // in step
+
+  // Equal bodies share their geometry, whoever is asked.
+  bool is_of_equals() const { return descriptor_a == descriptor_b; }
 };
 
 class ContactPeer {

@@ -19,7 +19,7 @@ class FclPeer : public ContactPeer {
  public:
   explicit FclPeer(const PosedPair &pair)
       : a_(fcl_geometry(pair.a)),
-        b_(fcl_geometry(pair.b)),
+        b_(pair.is_of_equals() ? a_ : fcl_geometry(pair.b)),
         at_a_(transforms(pair.pose_a)),
         at_b_(transforms(pair.pose_b)),
         request_(8, true) {
@@ -43,7 +43,7 @@ class FclPeer : public ContactPeer {
   }
 
  private:
-  std::unique_ptr<fcl::CollisionGeometryd> a_, b_;
+  std::shared_ptr<fcl::CollisionGeometryd> a_, b_;
   std::vector<fcl::Transform3d> at_a_, at_b_;
   fcl::CollisionRequestd request_;
 };

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "scene/descriptor.hpp"
@@ -75,7 +76,14 @@ std::unique_ptr<Scene> make_scene(const char *const *geometry, std::size_t body_
   }
   GeometryFiles files(folder);
   scene->bodies.reserve(body_count);
+  // Bodies of one descriptor share their geometry: it is made once, and stays nearer to the processor.
+  std::map<std::string_view, std::size_t> first_of;
   for (std::size_t i = 0; i < body_count; ++i) {
+    const auto [known, added] = first_of.try_emplace(geometry[i], i);
+    if (!added) {
+      scene->bodies.push_back(scene->bodies[known->second]);
+      continue;
+    }
     try {
       scene->bodies.push_back(parse_descriptor(geometry[i], files));
     } catch (const DescriptorError &error) {
