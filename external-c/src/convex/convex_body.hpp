@@ -84,9 +84,8 @@ inline SupportPoint core_support(const ConvexBody &body, const Vec3 &d) {
     case CoreShape::segment: return d.z < 0.0 ? SupportPoint{{0, 0, -h.z}, 0} : SupportPoint{{0, 0, h.z}, 1};
     case CoreShape::box: {
       const int bits = (d.x < 0.0 ? 0 : 1) | (d.y < 0.0 ? 0 : 2) | (d.z < 0.0 ? 0 : 4);
-      return {{std::copysign(h.x, bits & 1 ? 1.0 : -1.0), std::copysign(h.y, bits & 2 ? 1.0 : -1.0),
-               std::copysign(h.z, bits & 4 ? 1.0 : -1.0)},
-              bits};
+      // Without a branch; -0 counts as 0.
+      return {{std::copysign(h.x, d.x + 0.0), std::copysign(h.y, d.y + 0.0), std::copysign(h.z, d.z + 0.0)}, bits};
     }
     case CoreShape::polytope: {
       const std::int32_t vertex = body.polytope->support_vertex(d);

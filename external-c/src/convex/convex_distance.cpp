@@ -161,7 +161,7 @@ Feature support_feature(const ConvexBody &body, const Vec3 &m) {
       for (std::int32_t k = p.neighbour_begin(v); k < p.neighbour_begin(v + 1); ++k) {
         const std::int32_t e = p.neighbour_edges()[static_cast<std::size_t>(k)];
         const Polytope::Edge &edge = p.edges()[static_cast<std::size_t>(e)];
-        if (std::fabs(dot(edge.direction, m)) > parallel) continue;
+        if (std::fabs(dot(p.edge_directions()[static_cast<std::size_t>(e)], m)) > parallel) continue;
         for (std::int32_t f : edge.face) {
           const Vec3 &n = p.faces()[static_cast<std::size_t>(f)].normal;
           if (dot(n, m) > 0.0 && norm2(cross(n, m)) <= parallel * parallel) return {FeatureKind::face, f};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "branch_free.hpp"
+
 namespace cmb::convex {
 
 namespace {
@@ -17,16 +19,19 @@ const Polytope &unit_box() {
   return box;
 }
 
-// Without a branch, as what compilers make of a comparison may not be.
-double twice_positive_part(double x) { return x + std::fabs(x); }
-
 Vec3 scaled(const Vec3 &scale, const Vec3 &v) { return {scale.x * v.x, scale.y * v.y, scale.z * v.z}; }
 
 }  // namespace
 
-DifferenceFacets::DifferenceFacets() {
-  corners_.reserve(most_corners);
+DifferenceFacets::DifferenceFacets() : corners_(most_corners) {
   unit_box();  // not in a query
+}
+
+DifferenceFacets::Corner *DifferenceFacets::add_corners(std::int32_t count) {
+  if (corner_count_ + count > most_corners) return nullptr;
+  Corner *const first = corners_.data() + corner_count_;
+  corner_count_ += count;
+  return first;
 }
 
 void DifferenceFacets::place(const MinkowskiDifference &difference) {
@@ -36,7 +41,7 @@ void DifferenceFacets::place(const MinkowskiDifference &difference) {
   const Mat3 turned{{-pose.rotation.row[0], -pose.rotation.row[1], -pose.rotation.row[2]}};
   body_[0] = {polytope(difference.body_a), scale(difference.body_a), Mat3{}, {}, false};
   body_[1] = {polytope(difference.body_b), scale(difference.body_b), turned, -pose.translation, true};
-  corners_.clear();
+  forget();
 }
 
 Vec3 DifferenceFacets::Body::vertex(std::int32_t v) const {
@@ -48,8 +53,10 @@ Vec3 DifferenceFacets::Body::normal(std::int32_t face) const { return rotation *
 Vec3 DifferenceFacets::Body::local(const Vec3 &d) const { return scaled(scale, transposed_times(rotation, d)); }
 
 Vec3 DifferenceFacets::Body::way(std::int32_t from, std::int32_t to) const {
-  return rotation * scaled(scale, polytope->vertices()[index(to)] - polytope->vertices()[index(from)]);
+  return turned(polytope->vertices()[index(to)] - polytope->vertices()[index(from)]);
 }
+
+Vec3 DifferenceFacets::Body::turned(const Vec3 &way) const { return rotation * scaled(scale, way); }
 
 // The facet of a face of one body at the vertex of the other where side q begins. The first side is q turned back.
 bool DifferenceFacets::facet_of_face(const Corner &q, const Vec3 &q_end, std::int32_t face, Facet &facet) {
@@ -57,24 +64,23 @@ bool DifferenceFacets::facet_of_face(const Corner &q, const Vec3 &q_end, std::in
   const Body &owner = body_[body];
   const Polytope &polytope = *owner.polytope;
   const Polytope::Face &whole = polytope.faces()[index(face)];
-  if (corners_.size() + index(whole.count) > most_corners) return false;
+  facet.first = corner_count_;
+  Corner *corner = add_corners(whole.count);
+  if (corner == nullptr) return false;
   facet.normal = owner.normal(face);
-  facet.first = static_cast<std::int32_t>(corners_.size());
   facet.count = whole.count;
   // Where the face's own turn has the side's edge; a mirrored body's corners come in the opposite turn.
   const std::int32_t *const edges = polytope.face_edges().data() + whole.first;
   const std::int32_t *const vertices = polytope.face_vertices().data() + whole.first;
+  // Which one it is cannot be foretold: no branch.
   std::int32_t begin = 0;
-  while (edges[begin] != q.edge) ++begin;
-  const std::int32_t turn = owner.mirrored ? -1 : 1;
+  for (std::int32_t k = 1; k < whole.count; ++k) begin = edges[k] == q.edge ? k : begin;
   const std::int32_t begin_vertex = polytope.edges()[index(q.edge)].vertex[q.forward ? 1 : 0];
-  std::int32_t at = vertices[begin] == begin_vertex ? begin : begin + 1 == whole.count ? 0 : begin + 1;
-  corners_.resize(corners_.size() + index(whole.count));
-  Corner *corner = corners_.data() + facet.first;
+  const std::int32_t after = next_in_turn(begin, whole.count);
+  std::int32_t at = vertices[begin] == begin_vertex ? begin : after;
   for (std::int32_t k = 0; k < whole.count; ++k, ++corner) {
     const std::int32_t vertex = vertices[at];
-    std::int32_t next = at + turn;
-    next = next < 0 ? whole.count - 1 : next == whole.count ? 0 : next;
+    const std::int32_t next = owner.mirrored ? (at == 0 ? whole.count : at) - 1 : next_in_turn(at, whole.count);
     const std::int32_t edge = edges[owner.mirrored ? next : at];
     corner->at = k == 0 ? q_end : k == 1 ? q.at : q_end + owner.way(begin_vertex, vertex);
     corner->vertex[body] = vertex, corner->vertex[1 - body] = q.vertex[1 - body];
@@ -86,21 +92,22 @@ bool DifferenceFacets::facet_of_face(const Corner &q, const Vec3 &q_end, std::in
   return true;
 }
 
-// The facet that side q's edge spans with an edge of the other body, which leads from q's vertex of that to `far_vertex`.
-bool DifferenceFacets::facet_of_edges(const Corner &q, const Vec3 &q_end, std::int32_t q_end_vertex, std::int32_t other_edge,
-                                 std::int32_t far_vertex, Facet &facet) {
-  if (corners_.size() + 4 > most_corners) return false;
+// The facet that side q's edge spans with an edge of the other body, which leads from q's vertex of that to a neighbour.
+bool DifferenceFacets::facet_of_edges(const Corner &q, const Vec3 &q_end, std::int32_t q_end_vertex, std::size_t slot,
+                                      Facet &facet) {
   const std::int32_t body = q.body, other = 1 - body, near_vertex = q.vertex[other];
-  const Vec3 back = q.at - q_end, way = body_[other].way(near_vertex, far_vertex), across = cross(back, way);
+  const Polytope &polytope = *body_[other].polytope;
+  const std::int32_t other_edge = polytope.neighbour_edges()[slot], far_vertex = polytope.neighbours()[slot];
+  const Vec3 back = q.at - q_end, way = body_[other].turned(polytope.neighbour_ways()[slot]), across = cross(back, way);
   const double length2 = norm2(across);
   if (!(length2 > parallel_sine * parallel_sine * norm2(back) * norm2(way))) return false;
   facet.normal = (1.0 / std::sqrt(length2)) * across;
   facet.height = dot(facet.normal, q.at);
-  facet.first = static_cast<std::int32_t>(corners_.size());
+  facet.first = corner_count_;
   facet.count = 4;
-  corners_.resize(corners_.size() + 4);
-  Corner *const corner = corners_.data() + facet.first;
-  const bool way_forward = body_[other].polytope->edges()[index(other_edge)].vertex[0] == near_vertex;
+  Corner *const corner = add_corners(4);
+  if (corner == nullptr) return false;
+  const bool way_forward = polytope.edges()[index(other_edge)].vertex[0] == near_vertex;
   const auto set = [&](int k, const Vec3 &at, std::int32_t own, std::int32_t others, bool along, bool forward) {
     corner[k].at = at;
     corner[k].vertex[body] = own, corner[k].vertex[other] = others;
@@ -134,8 +141,7 @@ bool DifferenceFacets::cross_side(const Corner &q, const Vec3 &q_end, const Vec3
     first = part < first ? part : first;
   }
   if (leaving < 0) return facet_of_face(q, q_end, face, facet);
-  return facet_of_edges(q, q_end, edge.vertex[q.forward ? 1 : 0], polytope.neighbour_edges()[index(leaving)],
-                        polytope.neighbours()[index(leaving)], facet);
+  return facet_of_edges(q, q_end, edge.vertex[q.forward ? 1 : 0], index(leaving), facet);
 }
 
 bool DifferenceFacets::start(const Vec3 &first, Facet &facet, Vec3 &apart) {
@@ -182,6 +188,25 @@ bool DifferenceFacets::start(const Vec3 &first, Facet &facet, Vec3 &apart) {
     std::swap(side.at, side_end);
   }
   return cross_side(side, side_end, first + soonest * turn, facet);
+}
+
+// That a face's vertices are the farthest of their own body needs no proof.
+bool DifferenceFacets::is_outermost(const Facet &facet, double slack) const {
+  const Corner *const corner = corners_of(facet);
+  const bool of_face = corner[0].body == corner[1].body;
+  for (std::int32_t body = 0; body < 2; ++body) {
+    if (of_face && body == corner[0].body) continue;
+    const Polytope &polytope = *body_[body].polytope;
+    const Vec3 local = body_[body].local(facet.normal);
+    const std::int32_t vertex = corner[0].vertex[body], end = polytope.neighbour_begin(vertex + 1);
+    double farthest = 0.0;
+    for (std::int32_t slot = polytope.neighbour_begin(vertex); slot < end; ++slot) {
+      const double rise = dot(local, polytope.neighbour_ways()[index(slot)]);
+      farthest = rise > farthest ? rise : farthest;
+    }
+    if (!(farthest <= slack)) return false;
+  }
+  return true;
 }
 
 void DifferenceFacets::find_witness(const Facet &facet, Vec3 &a, Vec3 &b) const {

@@ -5,6 +5,7 @@
 // arc leaves the directions of the other body's vertex, across another edge.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,7 +18,7 @@ namespace cmb::convex {
 class DifferenceFacets {
  public:
   // More than this are not kept.
-  static constexpr std::size_t most_corners = 4000;
+  static constexpr std::int32_t most_corners = 4000;
 
   // A corner of a facet and the side that begins there: an edge of one body at the corner's vertex of the other.
   struct Corner {
@@ -37,7 +38,12 @@ class DifferenceFacets {
   // Of bodies that are polytopes or boxes, which are borrowed. No corners are kept.
   void place(const MinkowskiDifference &difference);
   // Facets found so far, and their corners, are no longer valid.
-  void forget() { corners_.clear(); }
+  void forget() { corner_count_ = 0; }
+
+  // The number of edges of the body that has more.
+  std::size_t most_edges() const {
+    return std::max(body_[0].polytope->edges().size(), body_[1].polytope->edges().size());
+  }
 
   // A facet at the vertex of C that is farthest along `first`, in the direction in which the support function falls. False
   // where there is none, or the bodies are apart along `first`, which `apart` tells then.
@@ -51,8 +57,16 @@ class DifferenceFacets {
   const Corner *corners_of(const Facet &facet) const { return &corner(facet.first); }
   // Where the side that begins at a facet's k-th corner ends.
   const Vec3 &end_of(const Facet &facet, std::int32_t k) const {
-    return corner(facet.first + (k + 1 == facet.count ? 0 : k + 1)).at;
+    return corner(facet.first + next_in_turn(k, facet.count)).at;
   }
+  // What follows number k of `count` in turn, without a branch.
+  static std::int32_t next_in_turn(std::int32_t k, std::int32_t count) {
+    return (k + 1) & -static_cast<std::int32_t>(k + 1 != count);
+  }
+
+  // Whether no edge leads by more than `slack` above a facet's plane from its vertices: then no vertex of C is above it, for C
+  // is convex.
+  bool is_outermost(const Facet &facet, double slack) const;
 
   // Points of A and of B, in A's frame, whose difference is the origin's foot on the facet that holds it.
   void find_witness(const Facet &facet, Vec3 &a, Vec3 &b) const;
@@ -68,17 +82,21 @@ class DifferenceFacets {
 
     Vec3 vertex(std::int32_t v) const;
     Vec3 way(std::int32_t from, std::int32_t to) const;
+    Vec3 turned(const Vec3 &way) const;  // of the polytope
     Vec3 normal(std::int32_t face) const;
     // The same products with ways between the polytope's vertices as d with those of the body.
     Vec3 local(const Vec3 &d) const;
   };
 
   bool facet_of_face(const Corner &q, const Vec3 &q_end, std::int32_t face, Facet &facet);
-  bool facet_of_edges(const Corner &q, const Vec3 &q_end, std::int32_t q_end_vertex, std::int32_t other_edge,
-                      std::int32_t far_vertex, Facet &facet);
+  bool facet_of_edges(const Corner &q, const Vec3 &q_end, std::int32_t q_end_vertex, std::size_t slot, Facet &facet);
+
+  // Room for `count` more corners, whatever they hold; null where there would be too many.
+  Corner *add_corners(std::int32_t count);
 
   Body body_[2];
-  std::vector<Corner> corners_;
+  std::vector<Corner> corners_;  // the first `corner_count_` count
+  std::int32_t corner_count_ = 0;
 };
 
 }  // namespace cmb::convex

@@ -45,7 +45,7 @@ Creases core_creases(const ConvexBody &body, const Vec3 &d, double angle) {
       const Polytope &p = *body.polytope;
       const std::int32_t v = p.support_vertex(d);
       for (std::int32_t k = p.neighbour_begin(v); k < p.neighbour_begin(v + 1); ++k) {
-        const Vec3 &e = p.edges()[static_cast<std::size_t>(p.neighbour_edges()[static_cast<std::size_t>(k)])].direction;
+        const Vec3 &e = p.edge_directions()[static_cast<std::size_t>(p.neighbour_edges()[static_cast<std::size_t>(k)])];
         if (std::fabs(dot(d, e)) < angle) result.add({e, 0.0, e});
       }
       break;

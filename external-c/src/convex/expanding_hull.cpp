@@ -19,16 +19,11 @@ bool ExpandingHull::set_plane(Face &face, double thickness) const {
   const Vec3 &a = point(face.vertex[0]), &b = point(face.vertex[1]), &c = point(face.vertex[2]);
   const Vec3 ab = b - a, bc = c - b, ca = a - c;
   const double ab2 = norm2(ab), bc2 = norm2(bc), ca2 = norm2(ca);
-  // The two shorter edges give the product with the least rounding.
-  Vec3 n;
-  double longest2;
-  if (ab2 >= bc2 && ab2 >= ca2) {
-    n = cross(bc, ca), longest2 = ab2;
-  } else if (bc2 >= ca2) {
-    n = cross(ca, ab), longest2 = bc2;
-  } else {
-    n = cross(ab, bc), longest2 = ca2;
-  }
+  // The two shorter edges give the product with the least rounding. Which they are cannot be foretold: a table, no branch.
+  const Vec3 *const edges[5] = {&bc, &ca, &ab, &bc, &ca};
+  const int is_ab = (ab2 >= bc2) & (ab2 >= ca2), is_bc = bc2 >= ca2, longest = (1 - is_ab) * (2 - is_bc);
+  const double squares[3] = {ab2, bc2, ca2}, longest2 = squares[longest];
+  const Vec3 n = cross(*edges[longest], *edges[longest + 1]);
   const double area2 = norm2(n);
   if (!(area2 > thickness * thickness * longest2)) return false;
   face.normal = (1.0 / std::sqrt(area2)) * n;
@@ -144,7 +139,8 @@ ExpandingHull::Outcome ExpandingHull::expand(std::int32_t seen, const Vec3 &p, d
     faces_.push_back(face);
     Face &outer = at(h.outer_face);
     for (int i = 0; i < 3; ++i) {
-      if (outer.vertex[i] == h.to && outer.vertex[i == 2 ? 0 : i + 1] == h.from) outer.neighbour[i] = self;
+      const std::int32_t shared = (outer.vertex[i] == h.to) & (outer.vertex[i == 2 ? 0 : i + 1] == h.from);
+      outer.neighbour[i] += shared * (self - outer.neighbour[i]);  // without a branch, as above
     }
   }
   for (std::int32_t self = first_new_face_; self < face_count(); ++self) at(at(self).neighbour[1]).neighbour[2] = self;

@@ -43,7 +43,7 @@ class Features {
     return topology_ != nullptr ? topology_->edges()[index(e)].vertex[end] : end;
   }
   Vec3 edge_direction(std::int32_t e) const {
-    return pose_.rotation * (topology_ != nullptr ? topology_->edges()[index(e)].direction : Vec3{0, 0, 1});
+    return pose_.rotation * (topology_ != nullptr ? topology_->edge_directions()[index(e)] : Vec3{0, 0, 1});
   }
   bool has_faces() const { return topology_ != nullptr; }
   Vec3 edge_face_normal(std::int32_t e, int side) const {

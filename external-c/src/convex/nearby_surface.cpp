@@ -12,7 +12,7 @@ void FacetIntegral::add_edge(const Vec3 &p, const Vec3 &q) {
   const double inverse2 = 1.0 / length2, off2 = area * area * inverse2;  // the line's distance from the foot, squared
   if (off2 >= limit2_) {
     if (area < 0.0) outside_ = true;
-    add_angle(area, dot(from, to));
+    if (!outside_) add_angle(area, dot(from, to));
     return;
   }
   all_beyond_ = false;
@@ -44,8 +44,9 @@ void FacetIntegral::add_edge(const Vec3 &p, const Vec3 &q) {
 void FacetIntegral::add_angle(double sine, double cosine) {
   any_angle_ = true;
   const double real = real_ * cosine - imaginary_ * sine, imaginary = real_ * sine + imaginary_ * cosine;
-  if (sine > 0.0 && imaginary_ >= 0.0 && imaginary < 0.0) turns_ += 1.0;
-  if (sine < 0.0 && imaginary_ < 0.0 && imaginary >= 0.0) turns_ -= 1.0;
+  const int forwards = (sine > 0.0) & (imaginary_ >= 0.0) & (imaginary < 0.0);
+  const int backwards = (sine < 0.0) & (imaginary_ < 0.0) & (imaginary >= 0.0);
+  turns_ += forwards - backwards;
   real_ = real, imaginary_ = imaginary;
   const double scale = std::fabs(real) + std::fabs(imaginary);
   if (!(scale > 1e-100 && scale < 1e100) && scale > 0.0) real_ /= scale, imaginary_ /= scale;
@@ -54,7 +55,8 @@ void FacetIntegral::add_angle(double sine, double cosine) {
 double FacetIntegral::value() const {
   constexpr double full_turn = 6.28318530717958648;
   const double whole = limit2_ * limit2_ * limit2_ / 6.0;
-  if (all_beyond_) return outside_ ? 0.0 : full_turn * whole;
+  if (outside_) return 0.0;
+  if (all_beyond_) return full_turn * whole;
   if (!any_angle_) return std::max(0.0, sum_);
   const double angle = std::copysign(angle_from_x(real_, std::fabs(imaginary_)), imaginary_);
   return std::max(0.0, sum_ + whole * (full_turn * turns_ + angle));

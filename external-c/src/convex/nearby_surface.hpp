@@ -37,6 +37,8 @@ class FacetIntegral {
   bool empty() const { return !(limit2_ > 0.0); }
   // The edge from p to q, counter-clockwise about the normal.
   void add_edge(const Vec3 &p, const Vec3 &q);
+  // Whether an edge has the ball wholly beyond it: then the facet, being convex, has no part in it.
+  bool is_outside() const { return outside_; }
   double value() const;
 
  private:

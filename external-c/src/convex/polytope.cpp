@@ -26,8 +26,7 @@ inline int cube_cell(const Vec3 &d, int cells) {
   const double ax = std::fabs(d.x), ay = std::fabs(d.y), az = std::fabs(d.z);
   const double higher = ax > ay ? ax : ay, along = higher > az ? higher : az;
   if (!(along > 0.0)) return 0;
-  int axis = ay > ax ? 1 : 0;
-  axis = az > higher ? 2 : axis;
+  const int z_is_largest = az > higher ? 1 : 0, axis = 2 * z_is_largest + (static_cast<int>(ay > ax) & (1 - z_is_largest));
   const double scale = 0.5 * cells / along;
   const int i = static_cast<int>((component[first[axis]] + along) * scale);
   const int j = static_cast<int>((component[second[axis]] + along) * scale);
@@ -109,10 +108,10 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
       edge.vertex[1] = b;
       edge.face[0] = face_index;
       edge.face[1] = -1;
-      edge.direction = normalized(vertices[index(b)] - vertices[index(a)]);
       directed[{a, b}] = {face_index, static_cast<std::int32_t>(built.edges_.size())};
       built.face_edges_.push_back(static_cast<std::int32_t>(built.edges_.size()));
       built.edges_.push_back(edge);
+      built.edge_directions_.push_back(normalized(vertices[index(b)] - vertices[index(a)]));
     }
   }
   if (std::any_of(built.edges_.begin(), built.edges_.end(), [](const Edge &e) { return e.face[1] < 0; })) {

@@ -22,7 +22,6 @@ class Polytope {
   struct Edge {
     std::int32_t vertex[2] = {0, 0};  // runs from vertex[0] to vertex[1] on face[0]
     std::int32_t face[2] = {0, 0};
-    Vec3 direction;  // unit, from vertex[0] to vertex[1]
   };
 
   // From vertices and polygon faces (indices of corners, counter-clockwise seen from outside; face
@@ -42,6 +41,8 @@ class Polytope {
   const std::vector<Vec3> &vertices() const { return vertices_; }
   const std::vector<Face> &faces() const { return faces_; }
   const std::vector<Edge> &edges() const { return edges_; }
+  // In step with edges(): unit, from vertex[0] to vertex[1]. Apart from them, so that those looked at stay close in memory.
+  const std::vector<Vec3> &edge_directions() const { return edge_directions_; }
   const std::vector<std::int32_t> &face_vertices() const { return face_vertices_; }
   // In step with face_vertices(): the edge from each corner to the next one.
   const std::vector<std::int32_t> &face_edges() const { return face_edges_; }
@@ -71,6 +72,7 @@ class Polytope {
   std::vector<Vec3> vertices_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
+  std::vector<Vec3> edge_directions_;
   std::vector<std::int32_t> face_vertices_;
   std::vector<std::int32_t> face_edges_;
   std::vector<std::int32_t> neighbours_;

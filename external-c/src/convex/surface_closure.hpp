@@ -14,6 +14,8 @@ class SurfaceClosure {
   // To close the surface outside a ball of `radius` round the origin; `normal` (unit) points to the middle of what is
   // known. Borrows the difference.
   SurfaceClosure(const MinkowskiDifference &difference, const Vec3 &normal, double radius);
+  // The ball gets smaller.
+  void shrink(double radius) { radius2_ = radius * radius; }
   // False where the girdle itself is not beyond the ball.
   bool put_girdle();
   void leave_girdle() { with_girdle_ = false; }

@@ -8,7 +8,10 @@ namespace cmb::convex {
 
 namespace {
 
-constexpr std::size_t most_facets = 400, mark_count = 8192;
+constexpr std::size_t most_facets = 400;
+constexpr int mark_bits = 13, small_bits = 6;  // small bodies have no more edges than that many bits count
+constexpr std::size_t mark_count = std::size_t{1} << mark_bits;
+static_assert(2 * small_bits + 1 <= mark_bits, "sides of small bodies have places of their own");
 constexpr std::size_t facets_before_girdle = 12;
 // The facets' cosine to the lowest one from which on the girdle is of no use.
 constexpr double girdle_reach = 0.75;
@@ -22,7 +25,7 @@ std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 SurfaceWalk::SurfaceWalk() : marks_(mark_count, Mark{0, 0, 0}) {
   facets_.reserve(most_facets);
-  sides_.reserve(DifferenceFacets::most_corners);
+  sides_.reserve(static_cast<std::size_t>(DifferenceFacets::most_corners));
 }
 
 // Goes on to nearer facets until one holds the origin's foot.
@@ -32,7 +35,7 @@ bool SurfaceWalk::descend(Facet &facet) {
     double farthest = 0.0;
     std::int32_t beyond = -1;
     for (std::int32_t k = 0; k < facet.count; ++k) {
-      const Vec3 &p = corner[k].at, &q = corner[k + 1 == facet.count ? 0 : k + 1].at;
+      const Vec3 &p = corner[k].at, &q = surface_.end_of(facet, k);
       const double area = dot(facet.normal, cross(p, q));
       if (area < farthest) farthest = area, beyond = k;
     }
@@ -47,22 +50,32 @@ bool SurfaceWalk::descend(Facet &facet) {
   return false;
 }
 
+// The mark of a side, with its key if it is new.
+SurfaceWalk::Mark &SurfaceWalk::mark_of(const Corner &corner) {
+  const auto edge = static_cast<std::uint32_t>(corner.edge);
+  const auto vertex = static_cast<std::uint32_t>(corner.vertex[1 - corner.body]);
+  if (small_) {
+    return marks_[static_cast<std::uint32_t>(corner.body) << 2 * small_bits | edge << small_bits | vertex];
+  }
+  const std::uint64_t key = static_cast<std::uint64_t>(corner.body) << 62 | static_cast<std::uint64_t>(edge) << 31 | vertex;
+  auto at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> (64 - mark_bits));
+  while (marks_[at].growth == growth_ && marks_[at].key != key) at = (at + 1) % mark_count;
+  marks_[at].key = key;
+  return marks_[at];
+}
+
 // Adds the sides of a facet from the one numbered `k` on. Each side belongs to two facets, which run along it in opposite
 // directions.
 bool SurfaceWalk::add_sides(const Facet &facet, std::int32_t number, std::int32_t k) {
   for (; k < facet.count; ++k) {
     const Corner &corner = surface_.corner(facet.first + k);
-    const std::uint64_t key = static_cast<std::uint64_t>(corner.body) << 62 |
-                              static_cast<std::uint64_t>(static_cast<std::uint32_t>(corner.edge)) << 31 |
-                              static_cast<std::uint64_t>(static_cast<std::uint32_t>(corner.vertex[1 - corner.body]));
-    std::size_t at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 51);
-    while (marks_[at].growth == growth_ && marks_[at].key != key) at = (at + 1) % mark_count;
-    if (marks_[at].growth != growth_) {
-      marks_[at] = {key, growth_, static_cast<std::int32_t>(sides_.size())};
+    Mark &mark = mark_of(corner);
+    if (mark.growth != growth_) {
+      mark.growth = growth_, mark.side = static_cast<std::int32_t>(sides_.size());
       sides_.push_back({number, facet.first + k, false});
       continue;
     }
-    Side &known = sides_[index(marks_[at].side)];
+    Side &known = sides_[index(mark.side)];
     if (known.inner || surface_.corner(known.corner).forward == corner.forward) return false;
     known.inner = true;
   }
@@ -81,13 +94,15 @@ bool SurfaceWalk::is_closed(const SurfaceClosure &closure) const {
   return !open || std::all_of(steps, steps + SurfaceClosure::girdle_points, [](int count) { return count == 1; });
 }
 
-// Adds facets round the lowest one until no other can be within the ball. `lowest` is exchanged, and the growth to be done
-// again, where the outcome is `apart`.
-SurfaceWalk::Outcome SurfaceWalk::grow(const MinkowskiDifference &difference, double size, Facet &lowest) {
-  const double radius = size > 0.0 ? surface_reach(lowest.height, size) : lowest.height;
+// Adds facets round the lowest one until no other can be within the ball. Where one turns out to be lower, `lowest` is
+// exchanged and the ball shrinks: what was outside it still is.
+bool SurfaceWalk::grow(const MinkowskiDifference &difference, double size, Facet &lowest) {
+  const auto radius = [&] { return size > 0.0 ? surface_reach(lowest.height, size) : lowest.height; };
   const double slack = 1e-15 * difference.scale;
-  SurfaceClosure closure(difference, lowest.normal, radius);
-  bool girdle_tried = false;
+  const Vec3 axis = lowest.normal;
+  foot_known_ = true;
+  SurfaceClosure closure(difference, axis, radius());
+  bool girdle_tried = false, sides_skipped = false;
   if (++growth_ == 0) {
     std::fill(marks_.begin(), marks_.end(), Mark{0, 0, 0});
     growth_ = 1;
@@ -95,18 +110,21 @@ SurfaceWalk::Outcome SurfaceWalk::grow(const MinkowskiDifference &difference, do
   facets_.clear();
   sides_.clear();
   facets_.push_back(lowest);
-  if (!add_sides(lowest, 0, 0)) return Outcome::undecided;
+  if (!add_sides(lowest, 0, 0)) return false;
   for (std::size_t k = 0;; ++k) {
-    if (k == sides_.size()) {
-      if (is_closed(closure)) return Outcome::found;
+    if (k == sides_.size() && sides_skipped) {
+      sides_skipped = false;
+      k = 0;
+    } else if (k == sides_.size()) {
+      if (is_closed(closure)) return true;
       closure.leave_girdle();
       k = 0;
     }
     if (sides_[k].inner) continue;
-    const Corner corner = surface_.corner(sides_[k].corner);
-    const Vec3 end = end_of(sides_[k]);
+    const Corner &corner = surface_.corner(sides_[k].corner);
+    const Vec3 &end = end_of(sides_[k]);
     if (closure.holds(corner.at, end)) continue;
-    if (facets_.size() == most_facets) return Outcome::undecided;
+    if (facets_.size() == most_facets) return false;
     // The girdle takes some facets' time.
     if (facets_.size() >= facets_before_girdle && !girdle_tried) {
       girdle_tried = true;
@@ -115,35 +133,58 @@ SurfaceWalk::Outcome SurfaceWalk::grow(const MinkowskiDifference &difference, do
         continue;
       }
     }
-    const Vec3 from = facets_[index(sides_[k].facet)].normal;
+    const Vec3 &from = facets_[index(sides_[k].facet)].normal;
     Facet next;
     sides_[k].inner = true;
-    if (!surface_.cross_side(corner, end, from, next) || !(next.height > 0.0)) return Outcome::undecided;
-    if (next.height < lowest.height - slack) {
-      lowest = next;
-      return Outcome::apart;
-    }
+    if (!surface_.cross_side(corner, end, from, next) || !(next.height > 0.0)) return false;
     facets_.push_back(next);
-    if (closure.with_girdle() && dot(next.normal, lowest.normal) < girdle_reach) {
+    const std::size_t first_new = sides_.size();
+    if (!add_sides(next, static_cast<std::int32_t>(facets_.size()) - 1, 1)) return false;
+    if (closure.with_girdle() && dot(next.normal, axis) < girdle_reach) {
       closure.leave_girdle();
       k = static_cast<std::size_t>(-1);
     }
-    if (!add_sides(next, static_cast<std::int32_t>(facets_.size()) - 1, 1)) return Outcome::undecided;
+    if (next.height < lowest.height - slack) {
+      lowest = next;
+      foot_known_ = false;
+      if (!(lowest.height > touching * difference.scale)) return false;
+      closure.shrink(radius());
+      // Downwards first.
+      sides_skipped = true;
+      k = first_new - 1;
+    }
   }
 }
 
+// Takes the facet that holds the origin's foot out of those that are as low as the lowest to rounding. False where none does:
+// facets beyond, in the same plane, were not met.
+bool SurfaceWalk::choose_by_foot(double scale, Facet &lowest) const {
+  const double height = lowest.height + 1e-14 * scale;
+  double best = -HUGE_VAL;
+  for (const Facet &facet : facets_) {
+    if (!(facet.height <= height)) continue;
+    double least = HUGE_VAL;
+    for (std::int32_t k = 0; k < facet.count; ++k) {
+      least = std::min(least, dot(facet.normal, cross(surface_.corner(facet.first + k).at, surface_.end_of(facet, k))));
+    }
+    if (least > best) best = least, lowest = facet;
+  }
+  return best >= -1e-15 * scale * scale;
+}
+
 void SurfaceWalk::find_mean(const Facet &lowest, double radius, Result &result) const {
-  std::int32_t count = 0;
-  for (const Facet &facet : facets_) count += facet.height < radius && norm2(facet.normal - lowest.normal) > same_normal2;
+  const bool one_plane = std::none_of(facets_.begin(), facets_.end(), [&](const Facet &facet) {
+    return (facet.height < radius) & (norm2(facet.normal - lowest.normal) > same_normal2);
+  });
   result.mean_outward = lowest.normal;
-  if (count == 0) return;
+  if (one_plane) return;
   result.mean_outward = {};
   for (const Facet &facet : facets_) {
     if (!(facet.height < radius)) continue;
     FacetIntegral integral(facet.normal, facet.height, radius);
     const Corner *const corner = surface_.corners_of(facet);
     for (std::int32_t k = 0; k < facet.count; ++k) {
-      integral.add_edge(corner[k].at, corner[k + 1 == facet.count ? 0 : k + 1].at);
+      integral.add_edge(corner[k].at, surface_.end_of(facet, k));
     }
     result.mean_outward = result.mean_outward + integral.value() * facet.normal;
   }
@@ -152,28 +193,24 @@ void SurfaceWalk::find_mean(const Facet &lowest, double radius, Result &result) 
 SurfaceWalk::Outcome SurfaceWalk::way_out(const MinkowskiDifference &difference, const Vec3 &first, double size,
                                           Result &result) {
   surface_.place(difference);
+  small_ = surface_.most_edges() <= std::size_t{1} << small_bits;
   Facet lowest;
   if (!surface_.start(first, lowest, result.direction)) {
     return norm2(result.direction) > 0.0 ? Outcome::apart : Outcome::undecided;
   }
-  for (int growths = 0; growths < 20; ++growths) {
-    if (!descend(lowest)) {
-      if (lowest.height > 0.0) return Outcome::undecided;
-      result.direction = lowest.normal;
-      return Outcome::apart;
-    }
-    if (!(lowest.height > touching * difference.scale)) return Outcome::undecided;
-    const Outcome outcome = grow(difference, size, lowest);
-    if (outcome == Outcome::undecided) return outcome;
-    if (outcome == Outcome::apart) continue;
+  if (!descend(lowest)) {
+    if (lowest.height > 0.0) return Outcome::undecided;
     result.direction = lowest.normal;
-    result.depth = dot(difference.support(lowest.normal).w, lowest.normal);
-    if (!(result.depth <= lowest.height + 1e-14 * difference.scale)) return Outcome::undecided;
-    surface_.find_witness(lowest, result.a, result.b);
-    if (size > 0.0) find_mean(lowest, surface_reach(lowest.height, size), result);
-    return outcome;
+    return Outcome::apart;
   }
-  return Outcome::undecided;
+  if (!(lowest.height > touching * difference.scale) || !grow(difference, size, lowest)) return Outcome::undecided;
+  if (!foot_known_ && !choose_by_foot(difference.scale, lowest)) return Outcome::undecided;
+  result.direction = lowest.normal;
+  result.depth = lowest.height;
+  if (!surface_.is_outermost(lowest, 1e-15 * difference.scale)) return Outcome::undecided;
+  surface_.find_witness(lowest, result.a, result.b);
+  if (size > 0.0) find_mean(lowest, surface_reach(lowest.height, size), result);
+  return Outcome::found;
 }
 
 }  // namespace cmb::convex

@@ -51,19 +51,25 @@ class SurfaceWalk {
   };
 
   bool descend(Facet &facet);
-  Outcome grow(const MinkowskiDifference &difference, double size, Facet &lowest);
+  bool grow(const MinkowskiDifference &difference, double size, Facet &lowest);
+  Mark &mark_of(const Corner &corner);
   bool add_sides(const Facet &facet, std::int32_t number, std::int32_t k);
   bool is_closed(const SurfaceClosure &closure) const;
   const Vec3 &end_of(const Side &side) const {
     const Facet &facet = facets_[static_cast<std::size_t>(side.facet)];
     return surface_.end_of(facet, side.corner - facet.first);
   }
+  bool choose_by_foot(double scale, Facet &lowest) const;
   void find_mean(const Facet &lowest, double radius, Result &result) const;
 
   DifferenceFacets surface_;
   std::vector<Facet> facets_;  // those found in the present growth
   std::vector<Side> sides_;
-  std::vector<Mark> marks_;  // sides by what they are: a hash table, of which what the present growth wrote counts
+  // Sides by what they are: a hash table, of which what the present growth wrote counts; no two sides of small bodies have
+  // the same place.
+  std::vector<Mark> marks_;
+  bool small_ = false;
+  bool foot_known_ = true;  // whether the lowest facet is the one that the walk came down to
   std::uint32_t growth_ = 0;
 };
 

@@ -55,11 +55,10 @@ Place on_polytope(const Polytope &polytope, const Vec3 &p, const Vec3 &d) {
   if (norm2(from) <= slack * slack) return {};
   const Vec3 *facing = nullptr;
   for (std::int32_t k = polytope.neighbour_begin(v); k < polytope.neighbour_begin(v + 1); ++k) {
-    const Polytope::Edge &edge =
-        polytope.edges()[static_cast<std::size_t>(polytope.neighbour_edges()[static_cast<std::size_t>(k)])];
-    if (norm2(from - dot(from, edge.direction) * edge.direction) <= slack * slack) {
-      return on_line(edge.direction, 0.0, edge.direction);
-    }
+    const auto number = static_cast<std::size_t>(polytope.neighbour_edges()[static_cast<std::size_t>(k)]);
+    const Polytope::Edge &edge = polytope.edges()[number];
+    const Vec3 &direction = polytope.edge_directions()[number];
+    if (norm2(from - dot(from, direction) * direction) <= slack * slack) return on_line(direction, 0.0, direction);
     for (const std::int32_t f : edge.face) {
       const Vec3 &normal = polytope.faces()[static_cast<std::size_t>(f)].normal;
       if (std::fabs(dot(normal, from)) <= slack && (facing == nullptr || dot(normal, d) > dot(*facing, d))) facing = &normal;

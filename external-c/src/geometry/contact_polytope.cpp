@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "convex/branch_free.hpp"
+#include "convex/convex_hull.hpp"
 #include "geometry/solid_angle.hpp"
 
 namespace cmb {
@@ -87,36 +89,52 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : g
           part * (share_in(edge.vertex[0], edge.face[side]) + share_in(edge.vertex[1], edge.face[side]));
     }
   }
+  if (geometry_.edges().size() <= most_in_set) {
+    build_sets();
+  } else {
+    std::vector<Vec3> normals;
+    for (const convex::Polytope::Face &face : geometry_.faces()) normals.push_back(face.normal);
+    convex::build_convex_hull(normals, normals_, nullptr, nullptr);
+  }
   if (meaning == Corners::curve) return;
   double radius = 0.0;
   for (const Vec3 &v : geometry_.vertices()) radius = std::max(radius, norm(v - geometry_.center()));
   fineness_ = static_cast<double>(vertex_count) / (2.0 * radius);
 }
 
+void ContactPolytope::build_sets() {
+  incidence_.resize(geometry_.vertices().size());
+  for (std::size_t e = 0; e < geometry_.edges().size(); ++e) {
+    const convex::Polytope::Edge &edge = geometry_.edges()[e];
+    for (const std::int32_t end : edge.vertex) {
+      Incidence &at_end = incidence_[index(end)];
+      at_end.edges |= std::uint64_t{1} << e;
+      at_end.faces |= std::uint64_t{1} << edge.face[0] | std::uint64_t{1} << edge.face[1];
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const Vec3 &vertex : geometry_.vertices()) coordinates_.push_back(vertex[axis]);
+    for (const convex::Polytope::Face &face : geometry_.faces()) normal_coordinates_.push_back(face.normal[axis]);
+  }
+}
+
 double ContactPolytope::share_in(std::int32_t v, std::int32_t face) const {
   return std::find_if(corners(v), corners(v + 1), [face](const FaceCorner &corner) { return corner.face == face; })->share;
 }
 
-double ContactPolytope::greatest_face_cosine(const Vec3 &direction, std::int32_t start) const {
+double ContactPolytope::greatest_face_cosine(const Vec3 &direction) const {
+  if (has_sets()) {
+    const std::size_t count = geometry_.faces().size();
+    const double *const x = normal_coordinates_.data(), *const y = x + count, *const z = y + count;
+    double cosine[most_in_set];
+    for (std::size_t k = 0; k < count; ++k) cosine[k] = direction.x * x[k] + direction.y * y[k] + direction.z * z[k];
+    return convex::greatest_of(cosine, count);
+  }
+  if (!normals_.vertices().empty()) return dot(direction, normals_.vertices()[index(normals_.support_vertex(direction))]);
   double greatest = -1.0;
-  std::int32_t best = -1;
-  const auto look_round = [&](std::int32_t v) {
-    const FaceCorner *const last = corners(v + 1);
-    for (const FaceCorner *corner = corners(v); corner != last; ++corner) {
-      const double cosine = dot(corner->normal, direction);
-      const std::int32_t face = corner->face;
-      best = cosine > greatest ? face : best;  // which is greatest cannot be foretold: no branch
-      greatest = cosine > greatest ? cosine : greatest;
-    }
-  };
-  look_round(start);
-  for (std::int32_t looked_at = -1; best != looked_at;) {  // cosines rise strictly, so this ends
-    looked_at = best;
-    const convex::Polytope::Face &face = geometry_.faces()[index(looked_at)];
-    for (std::int32_t k = face.first; k < face.first + face.count; ++k) {
-      const std::int32_t v = geometry_.face_vertices()[index(k)];
-      if (v != start) look_round(v);
-    }
+  for (const convex::Polytope::Face &face : geometry_.faces()) {
+    const double cosine = dot(face.normal, direction);
+    greatest = cosine > greatest ? cosine : greatest;
   }
   return greatest;
 }

@@ -59,17 +59,29 @@ class ContactPolytope {
   // Whether the share of every vertex is the same for all directions, as for a box.
   bool shares_are_constant() const { return all_constant_; }
 
-  // The greatest cosine of the angle between `direction` (unit, in the polytope's frame) and a face's normal; found by
-  // climbing from face to face from vertex `start`, the farthest one along that direction.
-  double greatest_face_cosine(const Vec3 &direction, std::int32_t start) const;
+  // The greatest cosine of the angle between `direction` (unit, in the polytope's frame) and a face's normal; to 1e-9, where
+  // faces are that nearly in one plane.
+  double greatest_face_cosine(const Vec3 &direction) const;
 
   // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated; 0 where they stand for a curve.
   double fineness() const { return fineness_; }
+
+  // The edges and faces at a vertex as sets, a bit each; only where the polytope has no more edges than `most_in_set`, so
+  // that its vertices and faces are sets as well.
+  static constexpr std::size_t most_in_set = 64;
+  struct Incidence {
+    std::uint64_t edges = 0, faces = 0;
+  };
+  bool has_sets() const { return !incidence_.empty(); }
+  // Where it has sets: the vertices' coordinates along an axis (0 to 2).
+  const double *coordinates(std::size_t axis) const { return coordinates_.data() + axis * geometry_.vertices().size(); }
+  const Incidence &incidence(std::int32_t v) const { return incidence_[static_cast<std::size_t>(v)]; }
 
   // The solid angle of vertex v's whole normal cone.
   double normal_cone(std::int32_t v) const { return normal_cone_[static_cast<std::size_t>(v)]; }
 
  private:
+  void build_sets();
   double share_in(std::int32_t v, std::int32_t face) const;
 
   convex::Polytope geometry_;
@@ -80,6 +92,11 @@ class ContactPolytope {
   double fineness_ = 0.0;
   std::vector<double> normal_cone_;         // solid angle of the whole cone
   std::vector<EdgeFaces> edge_faces_;
+  std::vector<Incidence> incidence_;
+  std::vector<double> coordinates_, normal_coordinates_;  // of vertices and of faces, axis by axis
+  // Of others: the hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without
+  // vertices where it could not be made.
+  convex::Polytope normals_;
 };
 
 }  // namespace cmb

@@ -41,7 +41,7 @@ double triangle_solid_angle(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
 
 double parallelogram_solid_angle(const DirectionArc &p, const DirectionArc &q) {
   // A corner between two horizontal directions does not count.
-  if ((p.lower().z < horizontal) & (q.lower().z < horizontal)) {
+  if (p.reaches_below(horizontal) & q.reaches_below(horizontal)) {
     return corner_solid_angle(p.lower(), q.lower(), sum_of_slopes(p.upper(), q.upper()));
   }
   // The corners in turn, and the two triangles at a diagonal. Their determinants are the parallelogram's area, times

@@ -41,6 +41,8 @@ struct DirectionArc {
   Vec3 first, second;                   // z >= 0
   double across_x = 0.0, across_y = 0.0;  // second.z first.z (second's slope - first's slope)
 
+  // Whether one of them is lower than z.
+  bool reaches_below(double z) const { return (first.z < z) | (second.z < z); }
   const Vec3 &lower() const { return second.z < first.z ? second : first; }
   const Vec3 &upper() const { return second.z < first.z ? first : second; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace cmb {
 
@@ -50,8 +51,23 @@ void keep_heaviest(std::vector<ContactPoint> &points, std::size_t capacity) {
   points.resize(capacity);
 }
 
-// Finds the cheapest pair again and again. Which one it is cannot be foretold: least costs are found first, without a
-// branch, and then whose they are.
+// The pairs of up to `points_for_all_pairs` points, those of the first n points first, for every n.
+struct PairTable {
+  static constexpr std::size_t count = points_for_all_pairs * (points_for_all_pairs - 1) / 2;
+  std::uint8_t first[count] = {}, second[count] = {};
+
+  constexpr PairTable() {
+    std::size_t pair = 0;
+    for (std::size_t j = 1; j < points_for_all_pairs; ++j) {
+      for (std::size_t i = 0; i < j; ++i, ++pair) {
+        first[pair] = static_cast<std::uint8_t>(i);
+        second[pair] = static_cast<std::uint8_t>(j);
+      }
+    }
+  }
+};
+
+// Finds the cheapest pair again and again, in one loop without a branch: which pair it is cannot be foretold.
 class CheapestPair {
  public:
   explicit CheapestPair(std::vector<ContactPoint> &points) : points_(points) {
@@ -59,21 +75,16 @@ class CheapestPair {
   }
 
   void unite_cheapest() {
-    const std::size_t count = points_.size();
+    static constexpr PairTable pairs;
+    const std::size_t count = points_.size() * (points_.size() - 1) / 2;
     double least = HUGE_VAL;
-    std::size_t first = 0;
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-      double least_of_row = HUGE_VAL;
-      for (std::size_t j = i + 1; j < count; ++j) {
-        const double cost = cost_of(i, j);
-        least_of_row = cost < least_of_row ? cost : least_of_row;
-      }
-      const bool less = least_of_row < least;
-      least = less ? least_of_row : least;
-      first = less ? i : first;
+    std::size_t cheapest = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double cost = cost_of(pairs.first[k], pairs.second[k]);
+      cheapest = cost < least ? k : cheapest;
+      least = cost < least ? cost : least;
     }
-    std::size_t second = first + 1;
-    while (second + 1 < count && cost_of(first, second) != least) ++second;
+    const std::size_t first = pairs.first[cheapest], second = pairs.second[cheapest];
     unite(points_[first], points_[second]);
     note(first);
     points_[second] = points_.back();
@@ -83,16 +94,20 @@ class CheapestPair {
 
  private:
   void note(std::size_t i) {
-    load_[i] = load_of(points_[i]);
-    x_[i] = points_[i].position.x, y_[i] = points_[i].position.y, z_[i] = points_[i].position.z;
+    const ContactPoint &point = points_[i];
+    noted_[i] = {load_of(point), point.position.x, point.position.y, point.position.z};
   }
   double cost_of(std::size_t i, std::size_t j) const {
-    const double x = x_[i] - x_[j], y = y_[i] - y_[j], z = z_[i] - z_[j];
-    return union_cost(load_[i], load_[j], x * x + y * y + z * z);
+    const Noted &p = noted_[i], &q = noted_[j];
+    const double x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;
+    return union_cost(p.load, q.load, x * x + y * y + z * z);
   }
 
+  struct Noted {
+    double load, x, y, z;
+  };
   std::vector<ContactPoint> &points_;
-  double load_[points_for_all_pairs], x_[points_for_all_pairs], y_[points_for_all_pairs], z_[points_for_all_pairs];
+  Noted noted_[points_for_all_pairs];
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convex/branch_free.hpp"
+
 namespace cmb {
 
 namespace {
@@ -30,8 +32,10 @@ Shake shake_of(double size) {
 }
 
 Extent common(const Extent &a, const Extent &b, double beyond) {
-  return {std::max(a.low_x, b.low_x) - beyond, std::min(a.high_x, b.high_x) + beyond,
-          std::max(a.low_y, b.low_y) - beyond, std::min(a.high_y, b.high_y) + beyond};
+  // By value: of references compilers make branches.
+  const double low_x = a.low_x > b.low_x ? a.low_x : b.low_x, high_x = a.high_x < b.high_x ? a.high_x : b.high_x;
+  const double low_y = a.low_y > b.low_y ? a.low_y : b.low_y, high_y = a.high_y < b.high_y ? a.high_y : b.high_y;
+  return {low_x - beyond, high_x + beyond, low_y - beyond, high_y + beyond};
 }
 
 // Cuts the arc between two faces' directions at the hemisphere's border; false where nothing is left.
@@ -74,16 +78,17 @@ void DepthGraph::Lines::gather(const PolytopeSide &side, const Extent &region, d
     within[count] = static_cast<std::int32_t>(i);
     count += static_cast<std::size_t>(side.edge(i).extent.meets(region));
   }
+  const double *const seen_x = side.seen_x(), *const seen_y = side.seen_y();
   for (std::size_t k = 0; k < count; ++k) {
     const PolytopeSide::Edge &edge = side.edge(index(within[k]));
-    const PolytopeSide::Vertex &from = side.vertex(index(edge.vertex[0])), &to = side.vertex(index(edge.vertex[1]));
+    const std::size_t from = index(edge.vertex[0]), to = index(edge.vertex[1]);
     Line &line = found[k];
     line.extent.low_x = edge.extent.low_x - beyond, line.extent.high_x = edge.extent.high_x + beyond;
     line.extent.low_y = edge.extent.low_y - beyond, line.extent.high_y = edge.extent.high_y + beyond;
-    const Vec3 seen_from = side.seen(from), seen_to = side.seen(to);
-    line.from_x = seen_from.x, line.from_y = seen_from.y, line.to_x = seen_to.x, line.to_y = seen_to.y;
+    line.from_x = seen_x[from], line.from_y = seen_y[from], line.to_x = seen_x[to], line.to_y = seen_y[to];
     // Of what is too high nothing crosses deep enough.
-    line.highest = std::max(from.at.z, to.at.z);
+    const double from_z = side.height(from), to_z = side.height(to);
+    line.highest = from_z > to_z ? from_z : to_z;
     line.edge = within[k];
     ridges[index(within[k])].known = false;
   }
@@ -96,7 +101,7 @@ const DepthGraph::Ridge *DepthGraph::Lines::ridge(const PolytopeSide &side, std:
     const convex::Mat3 &rotation = side.to_side().rotation;
     Vec3 first = rotation * faces.normal[0], second = rotation * faces.normal[1];
     ridge.known = true;
-    ridge.visible = std::max(first.z, second.z) > wall_cosine;
+    ridge.visible = (first.z > wall_cosine) | (second.z > wall_cosine);
     if (ridge.visible) {
       ridge.stiffness = edge_stiffness(faces, first, second, turning);
       ridge.visible = cut_arc(first, second);
@@ -156,24 +161,26 @@ void DepthGraph::add_vertices(const PolytopeSide &side, VertexStiffness &stiffne
                               double sense) {
   const convex::Mat3 &rotation = side.to_side().rotation;
   const double slack = 3e3 * shake_size * size_;
+  const double *const seen_x = side.seen_x(), *const seen_y = side.seen_y();
   PolytopeSide::Plane plane;
   for (std::size_t k = 0; k < side.inside_count(); ++k) {
     const std::int32_t i = side.inside(k);
-    const PolytopeSide::Vertex &v = side.vertex(index(i));
-    if (!region_.holds(v.at) ||
-        !other_side.face_over(v, side.seen(v), level_, slack, plane)) continue;
-    const double other = plane.over(v.at), depth = v.at.z + other;
+    const Vec3 at = side.at(index(i));
+    if (!region_.holds(at)) continue;
+    if (!other_side.face_over(seen_x[i], seen_y[i], at.z, level_, slack, plane)) continue;
+    const double other = plane.over(at), depth = at.z + other;
     if (!(depth > level_)) continue;
     // Slopes add up: the cone over the face is sheared.
-    const bool whole = visible_cone(side, v.number,
+    const std::int32_t v = side.number(index(i));
+    const bool whole = visible_cone(side, v,
                                     {{rotation.row[0] + plane.slope_x * rotation.row[2],
                                       rotation.row[1] + plane.slope_y * rotation.row[2], rotation.row[2]}},
                                     cone_);
     if (cone_.empty()) continue;
     const bool level = std::fabs(plane.slope_x) + std::fabs(plane.slope_y) <= level_slope;
-    const double part = level && whole ? side.body().normal_cone(v.number) : cone_.solid_angle();
+    const double part = level && whole ? side.body().normal_cone(v) : cone_.solid_angle();
     // The surfaces are at sense * own height and -sense * the other's.
-    add_corner(v.at.x, v.at.y, 0.5 * sense * (v.at.z - other), depth, part * inverse_hemisphere,
+    add_corner(at.x, at.y, 0.5 * sense * (at.z - other), depth, part * inverse_hemisphere,
                stiffness.of(i));
   }
 }
@@ -195,25 +202,32 @@ void DepthGraph::add_corner(double x, double y, double z, double depth, double p
   corner.slope.x = part * scale.slope.x, corner.slope.y = part * scale.slope.y, corner.slope.z = part * scale.slope.z;
 }
 
-// The crossing of two edges, one of each side, that cross as seen along the contact normal.
-void DepthGraph::add_crossing(std::int32_t edge_a, std::int32_t edge_b) {
+// Of two edges, one of each side, that cross as seen along the contact normal. Returns whether they cross deep enough, which
+// cannot be foretold: no branch.
+bool DepthGraph::find_crossing(std::int32_t edge_a, std::int32_t edge_b, Crossing &crossing) const {
   const PolytopeSide::Edge &e = side_a_.edge(index(edge_a)), &f = side_b_.edge(index(edge_b));
-  const Vec3 &from_e = side_a_.vertex(index(e.vertex[0])).at, &from_f = side_b_.vertex(index(f.vertex[0])).at;
-  const Vec3 de = side_a_.vertex(index(e.vertex[1])).at - from_e, df = side_b_.vertex(index(f.vertex[1])).at - from_f;
+  const Vec3 from_e = side_a_.at(index(e.vertex[0])), from_f = side_b_.at(index(f.vertex[0]));
+  const Vec3 de = side_a_.at(index(e.vertex[1])) - from_e, df = side_b_.at(index(f.vertex[1])) - from_f;
   const Vec3 between = from_f - from_e;
   const double product = de.x * df.y - de.y * df.x;
-  if (!(product * product > parallel_sine * parallel_sine * norm2(de) * norm2(df))) return;
+  const bool angled = product * product > parallel_sine * parallel_sine * norm2(de) * norm2(df);
   const double inverse = 1.0 / product;
-  const double t = std::clamp((between.x * df.y - between.y * df.x) * inverse, 0.0, 1.0);
-  const double s = std::clamp((between.x * de.y - between.y * de.x) * inverse, 0.0, 1.0);
+  const double t = convex::within_unit((between.x * df.y - between.y * df.x) * inverse);
+  const double s = convex::within_unit((between.x * de.y - between.y * de.x) * inverse);
   const Vec3 on_e = from_e + t * de, on_f = from_f + s * df;
-  const double depth = on_e.z + on_f.z;
-  if (!(depth > level_)) return;
-  const Ridge *of_e = lines_a_.ridge(side_a_, edge_a, turning_a_);
-  if (of_e == nullptr) return;
-  const Ridge *of_f = lines_b_.ridge(side_b_, edge_b, 1.0 - turning_a_);
-  if (of_f == nullptr) return;
-  Stiffness sum{of_e->stiffness.value + of_f->stiffness.value, of_e->stiffness.slope + of_f->stiffness.slope};
+  crossing.edge_a = edge_a, crossing.edge_b = edge_b;
+  crossing.t = t, crossing.s = s;
+  crossing.x = 0.5 * (on_e.x + on_f.x), crossing.y = 0.5 * (on_e.y + on_f.y), crossing.z = 0.5 * (on_f.z - on_e.z);
+  crossing.depth = on_e.z + on_f.z;
+  return angled & (crossing.depth > level_);
+}
+
+void DepthGraph::add_crossing(const Crossing &crossing) {
+  const Ridge *const of_a = lines_a_.ridge(side_a_, crossing.edge_a, turning_a_);
+  if (of_a == nullptr) return;
+  const Ridge *const of_b = lines_b_.ridge(side_b_, crossing.edge_b, 1.0 - turning_a_);
+  if (of_b == nullptr) return;
+  Stiffness sum{of_a->stiffness.value + of_b->stiffness.value, of_a->stiffness.slope + of_b->stiffness.slope};
   double influences = 2.0;
   const auto add_nearer_end = [&](VertexStiffness &stiffness, const PolytopeSide::Edge &edge, double way) {
     const double influence = end_influence(std::min(way, 1.0 - way));
@@ -223,10 +237,10 @@ void DepthGraph::add_crossing(std::int32_t edge_a, std::int32_t edge_b) {
     sum.value += influence * end.value;
     sum.slope = sum.slope + influence * end.slope;
   };
-  add_nearer_end(stiffness_a_, e, t);
-  add_nearer_end(stiffness_b_, f, s);
-  const double part = parallelogram_solid_angle(of_e->directions, of_f->directions) * inverse_hemisphere;
-  add_corner(0.5 * (on_e.x + on_f.x), 0.5 * (on_e.y + on_f.y), 0.5 * (on_f.z - on_e.z), depth, part / influences, sum);
+  add_nearer_end(stiffness_a_, side_a_.edge(index(crossing.edge_a)), crossing.t);
+  add_nearer_end(stiffness_b_, side_b_.edge(index(crossing.edge_b)), crossing.s);
+  const double part = parallelogram_solid_angle(of_a->directions, of_b->directions) * inverse_hemisphere;
+  add_corner(crossing.x, crossing.y, crossing.z, crossing.depth, part / influences, sum);
 }
 
 void DepthGraph::add_crossings() {
@@ -243,7 +257,12 @@ void DepthGraph::add_crossings() {
     near_[crossing] = pair;
     crossing += static_cast<std::size_t>(pair.a->parts(*pair.b) & pair.b->parts(*pair.a));
   }
-  for (std::size_t k = 0; k < crossing; ++k) add_crossing(near_[k].a->edge, near_[k].b->edge);
+  if (crossings_.size() <= crossing) crossings_.resize(crossing + 1);
+  std::size_t deep = 0;
+  for (std::size_t k = 0; k < crossing; ++k) {
+    deep += static_cast<std::size_t>(find_crossing(near_[k].a->edge, near_[k].b->edge, crossings_[deep]));
+  }
+  for (std::size_t k = 0; k < deep; ++k) add_crossing(crossings_[k]);
 }
 
 // Puts down which of the lines from `first` on may cross the `own` one deep enough. That cannot be foretold: all are put

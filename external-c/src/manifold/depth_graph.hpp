@@ -81,7 +81,13 @@ class DepthGraph {
   std::size_t compare(const Line *own, const Line *first, const Line *last, std::size_t count);
   std::size_t compare_all();
   std::size_t sweep();
-  void add_crossing(std::int32_t edge_a, std::int32_t edge_b);
+  // The crossing of two edges: its place and depth, and the parts of the edges' lengths at which it lies.
+  struct Crossing {
+    std::int32_t edge_a, edge_b;
+    double t, s, x, y, z, depth;
+  };
+  bool find_crossing(std::int32_t edge_a, std::int32_t edge_b, Crossing &crossing) const;
+  void add_crossing(const Crossing &crossing);
 
   double size_ = 0.0, level_ = 0.0, turning_a_ = 0.5;
   PolytopeSide side_a_, side_b_;
@@ -94,6 +100,7 @@ class DepthGraph {
     const Line *a, *b;
   };
   std::vector<LinePair> near_;
+  std::vector<Crossing> crossings_;
   VertexStiffness stiffness_a_, stiffness_b_;
   DirectionCone cone_;
   std::vector<Corner> corners_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "convex/branch_free.hpp"
+
 namespace cmb {
 
 // Few corners, or shallow ones, are springs: each carries its weight times its depth. A finely tessellated body would push
@@ -18,7 +20,7 @@ class TessellationLoad {
   TessellationLoad(double greatest, double fineness) : greatest_(greatest) {
     constexpr double springs_to = 1.0, smooth_from = 3.0, carrying = 1.2;  // steps
     const double steps = greatest * fineness;
-    const double part = std::min(1.0, std::max(0.0, (steps - springs_to) / (smooth_from - springs_to)));
+    const double part = convex::within_unit((steps - springs_to) / (smooth_from - springs_to));
     smooth_ = part * part * (3.0 - 2.0 * part);
     const double height = steps > carrying ? carrying / fineness : greatest;
     rate_ = 1.0 / height;
@@ -28,7 +30,7 @@ class TessellationLoad {
   // Depth (m) above which no corner carries; negative where all do.
   double level() const { return level_; }
   // The part of its weight that a corner of that depth keeps, before the scale.
-  double part(double depth) const { return std::min(1.0, std::max(0.0, (depth - level_) * rate_)); }
+  double part(double depth) const { return convex::within_unit((depth - level_) * rate_); }
 
   // What follows from the sums over all corners.
   struct Scale {

@@ -44,13 +44,16 @@ double visible_angle(const PolytopeSide &side, std::int32_t vertex, DirectionCon
 void VertexStiffness::start(const PolytopeSide &side, double turning) {
   side_ = &side;
   turning_ = turning;
-  if (known_.size() < side.vertex_count()) known_.resize(side.vertex_count());
-  for (std::size_t k = 0; k < side.vertex_count(); ++k) known_[k].value = -1.0;
+  if (known_.size() < side.vertex_count()) known_.resize(side.vertex_count()), found_in_.resize(side.vertex_count());
+  if (++start_ == 0) {
+    std::fill(found_in_.begin(), found_in_.end(), 0);
+    start_ = 1;
+  }
 }
 
 void VertexStiffness::find(std::int32_t k, Stiffness &stiffness) {
   const ContactPolytope &body = side_->body();
-  const std::int32_t v = side_->vertex(index(k)).number;
+  const std::int32_t v = side_->number(index(k));
   const ContactPolytope::Share share = body.share(v, side_->towards());
   const double visible = share.least_cosine >= 0.0 ? body.normal_cone(v) : visible_angle(*side_, v, cone_);
   const double scale = 2.0 * pi / std::max(visible, 0.25 * body.normal_cone(v));

@@ -20,7 +20,7 @@ double visible_angle(const PolytopeSide &side, std::int32_t vertex, DirectionCon
 // What a vertex would carry if its normal cone filled the hemisphere, and how that changes with the direction towards
 // the other body as far as that turns with the other body.
 struct Stiffness {
-  double value = -1.0;  // negative where not yet known
+  double value = 0.0;
   Vec3 slope;           // in the side's axes
 };
 
@@ -33,9 +33,9 @@ class VertexStiffness {
 
   // Of the side's vertex k.
   const Stiffness &of(std::int32_t k) {
-    Stiffness &stiffness = known_[static_cast<std::size_t>(k)];
-    if (stiffness.value < 0.0) find(k, stiffness);
-    return stiffness;
+    const auto at = static_cast<std::size_t>(k);
+    if (found_in_[at] != start_) find(k, known_[at]), found_in_[at] = start_;
+    return known_[at];
   }
 
  private:
@@ -44,6 +44,8 @@ class VertexStiffness {
   const PolytopeSide *side_ = nullptr;
   double turning_ = 0.0;
   std::vector<Stiffness> known_;
+  std::vector<std::uint32_t> found_in_;  // the start after which each was found last
+  std::uint32_t start_ = 0;
   DirectionCone cone_;
 };
 

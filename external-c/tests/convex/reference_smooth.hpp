@@ -88,7 +88,7 @@ inline void core_creases(const ConvexBody &body, std::vector<Circle> &circles, s
       break;
     }
     case CoreShape::polytope:
-      for (const auto &e : body.polytope->edges()) circles.push_back({to_point(e.direction), 0});
+      for (const auto &direction : body.polytope->edge_directions()) circles.push_back({to_point(direction), 0});
       for (const auto &f : body.polytope->faces()) points.push_back(to_point(f.normal));
       break;
     default: break;

@@ -166,8 +166,8 @@ Pose make_pose(Random &random, const Sample &a, const Sample &b, double size, Di
           random.integer(0, static_cast<int>(b.shape->faces().size()) - 1))];
       Vec3 from = fb.normal, to = -fa.normal;
       if (random.integer(0, 1)) {
-        from = b.shape->edges()[0].direction;
-        to = a.shape->edges()[0].direction;
+        from = b.shape->edge_directions()[0];
+        to = a.shape->edge_directions()[0];
       }
       const Vec3 axis = cross(from, to);
       const double sine = norm(axis), cosine = dot(from, to);
