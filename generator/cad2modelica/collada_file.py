@@ -11,6 +11,7 @@ from cmb_base.errors import InputError, Place
 from lxml import etree
 
 from cad2modelica.mesh import Indices
+from cad2modelica.polygon import Triangle, split
 from cad2modelica.spatial import Array
 from cad2modelica.xml_document import read_xml
 
@@ -64,12 +65,18 @@ def read_collada(file: Path) -> tuple[Array, Indices]:
 
 def _triangles(primitive: object) -> tuple[Array, Indices] | None:
     """Points and triangles of a primitive; None for lines."""
-    if isinstance(primitive, collada.polylist.BoundPolylist):
-        primitive = primitive.triangleset()
-    if not isinstance(primitive, collada.triangleset.BoundTriangleSet) or primitive.vertex_index is None:
+    if not isinstance(primitive, collada.polylist.BoundPolylist | collada.triangleset.BoundTriangleSet):
+        return None
+    if primitive.vertex_index is None:
         return None
     points = np.asarray(primitive.vertex, dtype=np.float64)
-    indices = np.asarray(primitive.vertex_index, dtype=np.int64).reshape(-1, 3)
-    if len(indices) and (indices.min() < 0 or indices.max() >= len(points)):
-        raise ValueError("a triangle names a vertex that does not exist")
-    return points, indices
+    corners = np.asarray(primitive.vertex_index, dtype=np.int64).ravel()
+    if len(corners) and (corners.min() < 0 or corners.max() >= len(points)):
+        raise ValueError("a triangle or polygon names a vertex that does not exist")
+    if isinstance(primitive, collada.triangleset.BoundTriangleSet):
+        return points, corners.reshape(-1, 3)
+    # Polygons may be concave, which pycollada's own split takes for convex.
+    triangles: list[Triangle] = []
+    for begin, end in primitive.polyindex.tolist():
+        triangles += split(points, corners[begin:end].tolist())
+    return points, np.array(triangles, dtype=np.int64).reshape(-1, 3)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cad2modelica.collada_file import read_collada
 from cad2modelica.mesh import Indices
 from cad2modelica.number_limits import LARGEST, are_usable
-from cad2modelica.polygon import triangulate
+from cad2modelica.polygon import split
 from cad2modelica.spatial import Array
 
 MAXIMUM_BYTES = 256 * 2**20
@@ -111,7 +111,7 @@ def _read_obj(data: bytes, file: Path) -> Surface:
         if len(face) == 3:
             triangles.append((face[0], face[1], face[2]))
         else:
-            triangles += [(face[a], face[b], face[c]) for a, b, c in triangulate(vertices[face])]
+            triangles += split(vertices, face)
     indices = np.array(triangles, dtype=np.int64).reshape(-1, 3)
     return vertices, indices[_with_area(vertices[indices])]
 

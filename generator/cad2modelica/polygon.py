@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import heapq
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -17,6 +18,18 @@ def newell_normal(points: Array) -> Array:
     """Area-weighted normal of a closed polygon, planar or not: half its length is the projected area."""
     products = points.T @ np.concatenate([points[1:], points[:1]])
     return np.array([products[1, 2] - products[2, 1], products[2, 0] - products[0, 2], products[0, 1] - products[1, 0]])
+
+
+def split(points: Array, corners: Sequence[int]) -> list[Triangle]:
+    """Splits the polygon of some of many points into triangles.
+
+    Args:
+        points: shape (n, 3).
+        corners: numbers of points, in order; fewer than three have no triangles.
+    """
+    if len(corners) < 3:
+        return []
+    return [(corners[a], corners[b], corners[c]) for a, b, c in triangulate(points[list(corners)])]
 
 
 def triangulate(points: Array) -> list[Triangle]:

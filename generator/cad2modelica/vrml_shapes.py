@@ -10,7 +10,7 @@ from cmb_base.errors import InputError, Place
 
 from cad2modelica.mesh import Indices
 from cad2modelica.number_limits import LARGEST, are_usable
-from cad2modelica.polygon import triangulate
+from cad2modelica.polygon import split
 from cad2modelica.primitive_meshes import Surface, box_surface, cone_surface, cylinder_surface, sphere_surface
 from cad2modelica.spatial import Array
 from cad2modelica.vrml_extrusion import extrusion_surface
@@ -103,11 +103,8 @@ def _split_faces(points: Array, indices: Indices) -> Indices:
     triangles: list[tuple[int, int, int]] = []
     begin = 0
     for end in np.flatnonzero(indices == -1).tolist():
-        face = indices[begin:end]
+        triangles += split(points, [int(corner) for corner in indices[begin:end]])
         begin = end + 1
-        if len(face) >= 3:
-            corners = [int(corner) for corner in face]
-            triangles += [(corners[a], corners[b], corners[c]) for a, b, c in triangulate(points[face])]
     return np.array(triangles, dtype=np.int64).reshape(-1, 3)
 
 

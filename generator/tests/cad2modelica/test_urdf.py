@@ -259,6 +259,28 @@ def test_collada(tmp_path: Path) -> None:
     np.testing.assert_allclose(solid.center, [0.010 - 0.05, 0.025, 0.075], atol=1e-8)  # single precision inside
 
 
+@pytest.mark.parametrize("first", range(6))
+def test_concave_faces_of_a_collada_file(tmp_path: Path, first: int) -> None:
+    """An L of area 3, 1 high, from any of its corners on: triangles that reach out of it have a larger surface."""
+    outline = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+    corners = [(first + k) % 6 for k in range(6)]
+    sides = [(k, (k + 1) % 6, (k + 1) % 6 + 6, k + 6) for k in range(6)]
+    faces = [corners[::-1], [k + 6 for k in corners], *sides]
+    points = " ".join(f"{x} {y} {z}" for z in (0, 1) for x, y in outline)
+    polylist = (
+        f'<polylist count="8"><input semantic="VERTEX" source="#v" offset="0"/><vcount>6 6{" 4" * 6}</vcount>'
+        f"<p>{' '.join(str(corner) for face in faces for corner in face)}</p></polylist>"
+    )
+    text = re.sub(r"<triangles.*</triangles>", polylist, COLLADA, flags=re.DOTALL)
+    text = text.replace("0 0 0 100 0 0 0 200 0 0 0 300", points).replace('count="12"', 'count="36"')
+    (tmp_path / "l.dae").write_text(text.replace('count="4" stride', 'count="12" stride').replace("0.001", "1"))
+    vertices, triangles = read_mesh(tmp_path / "l.dae")
+    solid = volume_integrals(*weld(vertices, triangles))
+    assert solid.volume == pytest.approx(3.0)
+    edges = vertices[triangles[:, 1:]] - vertices[triangles[:, :1]]
+    assert 0.5 * np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1).sum() == pytest.approx(2 * 3.0 + 8.0)
+
+
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
