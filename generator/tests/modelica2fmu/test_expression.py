@@ -6,7 +6,7 @@ import math
 
 import casadi
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from modelica2fmu import expression as ex
 
@@ -38,15 +38,28 @@ def built(tree, symbols, apply):
     return tree
 
 
+def depends_on_a_zero_s_sign(tree, values):
+    """Whether the angle of a point on the negative x axis, or of the origin, is asked for: CasADi makes -x of 0 - x."""
+    if not isinstance(tree, tuple):
+        return False
+    if tree[0] == "atan2":
+        across, along = (ex.evaluate(built(item, {"x": X, "y": Y}, ex.apply), values) for item in tree[1:])
+        if across == 0 and along <= 0:
+            return True
+    return any(depends_on_a_zero_s_sign(item, values) for item in tree[1:])
+
+
 @settings(max_examples=200, deadline=None)
 @given(trees, st.floats(-1.5, 1.5), st.floats(-1.5, 1.5))
+@example(("atan2", "x", ("sub", 0, "x")), 0.0, 0.0)
+@example(("atan2", "x", ("sub", 0, "x")), 0.5, 0.0)
 def test_values_and_derivatives_are_those_of_casadi(tree, x, y):
     mine = built(tree, {"x": X, "y": Y}, lambda op, args: ex.apply(op, args))
     sx, sy = casadi.SX.sym("x"), casadi.SX.sym("y")
     theirs = casadi.SX(built(tree, {"x": sx, "y": sy}, lambda op, args: CASADI[op](*map(casadi.SX, args))))
     function = casadi.Function("f", [sx, sy], [theirs, casadi.jacobian(theirs, sx)])
     value, slope = (float(item) for item in function(x, y))
-    if not (math.isfinite(value) and abs(value) < 1e8):
+    if not (math.isfinite(value) and abs(value) < 1e8) or depends_on_a_zero_s_sign(tree, {"x": x, "y": y}):
         return
     assert ex.evaluate(mine, {"x": x, "y": y}) == pytest.approx(value, rel=1e-9, abs=1e-9)
     derivative = ex.Differentiation(lambda name: 1 if name == "x" else 0)(mine)
