@@ -12,7 +12,8 @@ constexpr std::size_t most_facets = 400;
 constexpr int mark_bits = 13, small_bits = 6;  // small bodies have no more edges than that many bits count
 constexpr std::size_t mark_count = std::size_t{1} << mark_bits;
 static_assert(2 * small_bits + 1 <= mark_bits, "sides of small bodies have places of their own");
-constexpr std::size_t facets_before_girdle = 12;
+// The girdle takes some facets' time, which pays the sooner the finer the bodies are.
+constexpr std::size_t facets_before_girdle = 6, facets_before_girdle_of_small = 12;
 // The facets' cosine to the lowest one from which on the girdle is of no use.
 constexpr double girdle_reach = 0.75;
 constexpr int most_descents = 200;
@@ -102,6 +103,7 @@ bool SurfaceWalk::grow(const MinkowskiDifference &difference, double size, Facet
   const Vec3 axis = lowest.normal;
   foot_known_ = true;
   SurfaceClosure closure(difference, axis, radius());
+  const std::size_t before_girdle = small_ ? facets_before_girdle_of_small : facets_before_girdle;
   bool girdle_tried = false, sides_skipped = false;
   if (++growth_ == 0) {
     std::fill(marks_.begin(), marks_.end(), Mark{0, 0, 0});
@@ -125,8 +127,7 @@ bool SurfaceWalk::grow(const MinkowskiDifference &difference, double size, Facet
     const Vec3 &end = end_of(sides_[k]);
     if (closure.holds(corner.at, end)) continue;
     if (facets_.size() == most_facets) return false;
-    // The girdle takes some facets' time.
-    if (facets_.size() >= facets_before_girdle && !girdle_tried) {
+    if (facets_.size() >= before_girdle && !girdle_tried) {
       girdle_tried = true;
       if (closure.put_girdle()) {
         k = static_cast<std::size_t>(-1);
