@@ -101,7 +101,6 @@ bool SurfaceWalk::grow(const MinkowskiDifference &difference, double size, Facet
   const auto radius = [&] { return size > 0.0 ? surface_reach(lowest.height, size) : lowest.height; };
   const double slack = 1e-15 * difference.scale;
   const Vec3 axis = lowest.normal;
-  foot_known_ = true;
   SurfaceClosure closure(difference, axis, radius());
   const std::size_t before_girdle = small_ ? facets_before_girdle_of_small : facets_before_girdle;
   bool girdle_tried = false, sides_skipped = false;
@@ -147,7 +146,6 @@ bool SurfaceWalk::grow(const MinkowskiDifference &difference, double size, Facet
     }
     if (next.height < lowest.height - slack) {
       lowest = next;
-      foot_known_ = false;
       if (!(lowest.height > touching * difference.scale)) return false;
       closure.shrink(radius());
       // Downwards first.
@@ -205,7 +203,9 @@ SurfaceWalk::Outcome SurfaceWalk::way_out(const MinkowskiDifference &difference,
     return Outcome::apart;
   }
   if (!(lowest.height > touching * difference.scale) || !grow(difference, size, lowest)) return Outcome::undecided;
-  if (!foot_known_ && !choose_by_foot(difference.scale, lowest)) return Outcome::undecided;
+  // The one that the walk came down to, the first, holds the foot.
+  const bool foot_known = lowest.first == facets_.front().first;
+  if (!foot_known && !choose_by_foot(difference.scale, lowest)) return Outcome::undecided;
   result.direction = lowest.normal;
   result.depth = lowest.height;
   if (!surface_.is_outermost(lowest, 1e-15 * difference.scale)) return Outcome::undecided;

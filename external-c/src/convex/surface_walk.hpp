@@ -69,7 +69,6 @@ class SurfaceWalk {
   // the same place.
   std::vector<Mark> marks_;
   bool small_ = false;
-  bool foot_known_ = true;  // whether the lowest facet is the one that the walk came down to
   std::uint32_t growth_ = 0;
 };
 
