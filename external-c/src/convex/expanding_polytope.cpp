@@ -196,9 +196,7 @@ void ExpandingPolytope::measure_surface(PenetrationResult &result, double size) 
     if (!is_near(face)) continue;
     FacetIntegral integral(face.normal, std::max(face.offset, 0.0), radius);
     if (integral.empty()) continue;
-    for (int k = 0; k < 3 && !integral.is_outside(); ++k) {
-      integral.add_edge(hull_.point(face.vertex[k]), hull_.point(face.vertex[k == 2 ? 0 : k + 1]));
-    }
+    integral.add_rim(3, [&](std::int32_t k) -> const Vec3 & { return hull_.point(face.vertex[k]); });
     result.mean_outward = result.mean_outward + integral.value() * face.normal;
   }
 }

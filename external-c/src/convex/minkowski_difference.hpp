@@ -37,6 +37,15 @@ struct MinkowskiDifference {
     return {a.point - b_point, a.point, b_point, a.vertex, b.vertex};
   }
 
+  // A point that is far along d, though another one may be farther.
+  Vec3 outer_point(const Vec3 &d) const {
+    const auto outer = [](const ConvexBody &body, const Vec3 &way) {
+      if (body.core != CoreShape::polytope) return core_support(body, way).point;
+      return body.polytope->vertices()[static_cast<std::size_t>(body.polytope->outer_vertex(way))];
+    };
+    return outer(body_a, d) - b_in_a(outer(body_b, -transposed_times(b_in_a.rotation, d)));
+  }
+
   // From a point inside B to a point inside A.
   Vec3 center() const { return core_center(body_a) - b_in_a(core_center(body_b)); }
 };

@@ -4,37 +4,40 @@
 
 namespace cmb::convex {
 
-void FacetIntegral::add_edge(const Vec3 &p, const Vec3 &q) {
-  const Vec3 from = p - foot_, to = q - foot_, along = q - p;
+// The facet's foot is off its plane's origin by the normal alone, so that products with ways in the plane and squares of
+// distances follow from the corners themselves. Along the edge's line a place is given by the product with the edge, of which
+// the foot's is 0.
+void FacetIntegral::add_edge(const Vec3 &p, double p2, const Vec3 &q, double q2) {
+  const Vec3 along = q - p;
   const double length2 = norm2(along);
   if (!(length2 > 0.0)) return;
-  const double area = dot(normal_, cross(from, along)), begin = dot(from, along), end = begin + length2;
-  const double inverse2 = 1.0 / length2, off2 = area * area * inverse2;  // the line's distance from the foot, squared
-  if (off2 >= limit2_) {
+  const double area = dot(normal_, cross(p, along)), area2 = area * area, begin = dot(p, along), end = begin + length2;
+  const double limit = limit2_ * length2;
+  if (area2 >= limit) {  // the line is outside the ball
     if (area < 0.0) outside_ = true;
-    if (!outside_) add_angle(area, dot(from, to));
+    if (!outside_) add_angle(area, p2 - height2_ + begin);
     return;
   }
   all_beyond_ = false;
+  const bool within = (p2 <= radius2_) & (q2 <= radius2_);
+  const double inverse2 = 1.0 / length2, off2 = area2 * inverse2;  // the line's distance from the foot, squared
+  const double chord = within ? 0.0 : std::sqrt(limit - area2);
+  const double low = within ? begin : std::clamp(begin, -chord, chord), high = within ? end : std::clamp(end, -chord, chord);
   // By Green's theorem: of the integral of (limit2 - r^2)^2 r dr from the foot, divided by r^2, along the edge.
   const double constant = 3.0 * limit2_ * (limit2_ - off2) + off2 * off2, square = (2.0 * off2 - 3.0 * limit2_) / 3.0;
-  const auto antiderivative = [&](double t, double t2) { return t * (constant + t2 * (square + 0.2 * t2)); };
-  if (norm2(from) <= limit2_ && norm2(to) <= limit2_) {  // all within the ball: no root is needed
-    const double part = antiderivative(end, end * end * inverse2) - antiderivative(begin, begin * begin * inverse2);
-    sum_ += area * inverse2 * part / 6.0;
-    return;
+  const auto antiderivative = [&](double t) {
+    const double t2 = t * t * inverse2;
+    return t * (constant + t2 * (square + 0.2 * t2));
+  };
+  sum_ += area * inverse2 * (antiderivative(high) - antiderivative(low)) / 6.0;
+  if (within) return;
+  if (begin < -chord) {
+    const double until = std::min(end, -chord);
+    add_angle(area * (until - begin), area2 + begin * until);
   }
-  const double length = std::sqrt(length2), off = area / length, first = begin / length, last = first + length;
-  const double chord = std::sqrt(limit2_ - off2);
-  const double low = std::clamp(first, -chord, chord), high = std::clamp(last, -chord, chord);
-  sum_ += off * (antiderivative(high, high * high) - antiderivative(low, low * low)) / 6.0;
-  if (first < -chord) {
-    const double until = std::min(last, -chord);
-    add_angle(off * (until - first), off2 + first * until);
-  }
-  if (last > chord) {
-    const double since = std::max(first, chord);
-    add_angle(off * (last - since), off2 + since * last);
+  if (end > chord) {
+    const double since = std::max(begin, chord);
+    add_angle(area * (end - since), area2 + since * end);
   }
 }
 
@@ -123,7 +126,7 @@ class BoxDifference {
     if (integral.empty()) return;
     const Vec3 sum = facet.u + facet.v, difference = facet.u - facet.v;
     const Vec3 corner[4] = {facet.middle - sum, facet.middle + difference, facet.middle + sum, facet.middle - difference};
-    for (int k = 0; k < 4; ++k) integral.add_edge(corner[k], corner[(k + 1) % 4]);
+    integral.add_rim(4, [&](int k) -> const Vec3 & { return corner[k]; });
     sum_ = sum_ + integral.value() * facet.normal;
   }
 

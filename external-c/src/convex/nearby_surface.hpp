@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "box_pair.hpp"
 #include "vector3.hpp"
@@ -27,28 +28,39 @@ inline double surface_reach(double depth, double size) {
 // Unit normals that differ by rounding: the square of the difference.
 constexpr double same_normal2 = 1e-24;
 
-// The integral of the weight (radius^2 - distance^2)^2 over a facet's part in the ball, given edge by edge.
+// The integral of the weight (radius^2 - distance^2)^2 over a facet's part in the ball.
 class FacetIntegral {
  public:
   // `normal` unit, outward; the facet's plane is `height` >= 0 from the origin.
   FacetIntegral(const Vec3 &normal, double height, double radius)
-      : normal_(normal), foot_(height * normal), limit2_(radius * radius - height * height) {}
+      : normal_(normal), height2_(height * height), radius2_(radius * radius), limit2_(radius2_ - height2_) {}
 
   bool empty() const { return !(limit2_ > 0.0); }
-  // The edge from p to q, counter-clockwise about the normal.
-  void add_edge(const Vec3 &p, const Vec3 &q);
-  // Whether an edge has the ball wholly beyond it: then the facet, being convex, has no part in it.
-  bool is_outside() const { return outside_; }
+  // The facet's rim: corner(k) for k < count, counter-clockwise about the normal.
+  template <typename Corner>
+  void add_rim(std::int32_t count, const Corner &corner) {
+    const Vec3 *from = &corner(count - 1);
+    double from2 = norm2(*from);
+    for (std::int32_t k = 0; k < count && !outside_; ++k) {
+      const Vec3 *const to = &corner(k);
+      const double to2 = norm2(*to);
+      add_edge(*from, from2, *to, to2);
+      from = to, from2 = to2;
+    }
+  }
   double value() const;
 
  private:
+  // From p to q, whose squared distances from the origin are given.
+  void add_edge(const Vec3 &p, double p2, const Vec3 &q, double q2);
   void add_angle(double sine, double cosine);
 
-  Vec3 normal_, foot_;
-  double limit2_, sum_ = 0.0;
+  Vec3 normal_;
+  double height2_, radius2_, limit2_, sum_ = 0.0;
   // The sum of angles: full turns, and the argument of a complex number.
   double real_ = 1.0, imaginary_ = 0.0, turns_ = 0.0;
-  bool all_beyond_ = true, outside_ = false, any_angle_ = false;
+  bool all_beyond_ = true, any_angle_ = false;
+  bool outside_ = false;  // an edge has the ball wholly beyond it: then the facet, being convex, has no part in it
 };
 
 // The sum of the facets' normals times their weights, for two boxes that overlap `depth` (> 0) deep.

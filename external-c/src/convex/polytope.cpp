@@ -166,14 +166,18 @@ void Polytope::build_support_table() {
   cell_begin_.assign(1, 0);
   for (std::int32_t cell = 0; cell < 6 * cells_ * cells_; ++cell) {
     const int side = cell / (cells_ * cells_), i = cell / cells_ % cells_, j = cell % cells_;
-    Vec3 corner[4];
     kept.clear();
-    for (int k = 0; k < 4; ++k) {
-      corner[k] = cube_direction(side, 2.0 * (i + (k & 1)) / cells_ - 1.0, 2.0 * (j + (k >> 1)) / cells_ - 1.0);
-      start = climb(corner[k], start);
+    const auto direction = [&](double u, double v) {
+      return cube_direction(side, 2.0 * (i + u) / cells_ - 1.0, 2.0 * (j + v) / cells_ - 1.0);
+    };
+    const auto keep_farthest = [&](const Vec3 &d) {
+      start = climb(d, start);
       if (last_cell[index(start)] != cell) kept.push_back(start);
       last_cell[index(start)] = cell;
-    }
+    };
+    keep_farthest(direction(0.5, 0.5));  // the first one: that of outer_vertex()
+    Vec3 corner[4];
+    for (int k = 0; k < 4; ++k) keep_farthest(corner[k] = direction(k & 1, k >> 1));
     // A vertex that another one surpasses along all four corners is surpassed along all that lies between. Those that are
     // not hang together along edges, as their normal cones do.
     const auto surpassed = [&](const Vec3 &p) {
@@ -213,6 +217,10 @@ std::int32_t Polytope::support_vertex(const Vec3 &d) const {
     candidate += compared_at_once;
   } while (candidate != end);
   return best;
+}
+
+std::int32_t Polytope::outer_vertex(const Vec3 &d) const {
+  return candidates_[index(cell_begin_[index(cube_cell(d, cells_))])];
 }
 
 std::int32_t Polytope::climb(const Vec3 &d, std::int32_t start) const {

@@ -63,6 +63,8 @@ class Polytope {
   // The vertex farthest along d (not necessarily unit, finite), out of the few that a table names for directions like d;
   // the same for the same d whatever was asked before.
   std::int32_t support_vertex(const Vec3 &d) const;
+  // The vertex that is farthest along the middle of the directions that are like d: found by one look into the table.
+  std::int32_t outer_vertex(const Vec3 &d) const;
 
  private:
   void build_support_table();

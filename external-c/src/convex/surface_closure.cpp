@@ -11,7 +11,7 @@ constexpr double girdle_slope = 0.7;
 
 SurfaceClosure::SurfaceClosure(const MinkowskiDifference &difference, const Vec3 &normal, double radius)
     : difference_(difference), radius2_(radius * radius), normal_(normal),
-      far_(difference.support(-normal).w) {}
+      far_(difference.outer_point(-normal)) {}
 
 // Seen from outside p, q and r are in counter-clockwise turn: whether the origin is below their plane by the radius.
 bool SurfaceClosure::is_beyond(const Vec3 &p, const Vec3 &q, const Vec3 &r) const {
@@ -26,7 +26,7 @@ bool SurfaceClosure::put_girdle() {
   across_[0] = any_perpendicular(normal_);
   across_[1] = cross(normal_, across_[0]);
   for (int k = 0; k < girdle_points; ++k) {
-    girdle_[k] = difference_.support(girdle_slope * normal_ + cosine[k] * across_[0] + sine[k] * across_[1]).w;
+    girdle_[k] = difference_.outer_point(girdle_slope * normal_ + cosine[k] * across_[0] + sine[k] * across_[1]);
   }
   for (int k = 0; k < girdle_points; ++k) {
     if (!is_beyond(girdle_[k], far_, girdle_[k + 1 == girdle_points ? 0 : k + 1])) return false;

@@ -182,9 +182,7 @@ void SurfaceWalk::find_mean(const Facet &lowest, double radius, Result &result) 
     if (!(facet.height < radius)) continue;
     FacetIntegral integral(facet.normal, facet.height, radius);
     const Corner *const corner = surface_.corners_of(facet);
-    for (std::int32_t k = 0; k < facet.count; ++k) {
-      integral.add_edge(corner[k].at, surface_.end_of(facet, k));
-    }
+    integral.add_rim(facet.count, [&](std::int32_t k) -> const Vec3 & { return corner[k].at; });
     result.mean_outward = result.mean_outward + integral.value() * facet.normal;
   }
 }

@@ -66,26 +66,24 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : g
     double low = 1.0, high = 0.0;
     double normal_cone = 0.0;
     for (const Neighbourhood &corner : corners) {
-      const convex::Polytope::Face &face = geometry_.faces()[index(corner.face)];
-      corners_.push_back({face.normal, face.offset, corner.share, corner.face});
+      corners_.push_back({corner.share, corner.face});
       low = std::min(low, corner.share);
       high = std::max(high, corner.share);
     }
     constant_.push_back(high - low <= 1e-12 ? 0.5 * (high + low) : -1.0);
     all_constant_ = all_constant_ && constant_.back() >= 0.0;
-    for (std::size_t i = corners_.size() - corners.size(); i + 2 < corners_.size(); ++i) {
-      normal_cone += triangle_solid_angle(corners_[corners_.size() - corners.size()].normal, corners_[i + 1].normal,
-                                          corners_[i + 2].normal);
+    const auto normal = [&](std::size_t i) -> const Vec3 & { return geometry_.faces()[index(corners[i].face)].normal; };
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+      normal_cone += triangle_solid_angle(normal(0), normal(i + 1), normal(i + 2));
     }
     normal_cone_.push_back(std::fabs(normal_cone));
   }
   corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
   for (const convex::Polytope::Edge &edge : geometry_.edges()) {
     const double part = 2.0 * pi / (normal_cone(edge.vertex[0]) + normal_cone(edge.vertex[1]));
-    EdgeFaces &faces = edge_faces_.emplace_back();
+    EdgeStiffness &stiffness = edge_stiffness_.emplace_back();
     for (int side = 0; side < 2; ++side) {
-      faces.normal[side] = geometry_.faces()[index(edge.face[side])].normal;
-      faces.stiffness[side] =
+      stiffness.in_face[side] =
           part * (share_in(edge.vertex[0], edge.face[side]) + share_in(edge.vertex[1], edge.face[side]));
     }
   }
@@ -144,7 +142,7 @@ ContactPolytope::Share ContactPolytope::share(std::int32_t v, const Vec3 &down) 
   Share result{constant_[index(v)], {}, 1.0};
   if (result.value >= 0.0) {
     for (const FaceCorner *corner = first; corner != last; ++corner) {
-      result.least_cosine = std::min(result.least_cosine, dot(corner->normal, down));
+      result.least_cosine = std::min(result.least_cosine, dot(face_of(*corner).normal, down));
     }
     return result;
   }
@@ -155,7 +153,7 @@ ContactPolytope::Share ContactPolytope::share(std::int32_t v, const Vec3 &down) 
   double sum = 0.0, weighted = 0.0, least = 1.0;
   std::size_t i = 0;
   for (const FaceCorner *corner = first; corner != last; ++corner, ++i) {
-    const double cosine = dot(corner->normal, down);
+    const double cosine = dot(face_of(*corner).normal, down);
     least = std::min(least, cosine);
     const double inverse = inverse_term(cosine), influence = inverse * inverse;
     if (i < most_kept) kept[i] = inverse;
@@ -166,9 +164,10 @@ ContactPolytope::Share ContactPolytope::share(std::int32_t v, const Vec3 &down) 
   i = 0;
   double x = 0.0, y = 0.0, z = 0.0;
   for (const FaceCorner *corner = first; corner != last; ++corner, ++i) {
-    const double inverse = i < most_kept ? kept[i] : inverse_term(dot(corner->normal, down));
+    const Vec3 &normal = face_of(*corner).normal;
+    const double inverse = i < most_kept ? kept[i] : inverse_term(dot(normal, down));
     const double scale = factor * inverse * inverse * inverse * (corner->share - share);
-    x += scale * corner->normal.x, y += scale * corner->normal.y, z += scale * corner->normal.z;
+    x += scale * normal.x, y += scale * normal.y, z += scale * normal.z;
   }
   result.value = share;
   result.gradient.x = x, result.gradient.y = y, result.gradient.z = z;

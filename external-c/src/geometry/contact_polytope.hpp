@@ -30,14 +30,16 @@ class ContactPolytope {
 
   // A face as one of its vertices sees it.
   struct FaceCorner {
-    Vec3 normal;          // of the face
-    double offset = 0.0;  // normal . p for points p of the face
-    double share = 0.0;   // of the vertex in this face
+    double share = 0.0;  // of the vertex in this face
     std::int32_t face = 0;
   };
   // The faces at vertex v, in turn counter-clockwise from outside: [corners(v), corners(v + 1)).
   const FaceCorner *corners(std::int32_t v) const {
     return corners_.data() + corner_begin_[static_cast<std::size_t>(v)];
+  }
+
+  const convex::Polytope::Face &face_of(const FaceCorner &corner) const {
+    return geometry_.faces()[static_cast<std::size_t>(corner.face)];
   }
 
   struct Share {
@@ -48,13 +50,12 @@ class ContactPolytope {
   // The share of vertex v where the obstacle lies towards `down` (unit, in the polytope's frame); in (0, 1/2).
   Share share(std::int32_t v, const Vec3 &down) const;
 
-  // An edge's faces, and for each what the edge's ends, had they no other face, would carry in it if their normal cones
+  // For each of an edge's faces what the edge's ends, had they no other face, would carry in it if their normal cones
   // filled the hemisphere: the mean of their shares over the mean part of the hemisphere that their cones fill.
-  struct EdgeFaces {
-    Vec3 normal[2];
-    double stiffness[2];
+  struct EdgeStiffness {
+    double in_face[2];
   };
-  const EdgeFaces &edge_faces(std::int32_t edge) const { return edge_faces_[static_cast<std::size_t>(edge)]; }
+  const EdgeStiffness &edge_stiffness(std::int32_t edge) const { return edge_stiffness_[static_cast<std::size_t>(edge)]; }
 
   // Whether the share of every vertex is the same for all directions, as for a box.
   bool shares_are_constant() const { return all_constant_; }
@@ -91,7 +92,7 @@ class ContactPolytope {
   bool all_constant_ = true;
   double fineness_ = 0.0;
   std::vector<double> normal_cone_;         // solid angle of the whole cone
-  std::vector<EdgeFaces> edge_faces_;
+  std::vector<EdgeStiffness> edge_stiffness_;
   std::vector<Incidence> incidence_;
   std::vector<double> coordinates_, normal_coordinates_;  // of vertices and of faces, axis by axis
   // Of others: the hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without

@@ -55,14 +55,14 @@ double end_influence(double t) {
 }
 
 // Between an edge's faces, which are at the angles with the contact plane whose cosines are the normals' z.
-Stiffness edge_stiffness(const ContactPolytope::EdgeFaces &faces, const Vec3 &first, const Vec3 &second,
+Stiffness edge_stiffness(const ContactPolytope::EdgeStiffness &faces, const Vec3 &first, const Vec3 &second,
                          double turning) {
   constexpr double smallest = 1e-28;
-  if (faces.stiffness[0] == faces.stiffness[1]) return {faces.stiffness[0], {}};
+  if (faces.in_face[0] == faces.in_face[1]) return {faces.in_face[0], {}};
   const double u = 1.0 - first.z, v = 1.0 - second.z, part = 1.0 / (u * u + v * v + smallest);
-  const double value = (faces.stiffness[0] * (v * v) + faces.stiffness[1] * (u * u)) * part;
-  const double by_first = -2.0 * turning * part * u * (faces.stiffness[1] - value);
-  const double by_second = -2.0 * turning * part * v * (faces.stiffness[0] - value);
+  const double value = (faces.in_face[0] * (v * v) + faces.in_face[1] * (u * u)) * part;
+  const double by_first = -2.0 * turning * part * u * (faces.in_face[1] - value);
+  const double by_second = -2.0 * turning * part * v * (faces.in_face[0] - value);
   return {value, by_first * first + by_second * second};
 }
 
@@ -97,13 +97,15 @@ void DepthGraph::Lines::gather(const PolytopeSide &side, const Extent &region, d
 const DepthGraph::Ridge *DepthGraph::Lines::ridge(const PolytopeSide &side, std::int32_t edge, double turning) {
   Ridge &ridge = ridges[index(edge)];
   if (!ridge.known) {
-    const ContactPolytope::EdgeFaces &faces = side.body().edge_faces(side.edge(index(edge)).number);
+    const std::int32_t number = side.edge(index(edge)).number;
+    const convex::Polytope &geometry = side.body().geometry();
+    const std::int32_t *const face = geometry.edges()[index(number)].face;
     const convex::Mat3 &rotation = side.to_side().rotation;
-    Vec3 first = rotation * faces.normal[0], second = rotation * faces.normal[1];
+    Vec3 first = rotation * geometry.faces()[index(face[0])].normal, second = rotation * geometry.faces()[index(face[1])].normal;
     ridge.known = true;
     ridge.visible = (first.z > wall_cosine) | (second.z > wall_cosine);
     if (ridge.visible) {
-      ridge.stiffness = edge_stiffness(faces, first, second, turning);
+      ridge.stiffness = edge_stiffness(side.body().edge_stiffness(number), first, second, turning);
       ridge.visible = cut_arc(first, second);
       ridge.directions = {first, second};
     }

@@ -228,7 +228,8 @@ void PolytopeSide::gather_faces() {
       for (const auto *corner = body_->corners(v); corner != last; ++corner) {
         if (marks[corner->face] == gathering) continue;
         marks[corner->face] = gathering;
-        add(corner->normal, corner->offset);
+        const convex::Polytope::Face &face = body_->face_of(*corner);
+        add(face.normal, face.offset);
       }
     }
   }

@@ -19,11 +19,11 @@ bool visible_cone(const PolytopeSide &side, std::int32_t vertex, const convex::M
   // An apex with very many faces is taken with every second, third, ... of them.
   const auto count = static_cast<std::size_t>(body.corners(vertex + 1) - corners);
   const std::size_t step = 1 + count / (DirectionCone::capacity / 2);
-  const Vec3 first = rotation * corners[0].normal;
+  const Vec3 first = rotation * body.face_of(corners[0]).normal;
   Vec3 from = first;
   bool whole = step == 1;
   for (std::size_t i = 0; i < count; i += step) {
-    const Vec3 to = i + step < count ? rotation * corners[i + step].normal : first;
+    const Vec3 to = i + step < count ? rotation * body.face_of(corners[i + step]).normal : first;
     if (from.z >= 0.0) cone.add(from);
     if ((from.z < 0.0) != (to.z < 0.0)) {
       whole = false;

@@ -1,7 +1,8 @@
 // Building polytopes and hulls.
-#include <gtest/gtest.h>
-
+#include <cmath>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "random_bodies.hpp"
 
@@ -152,6 +153,24 @@ TEST(Hull, PointsOnASphereAreAllKept) {
     double best = -1;
     for (const Vec3 &v : hull.vertices()) best = std::max(best, dot(d, v));
     EXPECT_EQ(dot(d, hull.vertices()[static_cast<std::size_t>(hull.support_vertex(d))]), best);
+  }
+}
+
+// The vertex of a look into the table is farthest along a direction not farther off than a cell's corner is from its middle.
+TEST(Hull, OuterVerticesAreFarthestAlongDirectionsLikeTheOneAsked) {
+  Random random(6);
+  for (const int count : {20, 100, 1000}) {
+    Polytope hull;
+    ASSERT_TRUE(build_convex_hull(random_points(random, count, {1, 1, 1}, false), hull, nullptr, nullptr));
+    const double cells = std::ceil(std::sqrt(count * 4.0 / 3.0)), off = std::sqrt(2.0) / cells;
+    for (int k = 0; k < 2000; ++k) {
+      const Vec3 d = random.direction();
+      double best = -1;
+      for (const Vec3 &v : hull.vertices()) best = std::max(best, dot(d, v));
+      const double height = dot(d, hull.vertices()[static_cast<std::size_t>(hull.outer_vertex(d))]);
+      // Along a direction that is off by an angle, the farthest vertex is at most so much lower.
+      EXPECT_GE(height, best - 2.0 * off * hull.radius());
+    }
   }
 }
 
