@@ -76,6 +76,42 @@ TEST(InnerBall, LiesInTheDifference) {
   EXPECT_GT(edges, 100);  // where neither body holds the ball alone
 }
 
+// Plates and needles to 1:1000, where the farthest points along any direction touch a common plane: balls in the difference do
+// not depend on how deep the bodies are in each other.
+TEST(InnerBall, LiesInTheDifferenceOfSlenderBodies) {
+  Random random(8);
+  int found = 0;
+  for (int sample = 0; sample < 3000; ++sample) {
+    const auto length = [&random] { return random.log_uniform(1e-3, 1.0); };
+    const auto body = [&](int kind) {
+      return kind == 0   ? make_box({length(), length(), length()})
+             : kind == 1 ? make_ellipsoid({length(), length(), length()})
+             : kind == 2 ? make_cylinder(length(), length())
+             : kind == 3 ? make_cone(length(), length())
+                         : make_capsule(length(), length());
+    };
+    const ConvexBody a = body(sample % 5), b = body(sample / 5 % 5);
+    const Pose pose{sample % 3 == 0 ? Mat3{} : random_rotation(random), {}};
+    const MinkowskiDifference difference(a, b, pose);
+    // Of slender bodies most of the surface looks along few directions: others are asked as well.
+    const auto direction = [&] {
+      const Vec3 d = random.direction();
+      return normalized(Vec3{d.x * length(), d.y * length(), d.z * length()});
+    };
+    const Vec3 outward = direction();
+    const DifferencePoint top = difference.support(outward);
+    const double ball = inner_ball(a, b, pose, outward, top.a, top.b, INFINITY, 1e-12);
+    if (!(ball > 0.0)) continue;
+    ++found;
+    for (int k = 0; k < 1000; ++k) {
+      const Vec3 m = k % 2 == 0 ? direction() : normalized(outward + length() * direction());
+      ASSERT_GT(excess(difference, top.w, outward, ball, m), -1e-12)
+          << sample << ": " << static_cast<int>(a.core) << " " << static_cast<int>(b.core) << " ball " << ball;
+    }
+  }
+  EXPECT_GT(found, 1000);
+}
+
 TEST(InnerBall, OnABoxesFaceReachesToItsBorder) {
   const ConvexBody box = make_box({2, 2, 2}), ball = make_ellipsoid({0.5, 0.5, 0.5});
   const Pose pose{Mat3{}, {0.7, 0, 1.4}};
