@@ -89,6 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
                     RarePath{"a rim is nearest just beside a base's normal", {"cylinder", "cone"}, 1738, 0.04},
                     RarePath{"the ball is at rest to a tighter bound alone", {"cylinder", "cone"}, 3301, 0.04},
                     RarePath{"a rim over an edge as curved as the ball", {"cylinder", "hull"}, 7314, 0.04},
+                    RarePath{"a place beside the one the ball rests on is nearer by 1e-9", {"cylinder", "hull"}, 33018, 0.004},
                     RarePath{"a place nearly touched is one that the ball rests on", {"cylinder", "hull"}, 9502, 0.04},
                     RarePath{"a rim is nearest just beside a crease", {"cylinder", "hull"}, 5758, 0.004},
                     RarePath{"an edge nearly along a side", {"cylinder", "hull"}, 50250, 0.04, 2400},

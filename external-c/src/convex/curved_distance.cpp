@@ -28,9 +28,9 @@ constexpr double proof = 1e-8, searched = 1e-9;
 constexpr double shrinkage = 0.05, shrunk_gap = 0.02;
 // One minus the cosine up to which directions belong to one minimum.
 constexpr double same_minimum = 1e-5;
-// One minus the cosine up to which a direction is that of a place known to be near; how far places are from where a search saw
-// them (rad).
-constexpr double known_place = 1e-4, near_place = 0.05;
+// One minus the cosine up to which a direction is that of a place known to be near, and that angle; how far places are from where
+// a search saw them (rad).
+constexpr double known_place = 1e-4, beside_known = 0.015, near_place = 0.05;
 // The ways out ask for balls of up to so many depths.
 constexpr double ways_reach = 1.5;
 
@@ -219,8 +219,11 @@ CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult 
     return std::any_of(known->direction, known->direction + known->count,
                        [&d](const Vec3 &k) { return dot(k, d) > 1.0 - known_place; });
   };
+  // A further place as near to a known one as the search sees counts as that; it is beyond a border between them.
   if (!is_known(best.direction)) {
     take_lower(difference, refine_direction(difference, best.direction, best.a, best.b, near_place), best);
+  } else if (borders_nearby(difference, best.direction, beside_known)) {
+    take_lower(difference, refine_direction(difference, best.direction, best.a, best.b, beside_known), best);
   }
   scratch.expanding_polytope.find_others(inside.depth, inside);
   for (int k = 0; k < inside.other_count; ++k) {

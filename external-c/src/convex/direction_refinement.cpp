@@ -132,7 +132,7 @@ void find_witness(const MinkowskiDifference &difference, RefinedDirection &resul
 
 }  // namespace
 
-bool borders_nearby(const MinkowskiDifference &difference, const Vec3 &direction) {
+bool borders_nearby(const MinkowskiDifference &difference, const Vec3 &direction, double nearby) {
   constexpr double on_border = 1e-9;
   const auto among = [&direction](const Creases &creases) {
     for (int k = 0; k < creases.count; ++k) {
@@ -143,8 +143,8 @@ bool borders_nearby(const MinkowskiDifference &difference, const Vec3 &direction
     }
     return false;
   };
-  return among(creases_of_a(difference, direction, near_creases)) ||
-         among(creases_of_b(difference, direction, near_creases));
+  return among(creases_of_a(difference, direction, nearby)) ||
+         among(creases_of_b(difference, direction, nearby));
 }
 
 RefinedDirection refine_direction(const MinkowskiDifference &difference, const Vec3 &direction, const Vec3 &a,

@@ -23,7 +23,8 @@ constexpr double near_creases = 3e-3;  // rad
 RefinedDirection refine_direction(const MinkowskiDifference &difference, const Vec3 &direction, const Vec3 &a,
                                   const Vec3 &b, double nearby = near_creases, bool from_afar = false);
 
-// Whether circles or points are near a minimum `direction` (unit) that it is not on: another minimum there may be lower.
-bool borders_nearby(const MinkowskiDifference &difference, const Vec3 &direction);
+// Whether circles or points are nearer than `nearby` (radians) to a minimum `direction` (unit) that it is not on: another minimum
+// there may be lower.
+bool borders_nearby(const MinkowskiDifference &difference, const Vec3 &direction, double nearby = near_creases);
 
 }  // namespace cmb::convex
