@@ -56,15 +56,15 @@ void around_ellipsoid(const Vec3 &half, const Vec3 &p, const Vec3 &n, const Vec3
                       Surroundings &s) {
   const auto scaled = [&half](const Vec3 &x) { return Vec3{half.x * x.x, half.y * x.y, half.z * x.z}; };
   const double least = std::min({half.x, half.y, half.z}), most = std::max({half.x, half.y, half.z});
-  const Vec3 on_sphere{p.x / half.x, p.y / half.y, p.z / half.z}, inwards{n.x / half.x, n.y / half.y, n.z / half.z};
+  const Vec3 on_sphere{p.x / half.x, p.y / half.y, p.z / half.z}, outwards{n.x / half.x, n.y / half.y, n.z / half.z};
   s.inside = (norm(on_sphere) - 1.0) * most <= slack;
   s.ball = least * least / most;
   const Vec3 y = normalized(scaled(n)), su = scaled(u), sv = scaled(v);
   const Vec3 ru = su - dot(su, y) * y, rv = sv - dot(sv, y) * y;
   const double part = 0.5 / most;
   s.uu = part * norm2(ru), s.uv = part * dot(ru, rv), s.vv = part * norm2(rv);
-  // The line's other end, where |on_sphere - chord inwards| is 1 again: near the rim of a plate much shorter than it is thick.
-  s.chord = 2.0 * dot(on_sphere, inwards) / norm2(inwards);
+  // The line's other end, where |on_sphere - chord outwards| is 1 again: near the rim of a plate much shorter than it is thick.
+  s.chord = 2.0 * dot(on_sphere, outwards) / norm2(outwards);
 }
 
 // The disc of radius r about the z axis: its excess in m is (r - |p|) |m'| + |p| (|m'| - m' . p / |p|), m' being m's part
