@@ -33,14 +33,18 @@ class DirectionSums {
   // The direction's point with its load multiplied by `scale`; false where nothing pushes. In the frame of the sums.
   bool point(std::size_t direction, const Vec3 &center, double scale, ContactPoint &result) const {
     const Sum &sum = sums_[direction];
-    const double force = norm(sum.force);
-    if (!(sum.load > 0.0) || !(force > 0.0)) return false;
+    // By parts of the greatest component: squares of loads of bodies that hardly touch would underflow.
+    const double greatest = std::fmax(std::fabs(sum.force.x), std::fmax(std::fabs(sum.force.y), std::fabs(sum.force.z)));
+    if (!(sum.load > 0.0) || !(greatest > 0.0)) return false;
     const double depth = sum.energy / sum.load;
     if (!(depth > 0.0)) return false;
-    const Vec3 normal{sum.force.x / force, sum.force.y / force, sum.force.z / force};
-    const Vec3 middle = (1.0 / sum.load) * sum.moment;
+    const Vec3 parts{sum.force.x / greatest, sum.force.y / greatest, sum.force.z / greatest};
+    const double force = greatest * norm(parts);
+    const Vec3 normal = normalized(parts);
+    const Vec3 middle{sum.moment.x / sum.load, sum.moment.y / sum.load, sum.moment.z / sum.load};
     const Vec3 rest = sum.torque - cross(middle, sum.force);
-    const Vec3 place = center + middle + (1.0 / (force * force)) * cross(sum.force, rest) + (0.5 * depth) * normal;
+    const Vec3 aside = cross(normal, {rest.x / force, rest.y / force, rest.z / force});
+    const Vec3 place = center + middle + aside + (0.5 * depth) * normal;
     result = {depth, scale * force / depth, normal, place};
     return result.weight > 0.0;
   }
