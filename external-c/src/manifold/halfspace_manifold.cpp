@@ -53,12 +53,13 @@ class Collector {
 
   // Ends the collection: `lowest` is the shape's lowest point.
   void finish(const Vec3 &lowest) {
-    // By rounding a point may be lower than the lowest one.
+    // By rounding a point may be lower than the lowest one, or none below the plane where that is.
+    const bool carries = result_.points.size() > begin_;
     const double deepest = greatest_depth(result_.points, begin_), lowest_height = height(lowest);
-    result_.distance = deepest > std::fmax(0.0, -lowest_height) ? -deepest : lowest_height;
+    result_.distance = carries ? -std::fmax(deepest, -lowest_height) : std::fmax(0.0, lowest_height);
     result_.normal = plane_.normal;
     result_.witness = pose_(lowest) - 0.5 * result_.distance * plane_.normal;
-    if (result_.points.size() == begin_) return;
+    if (!carries) return;
     // Energy that changes with the direction alone asks for a torque; a shift of the points supplies it.
     const Vec3 tangential = missing_ - dot(missing_, down_) * down_;
     const Vec3 shift = (1.0 / load_) * (pose_.rotation * tangential);
