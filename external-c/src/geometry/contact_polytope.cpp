@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "convex/branch_free.hpp"
 #include "convex/convex_hull.hpp"
 #include "geometry/solid_angle.hpp"
 
