@@ -87,10 +87,13 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : g
           part * (share_in(edge.vertex[0], edge.face[side]) + share_in(edge.vertex[1], edge.face[side]));
     }
   }
-  if (geometry_.edges().size() <= most_in_set) build_sets();
-  std::vector<Vec3> normals;
-  for (const convex::Polytope::Face &face : geometry_.faces()) normals.push_back(face.normal);
-  convex::build_convex_hull(normals, normals_, nullptr, nullptr);
+  if (geometry_.edges().size() <= most_in_set) {
+    build_sets();
+  } else {
+    std::vector<Vec3> normals;
+    for (const convex::Polytope::Face &face : geometry_.faces()) normals.push_back(face.normal);
+    convex::build_convex_hull(normals, normals_, nullptr, nullptr);
+  }
   if (meaning == Corners::curve) return;
   double radius = 0.0;
   for (const Vec3 &v : geometry_.vertices()) radius = std::max(radius, norm(v - geometry_.center()));
@@ -109,6 +112,7 @@ void ContactPolytope::build_sets() {
   }
   for (int axis = 0; axis < 3; ++axis) {
     for (const Vec3 &vertex : geometry_.vertices()) coordinates_.push_back(vertex[axis]);
+    for (const convex::Polytope::Face &face : geometry_.faces()) normal_coordinates_.push_back(face.normal[axis]);
   }
 }
 
@@ -117,6 +121,13 @@ double ContactPolytope::share_in(std::int32_t v, std::int32_t face) const {
 }
 
 double ContactPolytope::greatest_face_cosine(const Vec3 &direction) const {
+  if (has_sets()) {
+    const std::size_t count = geometry_.faces().size();
+    const double *const x = normal_coordinates_.data(), *const y = x + count, *const z = y + count;
+    double cosine[most_in_set];
+    for (std::size_t k = 0; k < count; ++k) cosine[k] = direction.x * x[k] + direction.y * y[k] + direction.z * z[k];
+    return convex::greatest_of(cosine, count);
+  }
   if (!normals_.vertices().empty()) return dot(direction, normals_.vertices()[index(normals_.support_vertex(direction))]);
   double greatest = -1.0;
   for (const convex::Polytope::Face &face : geometry_.faces()) {

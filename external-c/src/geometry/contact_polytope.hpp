@@ -94,9 +94,9 @@ class ContactPolytope {
   std::vector<double> normal_cone_;         // solid angle of the whole cone
   std::vector<EdgeStiffness> edge_stiffness_;
   std::vector<Incidence> incidence_;
-  std::vector<double> coordinates_;  // of vertices, axis by axis
-  // The hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without vertices
-  // where it could not be made.
+  std::vector<double> coordinates_, normal_coordinates_;  // of vertices and of faces, axis by axis
+  // Of others: the hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without
+  // vertices where it could not be made.
   convex::Polytope normals_;
 };
 
