@@ -219,11 +219,11 @@ CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult 
     return std::any_of(known->direction, known->direction + known->count,
                        [&d](const Vec3 &k) { return dot(k, d) > 1.0 - known_place; });
   };
-  // A further place as near to a known one as the search sees counts as that; it is beyond a border between them.
-  if (!is_known(best.direction)) {
-    take_lower(difference, refine_direction(difference, best.direction, best.a, best.b, near_place), best);
-  } else if (borders_nearby(difference, best.direction, beside_known)) {
-    take_lower(difference, refine_direction(difference, best.direction, best.a, best.b, beside_known), best);
+  // Beside a known place a further one that the search does not tell from it can only be beyond a border.
+  const bool at_known = is_known(best.direction);
+  if (!at_known || borders_nearby(difference, best.direction, beside_known)) {
+    const double nearby = at_known ? beside_known : near_place;
+    take_lower(difference, refine_direction(difference, best.direction, best.a, best.b, nearby), best);
   }
   scratch.expanding_polytope.find_others(inside.depth, inside);
   for (int k = 0; k < inside.other_count; ++k) {

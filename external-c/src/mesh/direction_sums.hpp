@@ -39,8 +39,8 @@ class DirectionSums {
     const double depth = sum.energy / sum.load;
     if (!(depth > 0.0)) return false;
     const Vec3 parts{sum.force.x / greatest, sum.force.y / greatest, sum.force.z / greatest};
-    const double force = greatest * norm(parts);
-    const Vec3 normal = normalized(parts);
+    const double length = norm(parts), force = greatest * length;
+    const Vec3 normal{parts.x / length, parts.y / length, parts.z / length};
     const Vec3 middle{sum.moment.x / sum.load, sum.moment.y / sum.load, sum.moment.z / sum.load};
     const Vec3 rest = sum.torque - cross(middle, sum.force);
     const Vec3 aside = cross(normal, {rest.x / force, rest.y / force, rest.z / force});
