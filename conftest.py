@@ -6,29 +6,29 @@ import os
 from pathlib import Path
 
 import pytest
-from cmb_base.cache import user_cache
+from contact_foundation.cache import user_cache
 
 # What takes longest comes first, so that no process is left alone with it in the end (scripts/test).
 LONGEST_FIRST = (
-    "generator/tests/cad2modelica/test_every_loop.py",
+    "generator/tests/cad2modelica/kinematics/test_every_loop.py",
     "command/tests/test_library_cases.py",
     "command/tests/test_known_answers.py",
     "command/tests/test_hammer.py",
-    "ContactMultiBody/tests/test_flatten.py",
+    "library-tests/test_flatten.py",
     "command/tests/test_anton.py",
     "command/tests/test_reference_cases.py",
     "Resources/tests/test_core_motion.py",
-    "generator/tests/cad2modelica/test_decomposition.py",
-    "generator/tests/cad2modelica/test_overconstrained_loops.py",
+    "generator/tests/cad2modelica/collision/test_decomposition.py",
+    "generator/tests/cad2modelica/kinematics/test_overconstrained_loops.py",
     "command/tests/test_effects.py",
     "generator/tests/cad2modelica/test_generation.py",
-    "generator/tests/cad2modelica/test_loops.py",
-    "ContactMultiBody/tests/test_compiled_response.py",
-    "ContactMultiBody/tests/test_laws.py",
+    "generator/tests/cad2modelica/kinematics/test_loops.py",
+    "library-tests/test_compiled_response.py",
+    "library-tests/test_laws.py",
     "generator/tests/fmi_runtime/test_built_fmus.py",
     "command/tests/test_fmu_command.py",
     "Resources/tests/test_core_drives.py",
-    "generator/tests/cad2modelica/test_joints_and_loops.py",
+    "generator/tests/cad2modelica/kinematics/test_joints_and_loops.py",
     "generator/tests/fmi_runtime/test_packaging.py",
 )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from cmb_base.errors import InputError, Place
+from contact_foundation.errors import InputError, Place
 
 _ENDINGS = (".xml", ".urdf")
 

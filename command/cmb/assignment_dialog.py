@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
-from cad2modelica.actuator_catalogue import IDEAL, SENSOR, ComponentClass, Parameter, Signal, components_for
-from cad2modelica.actuator_file import Assignment, finite_number, parameter_value
-from cad2modelica.actuators import rated_parameters
-from cad2modelica.model import Joint
-from cmb_base.errors import InputError
+from cad2modelica.actuators.catalogue import IDEAL, SENSOR, ComponentClass, Parameter, Signal, components_for
+from cad2modelica.actuators.file import Assignment, finite_number, parameter_value
+from cad2modelica.actuators.placement import rated_parameters
+from cad2modelica.mechanism.model import Joint
+from contact_foundation.errors import InputError
 
 Ask = Callable[[str], str]
 Tell = Callable[[str], None]

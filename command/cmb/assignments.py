@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 
 
 def parse_assignments(words: Sequence[str]) -> dict[str, str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cmb_base.cache import user_cache
+from contact_foundation.cache import user_cache
 from modelica2fmu.build import BuildOptions
 from modelica2fmu.packaging import FmiVersion, SolverOptions
 

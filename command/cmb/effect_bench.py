@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from cmb_base.progress import Progress
+from contact_foundation.progress import Progress
 from modelica2fmu.build import build_fmu
 from scene_effects.measurement import Bench, BuildFigures, RunOptions
 

@@ -5,8 +5,8 @@ model = "AntonWalk.Walk"   # instead of the generated mechatronic model, which i
 sources = ["AntonWalk"]    # Modelica files and packages it needs, beside this file
 ```
 
-and the tables ``[[plot]]`` and ``[[number]]`` of ``fmu_regression.figures``. The file and the model belong to the
-modeller; no generation touches them.
+and the tables ``[[plot]]`` and ``[[number]]`` of ``fmu_regression.report.figures``. The file and the model belong to
+the modeller; no generation touches them.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from cmb_base.errors import InputError, Place
-from fmu_regression.figures import NO_FIGURES, Figures, read_figures
+from contact_foundation.errors import InputError, Place
+from fmu_regression.report.figures import NO_FIGURES, Figures, read_figures
 
 FILE_NAME = "experiment.toml"
 MAXIMUM_BYTES = 2**20

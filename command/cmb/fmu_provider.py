@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from cmb_base.progress import Progress
-from fmu_regression.case import Case
-from fmu_regression.runner import Skip
+from contact_foundation.progress import Progress
+from fmu_regression.cases.case import Case
+from fmu_regression.cases.runner import Skip
 from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.standard_library import CORE_SUBSET, find_standard_library
 

@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from types import FrameType
 
-from cmb_base.errors import EXIT_FAILURE, EXIT_INPUT, CmbError
+from contact_foundation.errors import EXIT_FAILURE, EXIT_INPUT, CmbError
 
 # Errors of the operating system that come from a path the user gave.
 _WRONG_PATHS = {

@@ -11,10 +11,10 @@ import pytest
 from cmb.fmu_provider import FmuProvider
 from cmb.main import main
 from cmb.project import LIBRARY
-from cmb_base.progress import silent
-from fmu_regression.case import load_case
-from fmu_regression.runner import Skip, Verdict, run_case
-from fmu_regression.summary import text_table
+from contact_foundation.progress import silent
+from fmu_regression.cases.case import load_case
+from fmu_regression.cases.runner import Skip, Verdict, run_case
+from fmu_regression.report.case_summary import text_table
 from modelica2fmu.build import BuildOptions
 from program import HAMMER, CaseCheck, Cmb
 

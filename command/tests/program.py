@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from cmb.project import CASES, ROOT
-from fmu_regression.case import find_cases
+from fmu_regression.cases.case import find_cases
 
 Cmb = Callable[..., "subprocess.CompletedProcess[str]"]
 

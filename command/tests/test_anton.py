@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cmb.project import ROOT
-from fmu_regression.fmu import read_description
-from fmu_regression.loads import mean_over_time, pair_loads
-from fmu_regression.motion import body_motions, center_of_mass
-from fmu_regression.result import FloatArray, SimulationResult
-from fmu_regression.scene import Scene, load_scene
-from fmu_regression.signals import signals_for
-from fmu_regression.simulate import simulate
+from fmu_regression.fmi.fmu import read_description
+from fmu_regression.results.result import FloatArray, SimulationResult
+from fmu_regression.scene.loads import mean_over_time, pair_loads
+from fmu_regression.scene.motion import body_motions, center_of_mass
+from fmu_regression.scene.scene_file import Scene, load_scene
+from fmu_regression.scene.signals import signals_for
+from fmu_regression.simulate.simulation import simulate
 from program import Cmb
 
 ANTON = ROOT / "Resources" / "cad" / "anton"

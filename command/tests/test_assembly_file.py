@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from cmb.assembly_file import find_assembly
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 
 
 def test_folder_with_one_file(tmp_path: Path) -> None:

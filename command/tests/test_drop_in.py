@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cmb.project import LIBRARY
-from fmu_regression.fmu import ModelDescription, open_fmu
-from fmu_regression.result import SimulationResult
-from fmu_regression.simulate import simulate
+from fmu_regression.fmi.fmu import ModelDescription, open_fmu
+from fmu_regression.results.result import SimulationResult
+from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu
 
 THEIRS = "Modelica.Mechanics.MultiBody.Parts"

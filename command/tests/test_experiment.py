@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from cmb.experiment import FILE_NAME, MAXIMUM_BYTES, Experiment, find_experiment, read_experiment
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 
 
 def write(folder: Path, text: str) -> Path:

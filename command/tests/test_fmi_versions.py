@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from fmu_regression.fmu import read_description
-from fmu_regression.result import read_csv
+from fmu_regression.fmi.fmu import read_description
+from fmu_regression.results.result import read_csv
 from program import Cmb
 
 MODEL = "ContactMultiBody.Examples.BallOnFloor"

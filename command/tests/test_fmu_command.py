@@ -8,8 +8,8 @@ import re
 from pathlib import Path
 
 import pytest
-from cmb_base.cache import user_cache
-from fmu_regression.fmu import read_description
+from contact_foundation.cache import user_cache
+from fmu_regression.fmi.fmu import read_description
 from program import Cmb
 
 FALLING = """model Falling "A falling point"

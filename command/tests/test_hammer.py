@@ -10,13 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
-from fmu_regression.energy import energy_balance
-from fmu_regression.fmu import read_description
-from fmu_regression.impacts import find_impacts
-from fmu_regression.result import SimulationResult, read_csv
-from fmu_regression.scene import Scene, load_scene
-from fmu_regression.signals import signals_for
-from fmu_regression.simulate import simulate
+from fmu_regression.fmi.fmu import read_description
+from fmu_regression.results.result import SimulationResult, read_csv
+from fmu_regression.scene.energy import energy_balance
+from fmu_regression.scene.impacts import find_impacts
+from fmu_regression.scene.scene_file import Scene, load_scene
+from fmu_regression.scene.signals import signals_for
+from fmu_regression.simulate.simulation import simulate
 from lxml import html
 from program import HAMMER, Cmb
 

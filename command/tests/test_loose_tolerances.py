@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from cmb.fmu_provider import FmuProvider
 from cmb.project import CASES
-from fmu_regression.case import load_case
-from fmu_regression.fmu import Mode
-from fmu_regression.simulate import simulate
+from fmu_regression.cases.case import load_case
+from fmu_regression.fmi.fmu import Mode
+from fmu_regression.simulate.simulation import simulate
 
 GRAVITY, FRICTION, SPEED = 9.81, 0.3, 2.0
 DISTANCE = SPEED**2 / (2.0 * FRICTION * GRAVITY)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from cmb.project import LIBRARY, ROOT
-from fmu_regression.simulate import simulate
+from fmu_regression.simulate.simulation import simulate
 from program import Cmb
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from cmb.commands import run
 from cmb.main import main
-from cmb_base.output import MARKER
+from contact_foundation.output import MARKER
 
 ROBOT = """<robot name="r"><link name="a"><inertial><mass value="1"/>
 <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>"""

@@ -5,34 +5,32 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from cmb_base.errors import InputError
-from cmb_base.output import whole_folder
-from cmb_base.progress import Progress, silent
+from contact_foundation.errors import InputError
+from contact_foundation.output import whole_folder
+from contact_foundation.progress import Progress, silent
 
-from cad2modelica.actuator_file import FILE_NAME, Assignment, named_joints, read_assignments
-from cad2modelica.actuators import place_actuators
-from cad2modelica.assembling import assembled, require_closed
-from cad2modelica.assembly_choices import with_grounded, with_stops
-from cad2modelica.collision_shapes import MAXIMUM_PIECES
-from cad2modelica.contact_pairs import contact_pairs, within_reach
-from cad2modelica.generation_notes import overlap_notes, speed_notes, unit_notes
-from cad2modelica.generation_report import ReportInput, report_html
-from cad2modelica.graph_drawing import graph_svg
-from cad2modelica.joint_couplings import with_couplings
-from cad2modelica.joint_distance import distance_notes
-from cad2modelica.kinematic_graph import kinematic_tree
-from cad2modelica.loops import analyse_loops
-from cad2modelica.lost import require_nothing_lost
-from cad2modelica.mechanism_building import mechanism_view
-from cad2modelica.mechanism_draft import RESERVED
-from cad2modelica.mechanism_pictures import mechanism_pictures
-from cad2modelica.model import Assembly, Decomposer, DecompositionLimits
-from cad2modelica.modelica_names import NamePool
-from cad2modelica.own_files import GRAPH, ORDER, REPORT, SCENE, find_own_files
-from cad2modelica.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
-from cad2modelica.part_geometries import part_geometries
+from cad2modelica.actuators.file import FILE_NAME, Assignment, named_joints, read_assignments
+from cad2modelica.actuators.placement import place_actuators
+from cad2modelica.collision.collision_shapes import MAXIMUM_PIECES
+from cad2modelica.collision.contact_pairs import contact_pairs, within_reach
+from cad2modelica.collision.part_geometries import part_geometries
+from cad2modelica.collision.start_overlaps import start_overlaps
+from cad2modelica.emit.mechanism_building import mechanism_view
+from cad2modelica.emit.mechanism_draft import RESERVED
+from cad2modelica.emit.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
+from cad2modelica.emit.scene_file import scene_text
+from cad2modelica.kinematics.assembling import assembled, require_closed
+from cad2modelica.kinematics.joint_couplings import with_couplings
+from cad2modelica.kinematics.kinematic_graph import kinematic_tree
+from cad2modelica.kinematics.loops import analyse_loops
+from cad2modelica.kinematics.spherical_axes import with_spherical_axes
+from cad2modelica.mechanism.assembly_choices import with_grounded, with_stops
+from cad2modelica.mechanism.joint_distance import distance_notes
+from cad2modelica.mechanism.model import Assembly, Decomposer, DecompositionLimits
+from cad2modelica.modelica.names import NamePool
 from cad2modelica.reading import read_assembly
-from cad2modelica.regeneration import (
+from cad2modelica.regenerate.own_files import GRAPH, ORDER, REPORT, SCENE, find_own_files
+from cad2modelica.regenerate.regeneration import (
     MECHATRONICS_FILE,
     RECORD,
     Edited,
@@ -45,11 +43,13 @@ from cad2modelica.regeneration import (
     record_text,
     require_same_structure,
 )
-from cad2modelica.renames import Renames, marks_in, marks_of, renames
-from cad2modelica.scene_file import scene_text
-from cad2modelica.spherical_axes import with_spherical_axes
-from cad2modelica.start_overlaps import start_overlaps
-from cad2modelica.structure import Structure, structure_of
+from cad2modelica.report.generation_notes import overlap_notes, speed_notes, unit_notes
+from cad2modelica.report.generation_report import ReportInput, report_html
+from cad2modelica.report.graph_drawing import graph_svg
+from cad2modelica.report.mechanism_pictures import mechanism_pictures
+from cad2modelica.source.lost import require_nothing_lost
+from cad2modelica.structure.entries import Structure, structure_of
+from cad2modelica.structure.renames import Renames, marks_in, marks_of, renames
 
 GENERATED = ("package.mo", "Mechanics.mo", "Geometry.mo", RECORD)
 

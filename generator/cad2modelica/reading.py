@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from cmb_base.progress import Progress, silent
+from contact_foundation.progress import Progress, silent
 
-from cad2modelica.assembly_reader import read_assembly_xml
-from cad2modelica.model import Assembly
-from cad2modelica.urdf_reader import read_urdf
-from cad2modelica.xml_document import read_xml
+from cad2modelica.assembly.reader import read_assembly_xml
+from cad2modelica.mechanism.model import Assembly
+from cad2modelica.source.xml_document import read_xml
+from cad2modelica.urdf.reader import read_urdf
 
 
 def read_assembly(path: Path, progress: Progress = silent) -> Assembly:

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Final
 
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 
 from modelica2fmu import expression as ex
 from modelica2fmu import ir

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from cmb_base.progress import Progress, silent
+from contact_foundation.progress import Progress, silent
 
 from modelica2fmu.blocks import Block, LinearBlock, NonlinearBlock
 from modelica2fmu.fingerprint import fingerprint

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from cmb_base.errors import InputError, Place, UnsupportedModelError
+from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
 from modelica2fmu import arrays, ir
 from modelica2fmu import expression as ex

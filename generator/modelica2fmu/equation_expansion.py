@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from cmb_base.errors import InputError, UnsupportedModelError
+from contact_foundation.errors import InputError, UnsupportedModelError
 
 from modelica2fmu import arrays, ir
 from modelica2fmu import expression as ex

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from cmb_base.errors import UnsupportedModelError
+from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu import expression as ex
 from modelica2fmu import ir

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from typing import Final
 
 import numpy as np
-from cmb_base.errors import UnsupportedModelError
+from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu import arrays, ir
 from modelica2fmu import expression as ex

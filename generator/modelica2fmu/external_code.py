@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Final
 
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 
 from modelica2fmu.description import ExternalCode
 

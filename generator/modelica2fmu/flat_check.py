@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Final
 
-from cmb_base.errors import UnsupportedModelError
+from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu.class_instances import ClassInstance, Component, Names, Role, UnknownError, Value
 from modelica2fmu.class_syntax import Modifier

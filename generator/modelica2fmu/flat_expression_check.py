@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-from cmb_base.errors import UnsupportedModelError
+from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu.class_instances import ClassInstance, UnknownError, Value
 from modelica2fmu.class_syntax import Extent

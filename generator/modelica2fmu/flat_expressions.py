@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, Final
 
-from cmb_base.errors import UnsupportedModelError
+from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu import ir
 from modelica2fmu.source_map import SourceMap

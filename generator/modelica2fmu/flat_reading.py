@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-from cmb_base.errors import Place, UnsupportedModelError
+from contact_foundation.errors import Place, UnsupportedModelError
 
 from modelica2fmu.class_instances import Role, Value
 from modelica2fmu.class_library import ClassLibrary

@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 from typing import Any, Final
 
-from cmb_base.output import whole_file
+from contact_foundation.output import whole_file
 
 from modelica2fmu.report import BuildReport
 

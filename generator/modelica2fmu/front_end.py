@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
-from cmb_base.errors import InputError, Place
+from contact_foundation.errors import InputError, Place
 
 from modelica2fmu import ir
 from modelica2fmu.class_library import ClassLibrary

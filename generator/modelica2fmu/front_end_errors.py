@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from typing import Final
 
-from cmb_base.errors import InputError, Place
+from contact_foundation.errors import InputError, Place
 
 from modelica2fmu.class_text import without_comments_and_strings
 from modelica2fmu.front_end_runner import LAYOUT, Answer

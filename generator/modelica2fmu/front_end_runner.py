@@ -17,8 +17,8 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from cmb_base.cache import user_cache
-from cmb_base.errors import BuildError
+from contact_foundation.cache import user_cache
+from contact_foundation.errors import BuildError
 
 from modelica2fmu.cache_pruning import prune_front_end_cache
 

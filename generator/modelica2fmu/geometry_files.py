@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 
 from modelica2fmu.external_code import resource_path
 from modelica2fmu.scalar_model import CallArgument, ExternalCall

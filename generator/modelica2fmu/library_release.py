@@ -16,9 +16,9 @@ from pathlib import Path, PurePosixPath
 from types import MappingProxyType
 from typing import IO, Final
 
-from cmb_base.errors import BuildError, InputError, Place
-from cmb_base.output import whole_folder
-from cmb_base.progress import Progress, silent
+from contact_foundation.errors import BuildError, InputError, Place
+from contact_foundation.output import whole_folder
+from contact_foundation.progress import Progress, silent
 
 from modelica2fmu.standard_library import StandardLibrary, cache_folder
 

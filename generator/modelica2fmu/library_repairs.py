@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from cmb_base.cache import user_cache
+from contact_foundation.cache import user_cache
 
 from modelica2fmu.cache_pruning import mark_used
 from modelica2fmu.source_map import SourceMap

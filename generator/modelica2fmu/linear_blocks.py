@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Final
 
-from cmb_base.errors import InputError, Place
+from contact_foundation.errors import InputError, Place
 
 from modelica2fmu import expression as ex
 from modelica2fmu import ir

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from cmb_base.errors import BuildError, CmbError, InputError, Place
-from cmb_base.output import whole_file
-from cmb_base.progress import Progress, silent
+from contact_foundation.errors import BuildError, CmbError, InputError, Place
+from contact_foundation.output import whole_file
+from contact_foundation.progress import Progress, silent
 
 from modelica2fmu.packaging import FmiVersion
 from modelica2fmu.sources import locate

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 
-from cmb_base.progress import Progress, silent
+from contact_foundation.progress import Progress, silent
 
 
 class PhaseClock:

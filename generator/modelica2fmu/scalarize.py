@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from cmb_base.errors import UnsupportedModelError
+from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu import expression as ex
 from modelica2fmu import ir

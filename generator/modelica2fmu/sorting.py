@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 
-from cmb_base.errors import InputError, Place, UnsupportedModelError
+from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
 from modelica2fmu import expression as ex
 from modelica2fmu import ir

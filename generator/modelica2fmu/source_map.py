@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from cmb_base.errors import Place
+from contact_foundation.errors import Place
 
 from modelica2fmu.ir import Span
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from cmb_base.errors import InputError, Place
+from contact_foundation.errors import InputError, Place
 
 
 def locate(model: str, sources: Sequence[Path]) -> tuple[Path, list[Path]]:

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from cmb_base.cache import user_cache
-from cmb_base.errors import InputError, Place
+from contact_foundation.cache import user_cache
+from contact_foundation.errors import InputError, Place
 
 CORE_SUBSET: Final = "core subset"
 """Origin of the project's own subset."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
-from cmb_base.errors import Place, UnsupportedModelError
+from contact_foundation.errors import Place, UnsupportedModelError
 
 from modelica2fmu import expression as ex
 from modelica2fmu import ir

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from cmb_base.errors import InputError, Place, UnsupportedModelError
+from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
 _LARGEST: Final = 64 << 20  # bytes
 _HEAD: Final = re.compile(r"\s*(?:double|float)\s+(\w+)\s*\(\s*(\d+)\s*,\s*(\d+)\s*\)\s*(.*)", re.DOTALL)

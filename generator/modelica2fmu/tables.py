@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from cmb_base.errors import InputError, UnsupportedModelError
+from contact_foundation.errors import InputError, UnsupportedModelError
 
 from modelica2fmu import arrays
 from modelica2fmu import expression as ex

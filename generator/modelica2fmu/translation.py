@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 
 from modelica2fmu import expression as ex
 from modelica2fmu.alias import ReducedModel, eliminate_aliases

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from cmb_base.errors import InputError, UnsupportedModelError
+from contact_foundation.errors import InputError, UnsupportedModelError
 
 from modelica2fmu import ir
 from modelica2fmu.arrays import Value

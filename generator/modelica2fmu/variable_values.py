@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from cmb_base.errors import InputError, UnsupportedModelError
+from contact_foundation.errors import InputError, UnsupportedModelError
 
 from modelica2fmu import arrays, ir
 from modelica2fmu import expression as ex

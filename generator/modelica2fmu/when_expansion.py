@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 
 from modelica2fmu import arrays, ir
 from modelica2fmu import expression as ex

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from fmu_regression.simulate import simulate
+from fmu_regression.simulate.simulation import simulate
 
 RESTITUTION = (0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0)
 SPEED = (0.01, 0.1, 1.0, 10.0)

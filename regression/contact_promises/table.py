@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from cmb_base.progress import Progress, silent
-from fmu_regression.case import Case, load_case
-from fmu_regression.checks import BoundCheck, ValueCheck
-from fmu_regression.runner import RunResult, run_case
+from contact_foundation.progress import Progress, silent
+from fmu_regression.cases.case import Case, load_case
+from fmu_regression.cases.runner import RunResult, run_case
+from fmu_regression.compare.checks import BoundCheck, ValueCheck
 
 from contact_promises.impacts import RESTITUTION, all_impacts, errors
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from cmb_base.errors import InputError
-from cmb_base.progress import Progress, silent
+from contact_foundation.errors import InputError
+from contact_foundation.progress import Progress, silent
 
 from scene_effects.choices import Change
 from scene_effects.findings import Finding, Verdict, find

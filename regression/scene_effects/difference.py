@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from fmu_regression.result import SimulationResult
+from fmu_regression.results.result import SimulationResult
 
 from scene_effects.manager import Manager
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from cmb_base.errors import InputError, Place
-from fmu_regression.fmu import ModelDescription
-from fmu_regression.result import SimulationResult
+from contact_foundation.errors import InputError, Place
+from fmu_regression.fmi.fmu import ModelDescription
+from fmu_regression.results.result import SimulationResult
 
 from scene_effects.choices import Friction, Restitution
 

@@ -6,11 +6,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from cmb_base.errors import CmbError
-from cmb_base.progress import Progress, silent
-from fmu_regression.fmu import ModelDescription, read_description
-from fmu_regression.result import SimulationResult, SolverCounters
-from fmu_regression.simulate import simulate
+from contact_foundation.errors import CmbError
+from contact_foundation.progress import Progress, silent
+from fmu_regression.fmi.fmu import ModelDescription, read_description
+from fmu_regression.results.result import SimulationResult, SolverCounters
+from fmu_regression.simulate.simulation import simulate
 
 from scene_effects.choices import Change
 from scene_effects.difference import Difference, motion_difference

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from fmu_regression.fmu import ModelDescription
-from fmu_regression.result import FloatArray, SimulationResult
+from fmu_regression.fmi.fmu import ModelDescription
+from fmu_regression.results.result import FloatArray, SimulationResult
 from numpy.typing import NDArray
 
 from scene_effects.manager import Manager, Parameters

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass
 
-from cmb_base.errors import InputError, SimulationError
-from cmb_base.progress import Progress, silent
+from contact_foundation.errors import InputError, SimulationError
+from contact_foundation.progress import Progress, silent
 
 from scene_effects.manager import Manager
 from scene_effects.measurement import Bench, Measurement

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-from cmb_base.output import whole_file
-from fmu_regression.page import Cell, Column, Row, Section, Table, Tile, render_page
+from contact_foundation.output import whole_file
+from fmu_regression.report.page import Cell, Column, Row, Section, Table, Tile, render_page
 
 from scene_effects.measurement import Measurement
 from scene_effects.study import EffectStudy

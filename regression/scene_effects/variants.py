@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from cmb_base.output import whole_file
+from contact_foundation.output import whole_file
 
 from scene_effects.choices import Change, Friction, Restitution
 from scene_effects.manager import Manager, Parameters

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from fmu_regression.result import SimulationResult
+from fmu_regression.results.result import SimulationResult
 from scipy.integrate import solve_ivp
 
 G = 9.81

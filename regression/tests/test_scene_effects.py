@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cmb_base.errors import InputError
-from fmu_regression.fmu import ModelDescription, Variable
-from fmu_regression.result import FloatArray, SimulationResult, SolverCounters
+from contact_foundation.errors import InputError
+from fmu_regression.fmi.fmu import ModelDescription, Variable
+from fmu_regression.results.result import FloatArray, SimulationResult, SolverCounters
 from lxml import html
 from scene_effects.advice import Advice, AdviceItem, advice_text
 from scene_effects.choices import Change, Friction, Restitution

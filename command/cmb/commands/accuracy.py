@@ -5,10 +5,10 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cmb_base.output import check_file
-from fmu_regression.accuracy import DEFAULT_TOLERANCES, study_accuracy
-from fmu_regression.accuracy_report import accuracy_text, write_accuracy
-from fmu_regression.scene import load_scene
+from contact_foundation.output import check_file
+from fmu_regression.compare.accuracy import DEFAULT_TOLERANCES, study_accuracy
+from fmu_regression.report.accuracy_report import accuracy_text, write_accuracy
+from fmu_regression.scene.scene_file import load_scene
 
 from cmb.terminal import progress_bars
 

@@ -6,10 +6,10 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from cad2modelica import read_assembly
-from cad2modelica.actuator_file import FILE_NAME, drivable_joints, read_assignments, write_assignments
-from cad2modelica.kinematic_graph import kinematic_tree
-from cad2modelica.loops import analyse_loops
-from cmb_base.errors import InputError, Place
+from cad2modelica.actuators.file import FILE_NAME, drivable_joints, read_assignments, write_assignments
+from cad2modelica.kinematics.kinematic_graph import kinematic_tree
+from cad2modelica.kinematics.loops import analyse_loops
+from contact_foundation.errors import InputError, Place
 
 from cmb.assembly_file import find_assembly
 from cmb.assignment_dialog import Dialog

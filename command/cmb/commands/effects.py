@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cmb_base.output import check_file
+from contact_foundation.output import check_file
 from scene_effects.study import study_effects
 from scene_effects.table import effects_text, write_effects
 from scene_effects.variants import EFFECTS

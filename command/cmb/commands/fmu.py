@@ -6,9 +6,9 @@ import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cmb_base.errors import InputError
-from cmb_base.output import check_file, whole_file
-from cmb_base.progress import Progress
+from contact_foundation.errors import InputError
+from contact_foundation.output import check_file, whole_file
+from contact_foundation.progress import Progress
 from modelica2fmu.build import BuildReport, build_fmu
 from modelica2fmu.openmodelica import OpenModelicaReport, export_fmu
 from modelica2fmu.packaging import SolverOptions

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 from modelica2fmu.library_release import LATEST, RELEASES, content_digest, install_release, release_of
 from modelica2fmu.standard_library import CORE_SUBSET, StandardLibrary, find_standard_library
 

@@ -6,10 +6,10 @@ import tempfile
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cmb_base.errors import EXIT_FAILURE
-from cmb_base.output import check_file
-from fmu_regression.runner import Verdict, run_cases
-from fmu_regression.summary import text_table, write_junit, write_summary
+from contact_foundation.errors import EXIT_FAILURE
+from contact_foundation.output import check_file
+from fmu_regression.cases.runner import Verdict, run_cases
+from fmu_regression.report.case_summary import text_table, write_junit, write_summary
 
 from cmb.build_arguments import add_build_arguments, build_options
 from cmb.fmu_provider import FmuProvider

@@ -5,8 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from fmu_regression.report import write_report
-from fmu_regression.result import read_csv
+from fmu_regression.report.simulation_report import write_report
+from fmu_regression.results.result import read_csv
 
 from cmb.experiment import Experiment, read_experiment
 

@@ -10,16 +10,16 @@ from dataclasses import replace
 from pathlib import Path
 
 from cad2modelica import generate
-from cmb_base.errors import CmbError, InputError, Place
-from cmb_base.output import MARKER, whole_folder
-from cmb_base.progress import Progress
-from fmu_regression.fmu import read_description
-from fmu_regression.report import write_report
-from fmu_regression.result import SimulationResult, write_csv
-from fmu_regression.scene import Scene, load_scene
-from fmu_regression.signals import signals_for
-from fmu_regression.simulate import simulate
-from fmu_regression.summarise import summarise
+from contact_foundation.errors import CmbError, InputError, Place
+from contact_foundation.output import MARKER, whole_folder
+from contact_foundation.progress import Progress
+from fmu_regression.fmi.fmu import read_description
+from fmu_regression.report.simulation_report import write_report
+from fmu_regression.report.summarise import summarise
+from fmu_regression.results.result import SimulationResult, write_csv
+from fmu_regression.scene.scene_file import Scene, load_scene
+from fmu_regression.scene.signals import signals_for
+from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import build_fmu
 
 from cmb.assembly_file import find_assembly

@@ -6,9 +6,9 @@ from argparse import ArgumentParser, Namespace
 from dataclasses import asdict
 from pathlib import Path
 
-from cmb_base.output import check_file
-from fmu_regression.result import write_csv
-from fmu_regression.simulate import simulate
+from contact_foundation.output import check_file
+from fmu_regression.results.result import write_csv
+from fmu_regression.simulate.simulation import simulate
 
 from cmb.assignments import parse_assignments
 from cmb.terminal import progress_bars

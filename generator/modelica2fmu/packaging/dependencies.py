@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from importlib import util
 from pathlib import Path
 
-from cmb_base.errors import BuildError
+from contact_foundation.errors import BuildError
 
 _ENVIRONMENT = "CMB_SUNDIALS"
 _REPOSITORY = Path(__file__).resolve().parents[3]

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from importlib import metadata
 
-from cmb_base.errors import InputError, Place, ProblemList
+from contact_foundation.errors import InputError, Place, ProblemList
 from lxml import etree
 
 from modelica2fmu.description import (

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from cmb_base.output import whole_file
+from contact_foundation.output import whole_file
 
 from modelica2fmu.cache_pruning import mark_used, prune_unused
 from modelica2fmu.packaging.toolchain import COMPILE_OPTIONS, DEPENDENCIES, Compilation, compiler, run_tool

@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from cmb_base.errors import InputError, Place
-from cmb_base.output import whole_file
-from cmb_base.progress import Progress, silent
+from contact_foundation.errors import InputError, Place
+from contact_foundation.output import whole_file
+from contact_foundation.progress import Progress, silent
 
 from modelica2fmu.description import ModelDescription
 from modelica2fmu.packaging.archive import write_archive

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
-from cmb_base.errors import BuildError
+from contact_foundation.errors import BuildError
 
 from modelica2fmu.packaging.toolchain import run_tool
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from cmb_base.errors import InputError, Place
+from contact_foundation.errors import InputError, Place
 
 from modelica2fmu.description import Causality, DataType, Initial, ModelDescription, Variability, Variable
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
-from cmb_base.errors import BuildError
+from contact_foundation.errors import BuildError
 
 # No contraction of a*b+c and no time or path in the output: the same source gives the same numbers and bytes.
 COMPILE_OPTIONS = (

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from cad2modelica.model import Assembly, Joint, JointType
+from cad2modelica.mechanism.model import Assembly, Joint, JointType
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from cad2modelica.primitive_meshes import SEGMENTS
-from cad2modelica.surface_distance import Surface
+from cad2modelica.geometry.primitive_meshes import SEGMENTS
+from cad2modelica.geometry.surface_distance import Surface
 from oracle_process import imported
 
 _IMPORT = """

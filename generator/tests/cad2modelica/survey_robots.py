@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from cad2modelica import Decomposer, GenerateOptions, generate
-from cmb_base.errors import CmbError
+from contact_foundation.errors import CmbError
 
 REFUSED = 2
 STOPPED = (-signal.SIGXCPU, 128 + signal.SIGXCPU, 124)  # the last by "timeout"

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cad2modelica import read_assembly
-from cad2modelica.collision_shapes import collision_geometry
+from cad2modelica.collision.collision_shapes import collision_geometry
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation

@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cad2modelica import GenerateOptions, generate, read_assembly
-from cmb_base.errors import InputError
-from fmu_regression.scene import load_scene
+from contact_foundation.errors import InputError
+from fmu_regression.scene.scene_file import load_scene
 from lxml import etree
 from mechanics_simulation import CORE, load, simulate
 from scipy.spatial.transform import Rotation

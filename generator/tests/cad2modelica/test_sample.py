@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cad2modelica import read_assembly
-from cad2modelica.mesh import bodies, join, volume_integrals, weld
+from cad2modelica.geometry.mesh import bodies, join, volume_integrals, weld
 
 SAMPLES = Path(__file__).resolve().parents[3] / "Resources" / "cad"
 

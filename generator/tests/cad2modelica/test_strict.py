@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from assembly_text import joint, part, write_assembly
 from cad2modelica import GenerateOptions, generate
-from cad2modelica.lost import Lost
+from cad2modelica.source.lost import Lost
 from cmb.main import main
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 
 INERTIA = '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
 INERTIAL = f'<inertial><mass value="1"/>{INERTIA}</inertial>'

@@ -15,8 +15,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from cad2modelica.vrml_scene import read_scene
-from cmb_base.errors import InputError
+from cad2modelica.meshio.vrml_scene import read_scene
+from contact_foundation.errors import InputError
 from meshlab_oracle import distances, meshlab_triangles, round_error, with_faces
 from scipy.spatial import cKDTree
 from vtk_oracle import prepared, text_of, understood, vtk_points

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import fixture_models as models
 import pytest
-from cmb_base.errors import BuildError, CmbError, InputError
+from contact_foundation.errors import BuildError, CmbError, InputError
 from fmpy import read_model_description
 from lxml import etree
 from modelica2fmu.description import ExternalCode, ModelDescription, Resource

@@ -20,7 +20,7 @@ from typing import Any, Final
 
 import numpy as np
 import rumoca
-from cmb_base.errors import CmbError
+from contact_foundation.errors import CmbError
 from fmpy import read_model_description, simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.front_end_errors import FrontEndError

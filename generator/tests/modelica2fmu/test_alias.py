@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 from modelica2fmu import expression as ex
 from modelica2fmu import ir
 from modelica2fmu.alias import eliminate_aliases, signed_terms

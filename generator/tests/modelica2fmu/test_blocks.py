@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from cmb_base.errors import InputError, Place, UnsupportedModelError
+from contact_foundation.errors import InputError, Place, UnsupportedModelError
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from modelica2fmu import expression as ex

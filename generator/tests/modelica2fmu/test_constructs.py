@@ -7,7 +7,7 @@ from pathlib import Path
 import construct_table as table
 import numpy as np
 import pytest
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 

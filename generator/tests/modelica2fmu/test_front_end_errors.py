@@ -6,7 +6,7 @@ import random
 from pathlib import Path
 
 import pytest
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 from modelica2fmu.build import build_fmu, translate
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.standard_library import StandardLibrary, core_subset

@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu, translate
 from modelica2fmu.standard_library import StandardLibrary, core_subset, find_standard_library

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from cmb_base.errors import InputError, Place, UnsupportedModelError
+from contact_foundation.errors import InputError, Place, UnsupportedModelError
 from modelica2fmu import expression as ex
 from modelica2fmu import ir
 from modelica2fmu.index_reduction import reduce_index

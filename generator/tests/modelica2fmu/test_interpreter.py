@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from cmb_base.errors import InputError, UnsupportedModelError
+from contact_foundation.errors import InputError, UnsupportedModelError
 from modelica2fmu import expression as ex
 
 

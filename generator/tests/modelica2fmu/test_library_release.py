@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from cmb_base.errors import BuildError, CmbError, InputError
+from contact_foundation.errors import BuildError, CmbError, InputError
 from modelica2fmu.library_release import ADDRESS, RELEASES, content_digest, install_release, release_of
 from modelica2fmu.standard_library import StandardLibrary, find_standard_library
 

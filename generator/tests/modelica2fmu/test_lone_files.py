@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 

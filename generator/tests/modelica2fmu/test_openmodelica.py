@@ -7,7 +7,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from cmb_base.errors import BuildError, CmbError, InputError
+from contact_foundation.errors import BuildError, CmbError, InputError
 from modelica2fmu.openmodelica import export_fmu, find_compiler
 from modelica2fmu.packaging import FmiVersion
 from modelica2fmu.standard_library import StandardLibrary

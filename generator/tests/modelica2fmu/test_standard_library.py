@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from cmb_base.errors import InputError
+from contact_foundation.errors import InputError
 from modelica2fmu.standard_library import cache_folder, core_subset, find_standard_library
 from modelica2fmu.translation import translate
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cmb_base.errors import InputError, UnsupportedModelError
+from contact_foundation.errors import InputError, UnsupportedModelError
 from modelica2fmu.standard_library import find_standard_library
 from modelica2fmu.table_files import read_table
 from scipy.interpolate import Akima1DInterpolator, PchipInterpolator, RegularGridInterpolator

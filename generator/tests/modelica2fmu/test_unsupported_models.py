@@ -6,7 +6,7 @@ import math
 from pathlib import Path
 
 import pytest
-from cmb_base.errors import InputError, UnsupportedModelError
+from contact_foundation.errors import InputError, UnsupportedModelError
 from modelica2fmu.build import BuildOptions, build_fmu
 
 

@@ -1,0 +1,1 @@
+"""Actuators, sensors, inputs and outputs of the mechatronic model."""

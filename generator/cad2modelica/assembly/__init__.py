@@ -1,0 +1,1 @@
+"""The project's assembly XML to the mechanism."""

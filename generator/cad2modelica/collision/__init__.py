@@ -1,0 +1,1 @@
+"""Collision shapes of the parts, and the pairs of bodies that may touch."""

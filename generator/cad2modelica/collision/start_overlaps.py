@@ -1,0 +1,152 @@
+"""Bodies that overlap at the start, by the contact engine's own distances."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from cad2modelica.collision.collision_shapes import CollisionGeometry
+from cad2modelica.geometry.spatial import Array, Pose, perpendicular
+from cad2modelica.mechanism.model import Assembly, Plane
+
+LIBRARY = (
+    Path(__file__).resolve().parents[3]
+    / "ContactMultiBody"
+    / "Resources"
+    / "Library"
+    / "linux64"
+    / "libcontactmultibody.so"
+)
+TOLERANCE = 1e-6  # of the smaller body's size: what lies on another body touches, and does not overlap
+RESTING = 0.02  # share up to which an overlap may be that of bodies at rest
+_OWN_BACKEND = 1  # CMB_BACKEND_ANALYTIC
+_POINTS = 1
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """Two bodies, by their names in the source, and how deep (m) one is in the other.
+
+    Attributes:
+        share: the depth over the size of the smaller body.
+    """
+
+    first: str
+    second: str
+    depth: float
+    share: float
+
+    @property
+    def deep(self) -> bool:
+        """Whether it is more than bodies that lie on each other have, so that contact throws them apart."""
+        return self.share > RESTING
+
+
+@dataclass(frozen=True)
+class StartCheck:
+    """Overlaps, deepest first; ``reason`` says why nothing was checked, and is None if it was."""
+
+    overlaps: tuple[Overlap, ...]
+    checked: int
+    reason: str | None = None
+
+
+def start_overlaps(
+    assembly: Assembly,
+    geometries: Mapping[str, CollisionGeometry],
+    pairs: Sequence[tuple[str, str]],
+    library: Path = LIBRARY,
+) -> StartCheck:
+    """Checks the pairs that may touch in the start configuration.
+
+    Args:
+        assembly: the mechanism.
+        geometries: collision shapes by part.
+        pairs: names of parts and planes.
+        library: the contact engine, as installed in the Modelica library.
+    """
+    near = _near(assembly, geometries, pairs)
+    if not near:
+        return StartCheck((), len(pairs))
+    if not library.is_file():
+        return StartCheck((), 0, "the contact engine is not installed")
+    names = list(dict.fromkeys(name for pair in near for name in pair))
+    planes = {plane.name: plane for plane in assembly.planes}
+    descriptors = ["cmb/1 halfspace" if name in planes else geometries[name].descriptor for name in names]
+    poses = [_plane_pose(planes[name]) if name in planes else assembly.part(name).pose for name in names]
+    distances = _distances(library, descriptors, poses, [(names.index(a), names.index(b)) for a, b in near])
+    if distances is None:
+        return StartCheck((), 0, "the contact engine did not answer")
+    found = []
+    for (first, second), distance in zip(near, distances, strict=True):
+        sizes = [geometries[n].ball(assembly.part(n).pose).radius for n in (first, second) if n not in planes]
+        if distance < -TOLERANCE * min(sizes):
+            found.append(Overlap(first, second, -float(distance), -float(distance) / (2 * min(sizes))))
+    found.sort(key=lambda overlap: (-overlap.depth, overlap.first, overlap.second))
+    return StartCheck(tuple(found), len(pairs))
+
+
+def _near(
+    assembly: Assembly, geometries: Mapping[str, CollisionGeometry], pairs: Sequence[tuple[str, str]]
+) -> list[tuple[str, str]]:
+    """Pairs whose balls meet at the start."""
+    planes = {plane.name: plane for plane in assembly.planes}
+    balls = {part.name: geometries[part.name].ball(part.pose) for part in assembly.parts}
+
+    def meet(first: str, second: str) -> bool:
+        if first in planes or second in planes:
+            plane, other = (first, second) if first in planes else (second, first)
+            height = planes[plane].normal @ (balls[other].center - planes[plane].position)
+            return bool(height <= balls[other].radius)
+        a, b = balls[first], balls[second]
+        return bool(np.linalg.norm(a.center - b.center) <= a.radius + b.radius)
+
+    return [pair for pair in pairs if meet(*pair)]
+
+
+def _plane_pose(plane: Plane) -> Pose:
+    first = perpendicular(plane.normal)
+    return Pose(plane.position, np.column_stack([first, np.cross(plane.normal, first), plane.normal]))
+
+
+def _distances(
+    library: Path, descriptors: Sequence[str], poses: Sequence[Pose], pairs: Sequence[tuple[int, int]]
+) -> Array | None:
+    """Signed distances of the pairs, m, by the engine's C interface; None if it refuses."""
+    try:
+        engine = ctypes.CDLL(str(library))
+    except OSError:
+        return None
+    count, size = len(pairs), ctypes.c_size_t
+    texts = (ctypes.c_char_p * len(descriptors))(*(text.encode() for text in descriptors))
+    numbers = np.ascontiguousarray(np.array(pairs, dtype=np.intc) + 1)
+    scene = ctypes.c_int()
+    status = engine.cmb_intern(
+        texts, size(len(descriptors)), _pointer(numbers), size(count), ctypes.c_int(_OWN_BACKEND), ctypes.byref(scene)
+    )
+    if status != 0:
+        return None
+    position = np.ascontiguousarray([pose.position for pose in poses], dtype=np.float64)
+    rotation = np.ascontiguousarray([pose.rotation.T for pose in poses], dtype=np.float64)
+    distance = np.zeros(count)
+    outputs = [np.zeros((count, _POINTS)), np.zeros((count, _POINTS))]
+    outputs += [np.zeros((count, _POINTS, 3)), np.zeros((count, _POINTS, 3))]
+    status = engine.cmb_query_scene(
+        scene,
+        _pointer(position),
+        _pointer(rotation),
+        size(len(descriptors)),
+        size(count),
+        size(_POINTS),
+        _pointer(distance),
+        *(_pointer(output) for output in outputs),
+    )
+    return distance if status == 0 else None
+
+
+def _pointer(values: np.ndarray) -> ctypes.c_void_p:
+    return ctypes.c_void_p(values.ctypes.data)

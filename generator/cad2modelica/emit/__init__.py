@@ -1,0 +1,1 @@
+"""The mechanism as a Modelica package and ``scene.json``."""

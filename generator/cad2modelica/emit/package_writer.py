@@ -1,0 +1,158 @@
+"""Writes the Modelica package as text."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from cad2modelica.actuators.placement import Actuator
+from cad2modelica.collision.collision_shapes import CollisionGeometry
+from cad2modelica.emit.actuator_diagram import draw_actuators
+from cad2modelica.emit.hull_files import package_geometry
+from cad2modelica.mechanism.model import Assembly, Material
+from cad2modelica.modelica.diagram import Extent, Point, draw
+from cad2modelica.modelica.text import array, html, number, string, vector
+from cad2modelica.modelica.view import ContactView, MechanismView
+
+LIBRARY_VERSION = "0.1.0"
+MECHANICS = "Mechanics"
+MECHATRONICS = "Mechatronics"
+GEOMETRY = "Geometry"
+CLASSES = (MECHANICS, MECHATRONICS, GEOMETRY)
+OUTPUT_POINTS = 1000
+
+_FRICTION = {"none": "None", "regularised": "Regularised", "anchored": "Anchored"}
+
+
+@dataclass(frozen=True)
+class PackageTexts:
+    """Files of the package by their names, the mechatronic model apart because it is written only once.
+
+    Attributes:
+        files: Modelica files.
+        mechatronics: the mechatronic model.
+        resources: other files, by their paths in the package.
+    """
+
+    files: dict[str, str]
+    mechatronics: str
+    resources: dict[str, bytes]
+
+
+def package_texts(
+    assembly: Assembly,
+    view: MechanismView,
+    geometries: dict[str, CollisionGeometry],
+    actuators: tuple[Actuator, ...],
+    package: str,
+    notes: tuple[str, ...],
+) -> PackageTexts:
+    """The texts of the package's files."""
+    diagram = draw(view)
+    drives = draw_actuators(actuators, diagram)
+    environment = _environment({**diagram.extents, **drives.extents})
+    common: dict[str, Any] = {
+        "package": package,
+        "label": assembly.name,
+        "description": assembly.description or assembly.name,
+        "documentation": assembly.description or assembly.name,
+        "file": assembly.file.name,
+        "source": assembly.source,
+        "library_version": LIBRARY_VERSION,
+        "stop_time": assembly.stop_time,
+        "tolerance": assembly.tolerance,
+        "interval": assembly.stop_time / OUTPUT_POINTS,
+    }
+    mechanics = environment.get_template("mechanics.mo.jinja").render(
+        **common,
+        gravity=view.gravity,
+        gravity_direction=view.gravity_direction,
+        materials=[_material(material, view.material_names[material.name]) for material in assembly.materials],
+        components=view.components,
+        contacts={"modifiers": _contact_modifiers(view.contacts)} if view.contacts is not None else None,
+        connections=[
+            {"first": connection.first, "second": connection.second, "points": _points(line)}
+            for connection, line in zip(view.connections, diagram.lines, strict=True)
+        ],
+        size=_extent(diagram.size),
+        notes=notes,
+    )
+    part_of = {view.part_names[name]: name for name in geometries}
+    expressions, resources = package_geometry(package, {body: geometries[name] for body, name in part_of.items()})
+    bodies = [{"name": body, "geometry": text, "label": part_of[body]} for body, text in expressions.items()]
+    files = {
+        "package.mo": environment.get_template("package.mo.jinja").render(**common),
+        f"{MECHANICS}.mo": mechanics,
+        f"{GEOMETRY}.mo": environment.get_template("geometry.mo.jinja").render(**common, bodies=bodies),
+    }
+    mechatronics = environment.get_template("mechatronics.mo.jinja").render(
+        **common,
+        actuators=actuators,
+        flanges=[f"{joint}(useAxisFlange=true)" for joint in dict.fromkeys(item.joint for item in actuators)],
+        actuator_connections=[
+            {"first": item.first, "second": item.second, "points": _points(item.points), "color": item.color}
+            for item in drives.connections
+        ],
+        mechatronics_size=_extent(drives.size),
+    )
+    return PackageTexts(files, mechatronics, resources)
+
+
+def _environment(extents: dict[str, Extent]) -> Environment:
+    environment = Environment(
+        loader=FileSystemLoader(Path(__file__).parent / "templates"),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+    environment.filters.update(string=string, html=html, number=number, vector=vector)
+    environment.globals["placement"] = lambda name: _placement(extents[name])
+    return environment
+
+
+def _placement(extent: Extent) -> str:
+    return f"annotation (Placement(transformation(extent={_extent(extent)})))"
+
+
+def _extent(extent: Extent) -> str:
+    return _points(extent)
+
+
+def _points(points: tuple[Point, ...]) -> str:
+    return "{" + ",".join(f"{{{x},{y}}}" for x, y in points) + "}"
+
+
+def _material(material: Material, name: str) -> dict[str, Any]:
+    values = {
+        "E": material.youngs_modulus,
+        "nu": material.poissons_ratio,
+        "restitution": material.restitution,
+        "muStatic": material.static_friction,
+        "muDynamic": material.dynamic_friction,
+        "density": material.density,
+    }
+    modifiers = [f"{key}={number(value)}" for key, value in values.items() if value is not None]
+    return {"name": name, "label": material.name, "modifiers": modifiers}
+
+
+def _contact_modifiers(contacts: ContactView) -> list[str]:
+    count = len(contacts.bodies)
+    modifiers = [
+        f"n={count}",
+        f"geometry={array(f'{body}.geometry' for body in contacts.bodies)}",
+        f"material={array(f'{body}.material' for body in contacts.bodies)}",
+        f"pairs={array(f'{{{first},{second}}}' for first, second in contacts.pairs)}",
+    ]
+    if contacts.stiffness is not None:
+        modifiers += [
+            "stiffnessChoice=ContactMultiBody.Types.StiffnessChoice.Given",
+            f"stiffness=fill({number(contacts.stiffness)}, {len(contacts.pairs)})",
+        ]
+    if contacts.friction is not None:
+        modifiers.append(f"friction=ContactMultiBody.Types.Friction.{_FRICTION[contacts.friction]}")
+    return modifiers

@@ -1,0 +1,1 @@
+"""Solids, meshes, hulls and distances: geometry that knows nothing of mechanisms."""

@@ -1,0 +1,24 @@
+"""Convex hulls of points that may not span a solid."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial import ConvexHull, QhullError
+
+from cad2modelica.geometry.spatial import Array
+
+FLAT = 1e-9  # thickness over size below which points span no solid
+
+
+def convex_hull(vertices: Array) -> ConvexHull | None:
+    """The hull of points of shape (n, 3); None if they span no solid."""
+    size = float(np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0))) if len(vertices) else 0.0
+    if len(vertices) < 4 or size == 0.0:
+        return None
+    singular = np.linalg.svd(vertices - vertices.mean(axis=0), compute_uv=False)
+    if singular[2] < FLAT * singular[0]:
+        return None
+    try:
+        return ConvexHull(vertices)
+    except QhullError:
+        return None

@@ -1,0 +1,1 @@
+"""The mechanism as a graph: trees, loops, states, start motion and reach."""

@@ -1,0 +1,1 @@
+"""The mechanism as the generator knows it, in SI units, and doubts about it."""

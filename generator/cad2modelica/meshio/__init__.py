@@ -1,0 +1,1 @@
+"""Mesh files to triangles: STL, OBJ, COLLADA and VRML97."""

@@ -1,0 +1,1 @@
+"""What a second generation may change in a package that is there."""

@@ -1,0 +1,1 @@
+"""The report on a generation, its drawings and its notes."""

@@ -1,0 +1,1 @@
+"""Regression cases: reading them and running them."""

@@ -1,0 +1,1 @@
+"""Results against references and known answers; accuracy against work."""

@@ -1,0 +1,270 @@
+"""Accuracy against work: a sweep of solver tolerances, measured against a much more accurate run."""
+
+from __future__ import annotations
+
+import math
+import os
+import platform
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from importlib import metadata
+from pathlib import Path
+
+import numpy as np
+from contact_foundation.errors import CmbError, InputError, SimulationError
+from contact_foundation.progress import Progress, silent
+
+from fmu_regression.compare.comparison import signal_differences
+from fmu_regression.fmi.fmu import Mode, StartValue, read_description
+from fmu_regression.results.result import FloatArray, SimulationResult, SolverCounters
+from fmu_regression.scene.energy import energy_balance
+from fmu_regression.scene.scene_file import Scene
+from fmu_regression.scene.signals import signals_for
+from fmu_regression.simulate.simulation import default_signals, simulate
+
+DEFAULT_TOLERANCES = tuple(10.0**-k for k in range(3, 11))
+_REFERENCE_TOLERANCE = 1e-12
+_CHECK_TOLERANCE = 1e-11
+_NOMINAL = 1e-3
+_ABOVE_FLOOR = 5.0
+
+
+@dataclass(frozen=True)
+class AccuracyPoint:
+    """One run of the sweep.
+
+    Attributes:
+        mode: "me" or "cs".
+        tolerance: asked of the solver.
+        error: largest difference from the reference, by the range of the signal; None if the run failed.
+        worst_signal: the signal that shows it.
+        mean_error: root of the mean square difference of all signals, by their ranges.
+        wall_time: shortest of the repeated runs, s, initialization included.
+        counters: the integrator's work (model exchange).
+        energy_change: total energy at the end less that of the reference there, J, if the scene is known.
+        energy_rise: largest rise of the total energy above an earlier value, J, if the scene is known.
+        failure: why the run failed, or "".
+    """
+
+    mode: Mode
+    tolerance: float
+    error: float | None = None
+    worst_signal: str = ""
+    mean_error: float | None = None
+    wall_time: float | None = None
+    counters: SolverCounters | None = None
+    energy_change: float | None = None
+    energy_rise: float | None = None
+    failure: str = ""
+
+
+@dataclass(frozen=True)
+class AccuracyStudy:
+    """A sweep and what it was measured against.
+
+    Attributes:
+        model: name of the model.
+        duration: s simulated.
+        interval: output interval, s.
+        signals: the signals that were compared.
+        reference: how the reference was made.
+        floor: difference of the reference from a second, slightly less accurate one: errors below it mean nothing.
+        points: the runs, by mode, then from coarse to fine.
+        machine: processor, cores and system.
+        versions: name to version of the software that matters.
+    """
+
+    model: str
+    duration: float
+    interval: float
+    signals: tuple[str, ...]
+    reference: str
+    floor: float
+    points: tuple[AccuracyPoint, ...]
+    machine: str
+    versions: Mapping[str, str]
+
+    def order(self, mode: Mode) -> float | None:
+        """Exponent p of error ~ tolerance^p by least squares over the points well above the floor.
+
+        None if fewer than three points are.
+        """
+        usable = [
+            (math.log10(point.tolerance), math.log10(point.error))
+            for point in self.points
+            if point.mode == mode and point.error is not None and point.error > _ABOVE_FLOOR * max(self.floor, 1e-300)
+        ]
+        if len(usable) < 3:
+            return None
+        x, y = np.array(usable).T
+        return float(np.polyfit(x, y, 1)[0])
+
+
+def study_accuracy(
+    fmu: Path,
+    *,
+    signals: Sequence[str] | None = None,
+    scene: Scene | None = None,
+    stop: float | None = None,
+    interval: float | None = None,
+    tolerances: Sequence[float] = DEFAULT_TOLERANCES,
+    modes: Sequence[Mode] = ("me", "cs"),
+    max_step: float | None = None,
+    parameters: Mapping[str, StartValue] | None = None,
+    reference: SimulationResult | None = None,
+    repeats: int = 1,
+    time_limit: float | None = None,
+    progress: Progress = silent,
+) -> AccuracyStudy:
+    """Runs an FMU at each tolerance in each mode.
+
+    Args:
+        fmu: the FMU.
+        signals: what is compared; the outputs and continuous states if None.
+        scene: if given, energies are followed too.
+        stop, interval, max_step, parameters: see ``simulate``. After the first impact of a chaotic scene trajectories
+            part from each other however accurate the solver is: choose the stop time before that.
+        tolerances: relative tolerances, > 0.
+        modes: "me", "cs" or both; those that the FMU does not offer become failed points.
+        reference: a trajectory to measure against, for instance of another program; if None, model exchange (or, if
+            the FMU has none, co-simulation) at tolerance 1e-12.
+        repeats: how often each run is timed; the shortest time counts.
+        time_limit: wall time for each run, s.
+        progress: receives the phase "accuracy".
+
+    Returns:
+        the study; runs that failed are in it.
+
+    Raises:
+        InputError: the FMU or an argument is wrong.
+        SimulationError: the reference cannot be computed.
+    """
+    if not tolerances or not all(0 < t < 1 for t in tolerances):
+        raise InputError("tolerances must lie between 0 and 1")
+    if repeats < 1:
+        raise InputError("every run is needed at least once")
+    description = read_description(fmu)
+    compared = tuple(signals) if signals is not None else tuple(default_signals(description))
+    if not compared:
+        raise InputError(f"{description.name} has neither outputs nor states: name the signals to compare")
+    recorded = list(dict.fromkeys([*compared, *(signals_for(scene, description) if scene is not None else [])]))
+
+    def run(mode: Mode, tolerance: float) -> SimulationResult:
+        return simulate(
+            fmu,
+            signals=recorded,
+            stop=stop,
+            interval=interval,
+            tolerance=tolerance,
+            mode=mode,
+            max_step=max_step,
+            parameters=parameters,
+            time_limit=time_limit,
+        )
+
+    best: Mode = "me" if "me" in description.identifiers else "cs"
+    progress("accuracy", 0.0, "reference")
+    truth = reference
+    if truth is None:
+        truth = run(best, _REFERENCE_TOLERANCE)
+        floor = max(_differences(run(best, _CHECK_TOLERANCE), truth, compared).values())
+        origin = f"the same FMU, {best}, tolerance {_REFERENCE_TOLERANCE:g}"
+    else:
+        floor, origin = 0.0, f"given trajectory {reference.model if reference else ''}".strip()
+    points: list[AccuracyPoint] = []
+    count = len(modes) * len(tolerances)
+    for mode in modes:
+        for tolerance in sorted(tolerances, reverse=True):
+            progress("accuracy", len(points) / count, f"{mode}, tolerance {tolerance:g}")
+            try:
+                results = [run(mode, tolerance) for _ in range(repeats)]
+                points.append(_point(mode, tolerance, results, truth, compared, scene))
+            except CmbError as error:
+                points.append(AccuracyPoint(mode, tolerance, failure=str(error)))
+    progress("accuracy", 1.0)
+    return AccuracyStudy(
+        model=description.name,
+        duration=float(truth.time[-1] - truth.time[0]),
+        interval=truth.interval or 0.0,
+        signals=compared,
+        reference=origin,
+        floor=floor,
+        points=tuple(points),
+        machine=_machine(),
+        versions=_versions(description.generation_tool),
+    )
+
+
+def _point(
+    mode: Mode,
+    tolerance: float,
+    results: Sequence[SimulationResult],
+    truth: SimulationResult,
+    compared: Sequence[str],
+    scene: Scene | None,
+) -> AccuracyPoint:
+    result = results[0]
+    errors = _differences(result, truth, compared)
+    worst = max(errors, key=lambda name: errors[name])
+    if not math.isfinite(errors[worst]):
+        raise SimulationError(f"{worst} is not finite, or the run ends before the reference")
+    squares = [_mean_square(result, truth, name) for name in compared]
+    change = rise = None
+    if scene is not None:
+        energy = energy_balance(scene, result)
+        change = float(energy.total[-1] - energy_balance(scene, truth).total[-1])
+        rise = energy.largest_rise
+    return AccuracyPoint(
+        mode=mode,
+        tolerance=tolerance,
+        error=errors[worst],
+        worst_signal=worst,
+        mean_error=math.sqrt(sum(squares) / len(squares)),
+        wall_time=min(r.wall_time or math.inf for r in results),
+        counters=result.counters,
+        energy_change=change,
+        energy_rise=rise,
+    )
+
+
+def _differences(result: SimulationResult, truth: SimulationResult, names: Sequence[str]) -> dict[str, float]:
+    """Largest difference of each signal by its range; at times that are no event of the reference."""
+    return {name: float(_relative(result, truth, name).max()) for name in names}
+
+
+def _mean_square(result: SimulationResult, truth: SimulationResult, name: str) -> float:
+    return float(np.mean(_relative(result, truth, name) ** 2))
+
+
+def _relative(result: SimulationResult, truth: SimulationResult, name: str) -> FloatArray:
+    still = np.diff(truth.time) == 0
+    at_event = np.concatenate([still, [False]]) | np.concatenate([[False], still])
+    rows = np.flatnonzero(~at_event)
+    if truth.interval:
+        steps = (truth.time[rows] - truth.time[0]) / truth.interval
+        rows = rows[(np.abs(steps - np.round(steps)) < 1e-6) | (rows == truth.time.size - 1)]
+    scale = max(float(np.ptp(truth[name])), _NOMINAL)
+    relative: FloatArray = signal_differences(result, truth, name, rows, 0.0, 0.0) / scale
+    return relative
+
+
+def _machine() -> str:
+    processor = platform.processor() or platform.machine()
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as stream:
+            processor = next(line.split(":", 1)[1].strip() for line in stream if line.startswith("model name"))
+    except (OSError, StopIteration):
+        pass
+    return f"{processor}, {os.cpu_count()} cores, {platform.system()} {platform.release()}"
+
+
+def _versions(generation_tool: str) -> dict[str, str]:
+    versions = {"Python": platform.python_version()}
+    for package in ("fmpy", "numpy", "contactmultibody"):
+        try:
+            versions[package] = metadata.version(package)
+        except metadata.PackageNotFoundError:
+            continue
+    if generation_tool:
+        versions["FMU written by"] = generation_tool
+    return versions

@@ -1,0 +1,1 @@
+"""FMUs opened through FMPy: descriptions, variables, instances."""

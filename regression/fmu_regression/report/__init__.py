@@ -1,0 +1,1 @@
+"""Pages, plots, animation and tables for people."""

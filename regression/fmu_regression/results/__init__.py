@@ -1,0 +1,1 @@
+"""Simulation results: sampled signals with both sides of every event."""

@@ -1,0 +1,91 @@
+"""Names of the variables that belong to a scene, and which of them an FMU has."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Sequence
+
+from fmu_regression.fmi.fmu import ModelDescription
+from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody
+
+_AXES = (1, 2, 3)
+
+
+def position_names(body: SceneBody) -> list[str]:
+    """Names of the position of frame_a, x y z."""
+    return [f"{body.variable}.frame_a.r_0[{i}]" for i in _AXES]
+
+
+def rotation_names(body: SceneBody) -> list[str]:
+    """Names of the nine elements of T, row by row."""
+    return [f"{body.variable}.frame_a.R.T[{i},{j}]" for i in _AXES for j in _AXES]
+
+
+def velocity_candidates(body: SceneBody) -> list[list[str]]:
+    """Names under which the velocity of frame_a, world axes, may be found; best first."""
+    return [[f"{body.variable}.v_0[{i}]" for i in _AXES], [f"{body.variable}.body.v_0[{i}]" for i in _AXES]]
+
+
+def angular_velocity_candidates(body: SceneBody) -> list[list[str]]:
+    """Names under which the angular velocity, body axes, may be found; best first."""
+    return [[f"{body.variable}.{variable}[{i}]" for i in _AXES] for variable in ("w_a", "body.w_a", "frame_a.R.w")]
+
+
+def first_present(candidates: Sequence[Sequence[str]], known: Container[str]) -> Sequence[str] | None:
+    """The first list of names that is known completely."""
+    return next((names for names in candidates if all(name in known for name in names)), None)
+
+
+def pair_signal(scene: Scene, pair: ContactPair, quantity: str) -> str:
+    """Name of a scalar quantity of a pair, e.g. "normalForce"."""
+    return f"{scene.manager}.{quantity}[{pair.index}]"
+
+
+def force_names(scene: Scene, pair: ContactPair) -> list[str]:
+    """Names of the force on the pair's first body, world axes."""
+    return [f"{scene.manager}.force[{pair.index},{i}]" for i in _AXES]
+
+
+def point_names(scene: Scene, pair: ContactPair, slot: int) -> list[str]:
+    """Names of a contact point of the pair (slots from 1), world axes; not every FMU shows them."""
+    return [f"{scene.manager}.point[{pair.index},{slot},{i}]" for i in _AXES]
+
+
+def point_force_names(scene: Scene, pair: ContactPair, slot: int) -> list[str]:
+    """Names of the force on the first body at a contact point, world axes; not every FMU shows them."""
+    return [f"{scene.manager}.pointForce[{pair.index},{slot},{i}]" for i in _AXES]
+
+
+def elastic_energy_name(scene: Scene) -> str:
+    """Name of the energy stored in all contacts."""
+    return f"{scene.manager}.elasticEnergy"
+
+
+def signals_for(scene: Scene, description: ModelDescription) -> list[str]:
+    """What to record for a report: poses and speeds of moving bodies, joints, contacts; only what the FMU has.
+
+    Returns:
+        names in a fixed order, each once.
+    """
+    known = description.variables
+    wanted: list[str] = []
+    for body in scene.bodies:
+        if body.fixed:
+            continue
+        wanted += position_names(body) + rotation_names(body)
+        wanted += first_present(velocity_candidates(body), known) or []
+        wanted += first_present(angular_velocity_candidates(body), known) or []
+    for joint in scene.joints:
+        wanted += [joint.variable, joint.rate]
+    for pair in scene.pairs:
+        wanted += [
+            pair_signal(scene, pair, quantity)
+            for quantity in ("distance", "normalForce", "approachSpeed", "impactSpeed", "touches")
+        ]
+        wanted += force_names(scene, pair)
+        slot = 1
+        while all(name in known for name in point_names(scene, pair, slot) + point_force_names(scene, pair, slot)):
+            wanted += point_names(scene, pair, slot) + point_force_names(scene, pair, slot)
+            slot += 1
+    if scene.pairs:
+        wanted.append(elastic_energy_name(scene))
+    return [name for name in dict.fromkeys(wanted) if name in known]

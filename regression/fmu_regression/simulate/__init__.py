@@ -1,0 +1,1 @@
+"""Simulating FMUs: model exchange with CVODE, and co-simulation."""
