@@ -21,8 +21,8 @@
 
 #include "backend/distance_backend.hpp"
 #include "contact_peer.hpp"
-#include "random_bodies.hpp"
 #include "scene/descriptor.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 

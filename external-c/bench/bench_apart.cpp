@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "contact_multibody.h"
-#include "random_bodies.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 

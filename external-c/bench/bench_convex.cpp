@@ -17,9 +17,9 @@
 #include <ccd/ccd.h>
 #include <fcl/fcl.h>
 
-#include "convex/convex_distance.hpp"
-#include "convex/convex_overlap.hpp"
-#include "random_bodies.hpp"
+#include "narrowphase/convex_distance.hpp"
+#include "support/random_bodies.hpp"
+#include "volume/convex_overlap.hpp"
 
 namespace {
 

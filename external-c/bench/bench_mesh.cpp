@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "contact_multibody.h"
-#include "mesh/mesh_text.hpp"
-#include "random_bodies.hpp"
+#include "support/mesh_text.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 

@@ -17,7 +17,7 @@
 #include <random>
 
 #include "broadphase/broad_phase.hpp"
-#include "rigid_bodies.hpp"
+#include "support/rigid_bodies.hpp"
 
 namespace {
 

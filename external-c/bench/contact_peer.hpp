@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/shape.hpp"
+#include "shape/shape.hpp"
 
 namespace cmb::bench {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "contact_multibody.h"
-#include "convex/vector3.hpp"
+#include "math/vector3.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "mesh/mesh_file.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/core/triangle_mesh.hpp"
+#include "mesh/io/mesh_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
   if (size == 0) return 0;

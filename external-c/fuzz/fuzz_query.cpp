@@ -7,8 +7,8 @@
 #include <cstring>
 #include <string>
 
+#include "c_api/pose_check.hpp"
 #include "contact_multibody.h"
-#include "interface/pose_check.hpp"
 #include "query/pair_query.hpp"
 #include "scene/descriptor.hpp"
 #include "scene/registry.hpp"

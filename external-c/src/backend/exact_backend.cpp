@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "backend/distance_backend.hpp"
-#include "convex/closed_distance.hpp"
-#include "geometry/pose_algebra.hpp"
+#include "math/pose_algebra.hpp"
+#include "narrowphase/analytic/closed_distance.hpp"
 
 namespace cmb {
 

@@ -14,7 +14,7 @@
 #include <memory>
 #include <vector>
 
-#include "scene/shape.hpp"
+#include "shape/shape.hpp"
 
 namespace cmb {
 

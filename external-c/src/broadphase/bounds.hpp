@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scene/shape.hpp"
+#include "shape/shape.hpp"
 
 namespace cmb {
 

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/pose_algebra.hpp"
+#include "math/pose_algebra.hpp"
 #include "query/pair_query.hpp"
 
 namespace cmb {

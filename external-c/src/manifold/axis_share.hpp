@@ -1,7 +1,7 @@
 // How two ends of a rod, and the stations along it, share a load that comes at an angle.
 #pragma once
 
-#include "convex/fade.hpp"
+#include "math/fade.hpp"
 
 namespace cmb {
 

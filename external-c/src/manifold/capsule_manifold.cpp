@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "convex/closed_distance.hpp"
 #include "manifold/axis_share.hpp"
+#include "narrowphase/analytic/closed_distance.hpp"
 
 namespace cmb {
 

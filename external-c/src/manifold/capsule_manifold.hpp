@@ -5,7 +5,7 @@
 
 #include "backend/distance_backend.hpp"
 #include "manifold/contact_set.hpp"
-#include "scene/shape.hpp"
+#include "shape/shape.hpp"
 
 namespace cmb {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "convex/vector3.hpp"
+#include "math/vector3.hpp"
 
 namespace cmb {
 

@@ -1,6 +1,6 @@
 #include "manifold/convex_manifold.hpp"
 
-#include "convex/nearby_surface.hpp"
+#include "narrowphase/polytope/nearby_surface.hpp"
 
 namespace cmb {
 

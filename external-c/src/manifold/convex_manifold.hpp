@@ -4,7 +4,7 @@
 #include "backend/distance_backend.hpp"
 #include "manifold/contact_set.hpp"
 #include "manifold/curved_manifold.hpp"
-#include "manifold/polytope_manifold.hpp"
+#include "manifold/polytope/polytope_manifold.hpp"
 
 namespace cmb {
 

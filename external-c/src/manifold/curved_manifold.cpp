@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "convex/nearby_surface.hpp"
-#include "convex/ways_out.hpp"
-#include "geometry/pose_algebra.hpp"
-#include "geometry/rim_polytope.hpp"
 #include "manifold/axis_share.hpp"
 #include "manifold/capsule_manifold.hpp"
 #include "manifold/deepest_edges.hpp"
 #include "manifold/disc_manifold.hpp"
+#include "math/pose_algebra.hpp"
+#include "narrowphase/multicontact/ways_out.hpp"
+#include "narrowphase/polytope/nearby_surface.hpp"
+#include "shape/rim_polytope.hpp"
 
 namespace cmb {
 

@@ -1,8 +1,8 @@
 // Where a polytope touches a disc that the polygon for the disc does not tell.
 #pragma once
 
-#include "convex/polytope.hpp"
 #include "manifold/disc_manifold.hpp"
+#include "shape/polytope.hpp"
 
 namespace cmb {
 

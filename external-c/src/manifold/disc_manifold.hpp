@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "manifold/contact_set.hpp"
-#include "scene/shape.hpp"
+#include "shape/shape.hpp"
 
 namespace cmb {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "manifold/axis_share.hpp"
-#include "manifold/tessellation_load.hpp"
+#include "manifold/polytope/tessellation_load.hpp"
 
 namespace cmb {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "manifold/contact_set.hpp"
-#include "scene/shape.hpp"
+#include "shape/shape.hpp"
 
 namespace cmb {
 

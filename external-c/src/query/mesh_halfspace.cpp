@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/core/triangle_mesh.hpp"
 
 namespace cmb {
 

@@ -3,7 +3,7 @@
 
 #include "manifold/contact_set.hpp"
 #include "manifold/halfspace_manifold.hpp"
-#include "scene/shape.hpp"
+#include "shape/shape.hpp"
 
 namespace cmb {
 

@@ -1,6 +1,6 @@
 #include "query/mesh_query.hpp"
 
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/core/triangle_mesh.hpp"
 
 namespace cmb {
 

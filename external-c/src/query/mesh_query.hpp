@@ -2,8 +2,8 @@
 #pragma once
 
 #include "manifold/contact_set.hpp"
-#include "mesh/mesh_contact.hpp"
-#include "scene/shape.hpp"
+#include "mesh/contact/mesh_contact.hpp"
+#include "shape/shape.hpp"
 
 namespace cmb {
 

@@ -4,13 +4,13 @@
 #include <optional>
 
 #include "backend/distance_backend.hpp"
-#include "convex/convex_overlap.hpp"
-#include "geometry/pose_algebra.hpp"
-#include "mesh/triangle_mesh.hpp"
-#include "overlap/mesh_overlap.hpp"
-#include "query/halfspace_overlap.hpp"
+#include "math/pose_algebra.hpp"
+#include "mesh/core/triangle_mesh.hpp"
 #include "query/mesh_halfspace.hpp"
 #include "query/mesh_query.hpp"
+#include "volume/convex_overlap.hpp"
+#include "volume/halfspace_overlap.hpp"
+#include "volume/mesh_overlap.hpp"
 
 namespace cmb {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/pose_algebra.hpp"
 #include "manifold/capsule_manifold.hpp"
 #include "manifold/halfspace_manifold.hpp"
+#include "math/pose_algebra.hpp"
 #include "query/mesh_halfspace.hpp"
 #include "query/mesh_query.hpp"
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "backend/distance_backend.hpp"
-#include "geometry/body_pose.hpp"
 #include "manifold/contact_set.hpp"
 #include "manifold/convex_manifold.hpp"
+#include "math/body_pose.hpp"
 #include "query/mesh_query.hpp"
 #include "scene/scene.hpp"
 

@@ -1,7 +1,7 @@
 // Forces of one contact point, by the laws of ContactMultiBody.NormalForce and ContactMultiBody.Friction.
 #pragma once
 
-#include "convex/vector3.hpp"
+#include "math/vector3.hpp"
 #include "response/damping_factor.hpp"
 
 namespace cmb {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "convex/vector3.hpp"
 #include "manifold/contact_set.hpp"
+#include "math/vector3.hpp"
 
 namespace cmb {
 

@@ -1,5 +1,5 @@
-#include "geometry/rim_polytope.hpp"
 #include "scene/descriptor.hpp"
+#include "shape/rim_polytope.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mesh/number_text.hpp"
+#include "mesh/io/number_text.hpp"
 
 namespace cmb {
 

@@ -5,8 +5,8 @@
 #include <system_error>
 #include <utility>
 
-#include "mesh/mesh_file.hpp"
-#include "mesh/number_text.hpp"
+#include "mesh/io/mesh_file.hpp"
+#include "mesh/io/number_text.hpp"
 
 namespace cmb {
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/mesh_data.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/core/mesh_data.hpp"
+#include "mesh/core/triangle_mesh.hpp"
 
 namespace cmb {
 

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "convex/convex_hull.hpp"
-#include "mesh/height_field.hpp"
-#include "mesh/mesh_check.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/core/height_field.hpp"
+#include "mesh/core/mesh_check.hpp"
+#include "mesh/core/triangle_mesh.hpp"
+#include "shape/convex_hull.hpp"
 
 namespace cmb {
 

@@ -3,7 +3,7 @@
 
 #include "scene/descriptor_text.hpp"
 #include "scene/geometry_files.hpp"
-#include "scene/shape.hpp"
+#include "shape/shape.hpp"
 
 namespace cmb {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "convex/convex_hull.hpp"
+#include "shape/convex_hull.hpp"
 
 namespace cmb {
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "geometry/contact_polytope.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/core/triangle_mesh.hpp"
+#include "shape/contact_polytope.hpp"
 
 namespace cmb {
 

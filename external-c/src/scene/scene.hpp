@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact_multibody.h"
-#include "scene/shape.hpp"
+#include "shape/shape.hpp"
 
 namespace cmb {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "../convex/random_bodies.hpp"
-#include "mesh/convex_gap.hpp"
+#include "mesh/contact/convex_gap.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 
@@ -71,7 +71,7 @@ TEST(ConvexGap, PointsLieOnBothAndAreAsFarApartAsItSays) {
 }
 
 // A cylinder's rim 2e-6 m from an edge: the search meets a tetrahedron so flat that by rounding it seems to hold the origin.
-// The reference is the distance to the ball of triangles that this one is of, as a hull (`convex/convex_distance.hpp`).
+// The reference is the distance to the ball of triangles that this one is of, as a hull (`narrowphase/convex_distance.hpp`).
 TEST(ConvexGap, FlatTetrahedraDoNotMakeBodiesMeet) {
   const Vec3 a{0x0p+0, -0x1.5db10e004ed4bp-3, 0x1.1ae80dfa49ff6p-2};
   const Vec3 b{-0x1.9b164fba3c652p-4, -0x1.0d0f5e7afd928p-2, 0x1.4c939518dcf26p-3};

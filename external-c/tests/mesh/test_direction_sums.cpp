@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../convex/random_bodies.hpp"
-#include "mesh/direction_sums.hpp"
+#include "mesh/contact/direction_sums.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 

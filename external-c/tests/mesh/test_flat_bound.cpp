@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "../convex/random_bodies.hpp"
-#include "mesh/mesh_pair_distance.hpp"
-#include "mesh/triangle_hierarchy.hpp"
-#include "mesh_samples.hpp"
+#include "mesh/core/mesh_pair_distance.hpp"
+#include "mesh/core/triangle_hierarchy.hpp"
+#include "support/mesh_samples.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 

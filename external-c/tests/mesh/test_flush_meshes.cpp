@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "../convex/random_bodies.hpp"
-#include "../scene_query.hpp"
-#include "mesh_text.hpp"
+#include "support/mesh_text.hpp"
+#include "support/random_bodies.hpp"
+#include "support/scene_query.hpp"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/height_field.hpp"
-#include "mesh/mesh_contact.hpp"
+#include "mesh/contact/mesh_contact.hpp"
+#include "mesh/core/height_field.hpp"
 
 namespace {
 

@@ -1,12 +1,12 @@
 // Contact of meshes with other bodies.
 #include <gtest/gtest.h>
 
-#include "../convex/random_bodies.hpp"
-#include "convex/convex_distance.hpp"
-#include "mesh/mesh_contact.hpp"
-#include "mesh_samples.hpp"
+#include "mesh/contact/mesh_contact.hpp"
+#include "narrowphase/convex_distance.hpp"
 #include "query/mesh_halfspace.hpp"
 #include "scene/mesh_hull.hpp"
+#include "support/mesh_samples.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 

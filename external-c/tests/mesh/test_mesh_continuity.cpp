@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "../scene_query.hpp"
-#include "mesh_text.hpp"
+#include "support/mesh_text.hpp"
+#include "support/scene_query.hpp"
 
 namespace {
 

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "../convex/random_bodies.hpp"
-#include "mesh_refusals.hpp"
-#include "mesh_samples.hpp"
-#include "mesh_writers.hpp"
+#include "support/mesh_refusals.hpp"
+#include "support/mesh_samples.hpp"
+#include "support/mesh_writers.hpp"
+#include "support/random_bodies.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size);
 

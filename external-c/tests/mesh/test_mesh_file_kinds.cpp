@@ -11,10 +11,10 @@
 #include <string>
 #include <utility>
 
-#include "mesh/height_field.hpp"
-#include "mesh_refusals.hpp"
-#include "mesh_samples.hpp"
-#include "mesh_writers.hpp"
+#include "mesh/core/height_field.hpp"
+#include "support/mesh_refusals.hpp"
+#include "support/mesh_samples.hpp"
+#include "support/mesh_writers.hpp"
 
 namespace {
 

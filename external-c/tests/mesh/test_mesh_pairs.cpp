@@ -1,8 +1,8 @@
 // Meshes and height fields against every other kind of shape, through the C interface.
-#include "../convex/random_bodies.hpp"
-#include "../scene_query.hpp"
-#include "../stress/solids.hpp"
-#include "mesh_text.hpp"
+#include "stress/solids.hpp"
+#include "support/mesh_text.hpp"
+#include "support/random_bodies.hpp"
+#include "support/scene_query.hpp"
 
 namespace {
 

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "../scene_query.hpp"
-#include "mesh/convex_gap.hpp"
-#include "mesh/mesh_pair_distance.hpp"
-#include "mesh/triangle_crossing.hpp"
-#include "mesh/triangle_section.hpp"
-#include "mesh_text.hpp"
-#include "../convex/random_bodies.hpp"
+#include "mesh/contact/convex_gap.hpp"
+#include "mesh/core/mesh_pair_distance.hpp"
+#include "mesh/intersection/triangle_crossing.hpp"
+#include "mesh/intersection/triangle_section.hpp"
+#include "support/mesh_text.hpp"
+#include "support/random_bodies.hpp"
+#include "support/scene_query.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "../convex/random_bodies.hpp"
-#include "mesh_refusals.hpp"
-#include "mesh_samples.hpp"
+#include "support/mesh_refusals.hpp"
+#include "support/mesh_samples.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "../convex/random_bodies.hpp"
-#include "mesh/shared_load.hpp"
+#include "mesh/contact/shared_load.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "../convex/random_bodies.hpp"
-#include "../path_sums.hpp"
-#include "mesh/mesh_pair_distance.hpp"
-#include "level_sheets.hpp"
-#include "mesh_text.hpp"
+#include "mesh/core/mesh_pair_distance.hpp"
+#include "support/level_sheets.hpp"
+#include "support/mesh_text.hpp"
+#include "support/path_sums.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "../convex/random_bodies.hpp"
-#include "mesh_samples.hpp"
+#include "support/mesh_samples.hpp"
+#include "support/random_bodies.hpp"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "../mesh/level_sheets.hpp"
-#include "geometry/pose_algebra.hpp"
+#include "math/pose_algebra.hpp"
+#include "support/level_sheets.hpp"
 
 namespace cmb::stress {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "contact_multibody.h"
-#include "convex/vector3.hpp"
+#include "math/vector3.hpp"
 
 namespace cmb::stress {
 

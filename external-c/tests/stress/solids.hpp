@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "../convex/random_bodies.hpp"
-#include "../mesh/mesh_text.hpp"
-#include "../poses.hpp"
+#include "support/mesh_text.hpp"
+#include "support/poses.hpp"
+#include "support/random_bodies.hpp"
 
 namespace cmb::stress {
 

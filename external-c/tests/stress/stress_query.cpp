@@ -22,9 +22,9 @@
 #include <vector>
 #include <unistd.h>
 
-#include "../published_poses.hpp"
 #include "checks.hpp"
-#include "geometry/pose_algebra.hpp"
+#include "math/pose_algebra.hpp"
+#include "support/published_poses.hpp"
 
 namespace {
 

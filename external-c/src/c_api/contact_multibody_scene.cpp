@@ -1,0 +1,238 @@
+#include "contact_multibody_scene.h"
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "broadphase/broad_phase.hpp"
+#include "c_api/call_guard.hpp"
+#include "c_api/pose_check.hpp"
+#include "response/contact_response.hpp"
+#include "response/pair_law.hpp"
+#include "scene/interned.hpp"
+#include "scene/registry.hpp"
+
+namespace {
+
+using cmb::BroadPhase;
+using cmb::ContactPoint;
+using cmb::fail;
+using cmb::guarded;
+using cmb::Scene;
+using cmb::SceneError;
+using cmb::Vec3;
+
+constexpr std::size_t broadphase_limit = 4096;
+
+cmb::Interned<BroadPhase, broadphase_limit> &registry() {
+  static cmb::Interned<BroadPhase, broadphase_limit> instance;
+  return instance;
+}
+
+std::vector<cmb::FilterEntry> filter_entries(const cmb_collision_filter &filter, std::size_t body_count) {
+  std::vector<cmb::FilterEntry> entries(body_count);
+  for (std::size_t body = 0; body < body_count; ++body) {
+    if (filter.fixed != nullptr) entries[body].fixed = filter.fixed[body] != 0;
+    if (filter.group != nullptr) entries[body].group = static_cast<std::uint32_t>(filter.group[body]);
+    if (filter.mask != nullptr) entries[body].mask = static_cast<std::uint32_t>(filter.mask[body]);
+  }
+  return entries;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> excluded_pairs(const cmb_collision_filter &filter,
+                                                                std::size_t body_count) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  pairs.reserve(filter.excluded_count);
+  for (std::size_t i = 0; i < filter.excluded_count; ++i) {
+    const int *row = filter.excluded + 2 * i;
+    for (const int body : {row[0], row[1]}) {
+      if (body < 1 || static_cast<std::size_t>(body) > body_count) {
+        throw SceneError(CMB_ERROR_ARGUMENT, "excluded pair " + std::to_string(i + 1) + " names body " +
+                                                 std::to_string(body) + "; bodies are numbered from 1 to " +
+                                                 std::to_string(body_count));
+      }
+    }
+    pairs.emplace_back(row[0] - 1, row[1] - 1);
+  }
+  return pairs;
+}
+
+std::string filter_key(cmb_scene scene, const cmb_collision_filter &filter, std::size_t body_count) {
+  std::string key = std::to_string(scene);
+  for (const int *flags : {filter.fixed, filter.group, filter.mask}) {
+    key += '|';
+    for (std::size_t body = 0; flags != nullptr && body < body_count; ++body) key += std::to_string(flags[body]) + ' ';
+  }
+  key += '|';
+  for (std::size_t i = 0; i < 2 * filter.excluded_count; ++i) key += std::to_string(filter.excluded[i]) + ' ';
+  return key;
+}
+
+// Checks what every query takes. broad_phase is set where it returns CMB_OK.
+cmb_status check_query(cmb_broadphase handle, const double *position, const double *rotation, std::size_t body_count,
+                       const BroadPhase *&broad_phase) {
+  broad_phase = registry().find(handle);
+  if (broad_phase == nullptr) {
+    return fail(CMB_ERROR_ARGUMENT, "there is no broad phase " + std::to_string(handle) +
+                                        "; use a handle that cmb_intern_broadphase gave");
+  }
+  if (body_count != broad_phase->body_count()) {
+    return fail(CMB_ERROR_ARGUMENT, "poses of " + std::to_string(body_count) + " bodies for a scene of " +
+                                        std::to_string(broad_phase->body_count()));
+  }
+  if (body_count > 0 && (position == nullptr || rotation == nullptr)) {
+    return fail(CMB_ERROR_ARGUMENT, "position or rotation is NULL");
+  }
+  for (std::size_t body = 0; body < body_count; ++body) {
+    const cmb_status status = cmb::check_body_pose(body, position, rotation);
+    if (status != CMB_OK) return status;
+  }
+  return CMB_OK;
+}
+
+bool finite_row(const double *array, std::size_t row) {
+  return std::isfinite(array[3 * row]) && std::isfinite(array[3 * row + 1]) && std::isfinite(array[3 * row + 2]);
+}
+
+void write_rows(const std::vector<Vec3> &rows, double *target) {
+  for (const Vec3 &row : rows) {
+    for (int axis = 0; axis < 3; ++axis) *target++ = row[axis];
+  }
+}
+
+}  // namespace
+
+extern "C" {
+
+cmb_status cmb_intern_broadphase(cmb_scene scene, size_t body_count, const cmb_collision_filter *filter,
+                                 cmb_broadphase *broadphase) {
+  return guarded([&] {
+    if (broadphase == nullptr) return fail(CMB_ERROR_ARGUMENT, "broadphase is NULL");
+    const Scene *found = cmb::find_scene(scene);
+    if (found == nullptr) {
+      return fail(CMB_ERROR_ARGUMENT,
+                  "there is no scene " + std::to_string(scene) + "; use a handle that cmb_intern gave");
+    }
+    if (body_count != found->bodies.size()) {
+      return fail(CMB_ERROR_ARGUMENT, "a filter for " + std::to_string(body_count) + " bodies for a scene of " +
+                                          std::to_string(found->bodies.size()));
+    }
+    const cmb_collision_filter none{nullptr, nullptr, nullptr, nullptr, 0};
+    const cmb_collision_filter &given = filter == nullptr ? none : *filter;
+    if (given.excluded_count > 0 && given.excluded == nullptr) return fail(CMB_ERROR_ARGUMENT, "excluded is NULL");
+    const cmb_broadphase handle = registry().intern(
+        filter_key(scene, given, body_count), [&]() -> std::unique_ptr<const BroadPhase> {
+          return std::make_unique<BroadPhase>(
+              *found, cmb::CollisionFilter(filter_entries(given, body_count), excluded_pairs(given, body_count)));
+        });
+    if (handle == 0) {
+      return fail(CMB_ERROR_MEMORY, "there are " + std::to_string(broadphase_limit) +
+                                        " filters already; intern a filter once, not at every step");
+    }
+    *broadphase = handle;
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_query_candidates(cmb_broadphase broadphase, const double *position, const double *rotation,
+                                size_t body_count, size_t pair_capacity, int *pairs, size_t *pair_count) {
+  return guarded([&] {
+    const BroadPhase *found = nullptr;
+    const cmb_status status = check_query(broadphase, position, rotation, body_count, found);
+    if (status != CMB_OK) return status;
+    if (pair_count == nullptr || (pair_capacity > 0 && pairs == nullptr)) {
+      return fail(CMB_ERROR_ARGUMENT, "pairs or pair_count is NULL");
+    }
+    cmb::BroadPhaseScratch &scratch = cmb::response_scratch().broad_phase;
+    found->find_candidates(position, rotation, scratch);
+    std::size_t count = 0;
+    const cmb::Candidate *last = nullptr;
+    for (const cmb::Candidate &candidate : scratch.candidates) {
+      const bool same = last != nullptr && last->body_a == candidate.body_a && last->body_b == candidate.body_b;
+      last = &candidate;
+      if (same) continue;  // another pair of shapes
+      if (count < pair_capacity) {
+        pairs[2 * count] = static_cast<int>(candidate.body_a) + 1;
+        pairs[2 * count + 1] = static_cast<int>(candidate.body_b) + 1;
+      }
+      ++count;
+    }
+    *pair_count = count;
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_query_contacts(cmb_broadphase broadphase, const double *position, const double *rotation,
+                              size_t body_count, size_t contact_capacity, cmb_contact *contacts,
+                              size_t *contact_count) {
+  return guarded([&] {
+    const BroadPhase *found = nullptr;
+    const cmb_status status = check_query(broadphase, position, rotation, body_count, found);
+    if (status != CMB_OK) return status;
+    if (contact_count == nullptr || (contact_capacity > 0 && contacts == nullptr)) {
+      return fail(CMB_ERROR_ARGUMENT, "contacts or contact_count is NULL");
+    }
+    std::size_t count = 0;
+    cmb::visit_contacts(*found, position, rotation, cmb::response_scratch().broad_phase, cmb::query_scratch(),
+                        [&](std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
+                          for (const ContactPoint &p : points) {
+                            if (count < contact_capacity) {
+                              contacts[count] = {static_cast<int>(a) + 1,
+                                                 static_cast<int>(b) + 1,
+                                                 p.depth,
+                                                 p.weight,
+                                                 {p.normal.x, p.normal.y, p.normal.z},
+                                                 {p.position.x, p.position.y, p.position.z}};
+                            }
+                            ++count;
+                          }
+                        });
+    *contact_count = count;
+    return CMB_OK;
+  });
+}
+
+void cmb_contact_law_init(cmb_contact_law *law) {
+  *law = {CMB_LAW_EXACT, 1,    1.0, 0.5,  1e3, 1e-4, CMB_COMBINE_MINIMUM, CMB_COMBINE_GEOMETRIC_MEAN, 1, 1e-3,
+          0.0,           0.0,  0.0, 1e-2};
+}
+
+cmb_status cmb_evaluate_response(cmb_broadphase broadphase, size_t body_count, const cmb_contact_law *law,
+                                 const cmb_body_properties *properties, const cmb_motion *motion, double *force,
+                                 double *torque, cmb_response_sums *sums) {
+  return guarded([&] {
+    if (law == nullptr || properties == nullptr || motion == nullptr) {
+      return fail(CMB_ERROR_ARGUMENT, "law, properties or motion is NULL");
+    }
+    const BroadPhase *found = nullptr;
+    const cmb_status status = check_query(broadphase, motion->position, motion->rotation, body_count, found);
+    if (status != CMB_OK) return status;
+    if (body_count > 0 && (motion->velocity == nullptr || motion->angular_velocity == nullptr || force == nullptr ||
+                           torque == nullptr)) {
+      return fail(CMB_ERROR_ARGUMENT, "velocity, angular_velocity, force or torque is NULL");
+    }
+    for (size_t body = 0; body < body_count; ++body) {
+      if (!finite_row(motion->velocity, body) || !finite_row(motion->angular_velocity, body)) {
+        return fail(CMB_ERROR_POSE, "body " + std::to_string(body + 1) +
+                                        " has a velocity that is not finite; check the initial values, or the step "
+                                        "size of the integrator");
+      }
+    }
+    try {
+      cmb::check_law(*law, *properties);
+      cmb::ResponseScratch &scratch = cmb::response_scratch();
+      const cmb_response_sums result =
+          cmb::evaluate_response(*found, *law, *properties, *motion, scratch, cmb::query_scratch());
+      write_rows(scratch.force, force);
+      write_rows(scratch.torque, torque);
+      if (sums != nullptr) *sums = result;
+      return CMB_OK;
+    } catch (const cmb::ResponseError &error) {
+      return fail(CMB_ERROR_ARGUMENT, error.what());
+    }
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,17 @@
+// Poses as callers give them.
+#pragma once
+
+#include <cstddef>
+
+#include "contact_multibody.h"
+#include "math/vector3.hpp"
+
+namespace cmb {
+
+// CMB_OK, or CMB_ERROR_POSE with an error text that names the body (0-based index into the arrays).
+cmb_status check_body_pose(std::size_t body, const double *position, const double *rotation);
+
+// The same, and gives the pose.
+cmb_status read_body_pose(std::size_t body, const double *position, const double *rotation, convex::Pose &pose);
+
+}  // namespace cmb

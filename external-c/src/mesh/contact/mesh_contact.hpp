@@ -1,0 +1,61 @@
+// Contact of a mesh with other bodies. Points and normals as ContactSet says, the mesh being the second body: normals
+// point out of the mesh. One-sided: the front of a triangle pushes, its back does not.
+#pragma once
+
+#include <vector>
+
+#include "manifold/contact_set.hpp"
+#include "mesh/contact/pair_patches.hpp"
+#include "mesh/contact/patch_load.hpp"
+#include "mesh/contact/shared_load.hpp"
+#include "mesh/contact/smooth_facets.hpp"
+#include "mesh/core/triangle_mesh.hpp"
+#include "narrowphase/convex_distance.hpp"
+#include "shape/polytope.hpp"
+
+namespace cmb::mesh {
+
+// Room that queries work in; one for each thread. Grows in the first calls.
+struct MeshContactScratch {
+  SharedLoad shared;
+  std::vector<Vec3> body_vertices, body_normals;  // in the mesh's frame
+  PatchScratch patch;
+  PairScratch pair;
+  Facets facets;
+  ContactSet reaction;  // what the other mesh of a pair pushes
+};
+
+// A ball. `center` in world axes. Apart, distance is that of the nearest place. Touching, there is a point for each
+// place of the mesh that is nearer than those around it (in a groove more than one), and they share the load as
+// SharedLoad says. Continuous down to a depth of half the radius. On a plane, whatever its triangulation: depth and
+// normal of the ball on a half-space, weight 1. Sheets
+// have no inside: a ball that passes through one from behind is pushed by the part that has come through.
+void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh, const Pose &pose,
+                    MeshContactScratch &scratch, ContactSet &result);
+
+// A capsule along z of `body_pose`, of the given length between the ends' centres. The ends are balls that share as on
+// a half-space; edges and corners of the mesh that reach in between carry what the ends leave.
+void capsule_contact(double radius, double length, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
+                     MeshContactScratch &scratch, ContactSet &result);
+
+// A convex polytope. The part of its surface behind the mesh's is divided among the triangles' wedges (TriangleWedge) and
+// carries as PatchLoad says. Weights sum to 1; the load is the mean depth. Sums of areas
+// do not depend on how a face is cut into triangles (within the depth of a sharp edge they do), and normals are those
+// of faces only. Depths count down to half the thickness of what lies behind a triangle.
+void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
+                      MeshContactScratch &scratch, ContactSet &result);
+
+// An ellipsoid, a cylinder or a cone: its surface below each triangle's plane, cut into pieces that turn with the plane
+// (facets_below), carries as a polytope's does. On a plane an ellipsoid has depth, normal and weight of the ellipsoid on
+// a half-space; cylinders and cones have the mean depth of what is below the plane, a standing one its depth.
+void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
+                    MeshContactScratch &scratch, ContactSet &result);
+
+// Two meshes, A and B; normals point out of B. One mesh's triangles push the other's surface as they push a polytope's:
+// a sheet's those of a closed mesh, of two closed ones the larger one's those of the smaller one. Two sheets touch where they
+// cross, and push each other, half each. Exchanging meshes gives the same points with normals reversed, but for closed meshes of
+// one size.
+void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
+                       MeshContactScratch &scratch, ContactSet &result);
+
+}  // namespace cmb::mesh

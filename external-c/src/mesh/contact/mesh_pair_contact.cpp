@@ -1,0 +1,176 @@
+#include <cmath>
+
+#include "math/pose_algebra.hpp"
+#include "mesh/contact/mesh_contact.hpp"
+#include "mesh/contact/pair_patches.hpp"
+#include "mesh/contact/patch_load.hpp"
+#include "mesh/core/mesh_pair_distance.hpp"
+#include "mesh/intersection/pierced_load.hpp"
+#include "mesh/intersection/swallowed.hpp"
+
+namespace cmb::mesh {
+
+namespace {
+
+// Triangles that cross by less than this part of the meshes' size do so by rounding.
+constexpr double rounding = 1e-15;
+
+// The middle of what the meshes' boxes have in common; moves steadily. In the first mesh's frame.
+Vec3 common_center(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place) {
+  const Bounds &one = mesh.hierarchy().bounds(), other = moved(body.hierarchy().bounds(), place);
+  Vec3 center;
+  for (int k = 0; k < 3; ++k) {
+    center.set(k, 0.5 * (std::fmax(one.low[k], other.low[k]) + std::fmin(one.high[k], other.high[k])));
+  }
+  return center;
+}
+
+struct PlacedMesh {
+  const TriangleMesh &mesh;
+  const Pose &pose;
+};
+
+// Appends what the triangles of `one` push of the surface of `other`, whose pose in its frame is `place`; normals point
+// out of `one`.
+void push(const PlacedMesh &one, const TriangleMesh &other, const Pose &place, PushedSurface pushed,
+          MeshContactScratch &scratch, ContactSet &result) {
+  PatchLoad load(one.mesh, one.pose, common_center(one.mesh, other, place), scratch.patch, pushed);
+  push_pair_patches(one.mesh, other, place, scratch.pair, scratch.patch, load);
+  if (load.touches()) load.finish(result);
+}
+
+// Multiplies the load of the points from `begin` on by `part`.
+void scale(std::vector<ContactPoint> &points, std::size_t begin, double part) {
+  for (std::size_t k = begin; k < points.size(); ++k) points[k].weight *= part;
+}
+
+// Adds the contact in `from`, reversed, its load and depth multiplied by `part`.
+void add_reversed(ContactSet &from, double part, ContactSet &result) {
+  reverse(from);
+  scale(from.points, 0, part);
+  for (const ContactPoint &point : from.points) {
+    if (point.weight > 0.0) result.points.push_back(point);
+  }
+  if (!(part * from.distance < result.distance)) return;
+  result.distance = part * from.distance;
+  result.normal = from.normal;
+  result.witness = from.witness;
+}
+
+// Crossings of triangles that are no deeper than this are due to rounding.
+double negligible(const TriangleMesh &a, const TriangleMesh &b) {
+  return rounding * (a.bound_radius() + b.bound_radius());
+}
+
+// The contact of two meshes, not both sheets, of which `one` pushes; normals point out of it. Of what is behind a sheet it
+// carries least_load_part times what crosses at most. Where it carries too little of what crosses, or lies in the other, the other
+// one pushes too, unless `one` is a sheet, and if it cannot either, the crossing triangles and the inner places do. Returns
+// whether the meshes touch.
+bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
+  const std::size_t begin = result.points.size();
+  const Pose place = relative_pose(one.pose, other.pose);
+  const double nothing = negligible(one.mesh, other.mesh);
+  push(one, other.mesh, place, PushedSurface::of_solid, scratch, result);
+  double load = total_load(result.points, begin);
+  if (!one.mesh.closed() && load > 0.0) {
+    const double depths =
+        depths_of_crossings(one.mesh, other.mesh, place, scratch.pair, nothing, load / least_load_part);
+    load = limit_load(least_load_part * depths, begin, result);
+  }
+  const double enough = least_load_part * load;
+  const double crossing = deepest_crossing(one.mesh, other.mesh, place, scratch.pair, std::fmax(nothing, enough));
+  if (!one.mesh.closed() && load > 0.0 && crossing == 0.0) return true;
+  // Places inside each may lie in the other; so it is where one has swallowed the other, whether or not they are flush.
+  const Pose back = place.inverse();
+  const SwallowedPlaces in_one(one.mesh, other.mesh, place, enough), in_other(other.mesh, one.mesh, back, enough);
+  const double depth = std::fmax(crossing, std::fmax(in_one.depth(), in_other.depth()));
+  if (load > 0.0 && !(depth > enough)) return true;
+  if (!(depth > 0.0)) return false;
+  if (!(load > 0.0)) result.distance = 0.0;
+  PiercedLoad pierced(common_center(one.mesh, other.mesh, place));
+  push_crossings(one.mesh, other.mesh, place, scratch.pair, pierced);
+  ContactSet &reaction = scratch.reaction;
+  const double lacking = load > 0.0 ? lacking_part(load, one.mesh.closed() ? depth : crossing) : 1.0;
+  // A sheet pushes to its front alone, whatever the sides of the body that passes through it would do.
+  if (one.mesh.closed()) {
+    reaction.points.clear();
+    reaction.distance = 0.0;
+    push(other, one.mesh, back, PushedSurface::of_solid, scratch, reaction);
+    add_reversed(reaction, lacking, result);
+  }
+  const double part = lacking * lacking_part(total_load(result.points, begin), depth);
+  pierced.finish(part, one.pose, result);
+  in_one.lead_out(crossing, part, one.pose, result);
+  reaction.points.clear();
+  reaction.distance = 0.0;
+  in_other.lead_out(std::fmax(crossing, in_one.depth()), part, other.pose, reaction);
+  add_reversed(reaction, 1.0, result);
+  return result.distance < 0.0;
+}
+
+// The contact of two sheets; normals point out of `one`. Both push, half each, what of the other's front is behind their own.
+// Nothing says where behind a sheet that ends. But sheets that touch from elsewhere than their fronts have hardly come through
+// at first, and those that have come through nearly altogether hardly hang together any more: their crossings are small.
+// So the load is least_load_part times what these are deep together, at most. Where it is too little for the deepest of them,
+// the crossing triangles push as well. Returns whether the sheets touch, which is whether they cross.
+bool sheet_contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
+  const std::size_t begin = result.points.size();
+  const Pose place = relative_pose(one.pose, other.pose), back = relative_pose(other.pose, one.pose);
+  result.distance = 0.0;
+  push(one, other.mesh, place, PushedSurface::of_sheet, scratch, result);
+  PiercedLoad pierced(common_center(one.mesh, other.mesh, place)), piercing(common_center(other.mesh, one.mesh, back));
+  push_sheet_crossings(one.mesh, other.mesh, place, scratch.pair, negligible(one.mesh, other.mesh), pierced, piercing);
+  const double crossing = pierced.deepest();
+  if (!(crossing > 0.0)) {
+    result.points.resize(begin);
+    return false;
+  }
+  ContactSet &reaction = scratch.reaction;
+  reaction.points.clear();
+  reaction.distance = 0.0;
+  push(other, one.mesh, back, PushedSurface::of_sheet, scratch, reaction);
+  scale(result.points, begin, 0.5);
+  scale(reaction.points, 0, 0.5);
+  const double load = total_load(result.points, begin) + total_load(reaction.points);
+  const double limit = least_load_part * pierced.depths(), part = load > limit ? limit / load : 1.0;
+  scale(result.points, begin, part);
+  result.distance *= part;
+  add_reversed(reaction, part, result);
+  const double lacking = lacking_part(part * load, crossing), count = pierced.count() + piercing.count();
+  pierced.finish(lacking, one.pose, result, pierced.count() / count);
+  reaction.points.clear();
+  reaction.distance = 0.0;
+  piercing.finish(lacking, other.pose, reaction, piercing.count() / count);
+  add_reversed(reaction, 1.0, result);
+  return true;
+}
+
+// Whether the first mesh pushes the second one's surface rather than the other way round: sheets do, which have no
+// inside, and the larger body, whose surface is likely to be the flatter one.
+bool pushes(const TriangleMesh &one, const TriangleMesh &other) {
+  if (one.closed() != other.closed()) return !one.closed();
+  return one.bound_radius() > other.bound_radius();
+}
+
+}  // namespace
+
+void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
+                       MeshContactScratch &scratch, ContactSet &result) {
+  const PlacedMesh first{a, pose_a}, second{b, pose_b};
+  const auto touch = a.closed() || b.closed() ? contact : sheet_contact;
+  if (pushes(a, b)) {
+    if (touch(first, second, scratch, result)) {
+      reverse(result);
+      return;
+    }
+  } else if (touch(second, first, scratch, result)) {
+    return;
+  }
+  const TrianglePair nearest = mesh_pair_distance(a, b, relative_pose(pose_a, pose_b));
+  result.distance = nearest.distance;
+  result.normal =
+      normalized(pose_a.rotation * (nearest.on_a - nearest.on_b), pose_b.rotation * b.face_normal(nearest.b));
+  result.witness = pose_a(0.5 * (nearest.on_a + nearest.on_b));
+}
+
+}  // namespace cmb::mesh

@@ -1,0 +1,139 @@
+#include "mesh/contact/patch_load.hpp"
+
+#include <cmath>
+
+namespace cmb::mesh {
+
+// The depth over the polygon, whose plane meets the triangle's under an angle of the given cosine.
+PatchLoad::Integral PatchLoad::integrate(const std::vector<Vec3> &polygon, const TriangleWedge &wedge, double cosine) {
+  Integral sum;
+  const Vec3 &p = polygon[0];
+  const double dp = std::fmax(0.0, wedge.depth(p));
+  double dq = std::fmax(0.0, wedge.depth(polygon[1]));
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vec3 &q = polygon[i], &r = polygon[i + 1];
+    const double dr = std::fmax(0.0, wedge.depth(r));
+    const double area = 0.5 * norm(cross(q - p, r - p)) * cosine, depths = dp + dq + dr;
+    sum.area += area;
+    sum.load += area * depths / 3.0;
+    sum.energy += area * (depths * depths + dp * dp + dq * dq + dr * dr) / 12.0;
+    sum.moment = sum.moment + (area / 12.0) * ((dp + depths) * p + (dq + depths) * q + (dr + depths) * r);
+    dq = dr;
+  }
+  return sum;
+}
+
+bool PatchLoad::push(const TriangleWedge &wedge, const Vec3 &normal, double factor) {
+  std::vector<Vec3> &polygon = scratch_.polygon;
+  wedge.clip(polygon, scratch_.clipped);
+  if (polygon.size() < 3) return false;
+  const double cosine = -dot(normal, wedge.normal());
+  if (cosine > 0.0) {
+    add_patch(wedge, cosine, factor);
+  } else if (pushed_ == PushedSurface::of_sheet) {
+    const double area = integrate(polygon, wedge, -cosine).area;
+    area_ += area;
+    carrying_area_ += area;
+  }
+  return true;
+}
+
+// The patch is scratch_.polygon.
+void PatchLoad::add_patch(const TriangleWedge &wedge, double cosine, double factor) {
+  std::vector<Vec3> &polygon = scratch_.polygon;
+  Vec3 middle;
+  for (const Vec3 &p : polygon) middle = middle + p;
+  middle = (1.0 / static_cast<double>(polygon.size())) * middle;
+  const double frontal = pushed_ == PushedSurface::of_sheet ? std::fmin(1.0, 4.0 * cosine * cosine) : 1.0;
+  const double carried = inside_share(middle, wedge.depth(middle), wedge.triangle());
+  if (carried > 0.0) {
+    for (const Vec3 &p : polygon) {
+      const double depth = frontal * wedge.depth(p);
+      if (!(depth > deepest_)) continue;
+      deepest_ = depth;
+      deepest_place_ = p;
+      deepest_normal_ = wedge.normal();
+    }
+  }
+  // Two planes through the centre, along the two axes that the normal is farthest from, part the quadrants.
+  const Vec3 &n = wedge.normal();
+  const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
+  const int across = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  const int first = (across + 1) % 3, second = (across + 2) % 3;
+  const auto side_of = [&](const std::vector<Vec3> &points, int axis) {  // -1, 1, or 0 where the plane cuts
+    bool below = false, above = false;
+    for (const Vec3 &p : points) (p[axis] < center_[axis] ? below : above) = true;
+    return below && above ? 0 : below ? -1 : 1;
+  };
+  const auto take = [&](std::size_t quadrant) {
+    const Integral integral = integrate(polygon, wedge, cosine);
+    area_ += integral.area;
+    carrying_area_ += carried * integral.area;
+    if (!(integral.load > 0.0)) return;
+    most_carried_ = std::fmax(most_carried_, carried);
+    add(integral, quadrant, n, factor * frontal * carried);
+  };
+  const auto split_second = [&](std::size_t quadrant) {
+    const int side = side_of(polygon, second);
+    if (side != 0) {
+      take(quadrant + (side > 0 ? 2 : 0));
+      return;
+    }
+    Vec3 axis;
+    axis.set(second, 1.0);
+    scratch_.quarter = polygon;
+    clip_polygon(polygon, axis, center_[second], scratch_.clipped);
+    if (polygon.size() >= 3) take(quadrant + 2);
+    polygon = scratch_.quarter;
+    clip_polygon(polygon, -axis, -center_[second], scratch_.clipped);
+    if (polygon.size() >= 3) take(quadrant);
+  };
+  const int side = side_of(polygon, first);
+  if (side != 0) {
+    split_second(side > 0 ? 1 : 0);
+    return;
+  }
+  Vec3 axis;
+  axis.set(first, 1.0);
+  scratch_.half = polygon;
+  clip_polygon(polygon, axis, center_[first], scratch_.clipped);
+  if (polygon.size() >= 3) split_second(1);
+  polygon = scratch_.half;
+  clip_polygon(polygon, -axis, -center_[first], scratch_.clipped);
+  if (polygon.size() >= 3) split_second(0);
+}
+
+void PatchLoad::add(const Integral &integral, std::size_t quadrant, const Vec3 &normal, double share) {
+  if (!(share > 0.0)) return;
+  const Vec3 moment = integral.moment - integral.load * center_;
+  sums_[quadrant].add(share * integral.load, share * integral.energy, share * moment, normal);
+}
+
+// 1 where the triangle's plane is what is nearest to a point behind it; falls to 0 where another part of the surface
+// is nearer by half, as on the far side of a thin wall. Down to the clear depth nothing is, which need not be looked up.
+double PatchLoad::inside_share(const Vec3 &p, double depth, std::uint32_t triangle) const {
+  const double clear = mesh_.clear_depth(triangle);
+  if (!mesh_.closed() || depth <= clear) return 1.0;
+  const double share =
+      std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, triangle).distance / depth - 1.0 + 1e-9));
+  return depth >= 2.0 * clear ? share : 1.0 - (depth / clear - 1.0) * (1.0 - share);
+}
+
+void PatchLoad::finish(ContactSet &result) const {
+  // Patches that belong to another side do not count, unless there are no others.
+  const double area = carrying_area_ + (1.0 - most_carried_) * area_;
+  for (std::size_t direction = 0; direction < DirectionSums::directions; ++direction) {
+    for (const DirectionSums &quadrant : sums_) {
+      ContactPoint point;
+      if (!quadrant.point(direction, center_, 1.0 / area, point)) continue;
+      point.normal = pose_.rotation * point.normal;
+      point.position = pose_(point.position);
+      result.points.push_back(point);
+    }
+  }
+  result.distance = -deepest_;
+  result.normal = pose_.rotation * deepest_normal_;
+  result.witness = pose_(deepest_place_ + (0.5 * deepest_) * deepest_normal_);
+}
+
+}  // namespace cmb::mesh

@@ -1,0 +1,106 @@
+#include <cmath>
+#include <limits>
+
+#include "math/pose_algebra.hpp"
+#include "mesh/contact/mesh_contact.hpp"
+#include "mesh/contact/nearest_triangle.hpp"
+#include "mesh/contact/patch_load.hpp"
+#include "mesh/contact/polytope_distance.hpp"
+#include "mesh/core/triangle_wedge.hpp"
+#include "mesh/intersection/pierced_load.hpp"
+#include "mesh/intersection/triangle_section.hpp"
+
+namespace cmb::mesh {
+
+namespace {
+
+// Everything in the mesh's frame but the result.
+class PolytopeQuery {
+ public:
+  PolytopeQuery(const convex::Polytope &body, const Pose &body_in_mesh, const TriangleMesh &mesh, const Pose &pose,
+                MeshContactScratch &scratch, ContactSet &result)
+      : body_(body), place_(body_in_mesh), mesh_(mesh), pose_(pose), scratch_(scratch), result_(result) {
+    scratch.body_vertices.clear();
+    scratch.body_normals.clear();
+    for (const Vec3 &v : body.vertices()) scratch.body_vertices.push_back(body_in_mesh(v));
+    for (const auto &face : body.faces()) scratch.body_normals.push_back(body_in_mesh.rotation * face.normal);
+    box_ = bounds_of(scratch.body_vertices);
+    size_ = 0.5 * norm(box_.high - box_.low);
+  }
+
+  void run() {
+    PatchLoad load(mesh_, pose_, 0.5 * (box_.low + box_.high), scratch_.patch);
+    mesh_.hierarchy().visit_near(
+        box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { triangle(t, load); });
+    const std::size_t begin = result_.points.size();
+    if (load.touches()) load.finish(result_);
+    const SectionedBody body(body_, place_, scratch_.body_vertices, scratch_.body_normals, scratch_.patch.polygon,
+                             scratch_.patch.clipped);
+    const double carried = mesh_.closed() ? total_load(result_.points, begin) : limit_by_sections(body, mesh_, begin, result_);
+    if (!complete_contact(body, mesh_, pose_, carried, result_)) apart();
+  }
+
+ private:
+  // The part of the body's surface that triangle t pushes.
+  void triangle(std::uint32_t t, PatchLoad &load) {
+    const Vec3 &normal = mesh_.face_normal(t);
+    const double offset = dot(normal, mesh_.corner(t, 0));
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec3 &v : scratch_.body_vertices) lowest = std::fmin(lowest, dot(normal, v));
+    if (!(lowest < offset)) return;
+    TriangleWedge wedge;
+    if (!wedge.build_if_it_meets(mesh_, t, size_, 0.5 * (box_.low + box_.high), size_)) return;
+    for (std::size_t f = 0; f < scratch_.body_normals.size(); ++f) {
+      if (!(dot(scratch_.body_normals[f], normal) < 0.0)) continue;
+      const convex::Polytope::Face &face = body_.faces()[f];
+      std::vector<Vec3> &polygon = scratch_.patch.polygon;
+      polygon.clear();
+      for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
+        polygon.push_back(
+            scratch_.body_vertices[static_cast<std::size_t>(body_.face_vertices()[static_cast<std::size_t>(i)])]);
+      }
+      load.push(wedge, scratch_.body_normals[f]);
+    }
+  }
+
+  void apart() {
+    NearestTriangle nearest(mesh_);
+    // The extents along the best direction so far bound the distance of the others.
+    Vec3 direction;
+    double lowest = 0.0;
+    mesh_.hierarchy().visit_near(
+        box_, [&] { return nearest.distance() * nearest.distance(); },
+        [&](std::uint32_t t) {
+          const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
+          const double highest = std::fmax(dot(direction, a), std::fmax(dot(direction, b), dot(direction, c)));
+          if (lowest - highest > nearest.distance()) return;
+          const TriangleGap gap = triangle_polytope_distance(a, b, c, body_, scratch_.body_vertices,
+                                                             scratch_.body_normals, scratch_.patch.polygon,
+                                                             scratch_.patch.clipped);
+          if (!nearest.offer(gap, t)) return;
+          direction = nearest.direction();
+          lowest = std::numeric_limits<double>::infinity();
+          for (const Vec3 &v : scratch_.body_vertices) lowest = std::fmin(lowest, dot(direction, v));
+        });
+    nearest.write(pose_, result_);
+  }
+
+  const convex::Polytope &body_;
+  const Pose &place_;
+  const TriangleMesh &mesh_;
+  const Pose &pose_;
+  MeshContactScratch &scratch_;
+  ContactSet &result_;
+  Bounds box_;
+  double size_ = 0.0;
+};
+
+}  // namespace
+
+void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
+                      MeshContactScratch &scratch, ContactSet &result) {
+  const Pose body_in_mesh = relative_pose(pose, body_pose);
+  PolytopeQuery(body, body_in_mesh, mesh, pose, scratch, result).run();
+}
+
+}  // namespace cmb::mesh

@@ -1,0 +1,110 @@
+// A checked triangle mesh with what contact queries need.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mesh/core/mesh_check.hpp"
+#include "mesh/core/mesh_data.hpp"
+#include "mesh/core/triangle_hierarchy.hpp"
+
+namespace cmb::mesh {
+
+// Of a closed mesh filled with density 1.
+struct MassProperties {
+  double volume = 0.0;  // m3
+  Vec3 centroid;
+  Mat3 inertia = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};  // m5, about the centroid, axes of the mesh
+};
+
+// Where on a triangle a point is.
+enum class TriangleFeature : std::uint8_t { face, edge, vertex };
+struct TrianglePoint {
+  Vec3 point;
+  TriangleFeature feature = TriangleFeature::face;
+  std::uint8_t index = 0;  // side of the edge, corner of the vertex
+};
+
+// The point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, section 5.1.5).
+TrianglePoint nearest_on_triangle(const Vec3 &p, const Vec3 &a, const Vec3 &b, const Vec3 &c);
+
+struct NearestPoint {
+  double distance = 0.0;  // signed: negative behind the surface
+  Vec3 point;             // of the mesh
+  Vec3 normal;            // unit; from the surface at `point` to where the distance grows fastest
+  std::uint32_t triangle = 0;
+};
+
+// Immutable; shared by threads. All in the mesh's frame.
+class TriangleMesh {
+ public:
+  // Throws MeshError (see check_mesh), std::bad_alloc. Vertices must be shared already (weld_vertices).
+  TriangleMesh(MeshData data, MeshUse use, const std::string &source);
+
+  const std::vector<Vec3> &vertices() const { return data_.vertices; }
+  const std::vector<Triangle> &triangles() const { return data_.triangles; }
+  const Vec3 &corner(std::uint32_t t, std::size_t k) const { return data_.vertices[data_.triangles[t][k % 3]]; }
+  // Triangle beyond side k of t, or -1.
+  std::int32_t neighbour(std::uint32_t t, std::size_t k) const { return neighbours_[t][k]; }
+  // The triangles at vertex v: vertex_triangles()[vertex_begin(v) .. vertex_begin(v + 1)).
+  const std::vector<std::uint32_t> &vertex_triangles() const { return vertex_triangles_; }
+  std::uint32_t vertex_begin(std::uint32_t v) const { return vertex_begin_[v]; }
+
+  // Unit, towards the front.
+  const Vec3 &face_normal(std::uint32_t t) const { return face_normals_[t]; }
+  // Normals of edges (mean of the two faces) and vertices (mean by angle), unit: their sign tells front from back
+  // where an edge or vertex is nearest (Baerentzen and Aanaes 2005).
+  Vec3 edge_normal(std::uint32_t t, std::size_t k) const;
+  const Vec3 &vertex_normal(std::uint32_t v) const { return vertex_normals_[v]; }
+  // Half of what lies behind the triangle: contact deeper than that belongs to the other side. Infinite where the
+  // line into the body from the triangle's middle meets nothing.
+  double depth_limit(std::uint32_t t) const { return depth_limits_[t]; }
+
+  // Down to this depth behind the triangle no other side of the mesh is as near as the triangle is: no triangle whose
+  // normal is more than 60 degrees off, but for those that share a corner with it. At most three lengths of a side.
+  double clear_depth(std::uint32_t t) const { return clear_depths_[t]; }
+
+  // A few places well inside a closed mesh, far from each other; of a sheet, one of its vertices. Never empty.
+  const std::vector<Vec3> &inner_places() const { return inner_places_; }
+  static constexpr std::size_t most_inner_places = 8;
+
+  bool closed() const { return closed_; }
+  const MassProperties &mass_properties() const { return mass_properties_; }  // all zero for open meshes
+  double area() const { return area_; }
+  // About the length of the triangles' sides, as a mean.
+  double triangle_size() const;
+  const TriangleHierarchy &hierarchy() const { return hierarchy_; }
+  // Bounding sphere.
+  const Vec3 &bound_center() const { return bound_center_; }
+  double bound_radius() const { return bound_radius_; }
+
+  // Where the mesh is nearest to p (finite). The search begins with triangle `first`: the nearer that one is, the faster;
+  // the answer does not depend on it. Neither allocates nor throws.
+  NearestPoint nearest(const Vec3 &p, std::uint32_t first = 0) const;
+
+ private:
+  void build_normals();
+  void build_vertex_triangles();
+  void build_depth_limits();
+  void build_clear_depths();
+  void build_inner_places();
+  bool is_other_side(std::uint32_t t, std::uint32_t other) const;
+  void measure();
+
+  MeshData data_;
+  std::vector<std::array<std::int32_t, 3>> neighbours_;
+  TriangleHierarchy hierarchy_;
+  std::vector<std::uint32_t> vertex_triangles_, vertex_begin_;
+  std::vector<Vec3> face_normals_, vertex_normals_;
+  std::vector<double> depth_limits_, clear_depths_;
+  std::vector<Vec3> inner_places_;
+  MassProperties mass_properties_;
+  double area_ = 0.0;
+  bool closed_ = true;
+  Vec3 bound_center_;
+  double bound_radius_ = 0.0;
+};
+
+}  // namespace cmb::mesh

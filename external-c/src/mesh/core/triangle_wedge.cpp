@@ -1,0 +1,74 @@
+#include "mesh/core/triangle_wedge.hpp"
+
+#include <algorithm>
+
+namespace cmb::mesh {
+
+void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset, std::vector<Vec3> &room) {
+  bool all_kept = true;
+  for (const Vec3 &p : polygon) all_kept = all_kept && dot(normal, p) >= offset;
+  if (all_kept) return;
+  room.clear();
+  double above_p = dot(normal, polygon[0]) - offset;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &p = polygon[i], &q = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    const double above_q = dot(normal, q) - offset;
+    if (above_p >= 0.0) room.push_back(p);
+    if ((above_p < 0.0) != (above_q < 0.0)) room.push_back(p + (above_p / (above_p - above_q)) * (q - p));
+    above_p = above_q;
+  }
+  polygon.swap(room);
+}
+
+void TriangleWedge::build_front(const TriangleMesh &mesh, std::uint32_t t, double deepest) {
+  triangle_ = t;
+  normal_ = mesh.face_normal(t);
+  offset_ = dot(normal_, mesh.corner(t, 0));
+  limit_ = std::min(mesh.depth_limit(t), deepest);
+}
+
+void TriangleWedge::build_side(const TriangleMesh &mesh, std::size_t k) {
+  const Vec3 along = mesh.corner(triangle_, k + 1) - mesh.corner(triangle_, k);
+  const std::int32_t other = mesh.neighbour(triangle_, k);
+  const Vec3 sum = other < 0 ? normal_ : normal_ + mesh.face_normal(static_cast<std::uint32_t>(other));
+  side_[k] = cross(sum, along);
+  // Folded back onto itself: no plane halves the angle, the triangle's own border does as well.
+  if (!(norm2(side_[k]) > 1e-24 * norm2(along))) side_[k] = cross(normal_, along);
+  side_offset_[k] = dot(side_[k], mesh.corner(triangle_, k));
+}
+
+TriangleWedge::TriangleWedge(const TriangleMesh &mesh, std::uint32_t t, double deepest) {
+  build_front(mesh, t, deepest);
+  for (std::size_t k = 0; k < 3; ++k) build_side(mesh, k);
+}
+
+bool TriangleWedge::build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 &center,
+                                      double radius) {
+  build_front(mesh, t, deepest);
+  if (depth(center) <= -radius) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    build_side(mesh, k);
+    const double inside = dot(side_[k], center) - side_offset_[k];
+    if (inside < 0.0 && inside * inside > radius * radius * norm2(side_[k])) return false;
+  }
+  return true;
+}
+
+bool TriangleWedge::may_meet(const Vec3 (&corner)[3]) const {
+  if (depth(corner[0]) <= 0.0 && depth(corner[1]) <= 0.0 && depth(corner[2]) <= 0.0) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double offset = side_offset_[k];
+    if (dot(side_[k], corner[0]) < offset && dot(side_[k], corner[1]) < offset && dot(side_[k], corner[2]) < offset) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void TriangleWedge::clip(std::vector<Vec3> &polygon, std::vector<Vec3> &room) const {
+  for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) clip_polygon(polygon, side_[k], side_offset_[k], room);
+  if (!polygon.empty()) clip_polygon(polygon, -normal_, -offset_, room);
+  if (!polygon.empty()) clip_polygon(polygon, normal_, offset_ - limit_, room);
+}
+
+}  // namespace cmb::mesh

@@ -1,0 +1,47 @@
+// What lies behind a triangle of a mesh.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/core/triangle_mesh.hpp"
+
+namespace cmb::mesh {
+
+// The part of space behind a triangle, between the planes that halve the angles to its neighbours, down to a depth. The
+// wedges of neighbours share sides, so that they divide a body's surface among them. In the mesh's frame.
+class TriangleWedge {
+ public:
+  // `deepest`: no depth counts beyond it, nor beyond the mesh's depth limit for the triangle.
+  TriangleWedge(const TriangleMesh &mesh, std::uint32_t t, double deepest);
+
+  // A wedge to be built later.
+  TriangleWedge() = default;
+  // The same, but gives up and returns false as soon as it shows that no point of the ball lies in the wedge.
+  bool build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 &center, double radius);
+
+  // False where all corners of a triangle lie beyond one of the wedge's planes.
+  bool may_meet(const Vec3 (&corner)[3]) const;
+
+  std::uint32_t triangle() const { return triangle_; }
+  const Vec3 &normal() const { return normal_; }
+  double depth(const Vec3 &p) const { return offset_ - dot(normal_, p); }
+
+  // Keeps the part of the polygon in the wedge; `room` is overwritten.
+  void clip(std::vector<Vec3> &polygon, std::vector<Vec3> &room) const;
+
+ private:
+  void build_front(const TriangleMesh &mesh, std::uint32_t t, double deepest);
+  void build_side(const TriangleMesh &mesh, std::size_t k);
+
+  std::uint32_t triangle_ = 0;
+  Vec3 normal_;
+  double offset_ = 0.0, limit_ = 0.0;
+  Vec3 side_[3];          // inward, not unit
+  double side_offset_[3] = {};
+};
+
+// Keeps the part of the polygon with normal . x >= offset; `room` is overwritten.
+void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset, std::vector<Vec3> &room);
+
+}  // namespace cmb::mesh

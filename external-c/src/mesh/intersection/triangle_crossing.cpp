@@ -1,0 +1,78 @@
+#include "mesh/intersection/triangle_crossing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cmb::mesh {
+
+namespace {
+
+struct Interval {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  void include(double x) {
+    low = std::fmin(low, x);
+    high = std::fmax(high, x);
+  }
+};
+
+Interval extent(const Vec3 (&corner)[3], const Vec3 &axis, const Vec3 &from) {
+  Interval interval;
+  for (const Vec3 &p : corner) interval.include(dot(axis, p - from));
+  return interval;
+}
+
+// How far two intervals reach into each other.
+double overlap(const Interval &a, const Interval &b) { return std::fmin(a.high - b.low, b.high - a.low); }
+
+// Where the triangle meets the plane through `from`, as an interval along `line`; `low_at` and `high_at` receive its ends.
+Interval on_line(const Vec3 (&corner)[3], const Vec3 &normal, const Vec3 &from, const Vec3 &line, const Vec3 &origin,
+                 Vec3 &low_at, Vec3 &high_at) {
+  Interval interval;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &p = corner[k], &q = corner[(k + 1) % 3];
+    const double above_p = dot(normal, p - from), above_q = dot(normal, q - from);
+    if ((above_p >= 0.0) == (above_q >= 0.0)) continue;
+    const Vec3 at = p + (above_p / (above_p - above_q)) * (q - p);
+    const double x = dot(line, at - origin);
+    if (x < interval.low) low_at = at;
+    if (x > interval.high) high_at = at;
+    interval.include(x);
+  }
+  return interval;
+}
+
+}  // namespace
+
+TriangleSection common_segment(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b) {
+  const Vec3 line = cross(normal_a, normal_b);
+  Vec3 low_a, high_a, low_b, high_b;
+  const Interval first = on_line(a, normal_b, b[0], line, a[0], low_a, high_a);
+  const Interval second = on_line(b, normal_a, a[0], line, a[0], low_b, high_b);
+  const Vec3 &low_at = first.low > second.low ? low_a : low_b, &high_at = first.high < second.high ? high_a : high_b;
+  const double along = std::fmin(first.high, second.high) - std::fmax(first.low, second.low);
+  return {along > 0.0 ? norm(high_at - low_at) : 0.0, 0.5 * (low_at + high_at)};
+}
+
+TriangleSection triangle_crossing(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b,
+                                  double enough) {
+  const Vec3 &origin = a[0];
+  double depth = std::numeric_limits<double>::infinity();
+  const auto still_crosses = [&](const Vec3 &axis) {
+    depth = std::fmin(depth, overlap(extent(a, axis, origin), extent(b, axis, origin)));
+    return depth > enough;
+  };
+  if (!still_crosses(normal_a) || !still_crosses(normal_b)) return {};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 along = a[(i + 1) % 3] - a[i];
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 other = b[(j + 1) % 3] - b[j], axis = cross(along, other);
+      const double length2 = norm2(axis);
+      if (!(length2 > 1e-24 * norm2(along) * norm2(other))) continue;  // parallel: the planes' normals bound it
+      if (!still_crosses((1.0 / std::sqrt(length2)) * axis)) return {};
+    }
+  }
+  return {depth, common_segment(a, normal_a, b, normal_b).place};
+}
+
+}  // namespace cmb::mesh

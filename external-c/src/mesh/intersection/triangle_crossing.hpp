@@ -1,0 +1,19 @@
+// How two triangles pass through each other.
+#pragma once
+
+#include "mesh/core/mesh_data.hpp"
+#include "mesh/intersection/triangle_section.hpp"
+
+namespace cmb::mesh {
+
+// The segment that two triangles have in common: its length as depth, 0 where there is none or they lie in one plane, and its
+// middle. `normal_a`, `normal_b`: unit.
+TriangleSection common_segment(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b);
+
+// Depth: the least translation that parts them, 0 where they do not cross or where that is at most `enough` (the place is of
+// no use then); exact, by the separating axes of two triangles. Place: the middle of the segment they have in common. Both are
+// continuous in the corners. `normal_a`, `normal_b`: unit.
+TriangleSection triangle_crossing(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b,
+                                  double enough = 0.0);
+
+}  // namespace cmb::mesh

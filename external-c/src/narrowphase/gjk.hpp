@@ -1,0 +1,28 @@
+// Distance of two convex cores by the Gilbert-Johnson-Keerthi algorithm.
+#pragma once
+
+#include "narrowphase/minkowski_difference.hpp"
+
+namespace cmb::convex {
+
+struct GjkResult {
+  // apart: `closest` and the simplex hold the answer, proven to `gap`.
+  // touching: the origin is in the simplex, or so near the difference that rounding decides.
+  // uncertain: no proof in the steps allowed.
+  enum class Status { apart, touching, uncertain };
+  Status status = Status::uncertain;
+  Vec3 closest;        // point of A - B nearest to the origin
+  double lower = 0.0;  // proven lower bound of the distance (where apart)
+  Vec3 direction;      // unit, from A to B: the direction that proves it
+  DifferencePoint simplex[4];
+  double weight[4] = {1, 0, 0, 0};  // convex combination of the simplex that gives `closest`
+  int count = 0;
+  int steps = 0;
+};
+
+// `first` is any direction (a guess from B to A makes it fast); `tolerance` the gap between upper and
+// lower bound, in metres, that ends the search; so does, where both are positive, a gap of `enough` times the
+// upper. Ends after at most 100 steps.
+GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first, double tolerance, double enough = 0.0);
+
+}  // namespace cmb::convex

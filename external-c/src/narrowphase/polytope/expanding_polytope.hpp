@@ -1,0 +1,57 @@
+// Penetration depth of two convex cores by the expanding polytope algorithm.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "narrowphase/minkowski_difference.hpp"
+#include "narrowphase/polytope/nearby_surface.hpp"
+#include "shape/expanding_hull.hpp"
+
+namespace cmb::convex {
+
+struct PenetrationResult {
+  double depth = 0.0;  // smallest value found of the difference's support function; proven where `proven`
+  double lower = 0.0;  // proven lower bound
+  Vec3 direction;      // unit, where `depth` is taken: the surface of A - B nearest to the origin
+  Vec3 a, b;           // witness points, in A's frame
+  bool proven = false;
+  int steps = 0;
+  // Where not proven: directions, well apart from each other, in which the surface may be nearer. Where find_others was
+  // called: in which it may be as near.
+  static constexpr int most_others = 24;
+  Vec3 other[most_others];
+  int other_count = 0;
+  Vec3 mean_outward;  // where asked for: of the surface nearby (nearby_surface.hpp), not unit
+};
+
+// Works in storage allocated by the constructor alone. Not for sharing between threads.
+class ExpandingPolytope {
+ public:
+  explicit ExpandingPolytope(std::size_t max_points = 1024);
+
+  // Depth of the origin in the difference, to `tolerance` metres, in at most `most_points` points of the
+  // difference. `simplex` (count 1 to 4) are points to start from. Not proven where rounding broke the
+  // surface, where the points did not suffice, or where the difference is flat (depth and direction are
+  // then the best so far). Where the bodies' `size` is given (> 0), the surface is also made whole within
+  // surface_reach(depth, size), and `mean_outward` found.
+  PenetrationResult depth(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count,
+                          double tolerance, std::int32_t most_points, double size = 0.0);
+
+  // Of the depth found last: sets the other directions in which the surface may be no farther than `depth`.
+  void find_others(double depth, PenetrationResult &result) const;
+
+ private:
+  bool start(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count);
+  bool start_from(const DifferencePoint *tetrahedron, double thickness);
+  void other_directions(PenetrationResult &result);
+  void witness(PenetrationResult &result) const;
+  void measure_surface(PenetrationResult &result, double size) const;
+
+  ExpandingHull hull_;
+  std::vector<DifferencePoint> points_;
+  std::vector<std::pair<double, std::int32_t>> queue_;  // heap: faces by offset, least first
+};
+
+}  // namespace cmb::convex

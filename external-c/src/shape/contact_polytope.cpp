@@ -1,0 +1,178 @@
+#include "shape/contact_polytope.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "math/branch_free.hpp"
+#include "math/solid_angle.hpp"
+#include "shape/convex_hull.hpp"
+
+namespace cmb {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+// Keeps the blend finite where the load comes exactly along a face's normal.
+constexpr double smallest_angle_term = 1e-14;
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+struct Neighbourhood {
+  std::int32_t face;
+  std::int32_t next;  // vertex after this one in the face
+  std::int32_t previous;
+  double share;
+};
+
+}  // namespace
+
+ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : geometry_(std::move(geometry)) {
+  const std::size_t vertex_count = geometry_.vertices().size();
+  std::vector<std::vector<Neighbourhood>> around(vertex_count);
+  for (std::size_t f = 0; f < geometry_.faces().size(); ++f) {
+    const convex::Polytope::Face &face = geometry_.faces()[f];
+    double sum = 0.0;
+    std::vector<double> exterior(index(face.count));
+    const auto vertex = [&](std::int32_t k) {
+      return geometry_.face_vertices()[index(face.first + (k + face.count) % face.count)];
+    };
+    for (std::int32_t k = 0; k < face.count; ++k) {
+      const Vec3 &here = geometry_.vertices()[index(vertex(k))];
+      const Vec3 in = here - geometry_.vertices()[index(vertex(k - 1))];
+      const Vec3 out = geometry_.vertices()[index(vertex(k + 1))] - here;
+      exterior[index(k)] = std::atan2(norm(cross(in, out)), dot(in, out));
+      sum += exterior[index(k)];
+    }
+    for (std::int32_t k = 0; k < face.count; ++k) {
+      around[index(vertex(k))].push_back(
+          {static_cast<std::int32_t>(f), vertex(k + 1), vertex(k - 1), exterior[index(k)] / sum});
+    }
+  }
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    std::vector<Neighbourhood> &corners = around[v];
+    // In turn: each face's previous vertex is the next vertex of the face that follows counter-clockwise.
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+      const std::int32_t shared = corners[i].previous;
+      for (std::size_t j = i + 1; j < corners.size(); ++j) {
+        if (corners[j].next == shared) {
+          std::swap(corners[i + 1], corners[j]);
+          break;
+        }
+      }
+    }
+    corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+    double low = 1.0, high = 0.0;
+    double normal_cone = 0.0;
+    for (const Neighbourhood &corner : corners) {
+      corners_.push_back({corner.share, corner.face});
+      low = std::min(low, corner.share);
+      high = std::max(high, corner.share);
+    }
+    constant_.push_back(high - low <= 1e-12 ? 0.5 * (high + low) : -1.0);
+    all_constant_ = all_constant_ && constant_.back() >= 0.0;
+    const auto normal = [&](std::size_t i) -> const Vec3 & { return geometry_.faces()[index(corners[i].face)].normal; };
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+      normal_cone += triangle_solid_angle(normal(0), normal(i + 1), normal(i + 2));
+    }
+    normal_cone_.push_back(std::fabs(normal_cone));
+  }
+  corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+  for (const convex::Polytope::Edge &edge : geometry_.edges()) {
+    const double part = 2.0 * pi / (normal_cone(edge.vertex[0]) + normal_cone(edge.vertex[1]));
+    EdgeStiffness &stiffness = edge_stiffness_.emplace_back();
+    for (int side = 0; side < 2; ++side) {
+      stiffness.in_face[side] =
+          part * (share_in(edge.vertex[0], edge.face[side]) + share_in(edge.vertex[1], edge.face[side]));
+    }
+  }
+  if (geometry_.edges().size() <= most_in_set) {
+    build_sets();
+  } else {
+    std::vector<Vec3> normals;
+    for (const convex::Polytope::Face &face : geometry_.faces()) normals.push_back(face.normal);
+    convex::build_convex_hull(normals, normals_, nullptr, nullptr);
+  }
+  if (meaning == Corners::curve) return;
+  double radius = 0.0;
+  for (const Vec3 &v : geometry_.vertices()) radius = std::max(radius, norm(v - geometry_.center()));
+  fineness_ = static_cast<double>(vertex_count) / (2.0 * radius);
+}
+
+void ContactPolytope::build_sets() {
+  incidence_.resize(geometry_.vertices().size());
+  for (std::size_t e = 0; e < geometry_.edges().size(); ++e) {
+    const convex::Polytope::Edge &edge = geometry_.edges()[e];
+    for (const std::int32_t end : edge.vertex) {
+      Incidence &at_end = incidence_[index(end)];
+      at_end.edges |= std::uint64_t{1} << e;
+      at_end.faces |= std::uint64_t{1} << edge.face[0] | std::uint64_t{1} << edge.face[1];
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const Vec3 &vertex : geometry_.vertices()) coordinates_.push_back(vertex[axis]);
+    for (const convex::Polytope::Face &face : geometry_.faces()) normal_coordinates_.push_back(face.normal[axis]);
+  }
+}
+
+double ContactPolytope::share_in(std::int32_t v, std::int32_t face) const {
+  return std::find_if(corners(v), corners(v + 1), [face](const FaceCorner &corner) { return corner.face == face; })->share;
+}
+
+double ContactPolytope::greatest_face_cosine(const Vec3 &direction) const {
+  if (has_sets()) {
+    const std::size_t count = geometry_.faces().size();
+    const double *const x = normal_coordinates_.data(), *const y = x + count, *const z = y + count;
+    double cosine[most_in_set];
+    for (std::size_t k = 0; k < count; ++k) cosine[k] = direction.x * x[k] + direction.y * y[k] + direction.z * z[k];
+    return convex::greatest_of(cosine, count);
+  }
+  if (!normals_.vertices().empty()) return dot(direction, normals_.vertices()[index(normals_.support_vertex(direction))]);
+  double greatest = -1.0;
+  for (const convex::Polytope::Face &face : geometry_.faces()) {
+    const double cosine = dot(face.normal, direction);
+    greatest = cosine > greatest ? cosine : greatest;
+  }
+  return greatest;
+}
+
+ContactPolytope::Share ContactPolytope::share(std::int32_t v, const Vec3 &down) const {
+  const FaceCorner *const first = corners(v), *const last = corners(v + 1);
+  Share result{constant_[index(v)], {}, 1.0};
+  if (result.value >= 0.0) {
+    for (const FaceCorner *corner = first; corner != last; ++corner) {
+      result.least_cosine = std::min(result.least_cosine, dot(face_of(*corner).normal, down));
+    }
+    return result;
+  }
+  // Shepard's interpolation over the faces at v in the angle between face normal and load.
+  constexpr std::size_t most_kept = 32;
+  std::array<double, most_kept> kept;  // only the first ones are used
+  const auto inverse_term = [&](double cosine) { return 1.0 / std::max(1.0 - cosine, smallest_angle_term); };
+  double sum = 0.0, weighted = 0.0, least = 1.0;
+  std::size_t i = 0;
+  for (const FaceCorner *corner = first; corner != last; ++corner, ++i) {
+    const double cosine = dot(face_of(*corner).normal, down);
+    least = std::min(least, cosine);
+    const double inverse = inverse_term(cosine), influence = inverse * inverse;
+    if (i < most_kept) kept[i] = inverse;
+    sum += influence;
+    weighted += influence * corner->share;
+  }
+  const double part = 1.0 / sum, share = weighted * part, factor = 2.0 * part;
+  i = 0;
+  double x = 0.0, y = 0.0, z = 0.0;
+  for (const FaceCorner *corner = first; corner != last; ++corner, ++i) {
+    const Vec3 &normal = face_of(*corner).normal;
+    const double inverse = i < most_kept ? kept[i] : inverse_term(dot(normal, down));
+    const double scale = factor * inverse * inverse * inverse * (corner->share - share);
+    x += scale * normal.x, y += scale * normal.y, z += scale * normal.z;
+  }
+  result.value = share;
+  result.gradient.x = x, result.gradient.y = y, result.gradient.z = z;
+  result.least_cosine = least;
+  return result;
+}
+
+}  // namespace cmb

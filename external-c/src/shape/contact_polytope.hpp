@@ -1,0 +1,103 @@
+// A polytope with what its vertices carry in a contact.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shape/polytope.hpp"
+
+namespace cmb {
+
+using convex::Vec3;
+
+// Immutable; shared by threads.
+//
+// In a face that rests wholly, corner v carries the share theta / (2 pi), theta being the exterior
+// angle of the face's polygon at v: the shares of a face sum to 1. A vertex belongs to several faces;
+// between them its share changes smoothly with the direction the load comes from.
+class ContactPolytope {
+ public:
+  // Whether the vertices are a tessellation's, met the more the deeper a contact is, or stand for a curve's places.
+  enum class Corners { tessellation, curve };
+
+  explicit ContactPolytope(convex::Polytope geometry, Corners meaning = Corners::tessellation);
+  // The convex bodies made of it borrow the geometry: it must not move.
+  ContactPolytope(const ContactPolytope &) = delete;
+  ContactPolytope &operator=(const ContactPolytope &) = delete;
+
+  const convex::Polytope &geometry() const { return geometry_; }
+
+  // A face as one of its vertices sees it.
+  struct FaceCorner {
+    double share = 0.0;  // of the vertex in this face
+    std::int32_t face = 0;
+  };
+  // The faces at vertex v, in turn counter-clockwise from outside: [corners(v), corners(v + 1)).
+  const FaceCorner *corners(std::int32_t v) const {
+    return corners_.data() + corner_begin_[static_cast<std::size_t>(v)];
+  }
+
+  const convex::Polytope::Face &face_of(const FaceCorner &corner) const {
+    return geometry_.faces()[static_cast<std::size_t>(corner.face)];
+  }
+
+  struct Share {
+    double value;
+    Vec3 gradient;        // the derivative by the direction (of any length)
+    double least_cosine;  // of the angle between the direction and a face's normal
+  };
+  // The share of vertex v where the obstacle lies towards `down` (unit, in the polytope's frame); in (0, 1/2).
+  Share share(std::int32_t v, const Vec3 &down) const;
+
+  // For each of an edge's faces what the edge's ends, had they no other face, would carry in it if their normal cones
+  // filled the hemisphere: the mean of their shares over the mean part of the hemisphere that their cones fill.
+  struct EdgeStiffness {
+    double in_face[2];
+  };
+  const EdgeStiffness &edge_stiffness(std::int32_t edge) const { return edge_stiffness_[static_cast<std::size_t>(edge)]; }
+
+  // Whether the share of every vertex is the same for all directions, as for a box.
+  bool shares_are_constant() const { return all_constant_; }
+
+  // The greatest cosine of the angle between `direction` (unit, in the polytope's frame) and a face's normal; to 1e-9, where
+  // faces are that nearly in one plane.
+  double greatest_face_cosine(const Vec3 &direction) const;
+
+  // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated; 0 where they stand for a curve.
+  double fineness() const { return fineness_; }
+
+  // The edges and faces at a vertex as sets, a bit each; only where the polytope has no more edges than `most_in_set`, so
+  // that its vertices and faces are sets as well.
+  static constexpr std::size_t most_in_set = 64;
+  struct Incidence {
+    std::uint64_t edges = 0, faces = 0;
+  };
+  bool has_sets() const { return !incidence_.empty(); }
+  // Where it has sets: the vertices' coordinates along an axis (0 to 2).
+  const double *coordinates(std::size_t axis) const { return coordinates_.data() + axis * geometry_.vertices().size(); }
+  const Incidence &incidence(std::int32_t v) const { return incidence_[static_cast<std::size_t>(v)]; }
+
+  // The solid angle of vertex v's whole normal cone.
+  double normal_cone(std::int32_t v) const { return normal_cone_[static_cast<std::size_t>(v)]; }
+
+ private:
+  void build_sets();
+  double share_in(std::int32_t v, std::int32_t face) const;
+
+  convex::Polytope geometry_;
+  std::vector<FaceCorner> corners_;
+  std::vector<std::int32_t> corner_begin_;  // vertex -> first corner
+  std::vector<double> constant_;            // share where it does not depend on the direction, else -1
+  bool all_constant_ = true;
+  double fineness_ = 0.0;
+  std::vector<double> normal_cone_;         // solid angle of the whole cone
+  std::vector<EdgeStiffness> edge_stiffness_;
+  std::vector<Incidence> incidence_;
+  std::vector<double> coordinates_, normal_coordinates_;  // of vertices and of faces, axis by axis
+  // Of others: the hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without
+  // vertices where it could not be made.
+  convex::Polytope normals_;
+};
+
+}  // namespace cmb

@@ -1,0 +1,46 @@
+// Shapes: convex solids, half-spaces and triangle meshes, in the frame of the body that carries them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "shape/contact_polytope.hpp"
+#include "shape/convex_body.hpp"
+
+namespace cmb {
+
+namespace mesh {
+class TriangleMesh;
+}
+
+using convex::Mat3;
+using convex::Pose;
+using convex::Vec3;
+
+// A convex shape as a back end's library holds it: made where the scene is interned, never changed, shared by threads.
+class LibraryShape {
+ public:
+  virtual ~LibraryShape() = default;
+};
+
+enum class ShapeKind { halfspace, sphere, box, capsule, hull, ellipsoid, cylinder, cone, mesh };
+
+// Immutable once parsed; shared by threads.
+struct Shape {
+  ShapeKind kind = ShapeKind::halfspace;
+  convex::ConvexBody body;                           // of every kind but halfspace and mesh
+  std::shared_ptr<const ContactPolytope> polytope;   // of box and hull
+  std::shared_ptr<const ContactPolytope> rim;        // of cylinder and cone: stands for their flat ends
+  std::shared_ptr<const mesh::TriangleMesh> mesh;    // of mesh, which height fields are too
+  std::shared_ptr<const ContactPolytope> mesh_hull;  // of a mesh that a half-space may touch, if it is no plane
+  std::shared_ptr<const LibraryShape> in_library;    // for the scene's back end; null where that keeps none
+  Pose in_body;                                      // point_in_body = in_body(point_in_shape)
+  Vec3 bound_center;                                 // bounding sphere in the shape's frame;
+  double bound_radius = 0.0;                         // not for halfspace
+};
+
+// The shapes of one body; empty where the body has none.
+using BodyShapes = std::vector<Shape>;
+
+}  // namespace cmb

@@ -1,0 +1,229 @@
+// Back ends: selected, checked, and answered for where they fail.
+#include <random>
+
+#include "backend/distance_backend.hpp"
+#include "scene/descriptor.hpp"
+#include "support/mesh_text.hpp"
+#include "support/scene_query.hpp"
+
+namespace {
+
+using namespace cmb::test;
+
+constexpr double pi = 3.14159265358979323846;
+
+const char *const convex_shapes[] = {
+    "cmb/1 sphere radius=0.4",
+    "cmb/1 box size=0.6,0.8,1",
+    "cmb/1 capsule radius=0.25 length=0.7",
+    "cmb/1 hull vertices=0.4,0.1,0.1,-0.3,0.4,0.2,0,-0.5,0.1,0.1,0.2,0.6,-0.2,-0.1,-0.4,0.35,-0.3,-0.2,0.2,0.45,-0.1",
+    "cmb/1 ellipsoid size=1,0.7,0.5",
+    "cmb/1 cylinder radius=0.3 length=0.8",
+    "cmb/1 cone radius=0.4 length=0.9"};
+
+struct Counts {
+  unsigned long long answered = 0, refused = 0;
+};
+
+Counts counts(const PairScene &scene) {
+  Counts result;
+  EXPECT_EQ(cmb_backend_counts(scene.handle(), &result.answered, &result.refused), CMB_OK);
+  return result;
+}
+
+class Libraries : public testing::TestWithParam<cmb_backend> {
+ protected:
+  void SetUp() override {
+    cmb_scene scene = 0;
+    if (GetParam() == CMB_BACKEND_COAL && cmb_intern(nullptr, 0, nullptr, 0, CMB_BACKEND_COAL, &scene) != CMB_OK) {
+      EXPECT_NE(std::string(cmb_last_error()).find("built without coal"), std::string::npos);
+      GTEST_SKIP() << cmb_last_error();
+    }
+  }
+};
+
+TEST_P(Libraries, AgreeWithTheExactPathWhereTheyAnswer) {
+  std::mt19937 engine(7);
+  const auto random = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine() >> 5) / 134217728.0);
+  };
+  unsigned long long answered = 0;
+  for (const char *a : convex_shapes) {
+    for (const char *b : convex_shapes) {
+      const PairScene exact(a, b), library(a, b, GetParam());
+      for (int k = 0; k < 12; ++k) {
+        const BodyPose pose{{random(-0.6, 0.6), random(-0.6, 0.6), random(-0.6, 0.6)},
+                            rotation_about(normalized(Vec3{random(-1, 1), random(-1, 1), 1.1}), random(-3, 3))};
+        ASSERT_NEAR(library.query(pose, {}).distance, exact.query(pose, {}).distance, 5e-4) << a << " | " << b;
+      }
+      answered += counts(library).answered;
+    }
+  }
+  EXPECT_GT(answered, 100u);  // the library is really asked, and often right
+}
+
+TEST_P(Libraries, ShallowOverlapsStayOverlaps) {
+  // Well within the depth that an answer may be off by.
+  std::mt19937 engine(3);
+  const auto random = [&] { return static_cast<double>(engine() >> 5) / 134217728.0 - 0.5; };
+  for (const char *a : convex_shapes) {
+    for (const char *b : convex_shapes) {
+      const PairScene exact(a, b), library(a, b, GetParam());
+      for (int k = 0; k < 10; ++k) {
+        const Vec3 way = normalized(Vec3{random(), random(), random()});
+        BodyPose pose{2.0 * way, rotation_about(normalized(Vec3{random(), random(), 1.1}), 6 * random())};
+        for (int step = 0; step < 60; ++step) pose.position = pose.position - exact.query(pose, {}).distance * way;
+        pose.position = pose.position - 4e-5 * way;
+        const Contact contact = exact.query(pose, {});
+        if (!(contact.distance < 0.0)) continue;
+        const Contact answer = library.query(pose, {});
+        ASSERT_LT(answer.distance, 0.0) << a << " | " << b << " | " << k;
+        ASSERT_GT(norm(answer.load()), 0.0) << a << " | " << b << " | " << k;
+      }
+    }
+  }
+}
+
+TEST_P(Libraries, FailuresAreRefusedAndAnswered) {
+  // Aligned and concentric cubes: no direction, no depth, or too deep a one, from the libraries.
+  const PairScene exact("cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1");
+  const PairScene library("cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1", GetParam());
+  const BodyPose poses[] = {{{0, 0, 0}, {}},
+                            {{0, 0, 0.999}, {}},
+                            {{0.5, 0.5, 0.5}, {}},
+                            {{0, 0, 1.0}, {}},
+                            {{1, 1, 1}, {}},
+                            {{0, 0, std::sqrt(0.75) + 0.3},
+                             rotation_about(normalized(Vec3{1, -1, 0}), std::acos(1 / std::sqrt(3.0)))}};
+  for (const BodyPose &pose : poses) {
+    const Contact contact = library.query(pose, {});
+    EXPECT_NEAR(contact.distance, exact.query(pose, {}).distance, 1e-3);
+  }
+  const Counts seen = counts(library);
+  EXPECT_EQ(seen.answered + seen.refused, std::size(poses));
+  if (GetParam() != CMB_BACKEND_COAL) {
+    EXPECT_GE(seen.refused, 1u);  // coal is right here
+  }
+}
+
+TEST_P(Libraries, WhoAnsweredCanBeAsked) {
+  const PairScene spheres("cmb/1 sphere radius=0.5", "cmb/1 sphere radius=0.5", GetParam());
+  const double position[] = {0.3, 0.2, 0.8, 0, 0, 0};
+  const double rotation[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  cmb_backend who = CMB_BACKEND_AUTO;
+  ASSERT_EQ(cmb_query_backend(spheres.handle(), 0, position, rotation, 2, &who), CMB_OK);
+  EXPECT_EQ(who, GetParam());
+  const PairScene on_floor("cmb/1 sphere radius=0.5", "cmb/1 halfspace", GetParam());
+  ASSERT_EQ(cmb_query_backend(on_floor.handle(), 0, position, rotation, 2, &who), CMB_OK);
+  EXPECT_EQ(who, CMB_BACKEND_ANALYTIC);
+  const PairScene bare("", "cmb/1 halfspace", GetParam());
+  ASSERT_EQ(cmb_query_backend(bare.handle(), 0, position, rotation, 2, &who), CMB_OK);
+  EXPECT_EQ(who, CMB_BACKEND_AUTO);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Libraries, testing::Values(CMB_BACKEND_LIBCCD, CMB_BACKEND_FCL, CMB_BACKEND_COAL));
+
+// What a library has not been given it does not answer for.
+TEST(LibraryShapes, AreAnsweredForWhereTheyAreHeldAlone) {
+  using namespace cmb;
+  for (const cmb_backend backend : {CMB_BACKEND_LIBCCD, CMB_BACKEND_FCL, CMB_BACKEND_COAL}) {
+    EXPECT_NE(distance_library(backend), nullptr);
+  }
+  EXPECT_EQ(distance_library(CMB_BACKEND_AUTO), nullptr);
+  EXPECT_EQ(distance_library(CMB_BACKEND_ANALYTIC), nullptr);
+  const Shape cube = parse_descriptor("cmb/1 box size=1,1,1").front();
+  const Shape mesh = parse_descriptor(mesh_samples::mesh_text(mesh_samples::box_mesh({1, 1, 1}))).front();
+  const Shape halfspace = parse_descriptor("cmb/1 halfspace").front();
+  EXPECT_EQ(make_fcl_shape(mesh), nullptr);
+  EXPECT_NE(make_fcl_shape(halfspace), nullptr);
+  Shape held = cube;
+  held.in_library = make_fcl_shape(cube);
+  ASSERT_NE(held.in_library, nullptr);
+  BackendScratch scratch;
+  const Pose apart{Mat3{}, {1.5, 0, 0}};
+  EXPECT_NEAR(fcl_distance(held, apart, held, {}, scratch).value().distance, 0.5, 1e-6);
+  for (const DistanceFunction distance : {fcl_distance, coal_distance}) {
+    EXPECT_FALSE(distance(cube, apart, cube, {}, scratch));
+    EXPECT_FALSE(distance(held, apart, cube, {}, scratch));
+    EXPECT_FALSE(distance(cube, apart, held, {}, scratch));
+  }
+  EXPECT_EQ(make_coal_shape(cube) != nullptr, coal_is_available());
+}
+
+// A sphere of radius 1 at 2.5 from another one: what is true of them, and what is not.
+TEST(AnswerCheck, TakesWhatIsTrueAlone) {
+  using namespace cmb;
+  const Shape ball = parse_descriptor("cmb/1 sphere radius=1").front();
+  const Pose right{Mat3{}, {2.5, 0, 0}};
+  ConvexAnswer truth;
+  truth.distance = 0.5, truth.normal = {1, 0, 0}, truth.point_a = {1.5, 0, 0}, truth.point_b = {1, 0, 0};
+  const auto holds = [&](const ConvexAnswer &answer) { return answer_holds(answer, ball, right, ball, {}, 1e-6); };
+  EXPECT_TRUE(holds(truth));
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    ConvexAnswer distance = truth, normal = truth, point_a = truth, point_b = truth;
+    distance.distance = bad, normal.normal.y = bad, point_a.point_a.z = bad, point_b.point_b.x = bad;
+    for (const ConvexAnswer &answer : {distance, normal, point_a, point_b}) EXPECT_FALSE(holds(answer)) << bad;
+  }
+  ConvexAnswer longer = truth, aside = truth, nearer = truth, elsewhere = truth;
+  longer.normal.x = 1.0 + 1e-6, aside.normal = {0.8, 0.6, 0}, nearer.distance = 0.49, elsewhere.point_a.y = 0.01;
+  for (const ConvexAnswer &answer : {longer, aside, nearer, elsewhere}) EXPECT_FALSE(holds(answer));
+}
+
+TEST(Boxes, DepthOnTheDiagonalIsTheShortestWayOut) {
+  // A cube stands on its diagonal, 0.2 deep in a wide table: other engines say 0.346.
+  const Mat3 upright = rotation_about(normalized(Vec3{1, -1, 0}), std::acos(1 / std::sqrt(3.0)));
+  const Vec3 top = upright * Vec3{-0.5, -0.5, -0.5};
+  const PairScene scene("cmb/1 box size=1,1,1", "cmb/1 box size=10,10,2 position=0,0,-1");
+  const Contact contact = scene.query({{0, 0, std::fabs(top.z) - 0.2}, upright}, {});
+  EXPECT_NEAR(contact.distance, std::fabs(top.z) > 0.8 ? -0.2 : contact.distance, 1e-12);
+  EXPECT_NEAR(std::fabs(top.z), std::sqrt(0.75), 1e-12);
+}
+
+// Independent oracle: separating axes of two boxes, for overlap and its depth.
+double box_overlap_depth(const Vec3 &half_a, const BodyPose &a, const Vec3 &half_b, const BodyPose &b) {
+  std::vector<Vec3> axes;
+  for (int i = 0; i < 3; ++i) axes.push_back(a.rotation.column(i));
+  for (int i = 0; i < 3; ++i) axes.push_back(b.rotation.column(i));
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 axis = cross(a.rotation.column(i), b.rotation.column(j));
+      if (norm(axis) > 1e-6) axes.push_back(normalized(axis));
+    }
+  }
+  double depth = 1e30;
+  for (const Vec3 &axis : axes) {
+    double reach = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      reach += half_a[i] * std::fabs(dot(axis, a.rotation.column(i)));
+      reach += half_b[i] * std::fabs(dot(axis, b.rotation.column(i)));
+    }
+    depth = std::fmin(depth, reach - std::fabs(dot(axis, a.position - b.position)));
+  }
+  return depth;
+}
+
+TEST(Boxes, DepthEqualsThatOfTheSeparatingAxes) {
+  std::mt19937 engine(11);
+  const auto random = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine() >> 5) / 134217728.0);
+  };
+  const Vec3 half_a{0.3, 0.4, 0.5}, half_b{0.6, 0.2, 0.45};
+  const PairScene scene("cmb/1 box size=0.6,0.8,1", "cmb/1 box size=1.2,0.4,0.9");
+  int overlapping = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const BodyPose pose{{random(-1, 1), random(-1, 1), random(-1, 1)},
+                        rotation_about(normalized(Vec3{random(-1, 1), random(-1, 1), 1.1}), random(-pi, pi))};
+    const double depth = box_overlap_depth(half_a, pose, half_b, {});
+    const double distance = scene.query(pose, {}, 4).distance;
+    ASSERT_EQ(depth > 0.0, distance < 0.0) << k;
+    if (depth > 0.0) {
+      ASSERT_NEAR(distance, -depth, 1e-12) << k;
+      ++overlapping;
+    } else {
+      ASSERT_GE(distance, -depth - 1e-12) << k;  // the Euclidean distance is at least the largest gap
+    }
+  }
+  EXPECT_GT(overlapping, 500);
+}
+
+}  // namespace

@@ -1,0 +1,180 @@
+// Cylinders and cones that stand or lie on bounded shapes carry as on a half-space.
+#include "support/scene_query.hpp"
+
+namespace {
+
+using namespace cmb::test;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double depth = 1e-3;
+const char *const cylinder = "cmb/1 cylinder radius=0.3 length=0.5";
+const char *const cone = "cmb/1 cone radius=0.3 length=0.5";
+const char *const ground = "cmb/1 halfspace position=0,0,0.5";
+
+struct Case {
+  const char *name, *body, *support;
+  BodyPose pose;
+};
+
+void PrintTo(const Case &c, std::ostream *stream) { *stream << c.name; }
+
+const Mat3 lying = rotation_about({0, 1, 0}, pi / 2), yaw = rotation_about({0, 0, 1}, 0.7);
+
+
+const Case cases[] = {
+    {"cylinder on a box", cylinder, "cmb/1 box size=4,4,1", {{0.2, 0.1, 0.75 - depth}, yaw}},
+    {"cylinder on a cylinder", cylinder, "cmb/1 cylinder radius=1 length=1", {{0.2, 0.1, 0.75 - depth}, yaw}},
+    {"cylinder on a cone's base", cylinder, "cmb/1 cone radius=1 length=1 rotation=1,0,0,0,-1,0,0,0,-1",
+     {{0.2, 0.1, 0.75 - depth}, yaw}},
+    {"cone on a box", cone, "cmb/1 box size=4,4,1", {{0.2, 0.1, 0.75 - depth}, yaw}},
+    {"lying cylinder on a box", cylinder, "cmb/1 box size=4,4,1", {{0.2, 0.1, 0.8 - depth}, product(yaw, lying)}},
+    {"lying cylinder on a cylinder", cylinder, "cmb/1 cylinder radius=1 length=1",
+     {{0.2, 0.1, 0.8 - depth}, product(yaw, lying)}},
+    {"capsule on a cylinder", "cmb/1 capsule radius=0.3 length=0.5", "cmb/1 cylinder radius=1 length=1",
+     {{0.2, 0.1, 0.8 - depth}, product(yaw, lying)}},
+};
+
+class RimContacts : public testing::TestWithParam<Case> {};
+
+// Level, every load and moment is that on the half-space, and so is how the moment answers a small tilt.
+TEST_P(RimContacts, EqualThoseOnAHalfspace) {
+  const Case &c = GetParam();
+  const PairScene bounded(c.body, c.support), half(c.body, ground);
+  for (const double tilt : {0.0, 2e-4}) {
+    BodyPose pose = c.pose;
+    pose.rotation = product(rotation_about({0.6, 0.8, 0}, tilt), pose.rotation);
+    const Contact on_bounded = bounded.query(pose, {}, 64), on_half = half.query(pose, {}, 64);
+    EXPECT_NEAR(on_bounded.distance, on_half.distance, 1e-12);
+    // To first order in the tilt.
+    const double slack = tilt == 0.0 ? 1e-9 : 0.01 * tilt / depth;
+    EXPECT_LT(norm(on_bounded.load() - on_half.load()), slack * depth) << tilt;
+    EXPECT_LT(norm(on_bounded.moment(pose.position) - on_half.moment(pose.position)), slack * depth * 0.3) << tilt;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RimContacts, testing::ValuesIn(cases));
+
+// On a hull a polygon stands for the disc: it is no tessellation, and carries what the disc carries on a box however deep.
+TEST(RimContacts, DiscOnAHullCarriesAsOnABox) {
+  std::string hull = "cmb/1 hull vertices=";
+  for (const char *corner : {"2,2", "2,-2", "-2,2", "-2,-2"}) hull += std::string(corner) + ",0.5," + corner + ",-0.5,";
+  hull.pop_back();
+  for (const char *body : {cylinder, cone}) {
+    const PairScene on_hull(body, hull), on_box(body, "cmb/1 box size=4,4,1");
+    for (const double deep : {0.01, 0.03, 0.1}) {
+      for (const double degrees : {0.0, 1.0, 3.0, 6.0, 12.0}) {
+        BodyPose pose{{0.2, 0.1, 2.0}, product(rotation_about({0.6, 0.8, 0}, degrees * pi / 180), yaw)};
+        pose.position.z -= on_box.query(pose, {}, 8).distance + deep;
+        const Contact hulls = on_hull.query(pose, {}, 64), boxes = on_box.query(pose, {}, 64);
+        ASSERT_NEAR(hulls.distance, -deep, 1e-9);
+        EXPECT_LT(norm(hulls.load() - boxes.load()), 0.02 * norm(boxes.load())) << body << " " << deep << " " << degrees;
+        EXPECT_LT(norm(hulls.moment(pose.position) - boxes.moment(pose.position)), 0.02 * 0.3 * norm(boxes.load()))
+            << body << " " << deep << " " << degrees;
+      }
+    }
+  }
+}
+
+// What rests wholly carries wholly: the moment of a tilt is that of a rim, half of radius^2 times tilt.
+TEST(RimContacts, TiltedDiscIsRightedByTheRimsSecondMoment) {
+  const PairScene scene(cylinder, "cmb/1 box size=4,4,1");
+  const double tilt = 1e-6;
+  const BodyPose pose{{0, 0, 0.75 - depth}, rotation_about({0, 1, 0}, tilt)};
+  const Contact contact = scene.query(pose, {}, 64);
+  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-5);
+  // About the disc's middle; the disc leans by tilt, the load comes from its centre.
+  const Vec3 middle = pose.position + 0.25 * (pose.rotation * Vec3{0, 0, -1});
+  EXPECT_NEAR(contact.moment(middle).y / (-0.5 * 0.09 * tilt), 1.0, 0.02);
+}
+
+// The depth's mean over the outline of what two flat faces have in common, by the angle it turns through; here
+// summed.
+struct OutlineSums {
+  double load = 0.0;
+  Vec3 first;  // of the place
+};
+
+// A place of the outline and the angle it turns through there.
+struct Turn {
+  double x, y, angle;
+};
+
+OutlineSums sum_outline(const std::vector<Turn> &turns) {
+  OutlineSums sums;
+  for (const Turn &turn : turns) {
+    const double part = turn.angle / (2 * pi) * depth;
+    sums.load += part;
+    sums.first = sums.first + part * Vec3{turn.x, turn.y, 0};
+  }
+  return sums;
+}
+
+void expect_outline(const Contact &contact, const OutlineSums &sums, double bound) {
+  Vec3 first;
+  for (const Point &p : contact.points) first = first + p.weight * p.depth * p.position;
+  EXPECT_NEAR(contact.load().z, sums.load, bound);
+  EXPECT_NEAR(first.x, sums.first.x, bound);
+  EXPECT_NEAR(first.y, sums.first.y, bound);
+}
+
+TEST(RimContacts, DiscOverAFacesCornerCarriesByItsOutline) {
+  // A disc of radius 0.3 about (1.9, 1.95) on a face that ends at 2 and 2: the corner is under the disc.
+  const PairScene scene(cylinder, "cmb/1 box size=4,4,1");
+  const Contact contact = scene.query({{1.9, 1.95, 0.75 - depth}, yaw}, {}, 64);
+  std::vector<Turn> turns;
+  constexpr int count = 200000;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * pi * (k + 0.5) / count, x = 1.9 + 0.3 * std::cos(angle), y = 1.95 + 0.3 * std::sin(angle);
+    if (x < 2 && y < 2) turns.push_back({x, y, 2 * pi / count});
+  }
+  // The rim leaves through x = 2 below the corner, and through y = 2 beside it.
+  const double across_x = std::sqrt(0.09 - 0.01), across_y = std::sqrt(0.09 - 0.0025);
+  turns.push_back({2.0, 1.95 - across_x, std::acos(0.1 / 0.3)});
+  turns.push_back({1.9 - across_y, 2.0, std::acos(0.05 / 0.3)});
+  turns.push_back({2.0, 2.0, pi / 2});
+  expect_outline(contact, sum_outline(turns), 1e-7);
+  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-12);
+}
+
+// Whether the corner is under the disc is lost in rounding; what the outline carries is not.
+TEST(RimContacts, RimThroughAFacesCornerCarriesAsBesideIt) {
+  const PairScene scene(cylinder, "cmb/1 box size=4,4,1");
+  for (int k = 0; k < 40; ++k) {
+    const double angle = 0.02 + 0.0375 * k, tilt = 0.002 * (k % 4);
+    const Mat3 rotation = product(rotation_about({0.6, 0.8, 0}, tilt), yaw);
+    // The disc's middle is so placed that its rim runs through the corner.
+    const Vec3 middle = 0.25 * (rotation * Vec3{0, 0, 1});
+    const Vec3 rim = 0.3 * (rotation * Vec3{std::cos(angle), std::sin(angle), 0.0});
+    const Vec3 on_corner{2.0 - rim.x + middle.x, 2.0 - rim.y + middle.y, 0.5 - depth - rim.z + middle.z};
+    const auto load_at = [&](double aside) {
+      return norm(scene.query({on_corner + Vec3{aside, aside, 0.0}, rotation}, {}, 64).load());
+    };
+    const double beside = load_at(1e-9);
+    for (int step = -8; step <= 8; ++step) EXPECT_NEAR(load_at(step * 1e-16), beside, 1e-6 * depth) << angle;
+  }
+}
+
+TEST(RimContacts, DiscsThatOverlapInPartCarryByTheirLens) {
+  const PairScene scene(cylinder, "cmb/1 cylinder radius=0.4 length=1");
+  const Contact contact = scene.query({{0.5, 0, 0.75 - depth}, yaw}, {}, 64);
+  const double along = 0.5 * (0.5 + (0.16 - 0.09) / 0.5), lower = std::acos(along / 0.4), upper = std::acos((0.5 - along) / 0.3);
+  std::vector<Turn> turns;
+  constexpr int count = 100000;
+  for (int k = 0; k < count; ++k) {
+    const double part = (2.0 * (k + 0.5) / count - 1.0);
+    turns.push_back({0.4 * std::cos(part * lower), 0.4 * std::sin(part * lower), 2 * lower / count});
+    turns.push_back({0.5 - 0.3 * std::cos(part * upper), 0.3 * std::sin(part * upper), 2 * upper / count});
+  }
+  for (const double side : {1.0, -1.0}) turns.push_back({along, side * 0.4 * std::sin(lower), pi - lower - upper});
+  expect_outline(contact, sum_outline(turns), 1e-9);
+  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-12);
+}
+
+TEST(RimContacts, BoxStandsOnACylinder) {
+  const PairScene scene("cmb/1 box size=0.5,0.4,0.3", "cmb/1 cylinder radius=1 length=1");
+  const Contact contact = scene.query({{0.1, 0.2, 0.65 - depth}, yaw}, {}, 64);
+  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-9);
+  EXPECT_EQ(contact.points.size(), 4u);
+}
+
+}  // namespace

@@ -1,0 +1,135 @@
+// Pairs far apart by their bounding spheres: cmb_query_scene_within beside cmb_query_scene.
+#include <algorithm>
+#include <limits>
+
+#include "support/random_bodies.hpp"
+#include "support/scene_query.hpp"
+
+namespace {
+
+using namespace cmb::test;
+
+constexpr std::size_t capacity = 4;
+
+struct Answer {
+  double distance = 0.0;
+  double depth[capacity], weight[capacity], normal[3 * capacity], point[3 * capacity];
+
+  Vec3 first_normal() const { return {normal[0], normal[1], normal[2]}; }
+};
+
+// `exact_within` of 0 asks cmb_query_scene.
+Answer ask(cmb_scene scene, double exact_within, const BodyPose &a, const BodyPose &b) {
+  const PairPoses poses(a, b);
+  Answer answer;
+  const cmb_status status =
+      exact_within > 0.0
+          ? cmb_query_scene_within(scene, exact_within, poses.position, poses.rotation, 2, 1, capacity, &answer.distance,
+                                   answer.depth, answer.weight, answer.normal, answer.point)
+          : cmb_query_scene(scene, poses.position, poses.rotation, 2, 1, capacity, &answer.distance, answer.depth,
+                            answer.weight, answer.normal, answer.point);
+  EXPECT_EQ(status, CMB_OK) << cmb_last_error();
+  return answer;
+}
+
+const std::vector<std::string> bodies = {
+    "cmb/1 sphere radius=0.3 position=0.1,0.2,0.3",
+    "cmb/1 box size=0.4,0.6,1",
+    "cmb/1 capsule radius=0.1 length=0.8",
+    "cmb/1 hull vertices=0.5,0,0,-0.4,0.1,0,0,0.5,0.1,0,-0.5,0,0,0,0.7",
+    "cmb/1 cylinder radius=0.3 length=0.6",
+    "cmb/1 sphere radius=0.2;cmb/1 box size=0.2,0.2,1 position=0.3,0,0.2",
+    "cmb/1 halfspace position=0,0,-0.4",
+};
+
+class Within : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(Within, IsALowerBoundOfTheSameSignAndExactNearby) {
+  const double near = 0.4;
+  random_bodies::Random random(3);
+  int exact = 0, faded = 0, far = 0;
+  for (const std::string &other : bodies) {
+    if (GetParam() + 1 == bodies.size() && &other == &bodies.back()) continue;  // half-spaces never touch
+    const PairScene scene(bodies[GetParam()], other);
+    for (int k = 0; k < 400; ++k) {
+      const BodyPose a{random.uniform(0.0, 3.0) * random.direction(), random_bodies::random_rotation(random)};
+      const BodyPose b{{}, random_bodies::random_rotation(random)};
+      const Answer full = ask(scene.handle(), 0.0, a, b), within = ask(scene.handle(), near, a, b);
+      ASSERT_LE(within.distance, full.distance + 1e-12) << other << " " << k;
+      ASSERT_EQ(within.distance < 0.0, full.distance < 0.0) << other << " " << k;
+      ASSERT_NEAR(norm(within.first_normal()), 1.0, 1e-12);
+      if (full.distance <= near) {  // so is the gap between the spheres
+        ++exact;
+        ASSERT_EQ(within.distance, full.distance) << other << " " << k;
+        ASSERT_TRUE(std::equal(full.depth, full.depth + capacity, within.depth));
+        ASSERT_TRUE(std::equal(full.weight, full.weight + capacity, within.weight));
+        ASSERT_TRUE(std::equal(full.normal, full.normal + 3 * capacity, within.normal));
+        ASSERT_TRUE(std::equal(full.point, full.point + 3 * capacity, within.point));
+      } else {
+        ASSERT_GE(within.distance, near) << other << " " << k;
+        (within.distance < 2.0 * near ? faded : far) += 1;
+      }
+    }
+  }
+  EXPECT_GT(exact, 100);
+  EXPECT_GT(faded, 20);
+  EXPECT_GT(far, 100);
+}
+
+TEST_P(Within, FollowsTheMotionWithoutJumps) {
+  const PairScene scene(bodies[GetParam()], "cmb/1 box size=0.5,0.3,0.9");
+  const auto at = [&](double s) {
+    // Straight away from the box, turning.
+    return ask(scene.handle(), 0.3, {{0.3 * s, 0.2 * s, 0.2 + 3.0 * s}, rotation_about({0.6, 0, 0.8}, 2.0 * s)}, {});
+  };
+  // Of compounds the nearest shape changes, and with it normal and point.
+  const bool compound = bodies[GetParam()].find(';') != std::string::npos;
+  const auto change = [&](const Answer &x, const Answer &y) {
+    double sum = std::fabs(x.distance - y.distance);
+    if (compound) return sum;
+    sum += norm(x.first_normal() - y.first_normal());
+    for (int i = 0; i < 3; ++i) sum += std::fabs(x.point[3 * (capacity - 1) + i] - y.point[3 * (capacity - 1) + i]);
+    return sum;
+  };
+  constexpr int samples = 400;
+  for (int k = samples / 4; k < samples; ++k) {  // apart
+    double begin = static_cast<double>(k) / samples, end = static_cast<double>(k + 1) / samples;
+    if (ask(scene.handle(), 0.0, {{0.3 * begin, 0.2 * begin, 0.2 + 3.0 * begin}, rotation_about({0.6, 0, 0.8}, 2.0 * begin)}, {})
+            .distance < 0.25) {
+      continue;  // the nearest points of faces that turn through parallel do jump, of every distance
+    }
+    for (int halving = 0; halving < 20; ++halving) {
+      const double middle = 0.5 * (begin + end);
+      (change(at(begin), at(middle)) > change(at(middle), at(end)) ? end : begin) = middle;
+    }
+    ASSERT_LT(change(at(begin), at(end)), 1e-6) << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, Within, testing::Range<std::size_t>(0, 6));
+
+TEST(WithinArguments, NeedAPositiveLength) {
+  const PairScene scene(bodies[0], bodies[1]);
+  const double position[6] = {}, rotation[18] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    Answer answer;
+    answer.distance = 7.0;
+    EXPECT_EQ(cmb_query_scene_within(scene.handle(), bad, position, rotation, 2, 1, capacity, &answer.distance,
+                                     answer.depth, answer.weight, answer.normal, answer.point),
+              CMB_ERROR_ARGUMENT);
+    EXPECT_EQ(answer.distance, 7.0);
+  }
+}
+
+// Bounding spheres about one middle have no direction between them; what they bound overlaps.
+TEST(Within, BodiesAboutOneMiddleAreAnsweredExactly) {
+  for (const std::string &body : {bodies[1], bodies[2], bodies[4]}) {
+    const PairScene scene(body, "cmb/1 box size=0.5,0.5,0.5");
+    const Answer full = ask(scene.handle(), 0.0, {}, {}), within = ask(scene.handle(), 0.1, {}, {});
+    EXPECT_LT(full.distance, 0.0) << body;
+    EXPECT_EQ(within.distance, full.distance) << body;
+    EXPECT_EQ(norm(within.first_normal() - full.first_normal()), 0.0) << body;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,78 @@
+// What polytopes know of their faces against looking at all of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "scene/descriptor.hpp"
+#include "shape/contact_polytope.hpp"
+#include "support/random_bodies.hpp"
+
+namespace {
+
+using namespace cmb;
+using random_bodies::Random;
+
+// The hull of points on an ellipsoid.
+Shape hull(int points, const Vec3 &half, Random &random) {
+  std::string text = "cmb/1 hull vertices=";
+  for (int k = 0; k < points; ++k) {
+    const Vec3 p = random.direction();
+    text += (k > 0 ? "," : "") + std::to_string(half.x * p.x) + "," + std::to_string(half.y * p.y) + "," +
+            std::to_string(half.z * p.z);
+  }
+  return parse_descriptor(text)[0];
+}
+
+// Few faces and many, round bodies, plates and rods.
+template <typename Check>
+void for_hulls(const Check &check) {
+  Random random(3);
+  for (const int points : {12, 20, 40, 100, 400}) {
+    for (const Vec3 &half : {Vec3{1, 1, 1}, Vec3{1, 1, 0.1}, Vec3{0.2, 0.05, 1}}) {
+      SCOPED_TRACE(std::to_string(points) + " points, height " + std::to_string(half.z));
+      check(*hull(points, half, random).polytope, random);
+    }
+  }
+}
+
+TEST(ContactPolytope, FindsTheFaceNearestToADirection) {
+  for_hulls([](const ContactPolytope &polytope, Random &random) {
+    for (int sample = 0; sample < 3000; ++sample) {
+      const Vec3 direction = random.direction();
+      double greatest = -1.0;
+      for (const convex::Polytope::Face &face : polytope.geometry().faces()) {
+        greatest = std::max(greatest, dot(face.normal, direction));
+      }
+      ASSERT_NEAR(polytope.greatest_face_cosine(direction), greatest, 1e-14)
+          << sample;
+    }
+  });
+}
+
+TEST(ContactPolytope, KnowsEdgesAndFacesAtAVertexAsSets) {
+  for_hulls([](const ContactPolytope &polytope, Random &) {
+    const convex::Polytope &geometry = polytope.geometry();
+    ASSERT_EQ(polytope.has_sets(), geometry.edges().size() <= ContactPolytope::most_in_set);
+    if (!polytope.has_sets()) return;
+    for (std::size_t v = 0; v < geometry.vertices().size(); ++v) {
+      const auto number = static_cast<std::int32_t>(v);
+      std::uint64_t edges = 0, faces = 0;
+      for (std::int32_t slot = geometry.neighbour_begin(number); slot < geometry.neighbour_begin(number + 1); ++slot) {
+        edges |= std::uint64_t{1} << geometry.neighbour_edges()[static_cast<std::size_t>(slot)];
+      }
+      for (const auto *corner = polytope.corners(number); corner != polytope.corners(number + 1); ++corner) {
+        faces |= std::uint64_t{1} << corner->face;
+      }
+      EXPECT_EQ(polytope.incidence(number).edges, edges);
+      EXPECT_EQ(polytope.incidence(number).faces, faces);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(polytope.coordinates(axis)[v], geometry.vertices()[v][static_cast<int>(axis)]);
+      }
+    }
+  });
+}
+
+}  // namespace
