@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import rumoca
-from modelica2fmu.front_end_runner import without_modelicapath
+from modelica2fmu.frontend.runner import without_modelicapath
 
 REPOSITORY = Path(__file__).resolve().parents[1]
 PACKAGES = ("ContactMultiBody", "ContactMultiBodyTest")

@@ -8,7 +8,7 @@ from contact_foundation.progress import Progress
 from fmu_regression.cases.case import Case
 from fmu_regression.cases.runner import Skip
 from modelica2fmu.build import BuildOptions, build_fmu
-from modelica2fmu.standard_library import CORE_SUBSET, find_standard_library
+from modelica2fmu.library.standard_library import CORE_SUBSET, find_standard_library
 
 from cmb.project import LIBRARY
 

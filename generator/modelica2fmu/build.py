@@ -8,15 +8,15 @@ from pathlib import Path
 
 from contact_foundation.progress import Progress, silent
 
-from modelica2fmu.blocks import Block, LinearBlock, NonlinearBlock
+from modelica2fmu.equations.blocks import Block, LinearBlock, NonlinearBlock
+from modelica2fmu.expand.scalar_model import derivative_name
 from modelica2fmu.fingerprint import fingerprint
 from modelica2fmu.fmu_cache import FmuCache
+from modelica2fmu.library.standard_library import StandardLibrary, find_standard_library
 from modelica2fmu.options import BuildOptions
 from modelica2fmu.packaging import package_fmu
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.report import BuildReport, SolvedBlock
-from modelica2fmu.scalar_model import derivative_name
-from modelica2fmu.standard_library import StandardLibrary, find_standard_library
 from modelica2fmu.translation import Translation, check_model_name, translate
 
 __all__ = ["BuildOptions", "BuildReport", "SolvedBlock", "Translation", "build_fmu", "translate"]

@@ -10,11 +10,11 @@ from importlib import metadata
 from pathlib import Path
 from typing import Final
 
+from modelica2fmu.library.sources import locate
+from modelica2fmu.library.standard_library import StandardLibrary, other_libraries
 from modelica2fmu.options import BuildOptions
 from modelica2fmu.packaging.dependencies import find_sundials
 from modelica2fmu.packaging.toolchain import compiler, run_tool
-from modelica2fmu.sources import locate
-from modelica2fmu.standard_library import StandardLibrary, other_libraries
 
 _BUILDER: Final = Path(__file__).resolve().parent
 _BUILDER_SUFFIXES: Final = (".py", ".c", ".h")

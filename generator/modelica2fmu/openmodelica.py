@@ -18,9 +18,9 @@ from contact_foundation.errors import BuildError, CmbError, InputError, Place
 from contact_foundation.output import whole_file
 from contact_foundation.progress import Progress, silent
 
+from modelica2fmu.library.sources import locate
+from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.packaging import FmiVersion
-from modelica2fmu.sources import locate
-from modelica2fmu.standard_library import StandardLibrary
 from modelica2fmu.translation import check_model_name
 
 _HOME: Final = "OPENMODELICAHOME"

@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from modelica2fmu.standard_library import StandardLibrary
+from modelica2fmu.library.standard_library import StandardLibrary
 
 
 @dataclass(frozen=True)

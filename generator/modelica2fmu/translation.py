@@ -11,25 +11,25 @@ from typing import Final
 
 from contact_foundation.errors import InputError
 
-from modelica2fmu import expression as ex
-from modelica2fmu.alias import ReducedModel, eliminate_aliases
-from modelica2fmu.cache_pruning import pruned_after_use
-from modelica2fmu.code_generation import GeneratedModel, generate
-from modelica2fmu.description import ExternalCode, ModelDescription
-from modelica2fmu.experiment import read_experiment
-from modelica2fmu.external_code import find_external_code, named_file
-from modelica2fmu.front_end import load_flat_model
-from modelica2fmu.geometry_files import write_out_geometry
-from modelica2fmu.icon_rendering import icon_png
-from modelica2fmu.library_repairs import repaired_library, views_folder
+from modelica2fmu.codegen.code_generation import GeneratedModel, generate
+from modelica2fmu.description.icon_rendering import icon_png
+from modelica2fmu.description.model_description import ExternalCode, ModelDescription
+from modelica2fmu.description.variables import describe_enumerations, describe_variables, internal_parameters
+from modelica2fmu.equations.alias import ReducedModel, eliminate_aliases
+from modelica2fmu.equations.systems import Systems, build_systems
+from modelica2fmu.expand.geometry_files import write_out_geometry
+from modelica2fmu.expand.scalar_model import ScalarModel, derivative_name
+from modelica2fmu.expand.scalarize import scalarize
+from modelica2fmu.frontend.loading import load_flat_model
+from modelica2fmu.library.cache_pruning import pruned_after_use
+from modelica2fmu.library.experiment import read_experiment
+from modelica2fmu.library.external_code import find_external_code, named_file
+from modelica2fmu.library.library_repairs import repaired_library, views_folder
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.sources import locate
+from modelica2fmu.library.standard_library import StandardLibrary, other_libraries
 from modelica2fmu.phases import PhaseClock
-from modelica2fmu.scalar_model import ScalarModel, derivative_name
-from modelica2fmu.scalarize import scalarize
-from modelica2fmu.source_map import SourceMap
-from modelica2fmu.sources import locate
-from modelica2fmu.standard_library import StandardLibrary, other_libraries
-from modelica2fmu.systems import Systems, build_systems
-from modelica2fmu.variables import describe_enumerations, describe_variables, internal_parameters
+from modelica2fmu.symbolic import expression as ex
 
 _MODEL_NAME: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\.[A-Za-z_][A-Za-z0-9_]*)*")
 _RECURSION_LIMIT: Final = 20_000

@@ -20,7 +20,7 @@ from typing import Final
 
 from fmpy import extract, simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
-from modelica2fmu.standard_library import core_subset
+from modelica2fmu.library.standard_library import core_subset
 
 PROJECT: Final = Path(__file__).resolve().parents[2]
 SIZES: Final = (1, 2, 4, 8, 16, 32, 64)

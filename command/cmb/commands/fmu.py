@@ -10,9 +10,9 @@ from contact_foundation.errors import InputError
 from contact_foundation.output import check_file, whole_file
 from contact_foundation.progress import Progress
 from modelica2fmu.build import BuildReport, build_fmu
+from modelica2fmu.library.standard_library import find_standard_library
 from modelica2fmu.openmodelica import OpenModelicaReport, export_fmu
 from modelica2fmu.packaging import SolverOptions
-from modelica2fmu.standard_library import find_standard_library
 
 from cmb.build_arguments import add_build_arguments, build_options, fmi_version
 from cmb.modelica_sources import find_sources

@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from contact_foundation.errors import InputError
-from modelica2fmu.library_release import LATEST, RELEASES, content_digest, install_release, release_of
-from modelica2fmu.standard_library import CORE_SUBSET, StandardLibrary, find_standard_library
+from modelica2fmu.library.library_release import LATEST, RELEASES, content_digest, install_release, release_of
+from modelica2fmu.library.standard_library import CORE_SUBSET, StandardLibrary, find_standard_library
 
 from cmb.terminal import progress_bars
 

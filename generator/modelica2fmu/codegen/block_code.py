@@ -6,19 +6,19 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.blocks import Assignment, Block, LinearBlock, LinearSystem, NonlinearBlock
-from modelica2fmu.c_expressions import bare, c_text, number
-from modelica2fmu.c_functions import Function, numbers_of_lanes, single_function
-from modelica2fmu.call_code import call_statement
-from modelica2fmu.expression import Node
-from modelica2fmu.lanes import LANES, lane_passes
-from modelica2fmu.scalar_model import ExternalCall, ScalarVariable
-from modelica2fmu.statements import Group, Lines, Statement, Write
-from modelica2fmu.symbol_places import SymbolPlaces, set_lanes, set_work
-from modelica2fmu.systems import PlaceOf
-from modelica2fmu.tangents import TangentAssignment, is_tangent, probe, probe_name
+from modelica2fmu.codegen.c_expressions import bare, c_text, number
+from modelica2fmu.codegen.c_functions import Function, numbers_of_lanes, single_function
+from modelica2fmu.codegen.call_code import call_statement
+from modelica2fmu.codegen.statements import Group, Lines, Statement, Write
+from modelica2fmu.codegen.symbol_places import SymbolPlaces, set_lanes, set_work
+from modelica2fmu.equations.blocks import Assignment, Block, LinearBlock, LinearSystem, NonlinearBlock
+from modelica2fmu.equations.lanes import LANES, lane_passes
+from modelica2fmu.equations.systems import PlaceOf
+from modelica2fmu.equations.tangents import TangentAssignment, is_tangent, probe, probe_name
+from modelica2fmu.expand.scalar_model import ExternalCall, ScalarVariable
+from modelica2fmu.frontend import ir
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 _NEWTON_TOLERANCE: Final = 1e-12
 
@@ -80,8 +80,8 @@ class BlockCode:
         def lines(write: Write) -> list[str]:
             return [
                 f"if ({write(factor)} == 0.0) {{",
-                f"  cmb_report_error(v, {message});",
-                "  return CMB_RESULT_DISCARD;",
+                f"  fmurt_report_error(v, {message});",
+                "  return FMURT_RESULT_DISCARD;",
                 "}",
                 self._places.store(name, write(value)),
             ]
@@ -117,21 +117,21 @@ class BlockCode:
 
         def solve(_: Write) -> list[str]:
             lines = [
-                f"if (cmb_factorize({n}, {arguments}) != 0) {{",
-                f"  cmb_report_error(v, {message});",
-                "  return CMB_RESULT_DISCARD;",
+                f"if (fmurt_factorize({n}, {arguments}) != 0) {{",
+                f"  fmurt_report_error(v, {message});",
+                "  return FMURT_RESULT_DISCARD;",
                 "}",
-                f"cmb_substitute({n}, {arguments}, w + {right});",
+                f"fmurt_substitute({n}, {arguments}, w + {right});",
             ]
             return lines + [self._places.store(name, f"w[{right + k}]") for k, name in enumerate(block.torn)]
 
         return [*statements, Statement((), solve)]
 
     def _evaluated_system(self, block: LinearBlock) -> list[Statement]:
-        """A system whose matrix and right-hand side come from evaluating its equations; see cmb_solve_linear."""
+        """A system whose matrix and right-hand side come from evaluating its equations; see fmurt_solve_linear."""
         self._evaluated += 1
         n, places, work = len(block.torn), self._places, self._places.work
-        prefix = f"cmb_linear_{self._evaluated}"
+        prefix = f"fmurt_linear_{self._evaluated}"
         factors = self._places_of_factors(block.torn)
         solution = work.real(n)
         inner, last = Group(f"{prefix}_inner", 2), Group(f"{prefix}_residuals", 1)
@@ -157,15 +157,15 @@ class BlockCode:
 
         message = self._singular(block.torn)
         solve = [
-            "static const cmb_linear_system system = {",
+            "static const fmurt_linear_system system = {",
             f"  .size = {n}, .matrix = {factors.matrix}, .scale = {factors.scale}, .pivot = {factors.pivot},",
             f"  .solution = {solution}, .seeds = {seeds}, .columns = {column},",
             f"  .evaluate_inner = {inner.name}, .evaluate_residuals = {last.name},",
             f"  .evaluate_numbers = {numbers.name}, .evaluate_columns = {columns.name},",
             f"  .singular = {message},",
             "};",
-            "const int result = cmb_solve_linear(v, &system);",
-            "if (result != CMB_RESULT_OK) return result;",
+            "const int result = fmurt_solve_linear(v, &system);",
+            "if (result != FMURT_RESULT_OK) return result;",
         ]
         statements.append(Statement((), lambda _: solve, calls_model=True))
         return statements
@@ -176,7 +176,7 @@ class BlockCode:
     # --- nonlinear ---
 
     def _nonlinear(self, block: NonlinearBlock) -> Statement:
-        name = f"cmb_residual_{len(self.functions) + 1}"
+        name = f"fmurt_residual_{len(self.functions) + 1}"
         n = len(block.torn)
         take = Statement((), lambda _: [self._places.store(torn, f"x[{k}]") for k, torn in enumerate(block.torn)])
         inner = [statement for step in block.inner for statement in self.statements(step)]
@@ -200,14 +200,14 @@ class BlockCode:
                 "{",
                 f"  double x[{n}] = {{{starts}}}, residual[{n}];",
                 f"  static const double nominal[{n}] = {{{nominals}}};",
-                f"  int result = cmb_solve_nonlinear(v, NULL, {name}, {n}, x, nominal, {number(_NEWTON_TOLERANCE)},",
+                f"  int result = fmurt_solve_nonlinear(v, NULL, {name}, {n}, x, nominal, {number(_NEWTON_TOLERANCE)},",
                 f"                                   w + {work}, v->integer_work + {integers});",
-                "  if (result != CMB_RESULT_OK) {",
+                "  if (result != FMURT_RESULT_OK) {",
                 f"    static const char *const unknown[{n}] = {{{unknowns}}}, *const equation[{n}] = {{{equations}}};",
-                f"    return cmb_report_unsolved(v, {name}, {n}, x, residual, unknown, equation, result);",
+                f"    return fmurt_report_unsolved(v, {name}, {n}, x, residual, unknown, equation, result);",
                 "  }",
                 f"  result = {name}(v, NULL, x, residual);",
-                "  if (result != CMB_RESULT_OK) return result;",
+                "  if (result != FMURT_RESULT_OK) return result;",
                 "}",
             ]
 

@@ -9,8 +9,8 @@ from typing import Final
 _CALLS: Final = {
     "abs": "fabs", "sqrt": "sqrt", "sin": "sin", "cos": "cos", "tan": "tan", "asin": "asin", "acos": "acos",
     "atan": "atan", "sinh": "sinh", "cosh": "cosh", "tanh": "tanh", "exp": "exp", "log": "log", "log10": "log10",
-    "floor": "floor", "ceil": "ceil", "sign": "cmb_sign", "pow": "pow", "atan2": "atan2", "min": "cmb_min",
-    "max": "cmb_max", "mod": "cmb_mod", "rem": "cmb_rem", "quotient": "cmb_quotient",
+    "floor": "floor", "ceil": "ceil", "sign": "fmurt_sign", "pow": "pow", "atan2": "atan2", "min": "fmurt_min",
+    "max": "fmurt_max", "mod": "fmurt_mod", "rem": "fmurt_rem", "quotient": "fmurt_quotient",
 }  # fmt: skip
 _INFIX: Final = {
     "add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<=", "eq": "==", "ne": "!=", "and": "&&",

@@ -12,11 +12,11 @@ from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Final
 
-from modelica2fmu import expression as ex
-from modelica2fmu.expression import Node
-from modelica2fmu.function_body import FunctionBody
-from modelica2fmu.lanes import LANES
-from modelica2fmu.statements import Group, Statement, WorkSpace
+from modelica2fmu.codegen.function_body import FunctionBody
+from modelica2fmu.codegen.statements import Group, Statement, WorkSpace
+from modelica2fmu.equations.lanes import LANES
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 _STATEMENTS_PER_FUNCTION: Final = 1200
 
@@ -111,8 +111,8 @@ def functions_of(prefix: str, statements: Sequence[Statement], frame: FunctionFr
 
 
 def _group_function(group: Group, parts: Sequence[str], signature: str) -> Function:
-    calls = "".join(f"  if ((result = {name}(v)) != CMB_RESULT_OK) return result;\n" for name in parts)
-    text = f"int {group.name}({signature})\n{{\n  int result = CMB_RESULT_OK;\n{calls}  return result;\n}}\n"
+    calls = "".join(f"  if ((result = {name}(v)) != FMURT_RESULT_OK) return result;\n" for name in parts)
+    text = f"int {group.name}({signature})\n{{\n  int result = FMURT_RESULT_OK;\n{calls}  return result;\n}}\n"
     return Function(group.name, text, False, len(parts), group.executions)
 
 
@@ -123,7 +123,7 @@ def _functions(chunks: Sequence[_Chunk], names: Sequence[str], frame: FunctionFr
     for position, (chunk, name) in enumerate(zip(chunks, names, strict=True)):
         body = FunctionBody(chunk.statements, position, homes, frame.location, lane_nodes).lines()
         text = "\n".join(
-            [f"int {name}({frame.signature})", "{", *frame.prologue, *body, "  return CMB_RESULT_OK;", "}", ""]
+            [f"int {name}({frame.signature})", "{", *frame.prologue, *body, "  return FMURT_RESULT_OK;", "}", ""]
         )
         executions = chunk.group.executions if chunk.group is not None else 1
         result.append(Function(name, text, chunk.is_discrete, len(body), executions))

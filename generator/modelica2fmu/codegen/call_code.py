@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from modelica2fmu.c_expressions import c_text
-from modelica2fmu.expression import Node
-from modelica2fmu.rolled_code import rolled
-from modelica2fmu.scalar_model import CallArgument, ExternalCall
-from modelica2fmu.statements import Statement, Write
+from modelica2fmu.codegen.c_expressions import c_text
+from modelica2fmu.codegen.rolled_code import rolled
+from modelica2fmu.codegen.statements import Statement, Write
+from modelica2fmu.expand.scalar_model import CallArgument, ExternalCall
+from modelica2fmu.symbolic.expression import Node
 
 _LONGEST_INITIALIZER: Final = 64
 

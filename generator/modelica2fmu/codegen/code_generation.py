@@ -1,4 +1,4 @@
-"""Generates the C of a model: the functions of ``runtime/cmb_model.h`` from the blocks of both systems."""
+"""Generates the C of a model: the functions of ``runtime/model/fmurt_model.h`` from the blocks of both systems."""
 
 from __future__ import annotations
 
@@ -7,32 +7,32 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from modelica2fmu import expression as ex
-from modelica2fmu.alias import ReducedModel
-from modelica2fmu.block_code import BlockCode
-from modelica2fmu.blocks import Assignment, Block, block_roots, block_targets, needed_blocks
-from modelica2fmu.c_functions import Function, FunctionFrame, functions_of
-from modelica2fmu.event_code import (
+from modelica2fmu.codegen.block_code import BlockCode
+from modelica2fmu.codegen.c_functions import Function, FunctionFrame, functions_of
+from modelica2fmu.codegen.event_code import (
     assert_statement,
     event_statements,
     fixed_statement,
     indicator_statements,
     lasting_asserts,
 )
-from modelica2fmu.expression import Node
-from modelica2fmu.jacobian_code import jacobian_code
-from modelica2fmu.model_file import GUID_PLACE, ModelParts, model_file, model_header
+from modelica2fmu.codegen.jacobian_code import jacobian_code
+from modelica2fmu.codegen.model_file import GUID_PLACE, ModelParts, model_file, model_header
+from modelica2fmu.codegen.slots import Slots, assign_slots
+from modelica2fmu.codegen.statements import Statement, WorkSpace
+from modelica2fmu.codegen.symbol_places import SymbolPlaces
+from modelica2fmu.equations.alias import ReducedModel
+from modelica2fmu.equations.blocks import Assignment, Block, block_roots, block_targets, needed_blocks
+from modelica2fmu.equations.sorting import solve_order
+from modelica2fmu.equations.systems import PlaceOf, Systems
+from modelica2fmu.equations.tangents import tangents
+from modelica2fmu.expand.scalar_model import ExternalCall, Kind, derivative_name, start_name, unwrapped
 from modelica2fmu.packaging import GeneratedSource
-from modelica2fmu.scalar_model import ExternalCall, Kind, derivative_name, start_name, unwrapped
-from modelica2fmu.slots import Slots, assign_slots
-from modelica2fmu.sorting import solve_order
-from modelica2fmu.statements import Statement, WorkSpace
-from modelica2fmu.symbol_places import SymbolPlaces
-from modelica2fmu.systems import PlaceOf, Systems
-from modelica2fmu.tangents import tangents
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 _LINES_PER_FILE: Final = 5000
-_STATES_WITHOUT_JACOBIAN: Final = 500  # KRYLOV_STATES of runtime/cmb_solver.c: the integrator needs none from there on
+_STATES_WITHOUT_JACOBIAN: Final = 500  # KRYLOV_STATES of fmurt_solver.c: the integrator needs none from there on
 
 
 @dataclass(frozen=True)
@@ -81,17 +81,17 @@ class _Generator:
 
     def run(self) -> GeneratedModel:
         frame = self._places.frame()
-        self._add("cmb_part_parameters", self._parameters(), frame)
-        self._add("cmb_part_initialize", self._initialize(self._initialization), frame)
+        self._add("fmurt_part_parameters", self._parameters(), frame)
+        self._add("fmurt_part_initialize", self._initialize(self._initialization), frame)
         simulation = [statement for block in self._simulation for statement in self._blocks.statements(block)]
-        simulating = functions_of("cmb_part_simulate", [*simulation, *self._negated_statements()], frame)
+        simulating = functions_of("fmurt_part_simulate", [*simulation, *self._negated_statements()], frame)
         self._functions.extend(simulating)
         asserts = [item for item in lasting_asserts(self._model) if not self._is_invariant(item.condition)]
-        self._add("cmb_part_assert", [assert_statement(item, "CMB_RESULT_DISCARD") for item in asserts], frame)
+        self._add("fmurt_part_assert", [assert_statement(item, "FMURT_RESULT_DISCARD") for item in asserts], frame)
         events = self._places.frame(", int *states_changed", ("  (void)states_changed;",))
-        self._add("cmb_part_event", event_statements(self._model, self._places), events)
+        self._add("fmurt_part_event", event_statements(self._model, self._places), events)
         indicators = self._places.frame(", double *indicator", ("  (void)indicator;",))
-        self._add("cmb_part_indicators", indicator_statements(self._model), indicators)
+        self._add("fmurt_part_indicators", indicator_statements(self._model), indicators)
         jacobian = self._jacobian()
         self._functions.extend(self._blocks.functions)
         operations = sum(item.size * item.executions for item in simulating if not item.is_discrete)
@@ -176,7 +176,7 @@ class _Generator:
             statements.extend(replace(item, is_discrete=False) for item in self._blocks.statements(block))
         statements.extend(self._negated_statements())
         statements.extend(
-            assert_statement(item, "CMB_RESULT_ERROR")
+            assert_statement(item, "FMURT_RESULT_ERROR")
             for item in lasting_asserts(self._model)
             if self._is_invariant(item.condition)
         )

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Text
-from modelica2fmu.c_expressions import bare, c_text
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import INITIAL, TIME, ScalarAssert, ScalarModel
-from modelica2fmu.statements import Lines, Statement, Write
-from modelica2fmu.symbol_places import SymbolPlaces, set_work
+from modelica2fmu.codegen.c_expressions import bare, c_text
+from modelica2fmu.codegen.statements import Lines, Statement, Write
+from modelica2fmu.codegen.symbol_places import SymbolPlaces, set_work
+from modelica2fmu.expand.scalar_model import INITIAL, TIME, ScalarAssert, ScalarModel
+from modelica2fmu.interpreter.arrays import Text
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 def event_statements(model: ScalarModel, places: SymbolPlaces) -> list[Statement]:
@@ -19,7 +19,7 @@ def event_statements(model: ScalarModel, places: SymbolPlaces) -> list[Statement
     statements: list[Statement] = []
     for assertion in model.asserts:
         if assertion.trigger is not None or assertion.is_warning:
-            statements.append(assert_statement(assertion, "CMB_RESULT_ERROR"))
+            statements.append(assert_statement(assertion, "FMURT_RESULT_ERROR"))
     for termination in model.terminations:
         statements.append(_termination(running(termination.trigger), termination.message))
     # All values are computed before the first state changes.
@@ -54,7 +54,7 @@ def assert_statement(item: ScalarAssert, severity: str) -> Statement:
         condition = ex.logical_and(running(item.trigger), condition)
 
     def lines(write: Write) -> list[str]:
-        report = "cmb_report_warning" if item.is_warning else "cmb_report_error"
+        report = "fmurt_report_warning" if item.is_warning else "fmurt_report_error"
         end = [] if item.is_warning else [f"  return {severity};"]
         return [f"if ({write(condition)}) {{", *_message(item.message, write, report), *end, "}"]
 
@@ -81,7 +81,7 @@ def _indicator(position: int, value: float | Node) -> Lines:
 def _termination(trigger: float | Node, message: Text) -> Statement:
     def lines(write: Write) -> list[str]:
         return [
-            f"if ({write(trigger)}) {{", *_message(message, write, "cmb_report_warning"),
+            f"if ({write(trigger)}) {{", *_message(message, write, "fmurt_report_warning"),
             "  v->terminate = 1;", "}",
         ]  # fmt: skip
 
@@ -89,7 +89,7 @@ def _termination(trigger: float | Node, message: Text) -> Statement:
 
 
 def _next_time(value: float | Node) -> Statement:
-    return Statement((value,), lambda write: [f"cmb_next_time(v, {bare(write(value))});"])
+    return Statement((value,), lambda write: [f"fmurt_next_time(v, {bare(write(value))});"])
 
 
 def _nodes(message: Text) -> tuple[Node, ...]:

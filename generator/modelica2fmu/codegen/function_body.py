@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Final
 
-from modelica2fmu.c_expressions import bare, number, operation
-from modelica2fmu.expression import Node
-from modelica2fmu.lanes import lanes_at
-from modelica2fmu.statements import Statement
+from modelica2fmu.codegen.c_expressions import bare, number, operation
+from modelica2fmu.codegen.statements import Statement
+from modelica2fmu.equations.lanes import lanes_at
+from modelica2fmu.symbolic.expression import Node
 
 _INLINE_LENGTH: Final = 160
 
@@ -111,7 +111,7 @@ class FunctionBody:
             self._names[node] = text
             return
         name = f"n{len(self._names)}"
-        type_name = "cmb_lanes" if node in self._lane_nodes else "double"
+        type_name = "fmurt_lanes" if node in self._lane_nodes else "double"
         self._lines.append(f"  const {type_name} {name} = {bare(text)};")
         self._names[node] = name
         if home is not None:
@@ -122,7 +122,7 @@ class FunctionBody:
         if node.op == "select" and node in self._lane_nodes:
             # A branch that is no vector is the number zero: derivatives are linear in the directions.
             args[1:] = [
-                f"(cmb_lanes){text}" if arg in self._lane_nodes else "(cmb_lanes){0}"
+                f"(fmurt_lanes){text}" if arg in self._lane_nodes else "(fmurt_lanes){0}"
                 for arg, text in zip(node.args[1:], args[1:], strict=True)
             ]
         return operation(node.op, args)

@@ -10,19 +10,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from modelica2fmu import expression as ex
-from modelica2fmu.block_code import Factors
-from modelica2fmu.blocks import NonlinearBlock
-from modelica2fmu.c_expressions import bare, number
-from modelica2fmu.c_functions import Function, functions_of, numbers_of_lanes, single_function
-from modelica2fmu.call_code import call_statement
-from modelica2fmu.expression import Node
-from modelica2fmu.lanes import LANES, lanes_at
-from modelica2fmu.model_file import function_calls
-from modelica2fmu.scalar_model import ExternalCall
-from modelica2fmu.statements import Group, Statement, Write
-from modelica2fmu.symbol_places import PROLOGUE, SIGNATURE, SymbolPlaces, set_lanes
-from modelica2fmu.tangents import (
+from modelica2fmu.codegen.block_code import Factors
+from modelica2fmu.codegen.c_expressions import bare, number
+from modelica2fmu.codegen.c_functions import Function, functions_of, numbers_of_lanes, single_function
+from modelica2fmu.codegen.call_code import call_statement
+from modelica2fmu.codegen.model_file import function_calls
+from modelica2fmu.codegen.statements import Group, Statement, Write
+from modelica2fmu.codegen.symbol_places import PROLOGUE, SIGNATURE, SymbolPlaces, set_lanes
+from modelica2fmu.equations.blocks import NonlinearBlock
+from modelica2fmu.equations.lanes import LANES, lanes_at
+from modelica2fmu.equations.tangents import (
     CallTangent,
     SolvedTangent,
     Tangent,
@@ -32,15 +29,18 @@ from modelica2fmu.tangents import (
     tangent_name,
     tangent_targets,
 )
+from modelica2fmu.expand.scalar_model import ExternalCall
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 _INPUT: Final = "$input["
-_NUMBERS: Final = "cmb_tangent_numbers"
+_NUMBERS: Final = "fmurt_tangent_numbers"
 _RELATIVE_STEP: Final = 1.5e-8  # of difference quotients of external functions: the root of the rounding error
 
 
 @dataclass(frozen=True)
 class JacobianCode:
-    """Functions, and the text of ``jacobian`` of cmb_model.h that calls them."""
+    """Functions, and the text of ``jacobian`` of fmurt_model.h that calls them."""
 
     functions: tuple[Function, ...]
     text: str
@@ -56,7 +56,7 @@ def jacobian_code(
     """The C that fills ``jacobian[i + j * states]`` after ``continuous`` was called.
 
     Args:
-        steps: see :func:`modelica2fmu.tangents.tangents`.
+        steps: see :func:`modelica2fmu.equations.tangents.tangents`.
         states: the columns.
         rates: the rows.
         places: where symbols live.
@@ -88,7 +88,7 @@ class _Writer:
         statements = [statement for step in self._steps for statement in self._statements(step)]
         # What does not depend on the direction is computed once for all passes.
         numbers = Statement(numbers_of_lanes(statements, is_tangent), lambda _: [], group=Group(_NUMBERS, 1))
-        parts = functions_of("cmb_part_tangent", [numbers, *statements], self._places.frame())
+        parts = functions_of("fmurt_part_tangent", [numbers, *statements], self._places.frame())
         self._functions.extend(parts)
         return JacobianCode(tuple(self._functions), self._driver(parts))
 
@@ -109,7 +109,7 @@ class _Writer:
         offset = self._places.put_tangents(step.targets)
         statements = [set_lanes(offset + k * LANES, ex.negate(item)) for k, item in enumerate(step.residuals)]
         text = (
-            f"cmb_substitute_lanes({n}, w + {factors.matrix}, w + {factors.scale}, "
+            f"fmurt_substitute_lanes({n}, w + {factors.matrix}, w + {factors.scale}, "
             f"v->integer_work + {factors.pivot}, w + {offset});"
         )
         return [*statements, Statement((), lambda _: [text])]
@@ -121,7 +121,7 @@ class _Writer:
         inner = [statement for item in step.probe for statement in self._statements(item)]
         columns = [work.real(LANES) for _ in step.columns]
         inner += [set_lanes(offset, value) for offset, value in zip(columns, step.columns, strict=True)]
-        name = f"cmb_probe_{len(self._probes) + 1}"
+        name = f"fmurt_probe_{len(self._probes) + 1}"
         parts = functions_of(f"{name}_part", inner, self._places.frame())
         seeds = [self._places.tangent(probe_name(torn)) for torn in step.block.torn]
         sizes = [f"fmax(fabs({self._places.location(torn)}), 1.0)" for torn in step.block.torn]
@@ -146,10 +146,10 @@ class _Writer:
 
         def lines(write: Write) -> list[str]:
             result = ["{"]
-            result += [f"  const cmb_lanes d{k} = {bare(write(rate))};" for k, (_, rate) in enumerate(inputs)]
+            result += [f"  const fmurt_lanes d{k} = {bare(write(rate))};" for k, (_, rate) in enumerate(inputs)]
             moves = " || ".join(f"d{k}[lane] != 0.0" for k in range(len(inputs)))
             result += [
-                "  for (int lane = 0; lane < CMB_LANES; ++lane) {",
+                "  for (int lane = 0; lane < FMURT_LANES; ++lane) {",
                 f"    const double step = w[{self._step} + lane];",
                 *(f"    {tangent(target)}[lane] = 0.0;" for _, target in outputs),
                 f"    if (!({moves})) continue;",
@@ -158,7 +158,7 @@ class _Writer:
                 *(f"      {write(value)} + step * d{k}[lane]," for k, (value, _) in enumerate(inputs)),
                 "    };",
                 f"    const int result = {function}(v, input, output);",
-                "    if (result != CMB_RESULT_OK) return result;",
+                "    if (result != FMURT_RESULT_OK) return result;",
                 *(
                     f"    {tangent(target)}[lane] = (output[{k}] - {self._places.location(name)}) / step;"
                     for k, (name, target) in enumerate(outputs)
@@ -173,7 +173,7 @@ class _Writer:
     def _shifted_call(self, step: CallTangent) -> str:
         """A function that makes a call with other Real inputs."""
         key = len(self._shifted) + 1
-        name = f"cmb_shifted_call_{key}"
+        name = f"fmurt_shifted_call_{key}"
         shifted = {value: ex.symbol(f"{_INPUT}{k}]") for k, (value, _) in enumerate(step.inputs)}
         places = {name: k for k, (name, _) in enumerate(step.outputs)}
 
@@ -200,7 +200,7 @@ class _Writer:
         return _DRIVER.format(
             n=len(self._states), seeds=_joined(seeds), rates=_joined(rates), step=self._step,
             relative=number(_RELATIVE_STEP), probes=probes, numbers=_call(_NUMBERS),
-            calls=_indented(function_calls(parts, "cmb_part_tangent")),
+            calls=_indented(function_calls(parts, "fmurt_part_tangent")),
         )  # fmt: skip
 
 
@@ -224,7 +224,7 @@ def _joined(items: Sequence[int]) -> str:
 
 
 def _call(name: str) -> str:
-    return f"  if ((result = {name}(v)) != CMB_RESULT_OK) return (cmb_result)result;\n"
+    return f"  if ((result = {name}(v)) != FMURT_RESULT_OK) return (fmurt_result)result;\n"
 
 
 def _indented(text: str) -> str:
@@ -236,43 +236,44 @@ _PROBE: Final = """int {name}({signature})
 {prologue}
   static const int seed[{n}] = {{{seeds}}}, column[{n}] = {{{columns}}};
   const double size[{n}] = {{{sizes}}};
-  int result = CMB_RESULT_OK;
-  for (int first = 0; first < {n}; first += CMB_LANES) {{
+  int result = FMURT_RESULT_OK;
+  for (int first = 0; first < {n}; first += FMURT_LANES) {{
     for (int j = 0; j < {n}; ++j) {{
-      for (int lane = 0; lane < CMB_LANES; ++lane) {{
+      for (int lane = 0; lane < FMURT_LANES; ++lane) {{
         LANES(w, seed[j])[lane] = first + lane == j;
         if (first + lane == j) w[{step} + lane] = {relative} * size[j];
       }}
     }}
-{calls}    for (int lane = 0; lane < CMB_LANES && first + lane < {n}; ++lane) {{
+{calls}    for (int lane = 0; lane < FMURT_LANES && first + lane < {n}; ++lane) {{
       for (int i = 0; i < {n}; ++i) w[{matrix} + (first + lane) * {n} + i] = LANES(w, column[i])[lane];
     }}
   }}
-  return cmb_factorize({n}, w + {matrix}, w + {scale}, v->integer_work + {pivot}) == 0 ? result : CMB_RESULT_DISCARD;
+  if (fmurt_factorize({n}, w + {matrix}, w + {scale}, v->integer_work + {pivot}) != 0) return FMURT_RESULT_DISCARD;
+  return result;
 }}
 """
 
-_DRIVER: Final = """static cmb_result jacobian(cmb_values *v, double *jacobian)
+_DRIVER: Final = """static fmurt_result jacobian(fmurt_values *v, double *jacobian)
 {{
   static const int seed[{n}] = {{
     {seeds}}};
   static const int rate[{n}] = {{
     {rates}}};
   double *const w = v->work;
-  int result = CMB_RESULT_OK;
-{numbers}{probes}  for (int first = 0; first < {n}; first += CMB_LANES) {{
+  int result = FMURT_RESULT_OK;
+{numbers}{probes}  for (int first = 0; first < {n}; first += FMURT_LANES) {{
     for (int j = 0; j < {n}; ++j) {{
-      LANES(w, seed[j]) = (cmb_lanes){{0}};
-      if (j < first || j >= first + CMB_LANES) continue;
+      LANES(w, seed[j]) = (fmurt_lanes){{0}};
+      if (j < first || j >= first + FMURT_LANES) continue;
       w[seed[j] + j - first] = 1.0;
       w[{step} + j - first] = {relative} * fmax(fabs(v->real[state[j]]), state_nominal[j]);
     }}
-{calls}    for (int lane = 0; lane < CMB_LANES && first + lane < {n}; ++lane) {{
+{calls}    for (int lane = 0; lane < FMURT_LANES && first + lane < {n}; ++lane) {{
       double *const column = jacobian + (size_t)(first + lane) * {n};
       for (int i = 0; i < {n}; ++i) column[i] = rate[i] >= 0 ? w[rate[i] + lane] : 0.0;
     }}
   }}
-  return (cmb_result)result;
+  return (fmurt_result)result;
 }}
 
 """

@@ -1,4 +1,4 @@
-"""The generated files around the functions of a model: common header, tables and ``cmb_model``."""
+"""The generated files around the functions of a model: common header, tables and ``fmurt_model``."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from modelica2fmu.alias import ReducedModel
-from modelica2fmu.c_expressions import c_text, number
-from modelica2fmu.c_functions import Function
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import Kind, ScalarModel, derivative_name
-from modelica2fmu.slots import Slot, Slots, Store
+from modelica2fmu.codegen.c_expressions import c_text, number
+from modelica2fmu.codegen.c_functions import Function
+from modelica2fmu.codegen.slots import Slot, Slots, Store
+from modelica2fmu.equations.alias import ReducedModel
+from modelica2fmu.expand.scalar_model import Kind, ScalarModel, derivative_name
+from modelica2fmu.symbolic.expression import Node
 
 GUID_PLACE: Final = "@guid@"
 _INDICATOR_TEXT: Final = 200
@@ -58,7 +58,9 @@ def function_calls(functions: Iterable[Function], prefix: str, args: str = "v", 
         for function in functions
         if function.name.startswith(prefix + "_") and (with_discrete or not function.is_discrete)
     ]
-    return "".join(f"  if ((result = {name}({args})) != CMB_RESULT_OK) return (cmb_result)result;\n" for name in names)
+    return "".join(
+        f"  if ((result = {name}({args})) != FMURT_RESULT_OK) return (fmurt_result)result;\n" for name in names
+    )
 
 
 def model_file(parts: ModelParts) -> str:
@@ -70,14 +72,14 @@ def model_file(parts: ModelParts) -> str:
     nominal = [number(state_nominal(model, name)) for name in states]
     state = [str(slots.of[name].index) for name in states]
     rates = [str(slots.of[derivative_name(name)].index) for name in states]
-    parameters = function_calls(functions, "cmb_part_parameters")
-    asserts = function_calls(functions, "cmb_part_assert")
-    initialize = function_calls(functions, "cmb_part_initialize") + asserts
-    continuous = function_calls(functions, "cmb_part_simulate", with_discrete=False) + asserts
-    discrete = function_calls(functions, "cmb_part_simulate")
-    discrete += function_calls(functions, "cmb_part_event", "v, states_changed")
-    indicators = function_calls(functions, "cmb_part_indicators", "v, indicator")
-    settle = function_calls(functions, "cmb_part_simulate")
+    parameters = function_calls(functions, "fmurt_part_parameters")
+    asserts = function_calls(functions, "fmurt_part_assert")
+    initialize = function_calls(functions, "fmurt_part_initialize") + asserts
+    continuous = function_calls(functions, "fmurt_part_simulate", with_discrete=False) + asserts
+    discrete = function_calls(functions, "fmurt_part_simulate")
+    discrete += function_calls(functions, "fmurt_part_event", "v, states_changed")
+    indicators = function_calls(functions, "fmurt_part_indicators", "v, indicator")
+    settle = function_calls(functions, "fmurt_part_simulate")
     return f"""#include "model_parts.h"
 
 static const unsigned state[] = {{{_wrapped(state)}}};
@@ -89,43 +91,43 @@ static const int boolean_start[] = {{{_wrapped(boolean)}}};
 static const char *const string_start[] = {{{_wrapped(string)}}};
 static const char *const indicator_text[] = {{{_wrapped(texts)}}};
 
-static cmb_result parameters(cmb_values *v)
+static fmurt_result parameters(fmurt_values *v)
 {{
-  int result = CMB_RESULT_OK;
-{parameters}  return (cmb_result)result;
+  int result = FMURT_RESULT_OK;
+{parameters}  return (fmurt_result)result;
 }}
 
-static cmb_result initialize(cmb_values *v)
+static fmurt_result initialize(fmurt_values *v)
 {{
-  int result = CMB_RESULT_OK;
-{initialize}  return (cmb_result)result;
+  int result = FMURT_RESULT_OK;
+{initialize}  return (fmurt_result)result;
 }}
 
-static cmb_result continuous(cmb_values *v)
+static fmurt_result continuous(fmurt_values *v)
 {{
-  int result = CMB_RESULT_OK;
-{continuous}  return (cmb_result)result;
+  int result = FMURT_RESULT_OK;
+{continuous}  return (fmurt_result)result;
 }}
 
-static cmb_result indicators(cmb_values *v, double *indicator)
+static fmurt_result indicators(fmurt_values *v, double *indicator)
 {{
-  int result = CMB_RESULT_OK;
-{indicators}  return (cmb_result)result;
+  int result = FMURT_RESULT_OK;
+{indicators}  return (fmurt_result)result;
 }}
 
-static cmb_result discrete(cmb_values *v, int *states_changed)
+static fmurt_result discrete(fmurt_values *v, int *states_changed)
 {{
-  int result = CMB_RESULT_OK;
-{discrete}  return (cmb_result)result;
+  int result = FMURT_RESULT_OK;
+{discrete}  return (fmurt_result)result;
 }}
 
-static inline cmb_result settle(cmb_values *v)
+static inline fmurt_result settle(fmurt_values *v)
 {{
-  int result = CMB_RESULT_OK;
-{settle}  return (cmb_result)result;
+  int result = FMURT_RESULT_OK;
+{settle}  return (fmurt_result)result;
 }}
 
-{parts.jacobian}const cmb_model_description cmb_model = {{
+{parts.jacobian}const fmurt_model_description fmurt_model = {{
   .name = {c_text(model.name)},
   .guid = "{GUID_PLACE}",
   .real_count = {counts[Store.REAL]},
@@ -136,7 +138,7 @@ static inline cmb_result settle(cmb_values *v)
   .indicator_count = {len(model.relations)},
   .work_count = {parts.reals},
   .integer_work_count = {parts.integers},
-  .delay_count = {sum(call.symbol == "cmb_delay" for call in model.calls)},
+  .delay_count = {sum(call.symbol == "fmurt_delay" for call in model.calls)},
   .state = state,
   .derivative = derivative,
   .state_nominal = state_nominal,
@@ -200,19 +202,20 @@ _HEADER: Final = """#ifndef MODEL_PARTS_H
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include "cmb_model.h"
+#include "fmurt_model.h"
 
-/* Derivatives along CMB_LANES directions, and where they are in the work array. */
-typedef double cmb_lanes __attribute__((vector_size(CMB_LANES * sizeof(double)), aligned(sizeof(double)), may_alias));
-#define LANES(w, offset) (*(cmb_lanes *)((w) + (offset)))
+/* Derivatives along FMURT_LANES directions, and where they are in the work array. */
+typedef double fmurt_lanes
+  __attribute__((vector_size(FMURT_LANES * sizeof(double)), aligned(sizeof(double)), may_alias));
+#define LANES(w, offset) (*(fmurt_lanes *)((w) + (offset)))
 
-static inline double cmb_min(double x, double y) { return x < y ? x : y; }
-static inline double cmb_max(double x, double y) { return x > y ? x : y; }
-static inline double cmb_sign(double x) { return (double)((x > 0.0) - (x < 0.0)); }
-static inline double cmb_mod(double x, double y) { return x - floor(x / y) * y; }
-static inline double cmb_rem(double x, double y) { return x - trunc(x / y) * y; }
-static inline double cmb_quotient(double x, double y) { return trunc(x / y); }
-static inline void cmb_next_time(cmb_values *v, double time)
+static inline double fmurt_min(double x, double y) { return x < y ? x : y; }
+static inline double fmurt_max(double x, double y) { return x > y ? x : y; }
+static inline double fmurt_sign(double x) { return (double)((x > 0.0) - (x < 0.0)); }
+static inline double fmurt_mod(double x, double y) { return x - floor(x / y) * y; }
+static inline double fmurt_rem(double x, double y) { return x - trunc(x / y) * y; }
+static inline double fmurt_quotient(double x, double y) { return trunc(x / y); }
+static inline void fmurt_next_time(fmurt_values *v, double time)
 {
   if (time > v->time && time < v->next_time_event) v->next_time_event = time;
 }

@@ -1,17 +1,17 @@
-"""Where every symbol of the equations lives in the arrays of ``cmb_values``."""
+"""Where every symbol of the equations lives in the arrays of ``fmurt_values``."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from modelica2fmu.alias import ReducedModel
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import Kind, unwrapped
+from modelica2fmu.equations.alias import ReducedModel
+from modelica2fmu.expand.scalar_model import Kind, unwrapped
+from modelica2fmu.symbolic.expression import Node
 
 
 class Store(StrEnum):
-    """The arrays of ``cmb_values``."""
+    """The arrays of ``fmurt_values``."""
 
     REAL = "real"
     INTEGER = "integer"

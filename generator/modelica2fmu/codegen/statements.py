@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from modelica2fmu.expression import Node
+from modelica2fmu.symbolic.expression import Node
 
 Write = Callable[["float | Node"], str]
 

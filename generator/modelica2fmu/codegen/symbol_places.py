@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import Final
 
-from modelica2fmu.c_expressions import bare
-from modelica2fmu.c_functions import FunctionFrame
-from modelica2fmu.expression import Node
-from modelica2fmu.lanes import LANES, lanes_at
-from modelica2fmu.scalar_model import INITIAL, TERMINAL, TIME, unwrapped
-from modelica2fmu.slots import Slots, Store
-from modelica2fmu.statements import Statement, WorkSpace
-from modelica2fmu.tangents import is_tangent
+from modelica2fmu.codegen.c_expressions import bare
+from modelica2fmu.codegen.c_functions import FunctionFrame
+from modelica2fmu.codegen.slots import Slots, Store
+from modelica2fmu.codegen.statements import Statement, WorkSpace
+from modelica2fmu.equations.lanes import LANES, lanes_at
+from modelica2fmu.equations.tangents import is_tangent
+from modelica2fmu.expand.scalar_model import INITIAL, TERMINAL, TIME, unwrapped
+from modelica2fmu.symbolic.expression import Node
 
-SIGNATURE: Final = "cmb_values *v"
+SIGNATURE: Final = "fmurt_values *v"
 PROLOGUE: Final = (
     "  double *const restrict r = v->real;",
     "  double *const restrict w = v->work;",
@@ -106,5 +106,5 @@ def set_work(offset: int, value: float | Node) -> Statement:
 def set_lanes(offset: int, value: float | Node) -> Statement:
     """The assignment of a vector; an expression without vectors is zero."""
     if not isinstance(value, Node):
-        return Statement((), lambda _: [f"{lanes_at(offset)} = (cmb_lanes){{0}};"])
+        return Statement((), lambda _: [f"{lanes_at(offset)} = (fmurt_lanes){{0}};"])
     return Statement((value,), lambda write: [f"{lanes_at(offset)} = {bare(write(value))};"])

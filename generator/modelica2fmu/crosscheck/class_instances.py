@@ -13,8 +13,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import Final
 
-from modelica2fmu.class_library import ClassLibrary
-from modelica2fmu.class_syntax import (
+from modelica2fmu.crosscheck.class_library import ClassLibrary
+from modelica2fmu.crosscheck.class_syntax import (
     PREDEFINED,
     Base,
     ClassDefinition,

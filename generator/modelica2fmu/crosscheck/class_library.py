@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
 
-from modelica2fmu.class_parser import parse
-from modelica2fmu.class_syntax import ClassDefinition, Extent
-from modelica2fmu.class_tokens import UnreadableError, call_arguments
-from modelica2fmu.source_map import source_number
+from modelica2fmu.crosscheck.class_parser import parse
+from modelica2fmu.crosscheck.class_syntax import ClassDefinition, Extent
+from modelica2fmu.crosscheck.class_tokens import UnreadableError, call_arguments
+from modelica2fmu.library.source_map import source_number
 
 
 class ClassLibrary:

@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-from modelica2fmu.class_sections import SectionReader
-from modelica2fmu.class_syntax import (
+from modelica2fmu.crosscheck.class_sections import SectionReader
+from modelica2fmu.crosscheck.class_syntax import (
     Base,
     ClassDefinition,
     ComponentDeclaration,
@@ -17,7 +17,7 @@ from modelica2fmu.class_syntax import (
     Import,
     Modifier,
 )
-from modelica2fmu.class_tokens import UnreadableError
+from modelica2fmu.crosscheck.class_tokens import UnreadableError
 
 _CLASS_KINDS: Final = frozenset(
     {"class", "model", "record", "block", "connector", "type", "package", "function", "operator"}

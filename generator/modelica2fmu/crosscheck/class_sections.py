@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from modelica2fmu.class_syntax import ClassDefinition
-from modelica2fmu.class_tokens import OPENING, TokenReader
+from modelica2fmu.crosscheck.class_syntax import ClassDefinition
+from modelica2fmu.crosscheck.class_tokens import OPENING, TokenReader
 
 _SECTIONS: Final = frozenset({"public", "protected", "equation", "algorithm", "external"})
 _OTHER_STATEMENTS: Final = frozenset({"connect", "assert", "terminate", "reinit", "Connections"})

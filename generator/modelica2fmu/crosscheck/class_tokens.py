@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from modelica2fmu.class_syntax import Extent
+from modelica2fmu.crosscheck.class_syntax import Extent
 
 _TOKEN: Final = re.compile(
     r'\s+|//[^\n]*|/\*.*?\*/|(?P<string>"(?:\\.|[^"\\])*")|(?P<name>[A-Za-z_]\w*|\'(?:\\.|[^\'\\])+\')'

@@ -15,11 +15,11 @@ from typing import Any, Final
 
 from contact_foundation.errors import UnsupportedModelError
 
-from modelica2fmu.class_instances import ClassInstance, Component, Names, Role, UnknownError, Value
-from modelica2fmu.class_syntax import Modifier
-from modelica2fmu.class_tokens import UnreadableError
-from modelica2fmu.flat_expression_check import ExpressionCheck, Site
-from modelica2fmu.flat_reading import FlatReading, WrittenPlaces, spans
+from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, Names, Role, UnknownError, Value
+from modelica2fmu.crosscheck.class_syntax import Modifier
+from modelica2fmu.crosscheck.class_tokens import UnreadableError
+from modelica2fmu.crosscheck.flat_expression_check import ExpressionCheck, Site
+from modelica2fmu.crosscheck.flat_reading import FlatReading, WrittenPlaces, spans
 
 _PART: Final = re.compile(r"'(?:\\.|[^'\\])*'|[^.\[\]]+(?:\[[^\]]*\])?")
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")

@@ -9,9 +9,9 @@ from typing import Any, Final
 
 from contact_foundation.errors import Place, UnsupportedModelError
 
-from modelica2fmu.class_instances import Role, Value
-from modelica2fmu.class_library import ClassLibrary
-from modelica2fmu.class_syntax import Extent
+from modelica2fmu.crosscheck.class_instances import Role, Value
+from modelica2fmu.crosscheck.class_library import ClassLibrary
+from modelica2fmu.crosscheck.class_syntax import Extent
 
 RawSpan = Mapping[str, int]
 

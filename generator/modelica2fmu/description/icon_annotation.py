@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final, Union
 
-from modelica2fmu.class_text import ClassText, class_texts
+from modelica2fmu.library.class_text import ClassText, class_texts
 
 _TOKEN: Final = re.compile(r'\s*("(?:[^"\\]|\\.)*"|[\d.]+(?:[eE][-+]?\d+)?|[A-Za-z_][\w.]*|.)', re.DOTALL)
 _EXTENDS: Final = re.compile(r"\bextends\s+(\.?[A-Za-z_][\w.]*)")

@@ -14,8 +14,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from modelica2fmu.icon_annotation import Call, Icon, Item, read_icon
-from modelica2fmu.packaging.icon import encode_png
+from modelica2fmu.description.icon import encode_png
+from modelica2fmu.description.icon_annotation import Call, Icon, Item, read_icon
 
 _SIZE: Final = 96
 _OVERSAMPLING: Final = 3

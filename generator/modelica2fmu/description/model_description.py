@@ -1,7 +1,7 @@
 """What a generated FMU says about its model: the contract between code generation and packaging.
 
 Everything that ``modelDescription.xml`` and the FMU's ``resources`` need is here; the numbers of the
-model itself are in the generated C (``runtime/cmb_model.h``). Value references are the slots of the
+model itself are in the generated C (``runtime/model/fmurt_model.h``). Value references are the slots of the
 four value arrays of that header, one numbering for each of Real, Integer (with enumerations), Boolean
 and String. Variables that are equal share a slot, so a value reference may occur more than once.
 """
@@ -158,7 +158,7 @@ class ModelDescription:
         guid: the same text as in the generated C; a hash of the generated code.
         description: Modelica's description text of the model.
         variables: in the order of modelDescription.xml; a state comes before its derivative.
-        states: names of the continuous states in the order of ``cmb_model.state``.
+        states: names of the continuous states in the order of ``fmurt_model.state``.
         derivatives: names of their derivatives, same order.
         outputs: names of the variables of causality output, in order.
         indicator_count: number of event indicators.

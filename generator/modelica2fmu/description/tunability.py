@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from modelica2fmu import expression as ex
-from modelica2fmu.alias import ReducedModel
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import Kind
+from modelica2fmu.equations.alias import ReducedModel
+from modelica2fmu.expand.scalar_model import Kind
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 class Tunability:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from modelica2fmu.alias import ReducedModel
-from modelica2fmu.description import (
+from modelica2fmu.codegen.slots import Slots, Store
+from modelica2fmu.description.model_description import (
     Causality,
     DataType,
     EnumerationItem,
@@ -14,11 +14,11 @@ from modelica2fmu.description import (
     Variability,
     Variable,
 )
-from modelica2fmu.expression import Node
-from modelica2fmu.packaging.units import rate_unit
-from modelica2fmu.scalar_model import Kind, ScalarVariable, derivative_name, unwrapped
-from modelica2fmu.slots import Slots, Store
-from modelica2fmu.tunability import Tunability
+from modelica2fmu.description.tunability import Tunability
+from modelica2fmu.description.units import rate_unit
+from modelica2fmu.equations.alias import ReducedModel
+from modelica2fmu.expand.scalar_model import Kind, ScalarVariable, derivative_name, unwrapped
+from modelica2fmu.symbolic.expression import Node
 
 _TYPES = {
     "Real": DataType.REAL,

@@ -12,10 +12,7 @@ from typing import Final
 
 from contact_foundation.errors import InputError
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import (
+from modelica2fmu.expand.scalar_model import (
     CallArgument,
     ExternalCall,
     Kind,
@@ -26,7 +23,10 @@ from modelica2fmu.scalar_model import (
     derivative_name,
     previous_name,
 )
-from modelica2fmu.source_map import SourceMap
+from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 _PARAMETERS: Final = frozenset({Kind.CONSTANT, Kind.PARAMETER})
 _TOLERANCE: Final = 1e-9

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import ExternalCall
+from modelica2fmu.expand.scalar_model import ExternalCall
+from modelica2fmu.frontend import ir
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 @dataclass(frozen=True)

@@ -14,18 +14,18 @@ from typing import Final
 
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.continuous_system import (
+from modelica2fmu.equations.continuous_system import (
     ContinuousEquation,
     ReducedSystem,
     continuous_symbols,
     order_and_variable,
 )
-from modelica2fmu.expression import Node
-from modelica2fmu.matching import Matching
-from modelica2fmu.scalar_model import Kind, ScalarModel, derivative_name, is_call_output, unwrapped
-from modelica2fmu.state_selection import StateSelection
+from modelica2fmu.equations.matching import Matching
+from modelica2fmu.equations.state_selection import StateSelection
+from modelica2fmu.expand.scalar_model import Kind, ScalarModel, derivative_name, is_call_output, unwrapped
+from modelica2fmu.frontend import ir
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 _ORDER_LIMIT: Final = 6
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-LANES: Final = 4  # CMB_LANES of runtime/cmb_model.h
+LANES: Final = 4  # FMURT_LANES of runtime/model/fmurt_model.h
 
 
 def lanes_at(offset: int) -> str:

@@ -14,12 +14,12 @@ from typing import Final
 
 from contact_foundation.errors import InputError, Place
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.blocks import Assignment, LinearBlock, LinearSystem, Residual
-from modelica2fmu.expression import Node
-from modelica2fmu.lanes import lane_passes
-from modelica2fmu.linear_form import LinearForm, LinearForms, solved_for
+from modelica2fmu.equations.blocks import Assignment, LinearBlock, LinearSystem, Residual
+from modelica2fmu.equations.lanes import lane_passes
+from modelica2fmu.frontend import ir
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
+from modelica2fmu.symbolic.linear_form import LinearForm, LinearForms, solved_for
 
 # So many times the length of the equations, the closed form takes longer to compile than it saves when it runs: a chain
 # of 8 pendulums (5 times) runs 15 % faster with it, of 64 (40 times) slower by half. For the legs of a hexapod it is 7.

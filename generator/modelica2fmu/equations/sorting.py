@@ -9,9 +9,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.blocks import (
+from modelica2fmu.equations.blocks import (
     Assignment,
     Block,
     Entry,
@@ -21,11 +19,13 @@ from modelica2fmu.blocks import (
     entry_roots,
     entry_targets,
 )
-from modelica2fmu.linear_blocks import linear_block
-from modelica2fmu.linear_form import solved_for
-from modelica2fmu.matching import Matching, strongly_connected_components
-from modelica2fmu.scalar_model import ExternalCall
-from modelica2fmu.tearing import Tearing
+from modelica2fmu.equations.linear_blocks import linear_block
+from modelica2fmu.equations.matching import Matching, strongly_connected_components
+from modelica2fmu.equations.tearing import Tearing
+from modelica2fmu.expand.scalar_model import ExternalCall
+from modelica2fmu.frontend import ir
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.linear_form import solved_for
 
 
 def solve_order(

@@ -16,12 +16,12 @@ from typing import Final
 
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.continuous_system import ContinuousEquation, ReducedSystem, order_and_variable
-from modelica2fmu.expression import Node
-from modelica2fmu.matching import Matching
-from modelica2fmu.scalar_model import ScalarModel, derivative_name, unwrapped
+from modelica2fmu.equations.continuous_system import ContinuousEquation, ReducedSystem, order_and_variable
+from modelica2fmu.equations.matching import Matching
+from modelica2fmu.expand.scalar_model import ScalarModel, derivative_name, unwrapped
+from modelica2fmu.frontend import ir
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 STABILIZATION_RATE: Final = 10.0
 

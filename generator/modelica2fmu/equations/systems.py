@@ -7,15 +7,15 @@ from dataclasses import dataclass, field, replace
 
 from contact_foundation.errors import Place, UnsupportedModelError
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.alias import ReducedModel, substituted_call
-from modelica2fmu.blocks import Assignment, Block, Entry, Residual
-from modelica2fmu.continuous_system import ReducedSystem
-from modelica2fmu.expression import Node
-from modelica2fmu.index_reduction import reduce_index
-from modelica2fmu.matching import Matching
-from modelica2fmu.scalar_model import (
+from modelica2fmu.equations.alias import ReducedModel, substituted_call
+from modelica2fmu.equations.blocks import Assignment, Block, Entry, Residual
+from modelica2fmu.equations.continuous_system import ReducedSystem
+from modelica2fmu.equations.index_reduction import reduce_index
+from modelica2fmu.equations.matching import Matching
+from modelica2fmu.equations.sorting import solve_order
+from modelica2fmu.equations.unit_states import with_unit_states
+from modelica2fmu.equations.unit_vectors import unit_vectors
+from modelica2fmu.expand.scalar_model import (
     INITIAL,
     ExternalCall,
     Kind,
@@ -26,9 +26,9 @@ from modelica2fmu.scalar_model import (
     start_name,
     unwrapped,
 )
-from modelica2fmu.sorting import solve_order
-from modelica2fmu.unit_states import with_unit_states
-from modelica2fmu.unit_vectors import unit_vectors
+from modelica2fmu.frontend import ir
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 PlaceOf = Callable[[ir.Span | None], Place]
 

@@ -15,10 +15,10 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from modelica2fmu import expression as ex
-from modelica2fmu.blocks import Assignment, Block, LinearBlock, NonlinearBlock
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import ExternalCall
+from modelica2fmu.equations.blocks import Assignment, Block, LinearBlock, NonlinearBlock
+from modelica2fmu.expand.scalar_model import ExternalCall
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 @dataclass(frozen=True)

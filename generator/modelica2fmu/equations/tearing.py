@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 
-from modelica2fmu import expression as ex
-from modelica2fmu.blocks import Entry, Residual, entry_targets
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import unwrapped
+from modelica2fmu.equations.blocks import Entry, Residual, entry_targets
+from modelica2fmu.expand.scalar_model import unwrapped
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 class Tearing:

@@ -16,11 +16,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from modelica2fmu import expression as ex
-from modelica2fmu.blocks import Assignment, Block
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import ScalarModel, ScalarVariable, derivative_name
-from modelica2fmu.state_selection import STABILIZATION_RATE
+from modelica2fmu.equations.blocks import Assignment, Block
+from modelica2fmu.equations.state_selection import STABILIZATION_RATE
+from modelica2fmu.expand.scalar_model import ScalarModel, ScalarVariable, derivative_name
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 _ELEMENT: Final = re.compile(r"(.*?)(\[[\d,]+\])?$", re.DOTALL)
 

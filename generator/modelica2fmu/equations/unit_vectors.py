@@ -10,10 +10,10 @@ import random
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Final
 
-from modelica2fmu import expression as ex
-from modelica2fmu.blocks import Assignment, Block
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import derivative_name
+from modelica2fmu.equations.blocks import Assignment, Block
+from modelica2fmu.expand.scalar_model import derivative_name
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 _COMPONENTS: Final = 4
 _POINTS: Final = 5

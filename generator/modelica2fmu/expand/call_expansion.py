@@ -9,15 +9,22 @@ from typing import Any
 import numpy as np
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
-from modelica2fmu import arrays, ir
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Record, Text, Value
-from modelica2fmu.expression import Node
-from modelica2fmu.interpreter import Interpreter
-from modelica2fmu.scalar_model import CallArgument, ExternalCall, Kind, ScalarModel, ScalarVariable
-from modelica2fmu.scalar_values import BASE_TYPES, as_float, element_names, is_fixed_while_simulating, only_parameters
-from modelica2fmu.source_map import SourceMap
-from modelica2fmu.tables import Tables, is_table_function
+from modelica2fmu.expand.scalar_model import CallArgument, ExternalCall, Kind, ScalarModel, ScalarVariable
+from modelica2fmu.expand.scalar_values import (
+    BASE_TYPES,
+    as_float,
+    element_names,
+    is_fixed_while_simulating,
+    only_parameters,
+)
+from modelica2fmu.expand.tables import Tables, is_table_function
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter import arrays
+from modelica2fmu.interpreter.arrays import Record, Text, Value
+from modelica2fmu.interpreter.interpreter import Interpreter
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 class CallExpansion:
@@ -159,7 +166,7 @@ class CallExpansion:
         self._result.calls.append(
             ExternalCall(number, function, symbol, arguments, (result.name, "Real"), (result.name,), True, span)
         )
-        header = ("Include", (f'#include "{"cmb_delay.h" if symbol == "cmb_delay" else "cmb_table.h"}"',))
+        header = ("Include", (f'#include "{"fmurt_delay.h" if symbol == "fmurt_delay" else "fmurt_table.h"}"',))
         if header not in self._result.external_annotations:
             self._result.external_annotations.append(header)
         self._calls[key] = (result,)
@@ -182,7 +189,7 @@ class CallExpansion:
         reals = (CallArgument("Real", (item,), is_array=False, is_output=False) for item in key)
         position = CallArgument("Integer", (number,), is_array=False, is_output=False)
         instance = CallArgument("Instance", (), is_array=False, is_output=False)
-        return self.lookup("delay", "cmb_delay", (instance, position, *reals), span)
+        return self.lookup("delay", "fmurt_delay", (instance, position, *reals), span)
 
     def _argument(
         self,

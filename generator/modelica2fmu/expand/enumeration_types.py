@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from modelica2fmu import ir
-from modelica2fmu.scalar_values import BASE_TYPES
+from modelica2fmu.expand.scalar_values import BASE_TYPES
+from modelica2fmu.frontend import ir
 
 
 class EnumerationTypes:

@@ -6,15 +6,16 @@ from typing import Any
 
 from contact_foundation.errors import InputError, UnsupportedModelError
 
-from modelica2fmu import arrays, ir
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Scalar, Text
-from modelica2fmu.expression import Node
-from modelica2fmu.interpreter import Interpreter
-from modelica2fmu.scalar_model import Kind, ScalarAssert, ScalarEquation, ScalarModel
-from modelica2fmu.scalar_values import as_number, element_names, only_parameters, text_of
-from modelica2fmu.source_map import SourceMap
-from modelica2fmu.variable_values import VariableValues
+from modelica2fmu.expand.scalar_model import Kind, ScalarAssert, ScalarEquation, ScalarModel
+from modelica2fmu.expand.scalar_values import as_number, element_names, only_parameters, text_of
+from modelica2fmu.expand.variable_values import VariableValues
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter import arrays
+from modelica2fmu.interpreter.arrays import Scalar, Text
+from modelica2fmu.interpreter.interpreter import Interpreter
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 class EquationExpansion:

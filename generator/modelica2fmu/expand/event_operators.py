@@ -6,10 +6,7 @@ from typing import Any
 
 from contact_foundation.errors import UnsupportedModelError
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import (
+from modelica2fmu.expand.scalar_model import (
     INITIAL,
     TERMINAL,
     TIME,
@@ -22,9 +19,12 @@ from modelica2fmu.scalar_model import (
     previous_name,
     unwrapped,
 )
-from modelica2fmu.scalar_values import KNOWN_KINDS, is_fixed_while_simulating
-from modelica2fmu.source_map import SourceMap
-from modelica2fmu.value_functions import relation
+from modelica2fmu.expand.scalar_values import KNOWN_KINDS, is_fixed_while_simulating
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter.value_functions import relation
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 class EventOperators:

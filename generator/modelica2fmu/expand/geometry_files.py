@@ -15,8 +15,8 @@ from typing import Final
 
 from contact_foundation.errors import InputError
 
-from modelica2fmu.external_code import resource_path
-from modelica2fmu.scalar_model import CallArgument, ExternalCall
+from modelica2fmu.expand.scalar_model import CallArgument, ExternalCall
+from modelica2fmu.library.external_code import resource_path
 
 _ENGINE: Final = "libcontactmultibody.so"
 _NAMES_A_FILE: Final = re.compile(r"cmb/\d+ \S+ (?:[^;]* )?file=")

@@ -12,9 +12,9 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Final
 
-from modelica2fmu import ir
-from modelica2fmu.arrays import Text
-from modelica2fmu.expression import Node
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter.arrays import Text
+from modelica2fmu.symbolic.expression import Node
 
 TIME: Final = "time"
 INITIAL: Final = "initial()"

@@ -6,11 +6,11 @@ from typing import Any, Final
 
 import numpy as np
 
-from modelica2fmu import arrays
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Text, Value
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import Kind, ScalarModel
+from modelica2fmu.expand.scalar_model import Kind, ScalarModel
+from modelica2fmu.interpreter import arrays
+from modelica2fmu.interpreter.arrays import Text, Value
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 BASE_TYPES: Final = frozenset({"Real", "Integer", "Boolean", "String"})
 KNOWN_KINDS: Final = frozenset({Kind.CONSTANT, Kind.PARAMETER})

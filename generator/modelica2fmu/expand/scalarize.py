@@ -7,20 +7,20 @@ from pathlib import Path
 
 from contact_foundation.errors import UnsupportedModelError
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.arrays import Scalar, Value
-from modelica2fmu.call_expansion import CallExpansion
-from modelica2fmu.enumeration_types import EnumerationTypes
-from modelica2fmu.equation_expansion import EquationExpansion
-from modelica2fmu.event_operators import EventOperators
-from modelica2fmu.expression import Node
-from modelica2fmu.interpreter import Interpreter
-from modelica2fmu.scalar_model import TIME, Kind, ScalarModel, derivative_name
-from modelica2fmu.source_map import SourceMap
-from modelica2fmu.variable_declaration import VariableDeclaration
-from modelica2fmu.variable_values import VariableValues
-from modelica2fmu.when_expansion import WhenExpansion
+from modelica2fmu.expand.call_expansion import CallExpansion
+from modelica2fmu.expand.enumeration_types import EnumerationTypes
+from modelica2fmu.expand.equation_expansion import EquationExpansion
+from modelica2fmu.expand.event_operators import EventOperators
+from modelica2fmu.expand.scalar_model import TIME, Kind, ScalarModel, derivative_name
+from modelica2fmu.expand.variable_declaration import VariableDeclaration
+from modelica2fmu.expand.variable_values import VariableValues
+from modelica2fmu.expand.when_expansion import WhenExpansion
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter.arrays import Scalar, Value
+from modelica2fmu.interpreter.interpreter import Interpreter
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 def scalarize(model: ir.FlatModel, source_map: SourceMap, files: Callable[[str], Path] = Path) -> ScalarModel:

@@ -1,8 +1,8 @@
 """The Standard Library's tables: CombiTable1D, CombiTable2D and CombiTimeTable.
 
 In the library a table is an external object, made once and asked again and again. Here it is the record of what it was
-made of, known at translation, and each question becomes a call of a function of the runtime (``cmb_table.c``) that gets
-the table's points as constant arrays: nothing has to be made, copied or freed in an instance.
+made of, known at translation, and each question becomes a call of a function of the runtime (``fmurt_table.c``) that
+gets the table's points as constant arrays: nothing has to be made, copied or freed in an instance.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from typing import Final
 import numpy as np
 from contact_foundation.errors import InputError, UnsupportedModelError
 
-from modelica2fmu import arrays
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Record, Value
-from modelica2fmu.expression import Node
-from modelica2fmu.scalar_model import CallArgument
-from modelica2fmu.table_files import read_table
+from modelica2fmu.expand.scalar_model import CallArgument
+from modelica2fmu.expand.table_files import read_table
+from modelica2fmu.interpreter import arrays
+from modelica2fmu.interpreter.arrays import Record, Value
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 _PREFIX: Final = "ModelicaStandardTables_"
 _NO_NAME: Final = "NoName"
@@ -123,7 +123,9 @@ class Tables:
 
         def value(order: int) -> Node:
             u = _real(_scalar(values["u"]))
-            return self.lookup("cmb_table_value", [x, y, _integer(len(points)), *self._kind(table), u, _integer(order)])
+            return self.lookup(
+                "fmurt_table_value", [x, y, _integer(len(points)), *self._kind(table), u, _integer(order)]
+            )
 
         if action == "getValue":
             return value(0)
@@ -141,7 +143,7 @@ class Tables:
         def value(order: int) -> Node:
             grid = [_reals(x), _integer(len(x)), _reals(y), _integer(len(y)), _reals(z.reshape(-1))]
             place = [_real(_scalar(values[name])) for name in ("u1", "u2")]
-            return self.lookup("cmb_table_surface", [*grid, *self._kind(table), *place, _integer(order)])
+            return self.lookup("fmurt_table_surface", [*grid, *self._kind(table), *place, _integer(order)])
 
         if action == "getValue":
             return value(0)
@@ -160,14 +162,14 @@ class Tables:
             time = _real(_scalar(values["timeIn"]))
             events = _integer(self._whole(table, "timeEvents"))
             count = _integer(len(points))
-            return self.lookup("cmb_table_next_event", [_reals(points[:, 0]), count, *rules, events, time])
+            return self.lookup("fmurt_table_next_event", [_reals(points[:, 0]), count, *rules, events, time])
         x, y = self._column(table, values)
 
         def value(order: int) -> Node:
             times = [_real(_scalar(values[name])) for name in ("timeIn", "nextTimeEvent", "pre_nextTimeEvent")]
             count = _integer(len(points))
             return self.lookup(
-                "cmb_table_at_time", [x, y, count, *self._kind(table), start, shift, *times, _integer(order)]
+                "fmurt_table_at_time", [x, y, count, *self._kind(table), start, shift, *times, _integer(order)]
             )
 
         if action == "getValue":

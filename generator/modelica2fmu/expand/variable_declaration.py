@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from modelica2fmu import ir
-from modelica2fmu.enumeration_types import EnumerationTypes
-from modelica2fmu.scalar_model import Kind, ScalarVariable
-from modelica2fmu.scalar_values import BASE_TYPES, element_names
+from modelica2fmu.expand.enumeration_types import EnumerationTypes
+from modelica2fmu.expand.scalar_model import Kind, ScalarVariable
+from modelica2fmu.expand.scalar_values import BASE_TYPES, element_names
+from modelica2fmu.frontend import ir
 
 
 class VariableDeclaration:

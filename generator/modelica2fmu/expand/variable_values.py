@@ -7,15 +7,16 @@ from collections.abc import Mapping
 import numpy as np
 from contact_foundation.errors import InputError, UnsupportedModelError
 
-from modelica2fmu import arrays, ir
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Record, Scalar, Text, Value
-from modelica2fmu.expression import Node
-from modelica2fmu.interpreter import Interpreter
-from modelica2fmu.scalar_model import Kind, ScalarModel
-from modelica2fmu.scalar_values import KNOWN_KINDS, element_names
-from modelica2fmu.source_map import SourceMap
-from modelica2fmu.tables import is_table_function
+from modelica2fmu.expand.scalar_model import Kind, ScalarModel
+from modelica2fmu.expand.scalar_values import KNOWN_KINDS, element_names
+from modelica2fmu.expand.tables import is_table_function
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter import arrays
+from modelica2fmu.interpreter.arrays import Record, Scalar, Text, Value
+from modelica2fmu.interpreter.interpreter import Interpreter
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 class VariableValues:

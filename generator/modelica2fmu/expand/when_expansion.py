@@ -7,12 +7,7 @@ from typing import Any
 import numpy as np
 from contact_foundation.errors import InputError
 
-from modelica2fmu import arrays, ir
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Scalar, Value
-from modelica2fmu.expression import Node
-from modelica2fmu.interpreter import Interpreter
-from modelica2fmu.scalar_model import (
+from modelica2fmu.expand.scalar_model import (
     INITIAL,
     Kind,
     Reinitialization,
@@ -23,8 +18,14 @@ from modelica2fmu.scalar_model import (
     Termination,
     previous_name,
 )
-from modelica2fmu.scalar_values import as_number, element_names, text_of
-from modelica2fmu.source_map import SourceMap
+from modelica2fmu.expand.scalar_values import as_number, element_names, text_of
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter import arrays
+from modelica2fmu.interpreter.arrays import Scalar, Value
+from modelica2fmu.interpreter.interpreter import Interpreter
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 class WhenExpansion:

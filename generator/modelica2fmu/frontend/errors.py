@@ -8,8 +8,8 @@ from typing import Final
 
 from contact_foundation.errors import InputError, Place
 
-from modelica2fmu.class_text import without_comments_and_strings
-from modelica2fmu.front_end_runner import LAYOUT, Answer
+from modelica2fmu.frontend.runner import LAYOUT, Answer
+from modelica2fmu.library.class_text import without_comments_and_strings
 
 # rumoca's whole message where an equation leaves out outputs of a function.
 _NAMELESS: Final = "missing source scope for imports"

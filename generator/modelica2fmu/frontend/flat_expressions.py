@@ -7,8 +7,8 @@ from typing import Any, Final
 
 from contact_foundation.errors import UnsupportedModelError
 
-from modelica2fmu import ir
-from modelica2fmu.source_map import SourceMap
+from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import SourceMap
 
 # Expression trees of a sound model are shallow; deeper ones are an attack or a generator gone wrong.
 _DEPTH_LIMIT: Final = 400

@@ -1,4 +1,4 @@
-"""Turns rumoca's flattened form of a model into the typed one of :mod:`modelica2fmu.ir`."""
+"""Turns rumoca's flattened form of a model into the typed one of :mod:`modelica2fmu.frontend.ir`."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from modelica2fmu import ir
-from modelica2fmu.flat_expressions import ExpressionReader, name_of, only, plain_parts, span_of, tag_of
-from modelica2fmu.source_map import SourceMap
+from modelica2fmu.frontend import ir
+from modelica2fmu.frontend.flat_expressions import ExpressionReader, name_of, only, plain_parts, span_of, tag_of
+from modelica2fmu.library.source_map import SourceMap
 
 
 def read_flat_model(flat: dict[str, Any], name: str, source_map: SourceMap) -> ir.FlatModel:

@@ -9,16 +9,16 @@ from typing import Any, Final
 
 from contact_foundation.errors import InputError, Place
 
-from modelica2fmu import ir
-from modelica2fmu.class_library import ClassLibrary
-from modelica2fmu.class_syntax import Extent
-from modelica2fmu.flat_check import check_flat_model
-from modelica2fmu.flat_reader import read_flat_model
-from modelica2fmu.flat_reading import FlatReading
-from modelica2fmu.front_end_errors import FrontEndError, front_end_error
-from modelica2fmu.front_end_runner import Request, ask
-from modelica2fmu.lone_files import LoneFiles, apart
-from modelica2fmu.source_map import SourceMap, source_number
+from modelica2fmu.crosscheck.class_library import ClassLibrary
+from modelica2fmu.crosscheck.class_syntax import Extent
+from modelica2fmu.crosscheck.flat_check import check_flat_model
+from modelica2fmu.crosscheck.flat_reading import FlatReading
+from modelica2fmu.frontend import ir
+from modelica2fmu.frontend.errors import FrontEndError, front_end_error
+from modelica2fmu.frontend.flat_reader import read_flat_model
+from modelica2fmu.frontend.lone_files import LoneFiles, apart
+from modelica2fmu.frontend.runner import Request, ask
+from modelica2fmu.library.source_map import SourceMap, source_number
 
 # What a folder with the Modelica Standard Library holds.
 _STANDARD_PACKAGES: Final = ("Modelica", "ModelicaServices", "Complex")

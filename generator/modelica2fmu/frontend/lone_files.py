@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from modelica2fmu.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap
 
 
 @dataclass(frozen=True)

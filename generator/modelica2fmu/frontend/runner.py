@@ -20,9 +20,9 @@ from typing import Any, Final
 from contact_foundation.cache import user_cache
 from contact_foundation.errors import BuildError
 
-from modelica2fmu.cache_pruning import prune_front_end_cache
+from modelica2fmu.library.cache_pruning import prune_front_end_cache
 
-_PROGRAM: Final = Path(__file__).with_name("front_end_process.py")
+_PROGRAM: Final = Path(__file__).with_name("process.py")
 # rumoca's words where a package's files do not fit together; or where its cache says that they are empty.
 LAYOUT: Final = re.compile(r"invalid Modelica package layout under '([^']*)': (.*)", re.DOTALL)
 

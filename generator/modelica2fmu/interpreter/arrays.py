@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from modelica2fmu import expression as ex
-from modelica2fmu.expression import Node
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 Array = npt.NDArray[Any]
 

@@ -6,13 +6,21 @@ from functools import partial
 
 import numpy as np
 
-from modelica2fmu import arrays, ir
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Record, Scalar, Value
-from modelica2fmu.expression import Node
-from modelica2fmu.interpreter_host import Host
-from modelica2fmu.translation_values import TranslationValues
-from modelica2fmu.value_functions import STEPPING, VALUE_FUNCTIONS, array_value, relation, scalar_number, whole_value
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter import arrays
+from modelica2fmu.interpreter.arrays import Record, Scalar, Value
+from modelica2fmu.interpreter.interpreter_host import Host
+from modelica2fmu.interpreter.translation_values import TranslationValues
+from modelica2fmu.interpreter.value_functions import (
+    STEPPING,
+    VALUE_FUNCTIONS,
+    array_value,
+    relation,
+    scalar_number,
+    whole_value,
+)
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 class BuiltinFunctions:

@@ -1,4 +1,4 @@
-"""Evaluates Modelica expressions on values that may be symbolic; see :mod:`modelica2fmu.interpreter`."""
+"""Evaluates Modelica expressions on values that may be symbolic; see :mod:`modelica2fmu.interpreter.interpreter`."""
 
 from __future__ import annotations
 
@@ -8,17 +8,18 @@ from typing import Final
 import numpy as np
 from contact_foundation.errors import UnsupportedModelError
 
-from modelica2fmu import arrays, ir
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Record, Scalar, ShapeError, Text, Value
-from modelica2fmu.builtin_functions import BuiltinFunctions
-from modelica2fmu.expression import Node
-from modelica2fmu.interpreter_host import Host, Scope
-from modelica2fmu.references import References
-from modelica2fmu.source_map import SourceMap
-from modelica2fmu.string_operator import StringOperator
-from modelica2fmu.translation_values import TranslationValues
-from modelica2fmu.value_functions import ELEMENTWISE, RELATIONS, concatenated, scalar_number
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter import arrays
+from modelica2fmu.interpreter.arrays import Record, Scalar, ShapeError, Text, Value
+from modelica2fmu.interpreter.builtin_functions import BuiltinFunctions
+from modelica2fmu.interpreter.interpreter_host import Host, Scope
+from modelica2fmu.interpreter.references import References
+from modelica2fmu.interpreter.string_operator import StringOperator
+from modelica2fmu.interpreter.translation_values import TranslationValues
+from modelica2fmu.interpreter.value_functions import ELEMENTWISE, RELATIONS, concatenated, scalar_number
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 ITERATION_LIMIT: Final = 1_000_000
 

@@ -13,14 +13,15 @@ from typing import Any, Final
 
 import numpy as np
 
-from modelica2fmu import arrays, ir
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Record, Text, Value
-from modelica2fmu.expression import Node
-from modelica2fmu.expression_interpreter import ITERATION_LIMIT, ExpressionInterpreter
-from modelica2fmu.interpreter_host import Scope
-from modelica2fmu.string_functions import STRING_FUNCTIONS
-from modelica2fmu.value_functions import scalar_number
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter import arrays
+from modelica2fmu.interpreter.arrays import Record, Text, Value
+from modelica2fmu.interpreter.expression_interpreter import ITERATION_LIMIT, ExpressionInterpreter
+from modelica2fmu.interpreter.interpreter_host import Scope
+from modelica2fmu.interpreter.string_functions import STRING_FUNCTIONS
+from modelica2fmu.interpreter.value_functions import scalar_number
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 _CALL_DEPTH_LIMIT: Final = 100
 _UNROLLING_LIMIT: Final = 200  # of while-loops that variables end
@@ -31,7 +32,7 @@ class Interpreter(ExpressionInterpreter):
 
     Args:
         model: the model whose functions and enumerations are known.
-        host: see :class:`modelica2fmu.interpreter_host.Host`.
+        host: see :class:`modelica2fmu.interpreter.interpreter_host.Host`.
         source_map: for the places in error messages.
     """
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Protocol
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.arrays import Scalar, Value
-from modelica2fmu.expression import Node
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter.arrays import Scalar, Value
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 class Host(Protocol):

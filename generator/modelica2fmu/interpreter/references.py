@@ -6,13 +6,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.arrays import Record, Value
-from modelica2fmu.expression import Node
-from modelica2fmu.interpreter_host import Host, Scope
-from modelica2fmu.translation_values import TranslationValues
-from modelica2fmu.value_functions import dynamic_element
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter.arrays import Record, Value
+from modelica2fmu.interpreter.interpreter_host import Host, Scope
+from modelica2fmu.interpreter.translation_values import TranslationValues
+from modelica2fmu.interpreter.value_functions import dynamic_element
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 class References:

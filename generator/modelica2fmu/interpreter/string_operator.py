@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from modelica2fmu import ir
-from modelica2fmu.arrays import Text, Value
-from modelica2fmu.expression import Node
-from modelica2fmu.interpreter_host import Host
-from modelica2fmu.translation_values import TranslationValues
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter.arrays import Text, Value
+from modelica2fmu.interpreter.interpreter_host import Host
+from modelica2fmu.interpreter.translation_values import TranslationValues
+from modelica2fmu.symbolic.expression import Node
 
 
 class StringOperator:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from contact_foundation.errors import InputError, UnsupportedModelError
 
-from modelica2fmu import ir
-from modelica2fmu.arrays import Value
-from modelica2fmu.expression import Node
-from modelica2fmu.interpreter_host import Host
-from modelica2fmu.source_map import SourceMap
+from modelica2fmu.frontend import ir
+from modelica2fmu.interpreter.arrays import Value
+from modelica2fmu.interpreter.interpreter_host import Host
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.symbolic.expression import Node
 
 
 class TranslationValues:

@@ -8,10 +8,10 @@ from typing import Final
 
 import numpy as np
 
-from modelica2fmu import arrays
-from modelica2fmu import expression as ex
-from modelica2fmu.arrays import Scalar, ShapeError, Text, Value
-from modelica2fmu.expression import Node
+from modelica2fmu.interpreter import arrays
+from modelica2fmu.interpreter.arrays import Scalar, ShapeError, Text, Value
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
 
 
 def relation(op: str, a: float | Node, b: float | Node) -> bool | Node:

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from modelica2fmu.class_text import class_texts
-from modelica2fmu.description import DefaultExperiment
+from modelica2fmu.description.model_description import DefaultExperiment
+from modelica2fmu.library.class_text import class_texts
 
 _NUMBER: Final = r"([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)"
 

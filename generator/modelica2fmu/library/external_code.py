@@ -8,7 +8,7 @@ from typing import Final
 
 from contact_foundation.errors import InputError
 
-from modelica2fmu.description import ExternalCode
+from modelica2fmu.description.model_description import ExternalCode
 
 _SCHEME: Final = "modelica://"
 # Modelica 3.6, 12.9.4: the folder of the platform comes before the library folder itself.

@@ -20,7 +20,7 @@ from contact_foundation.errors import BuildError, InputError, Place
 from contact_foundation.output import whole_folder
 from contact_foundation.progress import Progress, silent
 
-from modelica2fmu.standard_library import StandardLibrary, cache_folder
+from modelica2fmu.library.standard_library import StandardLibrary, cache_folder
 
 ADDRESS: Final = "https://github.com/modelica/ModelicaStandardLibrary/archive/refs/tags/v{version}.zip"
 """Where the Modelica Association publishes the sources of a release."""

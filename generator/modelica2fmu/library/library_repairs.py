@@ -23,8 +23,8 @@ from typing import Final
 
 from contact_foundation.cache import user_cache
 
-from modelica2fmu.cache_pruning import mark_used
-from modelica2fmu.source_map import SourceMap
+from modelica2fmu.library.cache_pruning import mark_used
+from modelica2fmu.library.source_map import SourceMap
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from contact_foundation.errors import Place
 
-from modelica2fmu.ir import Span
+from modelica2fmu.frontend.ir import Span
 
 _FNV_OFFSET = 0xCBF29CE484222325
 _FNV_PRIME = 0x100000001B3

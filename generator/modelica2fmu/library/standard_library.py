@@ -77,7 +77,7 @@ def cache_folder(environment: Mapping[str, str] = os.environ) -> Path:
 
 def core_subset() -> Path:
     """The project's own MultiBody core subset."""
-    return Path(__file__).resolve().parents[2] / "Resources" / "MultiBodyCore"
+    return Path(__file__).resolve().parents[3] / "Resources" / "MultiBodyCore"
 
 
 def find_standard_library(explicit: Path | None = None, environment: Mapping[str, str] = os.environ) -> StandardLibrary:

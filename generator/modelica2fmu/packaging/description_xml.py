@@ -10,7 +10,7 @@ from importlib import metadata
 from contact_foundation.errors import InputError, Place, ProblemList
 from lxml import etree
 
-from modelica2fmu.description import (
+from modelica2fmu.description.model_description import (
     Causality,
     DataType,
     EnumerationType,
@@ -19,9 +19,9 @@ from modelica2fmu.description import (
     Variability,
     Variable,
 )
-from modelica2fmu.packaging.units import BASE_UNITS, display_conversion, parse_unit
+from modelica2fmu.description.units import BASE_UNITS, display_conversion, parse_unit
 
-#: Names of the runtime's log categories (``cmb_instance.h``).
+#: Names of the runtime's log categories (``fmurt_instance.h``).
 LOG_CATEGORIES = (
     ("logEvents", "Events: relations that change"),
     ("logSolver", "Integrator: failed steps and evaluations"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
-from modelica2fmu.description import Causality, ModelDescription, Variable
+from modelica2fmu.description.model_description import Causality, ModelDescription, Variable
 from modelica2fmu.packaging.description_xml import generation_tool, number
 from modelica2fmu.packaging.solver_variables import PREFIX
 from modelica2fmu.packaging.toolchain import COMPILE_OPTIONS

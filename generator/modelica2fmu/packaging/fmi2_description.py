@@ -6,7 +6,7 @@ import math
 
 from lxml import etree
 
-from modelica2fmu.description import Causality, DataType, ModelDescription, Variable
+from modelica2fmu.description.model_description import Causality, DataType, ModelDescription, Variable
 from modelica2fmu.packaging.description_xml import (
     add_definitions,
     check_description,

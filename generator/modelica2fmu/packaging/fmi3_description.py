@@ -1,7 +1,7 @@
 """The XML files of FMI 3.0.2: modelDescription, buildDescription, terminalsAndIcons.
 
 FMI 3.0 numbers all variables in one sequence, so the uppermost four bits of a value reference say what kind it
-is (``runtime/fmi3_functions.c`` reads them). Variables that share a slot are aliases of one variable, except
+is (``runtime/fmi/fmi3_functions.c`` reads them). Variables that share a slot are aliases of one variable, except
 outputs: an alias has no causality, so an output gets a reference of its own by the six bits after these.
 """
 
@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 from lxml import etree
 
-from modelica2fmu.description import (
+from modelica2fmu.description.model_description import (
     Causality,
     DataType,
     Initial,

@@ -1,10 +1,17 @@
-"""The C tables of ``runtime/cmb_interface.h``: which variable may be set when, and their names."""
+"""The C tables of ``runtime/model/fmurt_interface.h``: which variable may be set when, and their names."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from modelica2fmu.description import Causality, DataType, Initial, ModelDescription, Variability, Variable
+from modelica2fmu.description.model_description import (
+    Causality,
+    DataType,
+    Initial,
+    ModelDescription,
+    Variability,
+    Variable,
+)
 from modelica2fmu.packaging.solver_variables import FIRST_REFERENCE, SolverOptions, effective_tolerance
 
 SET_INSTANTIATED = 1
@@ -19,7 +26,7 @@ _PARAMETERS = {Variability.FIXED, Variability.TUNABLE}
 
 
 def access(variable: Variable) -> int:
-    """What the runtime permits for a variable, as bits of ``cmb_interface.h``."""
+    """What the runtime permits for a variable, as bits of ``fmurt_interface.h``."""
     bits = 0
     if variable.causality is Causality.INDEPENDENT:
         return IS_INDEPENDENT
@@ -89,7 +96,7 @@ def c_double(value: float | None, default: str) -> str:
 
 
 def interface_source(description: ModelDescription, options: SolverOptions) -> str:
-    """Text of ``cmb_interface.c`` for a description."""
+    """Text of ``fmurt_interface.c`` for a description."""
     groups: tuple[tuple[str, Callable[[Variable], bool]], ...] = (
         ("real", lambda variable: variable.type is DataType.REAL),
         ("integer", lambda variable: variable.type in (DataType.INTEGER, DataType.ENUMERATION)),
@@ -116,9 +123,9 @@ def interface_source(description: ModelDescription, options: SolverOptions) -> s
     ]
     return (
         "/* Generated: the interface of the model's variables, as in modelDescription.xml. */\n"
-        '#include <math.h>\n\n#include "cmb_interface.h"\n\n'
+        '#include <math.h>\n\n#include "fmurt_interface.h"\n\n'
         + "".join(definitions for definitions, _ in tables)
-        + "const cmb_interface cmb_interface_tables = {\n"
+        + "const fmurt_interface fmurt_interface_tables = {\n"
         + "".join(f"  {member},\n" for member in members)
         + "};\n"
     )

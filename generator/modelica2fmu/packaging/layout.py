@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
-from modelica2fmu.description import ModelDescription
+from modelica2fmu.description.icon import model_icon
+from modelica2fmu.description.model_description import ModelDescription
 from modelica2fmu.packaging.fmi2_description import fmi2_description
 from modelica2fmu.packaging.fmi3_description import build_description, fmi3_description, terminals_and_icons
-from modelica2fmu.packaging.icon import model_icon
 from modelica2fmu.packaging.toolchain import COMPILE_OPTIONS
 
 

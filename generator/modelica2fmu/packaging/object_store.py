@@ -9,7 +9,7 @@ from typing import Final
 
 from contact_foundation.output import whole_file
 
-from modelica2fmu.cache_pruning import mark_used, prune_unused
+from modelica2fmu.library.cache_pruning import mark_used, prune_unused
 from modelica2fmu.packaging.toolchain import COMPILE_OPTIONS, DEPENDENCIES, Compilation, compiler, run_tool
 
 _DIGEST_BYTES: Final = 32

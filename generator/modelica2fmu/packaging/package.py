@@ -13,20 +13,20 @@ from contact_foundation.errors import InputError, Place
 from contact_foundation.output import whole_file
 from contact_foundation.progress import Progress, silent
 
-from modelica2fmu.description import ModelDescription
+from modelica2fmu.description.model_description import ModelDescription
 from modelica2fmu.packaging.archive import write_archive
 from modelica2fmu.packaging.dependencies import Sundials, find_fmi_headers, find_sundials
 from modelica2fmu.packaging.documentation import documentation_page
 from modelica2fmu.packaging.interface_tables import interface_source
 from modelica2fmu.packaging.layout import LAYOUTS, FmiVersion, Layout
 from modelica2fmu.packaging.object_store import ObjectStore
+from modelica2fmu.packaging.runtime_sources import runtime_files, runtime_folders
 from modelica2fmu.packaging.shared_libraries import bundle_libraries, licence_of
 from modelica2fmu.packaging.solver_variables import SolverOptions, with_solver_variables
 from modelica2fmu.packaging.source_folder import EXTERNAL_HEADERS, cmake_project, copy_headers
 from modelica2fmu.packaging.toolchain import DEPENDENCIES, Compilation, Libraries, compile_objects, link_shared
 
-RUNTIME = Path(__file__).resolve().parents[1] / "runtime"
-INTERFACE_FILE = "cmb_interface.c"
+INTERFACE_FILE = "fmurt_interface.c"
 
 _RUNTIME_FLAGS = ("-Wall", "-Wextra")
 _GENERATED_FLAGS = ("-O1",)  # long straight-line code gains nothing from -O2 and takes twice as long to compile
@@ -51,7 +51,7 @@ def _check_names(description: ModelDescription, sources: Sequence[GeneratedSourc
     place = Place(component=description.name)
     if not _IDENTIFIER.fullmatch(description.identifier):
         raise InputError(f"{description.identifier!r} is no C identifier", place=place)
-    runtime = {path.name for path in RUNTIME.iterdir()} | {INTERFACE_FILE}
+    runtime = {path.name for path in runtime_files()} | {INTERFACE_FILE}
     names = [source.name for source in sources]
     for name in names:
         if not _FILE_NAME.fullmatch(name) or not name.endswith((".c", ".h")):
@@ -75,7 +75,7 @@ def _write_sources(
 ) -> None:
     folder.mkdir()
     other_versions = {other.functions for other in LAYOUTS.values()} - {layout.functions}
-    for path in sorted(RUNTIME.glob("*.[ch]")):
+    for path in runtime_files():
         if path.name not in other_versions:
             shutil.copyfile(path, folder / path.name)
     (folder / INTERFACE_FILE).write_text(interface_source(description, options), encoding="utf-8")
@@ -101,7 +101,9 @@ def _compilations(
 def _kept_objects(folder: Path | None, sundials: Sundials) -> ObjectStore | None:
     if folder is None:
         return None
-    return ObjectStore(folder, (RUNTIME, find_fmi_headers(), sundials.include / "sundials" / "sundials_config.h"))
+    return ObjectStore(
+        folder, (*runtime_folders(), find_fmi_headers(), sundials.include / "sundials" / "sundials_config.h")
+    )
 
 
 def _copy_licences(folder: Path, sundials: Sundials, bundled: dict[str, Path]) -> None:
@@ -134,7 +136,7 @@ def package_fmu(
 
     Args:
         description: what modelDescription.xml says, and the external libraries.
-        sources: generated C; one of the files defines ``cmb_model`` with ``description.guid`` in it.
+        sources: generated C; one of the files defines ``fmurt_model`` with ``description.guid`` in it.
         output: the FMU file to write, replaced if it exists; on errors it stays as it is.
         version: of the FMI standard.
         options: defaults of the co-simulation integrator.

@@ -1,6 +1,6 @@
 """Options and counters of the co-simulation integrator as variables of the FMU.
 
-The names, their order and the first value reference are those of ``runtime/cmb_interface.h``.
+The names, their order and the first value reference are those of ``runtime/model/fmurt_interface.h``.
 """
 
 from __future__ import annotations
@@ -10,7 +10,14 @@ from dataclasses import dataclass, replace
 
 from contact_foundation.errors import InputError, Place
 
-from modelica2fmu.description import Causality, DataType, Initial, ModelDescription, Variability, Variable
+from modelica2fmu.description.model_description import (
+    Causality,
+    DataType,
+    Initial,
+    ModelDescription,
+    Variability,
+    Variable,
+)
 
 FIRST_REFERENCE = 0x40000000
 PREFIX = "cmbSolver"

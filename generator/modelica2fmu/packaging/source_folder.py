@@ -9,7 +9,7 @@ from pathlib import Path
 from string import Template
 from typing import Final
 
-from modelica2fmu.description import ModelDescription
+from modelica2fmu.description.model_description import ModelDescription
 from modelica2fmu.packaging.toolchain import COMPILE_OPTIONS
 
 EXTERNAL_HEADERS: Final = "external"

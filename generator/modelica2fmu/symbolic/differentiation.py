@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable
 from typing import Final
 
-from modelica2fmu.expression_nodes import Node, arguments_first, value_of
-from modelica2fmu.expression_operations import (
+from modelica2fmu.symbolic.expression_nodes import Node, arguments_first, value_of
+from modelica2fmu.symbolic.expression_operations import (
     add,
     divide,
     less,

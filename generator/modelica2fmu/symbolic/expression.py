@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from modelica2fmu.differentiation import Differentiation
-from modelica2fmu.expression_nodes import (
+from modelica2fmu.symbolic.differentiation import Differentiation
+from modelica2fmu.symbolic.expression_nodes import (
     BINARY,
     UNARY,
     Node,
@@ -24,7 +24,7 @@ from modelica2fmu.expression_nodes import (
     topological,
     value_of,
 )
-from modelica2fmu.expression_operations import (
+from modelica2fmu.symbolic.expression_operations import (
     add,
     apply,
     binary,

@@ -93,7 +93,7 @@ def value_of(node: Node) -> float | Node:
 
 
 def make_node(op: str, *args: float | Node) -> Node:
-    """The node of an operation, as it is: simplification is that of :mod:`modelica2fmu.expression_operations`."""
+    """The node of an operation as it is; :mod:`modelica2fmu.symbolic.expression_operations` simplifies."""
     nodes = tuple(node_of(arg) for arg in args)
     key = (op, *nodes)
     node = _graph.table.get(key)

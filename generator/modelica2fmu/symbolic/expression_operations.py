@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from modelica2fmu.expression_nodes import Node, make_node, node_of, value_of
+from modelica2fmu.symbolic.expression_nodes import Node, make_node, node_of, value_of
 
 
 def _ordered(op: str, a: float | Node, b: float | Node) -> Node:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
-from modelica2fmu import expression as ex
-from modelica2fmu.expression import Node
-from modelica2fmu.expression_nodes import arguments_first
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
+from modelica2fmu.symbolic.expression_nodes import arguments_first
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import fixture_models as models
 import pytest
-from modelica2fmu.description import ExternalCode, ModelDescription
+from modelica2fmu.description.model_description import ExternalCode, ModelDescription
 from modelica2fmu.packaging import FmiVersion, package_fmu
-from modelica2fmu.packaging.package import RUNTIME
+from modelica2fmu.packaging.runtime_sources import runtime_folders
 
 Packager = Callable[[ModelDescription, str], Path]
 
@@ -63,7 +63,7 @@ def external_code(tmp_path_factory: pytest.TempPathFactory) -> ExternalCode:
 
     run("gcc", "-shared", "-fPIC", "-o", folder / "libdigitsbase.so", "digits_base.c")
     run("gcc", "-shared", "-fPIC", "-o", folder / "libdigits.so", "digits.c", f"-L{folder}", "-ldigitsbase")
-    run("gcc", "-c", "-fPIC", f"-I{RUNTIME}", "-o", folder / "guard.o", "guard.c")
+    run("gcc", "-c", "-fPIC", *(f"-I{path}" for path in runtime_folders()), "-o", folder / "guard.o", "guard.c")
     run("ar", "rcs", folder / "libguard.a", folder / "guard.o")
     return ExternalCode(
         include_directories=(models.FIXTURES,),

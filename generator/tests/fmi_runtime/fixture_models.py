@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from modelica2fmu.description import (
+from modelica2fmu.description.model_description import (
     Causality,
     DataType,
     DefaultExperiment,

@@ -233,7 +233,7 @@ def test_only_functions_of_the_standard_are_visible(unpacked: Unpacked) -> None:
     assert f"{prefix}DoStep" in symbols
     assert [symbol for symbol in symbols if not re.fullmatch(prefix + r"[A-Z]\w+", symbol)] == []
     strong = ctypes.CDLL(str(library))
-    assert not hasattr(strong, "cmb_model")
+    assert not hasattr(strong, "fmurt_model")
 
 
 def test_it_runs_from_any_folder(ball_on_floor: Path, tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ from fmpy import extract, read_model_description, simulate_fmu
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.validation import validate_fmu
-from modelica2fmu.description import Causality, ModelDescription
+from modelica2fmu.description.model_description import Causality, ModelDescription
 from test_simulation import bouncing_height
 
 

@@ -10,7 +10,7 @@ import fixture_models as models
 import numpy as np
 import pytest
 from modelica2fmu.packaging.dependencies import find_sundials
-from modelica2fmu.packaging.package import RUNTIME
+from modelica2fmu.packaging.runtime_sources import runtime_file, runtime_folders
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -21,8 +21,15 @@ Solver = Callable[[Array, Array], "Array | None"]
 def solve(tmp_path_factory: pytest.TempPathFactory) -> Solver:
     target = tmp_path_factory.mktemp("newton") / "newton.so"
     sundials = find_sundials()
-    sources = [RUNTIME / "cmb_dense.c", RUNTIME / "cmb_lu.c", models.FIXTURES / "newton.c"]
-    command = ["gcc", "-std=c11", "-O2", "-shared", "-fPIC", f"-I{RUNTIME}", f"-I{sundials.include}"]
+    sources = [runtime_file("fmurt_dense.c"), runtime_file("fmurt_lu.c"), models.FIXTURES / "newton.c"]
+    command = [
+        "gcc",
+        "-std=c11",
+        "-O2",
+        "-shared",
+        "-fPIC",
+        *(f"-I{path}" for path in (*runtime_folders(), sundials.include)),
+    ]
     subprocess.run([*command, *map(str, sources), str(sundials.archive), "-lm", "-o", str(target)], check=True)
     library = ctypes.CDLL(str(target))
 

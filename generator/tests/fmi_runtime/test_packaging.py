@@ -16,7 +16,7 @@ import pytest
 from contact_foundation.errors import BuildError, CmbError, InputError
 from fmpy import read_model_description
 from lxml import etree
-from modelica2fmu.description import ExternalCode, ModelDescription, Resource
+from modelica2fmu.description.model_description import ExternalCode, ModelDescription, Resource
 from modelica2fmu.packaging import GeneratedSource, SolverOptions, package_fmu
 from modelica2fmu.packaging.dependencies import find_fmi_headers, find_sundials
 from modelica2fmu.packaging.fmi2_description import fmi2_description
@@ -111,7 +111,7 @@ def test_the_archive_is_tidy(guarded: Path) -> None:
         assert archive.read("model.png").startswith(b"\x89PNG")
     assert names == sorted(names)
     assert times == {(1980, 1, 1, 0, 0, 0)}
-    assert {"modelDescription.xml", "sources/model.c", "sources/fmi2_functions.c", "sources/cmb_interface.c"} <= set(
+    assert {"modelDescription.xml", "sources/model.c", "sources/fmi2_functions.c", "sources/fmurt_interface.c"} <= set(
         names
     )
     assert not any(name.endswith((".o", ".map")) for name in names)
@@ -227,7 +227,7 @@ def variables_with(**change: object) -> tuple[object, ...]:
         (replace(models.OSCILLATOR, identifier="no identifier"), models.source("oscillator"), InputError,
          "no C identifier"),
         (models.OSCILLATOR, [GeneratedSource("../model.c", "")], InputError, "no name for a generated C file"),
-        (models.OSCILLATOR, [GeneratedSource("cmb_event.c", "")], InputError, "would be called cmb_event.c"),
+        (models.OSCILLATOR, [GeneratedSource("fmurt_event.c", "")], InputError, "would be called fmurt_event.c"),
         (replace(models.OSCILLATOR, resources=(Resource(Path(__file__), "../x"),)), models.source("oscillator"),
          InputError, "leaves the folder"),
         (replace(models.OSCILLATOR, states=("s", "lost")), models.source("oscillator"), InputError,

@@ -13,7 +13,7 @@ import pytest
 from modelica2fmu.packaging import SolverOptions
 from modelica2fmu.packaging.dependencies import find_fmi_headers, find_sundials
 from modelica2fmu.packaging.interface_tables import interface_source
-from modelica2fmu.packaging.package import RUNTIME
+from modelica2fmu.packaging.runtime_sources import runtime_files, runtime_folders
 
 MODELS = {
     "oscillator": models.OSCILLATOR,
@@ -33,7 +33,7 @@ def build(tmp_path_factory: pytest.TempPathFactory) -> Builder:
     """Builds a driver with a model, the runtime's objects once for each sanitizer."""
     objects: dict[str, list[Path]] = {}
     sundials = find_sundials()
-    includes = [f"-I{path}" for path in (RUNTIME, models.FIXTURES, find_fmi_headers(), sundials.include)]
+    includes = [f"-I{path}" for path in (*runtime_folders(), models.FIXTURES, find_fmi_headers(), sundials.include)]
     common = ["gcc", "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O1", "-g", "-fno-sanitize-recover=all", *includes]
 
     def run(*command: str | Path, folder: Path) -> None:
@@ -43,12 +43,12 @@ def build(tmp_path_factory: pytest.TempPathFactory) -> Builder:
         flag = f"-fsanitize={sanitizer}"
         if sanitizer not in objects:
             target = tmp_path_factory.mktemp("runtime")
-            run(*common, flag, "-c", *sorted(RUNTIME.glob("*.c")), folder=target)
+            run(*common, flag, "-c", *(path for path in runtime_files() if path.suffix == ".c"), folder=target)
             objects[sanitizer] = sorted(target.glob("*.o"))
-        (folder / "cmb_interface.c").write_text(interface_source(MODELS[name], SolverOptions()), encoding="utf-8")
+        (folder / "fmurt_interface.c").write_text(interface_source(MODELS[name], SolverOptions()), encoding="utf-8")
         sources = [models.FIXTURES / f"{file}.c" for file in (driver, name, *EXTERNAL.get(name, ()))]
         run(
-            *common, flag, "cmb_interface.c", *sources, *objects[sanitizer], sundials.archive, "-lm", "-lpthread",
+            *common, flag, "fmurt_interface.c", *sources, *objects[sanitizer], sundials.archive, "-lm", "-lpthread",
             "-o", driver, folder=folder,
         )  # fmt: skip
         return folder / driver

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from modelica2fmu.packaging.package import RUNTIME
+from modelica2fmu.packaging.runtime_sources import runtime_file, runtime_folders
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -25,9 +25,18 @@ def pointer(array: NDArray[np.float64] | NDArray[np.int32]) -> ctypes.c_void_p:
 @pytest.fixture(scope="session")
 def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     target = tmp_path_factory.mktemp("solvers") / "solvers.so"
-    sources = [RUNTIME / f"cmb_{name}.c" for name in ("linear", "lu", "nonlinear")]
+    sources = [runtime_file(f"fmurt_{name}.c") for name in ("linear", "lu", "nonlinear")]
     sources.append(models.FIXTURES / "systems.c")
-    command = ["gcc", "-std=c11", "-O2", "-ffp-contract=off", "-shared", "-fPIC", f"-I{RUNTIME}", *map(str, sources)]
+    command = [
+        "gcc",
+        "-std=c11",
+        "-O2",
+        "-ffp-contract=off",
+        "-shared",
+        "-fPIC",
+        *(f"-I{path}" for path in runtime_folders()),
+    ]
+    command += map(str, sources)
     subprocess.run([*command, "-lm", "-o", str(target)], check=True)
     loaded = ctypes.CDLL(str(target))
     loaded.last_message.restype = ctypes.c_char_p
@@ -40,9 +49,9 @@ def solve(library: ctypes.CDLL) -> Callable[[Array, Array], tuple[int, Array]]:
         matrix, x = np.array(a, order="F", copy=True), b.copy()
         scale, pivot = np.zeros(len(b)), np.zeros(len(b), dtype=np.int32)
         parts = pointer(matrix), pointer(scale), pointer(pivot)
-        result = library.cmb_factorize(len(b), *parts)
+        result = library.fmurt_factorize(len(b), *parts)
         if result == 0:
-            library.cmb_substitute(len(b), *parts, pointer(x))
+            library.fmurt_substitute(len(b), *parts, pointer(x))
         return result, x
 
     return solve_linear
@@ -65,8 +74,8 @@ def test_many_right_hand_sides_are_solved_at_once(library: ctypes.CDLL) -> None:
         a, x = random.standard_normal((n, n)), random.standard_normal((n, lanes))
         matrix, right = np.array(a, order="F", copy=True), np.ascontiguousarray(a @ x)
         scale, pivot = np.zeros(n), np.zeros(n, dtype=np.int32)
-        assert library.cmb_factorize(n, pointer(matrix), pointer(scale), pointer(pivot)) == 0
-        library.cmb_substitute_lanes(n, pointer(matrix), pointer(scale), pointer(pivot), pointer(right))
+        assert library.fmurt_factorize(n, pointer(matrix), pointer(scale), pointer(pivot)) == 0
+        library.fmurt_substitute_lanes(n, pointer(matrix), pointer(scale), pointer(pivot), pointer(right))
         assert np.allclose(right, x, rtol=0.0, atol=1e-14 * n * np.linalg.cond(a))
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, BuildReport, Translation, build_fmu, translate
-from modelica2fmu.standard_library import StandardLibrary, core_subset
+from modelica2fmu.library.standard_library import StandardLibrary, core_subset
 
 Builder = Callable[[str], BuildReport]
 Simulator = Callable[..., Any]

@@ -23,8 +23,8 @@ import rumoca
 from contact_foundation.errors import CmbError
 from fmpy import read_model_description, simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
-from modelica2fmu.front_end_errors import FrontEndError
-from modelica2fmu.standard_library import find_standard_library
+from modelica2fmu.frontend.errors import FrontEndError
+from modelica2fmu.library.standard_library import find_standard_library
 
 PROJECT: Final = Path(__file__).resolve().parents[3]
 OUTCOMES: Final = PROJECT / "build" / "msl_examples"

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 from modelica2fmu.fmu_cache import FmuCache
+from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.report import BuildReport, SolvedBlock
-from modelica2fmu.standard_library import StandardLibrary
 
 
 def report(fmu: Path) -> BuildReport:

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 from contact_foundation.errors import BuildError, CmbError, InputError
+from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.openmodelica import export_fmu, find_compiler
 from modelica2fmu.packaging import FmiVersion
-from modelica2fmu.standard_library import StandardLibrary
 
 MODEL = "Robot.Walk"
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, BuildReport, build_fmu, translate
-from modelica2fmu.standard_library import CORE_SUBSET, StandardLibrary, core_subset, find_standard_library
+from modelica2fmu.library.standard_library import CORE_SUBSET, StandardLibrary, core_subset, find_standard_library
 
 REFERENCE = Path(__file__).resolve().parents[3] / "Resources" / "reference"
 MODELS = REFERENCE / "ReferenceModels.mo"

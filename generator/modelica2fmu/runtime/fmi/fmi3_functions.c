@@ -1,11 +1,11 @@
-/* fmi3_functions.c - FMI 3.0.2, model exchange and co-simulation, over cmb_fmu.h.
+/* fmi3_functions.c - FMI 3.0.2, model exchange and co-simulation, over fmurt_fmu.h.
  *
  * FMI 3.0 has one numbering for all variables: the uppermost four bits of a value reference say what it is, the next
  * six tell variables of one slot apart, the others are the slot (packaging/fmi3_description.py writes them). */
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "cmb_fmu.h"
+#include "fmurt_fmu.h"
 #include "fmi3Functions.h"
 
 enum { KIND_SHIFT = 28, SLOT_BITS = 22 };
@@ -23,7 +23,7 @@ typedef enum reference_kind {
 } reference_kind;
 
 typedef struct component {
-  cmb_fmu fmu; /* first, so that a pointer to it is one to the component */
+  fmurt_fmu fmu; /* first, so that a pointer to it is one to the component */
   fmi3InstanceEnvironment environment;
   fmi3LogMessageCallback log_message;
 } component;
@@ -34,23 +34,23 @@ static unsigned slot_of(fmi3ValueReference reference) { return reference & ((1u 
 
 /* -- life -- */
 
-static void log_to_importer(void *receiver, const char *instance_name, cmb_severity severity,
-                            cmb_log_category category, const char *message) {
-  static const fmi3Status status[] = {[CMB_LOG_DEBUG] = fmi3OK,
-                                      [CMB_LOG_WARNING] = fmi3Warning,
-                                      [CMB_LOG_DISCARD] = fmi3Discard,
-                                      [CMB_LOG_ERROR] = fmi3Error};
+static void log_to_importer(void *receiver, const char *instance_name, fmurt_severity severity,
+                            fmurt_log_category category, const char *message) {
+  static const fmi3Status status[] = {[FMURT_LOG_DEBUG] = fmi3OK,
+                                      [FMURT_LOG_WARNING] = fmi3Warning,
+                                      [FMURT_LOG_DISCARD] = fmi3Discard,
+                                      [FMURT_LOG_ERROR] = fmi3Error};
   const component *c = receiver;
   (void)instance_name;
   if (c->log_message != NULL) {
-    c->log_message(c->environment, status[severity], cmb_log_category_name[category], message);
+    c->log_message(c->environment, status[severity], fmurt_log_category_name[category], message);
   }
 }
 
 const char *fmi3GetVersion(void) { return fmi3Version; }
 
 fmi3Status fmi3SetDebugLogging(fmi3Instance c, fmi3Boolean on, size_t count, const fmi3String categories[]) {
-  return (fmi3Status)cmb_fmu_set_logging(c, __func__, on, count, categories);
+  return (fmi3Status)fmurt_fmu_set_logging(c, __func__, on, count, categories);
 }
 
 static fmi3Instance instantiate(component prototype, fmi3String name, fmi3String token, fmi3Boolean logging_on) {
@@ -58,12 +58,12 @@ static fmi3Instance instantiate(component prototype, fmi3String name, fmi3String
   const char *problem = "no memory";
   if (c != NULL) {
     *c = prototype;
-    problem = cmb_fmu_open(&c->fmu, name, token, logging_on, log_to_importer, c);
+    problem = fmurt_fmu_open(&c->fmu, name, token, logging_on, log_to_importer, c);
   }
   if (problem == NULL) return c;
   free(c);
   if (prototype.log_message != NULL) {
-    prototype.log_message(prototype.environment, fmi3Error, cmb_log_category_name[CMB_LOG_STATUS_ERROR], problem);
+    prototype.log_message(prototype.environment, fmi3Error, fmurt_log_category_name[FMURT_LOG_STATUS_ERROR], problem);
   }
   return NULL;
 }
@@ -88,19 +88,18 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
   (void)intermediate_variables;
   (void)intermediate_count;
   (void)intermediate_update;
-  const component prototype = {.fmu = {.co_simulation = 1,
-                                       .event_mode_used = event_mode_used,
-                                       .early_return_allowed = early_return_allowed},
-                               .environment = environment,
-                               .log_message = log_message};
+  const component prototype = {
+      .fmu = {.co_simulation = 1, .event_mode_used = event_mode_used, .early_return_allowed = early_return_allowed},
+      .environment = environment,
+      .log_message = log_message};
   return instantiate(prototype, name, token, logging_on);
 }
 
 fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token, fmi3String resource_path,
                                                fmi3Boolean visible, fmi3Boolean logging_on,
-                                               fmi3InstanceEnvironment environment,
-                                               fmi3LogMessageCallback log_message, fmi3ClockUpdateCallback clock_update,
-                                               fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock) {
+                                               fmi3InstanceEnvironment environment, fmi3LogMessageCallback log_message,
+                                               fmi3ClockUpdateCallback clock_update, fmi3LockPreemptionCallback lock,
+                                               fmi3UnlockPreemptionCallback unlock) {
   (void)name;
   (void)token;
   (void)resource_path;
@@ -110,7 +109,7 @@ fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token
   (void)lock;
   (void)unlock;
   if (log_message != NULL) {
-    log_message(environment, fmi3Error, cmb_log_category_name[CMB_LOG_STATUS_ERROR],
+    log_message(environment, fmi3Error, fmurt_log_category_name[FMURT_LOG_STATUS_ERROR],
                 "this FMU is for model exchange and co-simulation");
   }
   return NULL;
@@ -118,41 +117,41 @@ fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token
 
 void fmi3FreeInstance(fmi3Instance c) {
   if (c == NULL) return;
-  cmb_fmu_close(c);
+  fmurt_fmu_close(c);
   free(c);
 }
 
 fmi3Status fmi3EnterInitializationMode(fmi3Instance c, fmi3Boolean tolerance_defined, fmi3Float64 tolerance,
                                        fmi3Float64 start_time, fmi3Boolean stop_time_defined, fmi3Float64 stop_time) {
-  const cmb_fmu_status status = cmb_fmu_set_experiment(c, __func__, tolerance_defined, tolerance, start_time,
-                                                       stop_time_defined, stop_time);
-  return (fmi3Status)(status == CMB_FMU_OK ? cmb_fmu_enter_initialization(c, __func__) : status);
+  const fmurt_fmu_status status =
+      fmurt_fmu_set_experiment(c, __func__, tolerance_defined, tolerance, start_time, stop_time_defined, stop_time);
+  return (fmi3Status)(status == FMURT_FMU_OK ? fmurt_fmu_enter_initialization(c, __func__) : status);
 }
 
-fmi3Status fmi3ExitInitializationMode(fmi3Instance c) { return (fmi3Status)cmb_fmu_exit_initialization(c, __func__); }
+fmi3Status fmi3ExitInitializationMode(fmi3Instance c) { return (fmi3Status)fmurt_fmu_exit_initialization(c, __func__); }
 
-fmi3Status fmi3Terminate(fmi3Instance c) { return (fmi3Status)cmb_fmu_terminate(c, __func__); }
+fmi3Status fmi3Terminate(fmi3Instance c) { return (fmi3Status)fmurt_fmu_terminate(c, __func__); }
 
-fmi3Status fmi3Reset(fmi3Instance c) { return (fmi3Status)cmb_fmu_reset(c, __func__); }
+fmi3Status fmi3Reset(fmi3Instance c) { return (fmi3Status)fmurt_fmu_reset(c, __func__); }
 
 /* -- values -- */
 
 static int counts_agree(fmi3Instance c, const char *call, size_t references, size_t values) {
-  if (!cmb_fmu_permits(c, call, CMB_ANY_PHASE)) return 0;
+  if (!fmurt_fmu_permits(c, call, FMURT_ANY_PHASE)) return 0;
   if (references == values) return 1;
-  cmb_fmu_refuse(c, call, "the numbers of value references and values differ");
+  fmurt_fmu_refuse(c, call, "the numbers of value references and values differ");
   return 0;
 }
 
 static size_t slot_count(reference_kind kind) {
   switch (kind) {
-    case KIND_REAL: return cmb_model.real_count;
-    case KIND_INTEGER: return cmb_model.integer_count;
-    case KIND_BOOLEAN: return cmb_model.boolean_count;
-    case KIND_STRING: return cmb_model.string_count;
-    case KIND_SOLVER_REAL: return CMB_SOLVER_REAL_COUNT;
-    case KIND_SOLVER_INTEGER: return CMB_SOLVER_INTEGER_COUNT;
-    case KIND_INDICATOR: return cmb_model.indicator_count;
+    case KIND_REAL: return fmurt_model.real_count;
+    case KIND_INTEGER: return fmurt_model.integer_count;
+    case KIND_BOOLEAN: return fmurt_model.boolean_count;
+    case KIND_STRING: return fmurt_model.string_count;
+    case KIND_SOLVER_REAL: return FMURT_SOLVER_REAL_COUNT;
+    case KIND_SOLVER_INTEGER: return FMURT_SOLVER_INTEGER_COUNT;
+    case KIND_INDICATOR: return fmurt_model.indicator_count;
     case KIND_TIME: return 1;
     case KIND_NONE: break;
   }
@@ -166,7 +165,7 @@ static int is_of_kind(fmi3ValueReference reference, reference_kind kind) {
 static void refuse_reference(fmi3Instance c, const char *call, fmi3ValueReference reference) {
   char reason[80];
   snprintf(reason, sizeof reason, "value reference %u is not one of a variable for this function", reference);
-  cmb_fmu_refuse(c, call, reason);
+  fmurt_fmu_refuse(c, call, reason);
 }
 
 /* The slots behind references of one kind, or of the solver's variables of that type, in a new array. NULL (logged) if
@@ -175,14 +174,14 @@ static unsigned *slots(fmi3Instance c, const char *call, const fmi3ValueReferenc
                        reference_kind kind, reference_kind solver_kind) {
   unsigned *slot = reference != NULL ? malloc((count + 1) * sizeof *slot) : NULL;
   if (slot == NULL) {
-    cmb_fmu_refuse(c, call, reference == NULL ? "null pointer" : "no memory");
+    fmurt_fmu_refuse(c, call, reference == NULL ? "null pointer" : "no memory");
     return NULL;
   }
   for (size_t i = 0; i < count; ++i) {
     if (is_of_kind(reference[i], kind)) {
       slot[i] = slot_of(reference[i]);
     } else if (is_of_kind(reference[i], solver_kind)) {
-      slot[i] = CMB_SOLVER_FIRST_REFERENCE + slot_of(reference[i]);
+      slot[i] = FMURT_SOLVER_FIRST_REFERENCE + slot_of(reference[i]);
     } else {
       refuse_reference(c, call, reference[i]);
       free(slot);
@@ -192,38 +191,39 @@ static unsigned *slots(fmi3Instance c, const char *call, const fmi3ValueReferenc
   return slot;
 }
 
-static cmb_fmu_status get_float(fmi3Instance c, const char *call, fmi3ValueReference reference, double *value) {
+static fmurt_fmu_status get_float(fmi3Instance c, const char *call, fmi3ValueReference reference, double *value) {
   const unsigned slot = slot_of(reference);
-  if (is_of_kind(reference, KIND_INDICATOR)) return cmb_fmu_get_indicator(c, call, slot, value);
-  if (is_of_kind(reference, KIND_REAL)) return cmb_fmu_get_real(c, call, &slot, 1, value);
+  if (is_of_kind(reference, KIND_INDICATOR)) return fmurt_fmu_get_indicator(c, call, slot, value);
+  if (is_of_kind(reference, KIND_REAL)) return fmurt_fmu_get_real(c, call, &slot, 1, value);
   if (is_of_kind(reference, KIND_SOLVER_REAL)) {
-    const unsigned option = CMB_SOLVER_FIRST_REFERENCE + slot;
-    return cmb_fmu_get_real(c, call, &option, 1, value);
+    const unsigned option = FMURT_SOLVER_FIRST_REFERENCE + slot;
+    return fmurt_fmu_get_real(c, call, &option, 1, value);
   }
   if (is_of_kind(reference, KIND_TIME)) {
-    *value = ((cmb_fmu *)c)->instance->values.time;
-    return CMB_FMU_OK;
+    *value = ((fmurt_fmu *)c)->instance->values.time;
+    return FMURT_FMU_OK;
   }
   refuse_reference(c, call, reference);
-  return CMB_FMU_ERROR;
+  return FMURT_FMU_ERROR;
 }
 
 fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference reference[], size_t count, fmi3Float64 value[],
                           size_t value_count) {
   if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
-  if (count > 0 && (reference == NULL || value == NULL)) return (fmi3Status)cmb_fmu_refuse(c, __func__, "null pointer");
-  cmb_fmu_status status = CMB_FMU_OK;
-  for (size_t i = 0; i < count && status == CMB_FMU_OK; ++i) status = get_float(c, __func__, reference[i], &value[i]);
+  if (count > 0 && (reference == NULL || value == NULL))
+    return (fmi3Status)fmurt_fmu_refuse(c, __func__, "null pointer");
+  fmurt_fmu_status status = FMURT_FMU_OK;
+  for (size_t i = 0; i < count && status == FMURT_FMU_OK; ++i) status = get_float(c, __func__, reference[i], &value[i]);
   return (fmi3Status)status;
 }
 
-fmi3Status fmi3SetFloat64(fmi3Instance c, const fmi3ValueReference reference[], size_t count,
-                          const fmi3Float64 value[], size_t value_count) {
+fmi3Status fmi3SetFloat64(fmi3Instance c, const fmi3ValueReference reference[], size_t count, const fmi3Float64 value[],
+                          size_t value_count) {
   if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
   if (count == 0) return fmi3OK;
   unsigned *slot = slots(c, __func__, reference, count, KIND_REAL, KIND_SOLVER_REAL);
   if (slot == NULL) return fmi3Error;
-  const cmb_fmu_status status = cmb_fmu_set_real(c, __func__, slot, count, value);
+  const fmurt_fmu_status status = fmurt_fmu_set_real(c, __func__, slot, count, value);
   free(slot);
   return (fmi3Status)status;
 }
@@ -234,7 +234,7 @@ fmi3Status fmi3GetInt32(fmi3Instance c, const fmi3ValueReference reference[], si
   if (count == 0) return fmi3OK;
   unsigned *slot = slots(c, __func__, reference, count, KIND_INTEGER, KIND_SOLVER_INTEGER);
   if (slot == NULL) return fmi3Error;
-  const cmb_fmu_status status = cmb_fmu_get_integer(c, __func__, slot, count, value);
+  const fmurt_fmu_status status = fmurt_fmu_get_integer(c, __func__, slot, count, value);
   free(slot);
   return (fmi3Status)status;
 }
@@ -245,7 +245,7 @@ fmi3Status fmi3SetInt32(fmi3Instance c, const fmi3ValueReference reference[], si
   if (count == 0) return fmi3OK;
   unsigned *slot = slots(c, __func__, reference, count, KIND_INTEGER, KIND_SOLVER_INTEGER);
   if (slot == NULL) return fmi3Error;
-  const cmb_fmu_status status = cmb_fmu_set_integer(c, __func__, slot, count, value);
+  const fmurt_fmu_status status = fmurt_fmu_set_integer(c, __func__, slot, count, value);
   free(slot);
   return (fmi3Status)status;
 }
@@ -254,7 +254,7 @@ fmi3Status fmi3SetInt32(fmi3Instance c, const fmi3ValueReference reference[], si
 fmi3Status fmi3GetInt64(fmi3Instance c, const fmi3ValueReference reference[], size_t count, fmi3Int64 value[],
                         size_t value_count) {
   if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
-  if (count > 0 && value == NULL) return (fmi3Status)cmb_fmu_refuse(c, __func__, "null pointer");
+  if (count > 0 && value == NULL) return (fmi3Status)fmurt_fmu_refuse(c, __func__, "null pointer");
   fmi3Status status = fmi3OK;
   for (size_t i = 0; i < count && status == fmi3OK; ++i) {
     fmi3Int32 narrow = 0;
@@ -268,13 +268,13 @@ fmi3Status fmi3SetInt64(fmi3Instance c, const fmi3ValueReference reference[], si
                         size_t value_count) {
   if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
   if (count == 0) return fmi3OK;
-  if (value == NULL) return (fmi3Status)cmb_fmu_refuse(c, __func__, "null pointer");
+  if (value == NULL) return (fmi3Status)fmurt_fmu_refuse(c, __func__, "null pointer");
   fmi3Int32 *narrow = malloc(count * sizeof *narrow);
-  if (narrow == NULL) return (fmi3Status)cmb_fmu_refuse(c, __func__, "no memory");
+  if (narrow == NULL) return (fmi3Status)fmurt_fmu_refuse(c, __func__, "no memory");
   fmi3Status status = fmi3OK;
   for (size_t i = 0; i < count && status == fmi3OK; ++i) {
     narrow[i] = (fmi3Int32)value[i];
-    if (narrow[i] != value[i]) status = (fmi3Status)cmb_fmu_refuse(c, __func__, "the value is out of range");
+    if (narrow[i] != value[i]) status = (fmi3Status)fmurt_fmu_refuse(c, __func__, "the value is out of range");
   }
   if (status == fmi3OK) status = fmi3SetInt32(c, reference, count, narrow, count);
   free(narrow);
@@ -285,32 +285,32 @@ fmi3Status fmi3GetBoolean(fmi3Instance c, const fmi3ValueReference reference[], 
                           size_t value_count) {
   if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
   if (count == 0) return fmi3OK;
-  if (value == NULL) return (fmi3Status)cmb_fmu_refuse(c, __func__, "null pointer");
+  if (value == NULL) return (fmi3Status)fmurt_fmu_refuse(c, __func__, "null pointer");
   unsigned *slot = slots(c, __func__, reference, count, KIND_BOOLEAN, KIND_NONE);
   if (slot == NULL) return fmi3Error;
-  cmb_fmu_status status = CMB_FMU_OK;
-  for (size_t i = 0; i < count && status == CMB_FMU_OK; ++i) {
+  fmurt_fmu_status status = FMURT_FMU_OK;
+  for (size_t i = 0; i < count && status == FMURT_FMU_OK; ++i) {
     int truth = 0;
-    status = cmb_fmu_get_boolean(c, __func__, &slot[i], 1, &truth);
+    status = fmurt_fmu_get_boolean(c, __func__, &slot[i], 1, &truth);
     value[i] = truth != 0;
   }
   free(slot);
   return (fmi3Status)status;
 }
 
-fmi3Status fmi3SetBoolean(fmi3Instance c, const fmi3ValueReference reference[], size_t count,
-                          const fmi3Boolean value[], size_t value_count) {
+fmi3Status fmi3SetBoolean(fmi3Instance c, const fmi3ValueReference reference[], size_t count, const fmi3Boolean value[],
+                          size_t value_count) {
   if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
   if (count == 0) return fmi3OK;
-  if (value == NULL) return (fmi3Status)cmb_fmu_refuse(c, __func__, "null pointer");
+  if (value == NULL) return (fmi3Status)fmurt_fmu_refuse(c, __func__, "null pointer");
   unsigned *slot = slots(c, __func__, reference, count, KIND_BOOLEAN, KIND_NONE);
   int *truth = malloc(count * sizeof *truth);
-  cmb_fmu_status status = CMB_FMU_ERROR;
+  fmurt_fmu_status status = FMURT_FMU_ERROR;
   if (truth == NULL) {
-    cmb_fmu_refuse(c, __func__, "no memory");
+    fmurt_fmu_refuse(c, __func__, "no memory");
   } else if (slot != NULL) {
     for (size_t i = 0; i < count; ++i) truth[i] = value[i];
-    status = cmb_fmu_set_boolean(c, __func__, slot, count, truth);
+    status = fmurt_fmu_set_boolean(c, __func__, slot, count, truth);
   }
   free(slot);
   free(truth);
@@ -323,7 +323,7 @@ fmi3Status fmi3GetString(fmi3Instance c, const fmi3ValueReference reference[], s
   if (count == 0) return fmi3OK;
   unsigned *slot = slots(c, __func__, reference, count, KIND_STRING, KIND_NONE);
   if (slot == NULL) return fmi3Error;
-  const cmb_fmu_status status = cmb_fmu_get_string(c, __func__, slot, count, value);
+  const fmurt_fmu_status status = fmurt_fmu_get_string(c, __func__, slot, count, value);
   free(slot);
   return (fmi3Status)status;
 }
@@ -334,7 +334,7 @@ fmi3Status fmi3SetString(fmi3Instance c, const fmi3ValueReference reference[], s
   if (count == 0) return fmi3OK;
   unsigned *slot = slots(c, __func__, reference, count, KIND_STRING, KIND_NONE);
   if (slot == NULL) return fmi3Error;
-  const cmb_fmu_status status = cmb_fmu_set_string(c, __func__, slot, count, value);
+  const fmurt_fmu_status status = fmurt_fmu_set_string(c, __func__, slot, count, value);
   free(slot);
   return (fmi3Status)status;
 }
@@ -342,32 +342,32 @@ fmi3Status fmi3SetString(fmi3Instance c, const fmi3ValueReference reference[], s
 /* -- types, clocks and modes that no model of this generator has -- */
 
 static fmi3Status refuse_all(fmi3Instance c, const char *call, size_t count, const char *reason) {
-  if (!cmb_fmu_permits(c, call, CMB_ANY_PHASE)) return fmi3Error;
-  return count == 0 ? fmi3OK : (fmi3Status)cmb_fmu_refuse(c, call, reason);
+  if (!fmurt_fmu_permits(c, call, FMURT_ANY_PHASE)) return fmi3Error;
+  return count == 0 ? fmi3OK : (fmi3Status)fmurt_fmu_refuse(c, call, reason);
 }
 
 static const char no_such_type[] = "this FMU has no variables of this type";
 static const char no_clocks[] = "this FMU has no clocks";
 
-#define CMB_TYPE_WITHOUT_VARIABLES(type)                                                                               \
-  fmi3Status fmi3Get##type(fmi3Instance c, const fmi3ValueReference reference[], size_t count, fmi3##type value[],     \
-                           size_t value_count) {                                                                       \
-    (void)reference, (void)value, (void)value_count;                                                                   \
-    return refuse_all(c, __func__, count, no_such_type);                                                               \
-  }                                                                                                                    \
-  fmi3Status fmi3Set##type(fmi3Instance c, const fmi3ValueReference reference[], size_t count,                         \
-                           const fmi3##type value[], size_t value_count) {                                             \
-    (void)reference, (void)value, (void)value_count;                                                                   \
-    return refuse_all(c, __func__, count, no_such_type);                                                               \
+#define FMURT_TYPE_WITHOUT_VARIABLES(type)                                                                         \
+  fmi3Status fmi3Get##type(fmi3Instance c, const fmi3ValueReference reference[], size_t count, fmi3##type value[], \
+                           size_t value_count) {                                                                   \
+    (void)reference, (void)value, (void)value_count;                                                               \
+    return refuse_all(c, __func__, count, no_such_type);                                                           \
+  }                                                                                                                \
+  fmi3Status fmi3Set##type(fmi3Instance c, const fmi3ValueReference reference[], size_t count,                     \
+                           const fmi3##type value[], size_t value_count) {                                         \
+    (void)reference, (void)value, (void)value_count;                                                               \
+    return refuse_all(c, __func__, count, no_such_type);                                                           \
   }
 
-CMB_TYPE_WITHOUT_VARIABLES(Float32)
-CMB_TYPE_WITHOUT_VARIABLES(Int8)
-CMB_TYPE_WITHOUT_VARIABLES(UInt8)
-CMB_TYPE_WITHOUT_VARIABLES(Int16)
-CMB_TYPE_WITHOUT_VARIABLES(UInt16)
-CMB_TYPE_WITHOUT_VARIABLES(UInt32)
-CMB_TYPE_WITHOUT_VARIABLES(UInt64)
+FMURT_TYPE_WITHOUT_VARIABLES(Float32)
+FMURT_TYPE_WITHOUT_VARIABLES(Int8)
+FMURT_TYPE_WITHOUT_VARIABLES(UInt8)
+FMURT_TYPE_WITHOUT_VARIABLES(Int16)
+FMURT_TYPE_WITHOUT_VARIABLES(UInt16)
+FMURT_TYPE_WITHOUT_VARIABLES(UInt32)
+FMURT_TYPE_WITHOUT_VARIABLES(UInt64)
 
 fmi3Status fmi3GetBinary(fmi3Instance c, const fmi3ValueReference reference[], size_t count, size_t size[],
                          fmi3Binary value[], size_t value_count) {
@@ -485,27 +485,27 @@ fmi3Status fmi3GetOutputDerivatives(fmi3Instance c, const fmi3ValueReference ref
 /* -- state of the FMU -- */
 
 fmi3Status fmi3GetFMUState(fmi3Instance c, fmi3FMUState *state) {
-  return (fmi3Status)cmb_fmu_get_state(c, __func__, state);
+  return (fmi3Status)fmurt_fmu_get_state(c, __func__, state);
 }
 
 fmi3Status fmi3SetFMUState(fmi3Instance c, fmi3FMUState state) {
-  return (fmi3Status)cmb_fmu_set_state(c, __func__, state);
+  return (fmi3Status)fmurt_fmu_set_state(c, __func__, state);
 }
 
 fmi3Status fmi3FreeFMUState(fmi3Instance c, fmi3FMUState *state) {
-  return (fmi3Status)cmb_fmu_free_state(c, __func__, state);
+  return (fmi3Status)fmurt_fmu_free_state(c, __func__, state);
 }
 
 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance c, fmi3FMUState state, size_t *size) {
-  return (fmi3Status)cmb_fmu_state_size(c, __func__, state, size);
+  return (fmi3Status)fmurt_fmu_state_size(c, __func__, state, size);
 }
 
 fmi3Status fmi3SerializeFMUState(fmi3Instance c, fmi3FMUState state, fmi3Byte bytes[], size_t size) {
-  return (fmi3Status)cmb_fmu_write_state(c, __func__, state, (char *)bytes, size);
+  return (fmi3Status)fmurt_fmu_write_state(c, __func__, state, (char *)bytes, size);
 }
 
 fmi3Status fmi3DeserializeFMUState(fmi3Instance c, const fmi3Byte bytes[], size_t size, fmi3FMUState *state) {
-  return (fmi3Status)cmb_fmu_read_state(c, __func__, (const char *)bytes, size, state);
+  return (fmi3Status)fmurt_fmu_read_state(c, __func__, (const char *)bytes, size, state);
 }
 
 /* -- derivatives -- */
@@ -521,10 +521,10 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueReference
   if (known == NULL && known_count == 0) known = unknown; /* not read */
   unsigned *unknown_slot = slots(c, __func__, unknown, unknown_count, KIND_REAL, KIND_NONE);
   unsigned *known_slot = unknown_slot != NULL ? slots(c, __func__, known, known_count, KIND_REAL, KIND_NONE) : NULL;
-  cmb_fmu_status status = CMB_FMU_ERROR;
+  fmurt_fmu_status status = FMURT_FMU_ERROR;
   if (known_slot != NULL) {
-    status = cmb_fmu_directional_derivative(c, __func__, unknown_slot, unknown_count, known_slot, known_count, seed,
-                                            sensitivity);
+    status = fmurt_fmu_directional_derivative(c, __func__, unknown_slot, unknown_count, known_slot, known_count, seed,
+                                              sensitivity);
   }
   free(unknown_slot);
   free(known_slot);
@@ -533,17 +533,17 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueReference
 
 /* -- modes -- */
 
-fmi3Status fmi3EnterEventMode(fmi3Instance c) { return (fmi3Status)cmb_fmu_enter_event_mode(c, __func__); }
+fmi3Status fmi3EnterEventMode(fmi3Instance c) { return (fmi3Status)fmurt_fmu_enter_event_mode(c, __func__); }
 
 fmi3Status fmi3UpdateDiscreteStates(fmi3Instance c, fmi3Boolean *need_update, fmi3Boolean *terminate,
                                     fmi3Boolean *nominals_changed, fmi3Boolean *states_changed,
                                     fmi3Boolean *next_time_defined, fmi3Float64 *next_time) {
   if (c != NULL && (need_update == NULL || terminate == NULL || nominals_changed == NULL || states_changed == NULL ||
                     next_time_defined == NULL || next_time == NULL)) {
-    return (fmi3Status)cmb_fmu_refuse(c, __func__, "null pointer");
+    return (fmi3Status)fmurt_fmu_refuse(c, __func__, "null pointer");
   }
-  cmb_event_report report;
-  const fmi3Status status = (fmi3Status)cmb_fmu_update_discrete_states(c, __func__, &report);
+  fmurt_event_report report;
+  const fmi3Status status = (fmi3Status)fmurt_fmu_update_discrete_states(c, __func__, &report);
   if (c == NULL) return status;
   *need_update = fmi3False;
   *terminate = report.terminate != 0;
@@ -555,58 +555,58 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance c, fmi3Boolean *need_update, fm
 }
 
 fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance c) {
-  return (fmi3Status)cmb_fmu_enter_continuous_time_mode(c, __func__);
+  return (fmi3Status)fmurt_fmu_enter_continuous_time_mode(c, __func__);
 }
 
-fmi3Status fmi3EnterStepMode(fmi3Instance c) { return (fmi3Status)cmb_fmu_enter_step_mode(c, __func__); }
+fmi3Status fmi3EnterStepMode(fmi3Instance c) { return (fmi3Status)fmurt_fmu_enter_step_mode(c, __func__); }
 
 /* -- model exchange -- */
 
 fmi3Status fmi3CompletedIntegratorStep(fmi3Instance c, fmi3Boolean no_rewind, fmi3Boolean *enter_event_mode,
                                        fmi3Boolean *terminate) {
   (void)no_rewind;
-  if (!cmb_fmu_permits(c, __func__, CMB_PHASE_CONTINUOUS)) return fmi3Error;
-  if (enter_event_mode == NULL || terminate == NULL) return (fmi3Status)cmb_fmu_refuse(c, __func__, "null pointer");
+  if (!fmurt_fmu_permits(c, __func__, FMURT_PHASE_CONTINUOUS)) return fmi3Error;
+  if (enter_event_mode == NULL || terminate == NULL) return (fmi3Status)fmurt_fmu_refuse(c, __func__, "null pointer");
   *enter_event_mode = fmi3False;
   *terminate = fmi3False;
   return fmi3OK;
 }
 
-fmi3Status fmi3SetTime(fmi3Instance c, fmi3Float64 time) { return (fmi3Status)cmb_fmu_set_time(c, __func__, time); }
+fmi3Status fmi3SetTime(fmi3Instance c, fmi3Float64 time) { return (fmi3Status)fmurt_fmu_set_time(c, __func__, time); }
 
 fmi3Status fmi3SetContinuousStates(fmi3Instance c, const fmi3Float64 state[], size_t count) {
-  return (fmi3Status)cmb_fmu_set_states(c, __func__, state, count);
+  return (fmi3Status)fmurt_fmu_set_states(c, __func__, state, count);
 }
 
 fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance c, fmi3Float64 derivative[], size_t count) {
-  return (fmi3Status)cmb_fmu_get_derivatives(c, __func__, derivative, count);
+  return (fmi3Status)fmurt_fmu_get_derivatives(c, __func__, derivative, count);
 }
 
 fmi3Status fmi3GetEventIndicators(fmi3Instance c, fmi3Float64 indicator[], size_t count) {
-  return (fmi3Status)cmb_fmu_get_indicators(c, __func__, indicator, count);
+  return (fmi3Status)fmurt_fmu_get_indicators(c, __func__, indicator, count);
 }
 
 fmi3Status fmi3GetContinuousStates(fmi3Instance c, fmi3Float64 state[], size_t count) {
-  return (fmi3Status)cmb_fmu_get_states(c, __func__, state, count);
+  return (fmi3Status)fmurt_fmu_get_states(c, __func__, state, count);
 }
 
 fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance c, fmi3Float64 nominal[], size_t count) {
-  return (fmi3Status)cmb_fmu_get_nominals(c, __func__, nominal, count);
+  return (fmi3Status)fmurt_fmu_get_nominals(c, __func__, nominal, count);
 }
 
 static fmi3Status tell_number(fmi3Instance c, const char *call, size_t number, size_t *result) {
-  if (!cmb_fmu_permits(c, call, CMB_ANY_PHASE)) return fmi3Error;
-  if (result == NULL) return (fmi3Status)cmb_fmu_refuse(c, call, "null pointer");
+  if (!fmurt_fmu_permits(c, call, FMURT_ANY_PHASE)) return fmi3Error;
+  if (result == NULL) return (fmi3Status)fmurt_fmu_refuse(c, call, "null pointer");
   *result = number;
   return fmi3OK;
 }
 
 fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance c, size_t *count) {
-  return tell_number(c, __func__, cmb_model.indicator_count, count);
+  return tell_number(c, __func__, fmurt_model.indicator_count, count);
 }
 
 fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance c, size_t *count) {
-  return tell_number(c, __func__, cmb_model.state_count, count);
+  return tell_number(c, __func__, fmurt_model.state_count, count);
 }
 
 /* -- co-simulation -- */
@@ -616,18 +616,18 @@ fmi3Status fmi3DoStep(fmi3Instance pointer, fmi3Float64 time, fmi3Float64 step, 
                       fmi3Float64 *last_successful_time) {
   (void)no_rewind;
   component *c = pointer;
-  if (c != NULL && (event_handling_needed == NULL || terminate == NULL || early_return == NULL ||
-                    last_successful_time == NULL)) {
-    return (fmi3Status)cmb_fmu_refuse(&c->fmu, __func__, "null pointer");
+  if (c != NULL &&
+      (event_handling_needed == NULL || terminate == NULL || early_return == NULL || last_successful_time == NULL)) {
+    return (fmi3Status)fmurt_fmu_refuse(&c->fmu, __func__, "null pointer");
   }
-  cmb_step_report report;
-  const fmi3Status status = (fmi3Status)cmb_fmu_do_step(pointer, __func__, time, step, &report);
+  fmurt_step_report report;
+  const fmi3Status status = (fmi3Status)fmurt_fmu_do_step(pointer, __func__, time, step, &report);
   if (c == NULL) return status;
   *event_handling_needed = report.event_waiting != 0;
   *terminate = report.terminate != 0;
   *early_return = status == fmi3OK && report.time < time + step;
   *last_successful_time = report.time;
   /* FMI 3.0 lets the importer go on from the last successful time. */
-  if (status == fmi3Discard) c->fmu.instance->situation.phase = CMB_PHASE_STEP;
+  if (status == fmi3Discard) c->fmu.instance->situation.phase = FMURT_PHASE_STEP;
   return status;
 }

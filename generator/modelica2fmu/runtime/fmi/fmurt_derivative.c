@@ -1,5 +1,5 @@
-/* cmb_derivative.c - see cmb_derivative.h. */
-#include "cmb_derivative.h"
+/* fmurt_derivative.c - see fmurt_derivative.h. */
+#include "fmurt_derivative.h"
 
 #include <float.h>
 #include <math.h>
@@ -7,23 +7,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cmb_call.h"
-#include "cmb_evaluate.h"
+#include "fmurt_call.h"
+#include "fmurt_evaluate.h"
 
 static double nominal(unsigned slot) {
-  for (size_t i = 0; i < cmb_model.state_count; ++i) {
-    if (cmb_model.state[i] == slot) return cmb_model.state_nominal[i];
+  for (size_t i = 0; i < fmurt_model.state_count; ++i) {
+    if (fmurt_model.state[i] == slot) return fmurt_model.state_nominal[i];
   }
   return 1.0;
 }
 
 static int is_parameter(unsigned slot) {
-  const cmb_slot_table *table = &cmb_interface_tables.real;
-  return slot < table->count && (table->access[slot] & CMB_IS_PARAMETER) != 0;
+  const fmurt_slot_table *table = &fmurt_interface_tables.real;
+  return slot < table->count && (table->access[slot] & FMURT_IS_PARAMETER) != 0;
 }
 
 typedef struct perturbation {
-  cmb_instance *instance;
+  fmurt_instance *instance;
   const unsigned *known;
   size_t known_count;
   const double *seed;
@@ -33,9 +33,9 @@ typedef struct perturbation {
 } perturbation;
 
 /* Moves the knowns to base + distance * seed; distance 0 is the present point exactly. */
-static cmb_result move(const perturbation *move, double distance) {
-  cmb_instance *instance = move->instance;
-  const int initializing = instance->situation.phase == CMB_PHASE_INITIALIZATION;
+static fmurt_result move(const perturbation *move, double distance) {
+  fmurt_instance *instance = move->instance;
+  const int initializing = instance->situation.phase == FMURT_PHASE_INITIALIZATION;
   for (size_t i = 0; i < move->known_count; ++i) {
     const unsigned slot = move->known[i];
     const double value = distance == 0.0 ? move->base[i] : move->base[i] + distance * move->seed[i];
@@ -44,63 +44,63 @@ static cmb_result move(const perturbation *move, double distance) {
     instance->start_real[slot] = instance->set_real[slot] = value;
     instance->real_is_set[slot] = distance == 0.0 ? move->was_set[i] : 1;
   }
-  cmb_invalidate(instance, move->has_parameter);
-  return cmb_update_values(instance);
+  fmurt_invalidate(instance, move->has_parameter);
+  return fmurt_update_values(instance);
 }
 
-static cmb_result differentiate(const perturbation *known, const unsigned *unknown, size_t unknown_count, double step,
-                                double *sensitivity) {
-  cmb_instance *instance = known->instance;
+static fmurt_result differentiate(const perturbation *known, const unsigned *unknown, size_t unknown_count, double step,
+                                  double *sensitivity) {
+  fmurt_instance *instance = known->instance;
   double from = -step, to = step;
-  cmb_result result = move(known, from);
-  if (result == CMB_RESULT_DISCARD) { /* not computable there: one-sided */
+  fmurt_result result = move(known, from);
+  if (result == FMURT_RESULT_DISCARD) { /* not computable there: one-sided */
     from = 0.0;
     result = move(known, from);
   }
-  if (result != CMB_RESULT_OK) return result;
+  if (result != FMURT_RESULT_OK) return result;
   for (size_t i = 0; i < unknown_count; ++i) sensitivity[i] = instance->values.real[unknown[i]];
   result = move(known, to);
-  if (result == CMB_RESULT_DISCARD && from < 0.0) {
+  if (result == FMURT_RESULT_DISCARD && from < 0.0) {
     to = 0.0;
     result = move(known, to);
   }
-  if (result != CMB_RESULT_OK) return result;
+  if (result != FMURT_RESULT_OK) return result;
   for (size_t i = 0; i < unknown_count; ++i) {
     sensitivity[i] = (instance->values.real[unknown[i]] - sensitivity[i]) / (to - from);
   }
-  return CMB_RESULT_OK;
+  return FMURT_RESULT_OK;
 }
 
 /* Position of a slot in a table of the model, the table's size if it is not there. */
 static size_t position(const unsigned *table, unsigned slot) {
   size_t i = 0;
-  while (i < cmb_model.state_count && table[i] != slot) ++i;
+  while (i < fmurt_model.state_count && table[i] != slot) ++i;
   return i;
 }
 
 static int all_in(const unsigned *table, const unsigned *slots, size_t count) {
   for (size_t i = 0; i < count; ++i) {
-    if (position(table, slots[i]) == cmb_model.state_count) return 0;
+    if (position(table, slots[i]) == fmurt_model.state_count) return 0;
   }
   return 1;
 }
 
-static cmb_result no_memory(cmb_instance *instance) {
+static fmurt_result no_memory(fmurt_instance *instance) {
   snprintf(instance->message, sizeof instance->message, "No memory for a directional derivative");
-  return CMB_RESULT_ERROR;
+  return FMURT_RESULT_ERROR;
 }
 
-static cmb_result multiply_jacobian(cmb_instance *instance, const unsigned *unknown, size_t unknown_count,
-                                    const unsigned *known, size_t known_count, const double *seed,
-                                    double *sensitivity) {
-  const size_t n = cmb_model.state_count;
+static fmurt_result multiply_jacobian(fmurt_instance *instance, const unsigned *unknown, size_t unknown_count,
+                                      const unsigned *known, size_t known_count, const double *seed,
+                                      double *sensitivity) {
+  const size_t n = fmurt_model.state_count;
   double *jacobian = calloc(n * n, sizeof *jacobian);
   if (jacobian == NULL) return no_memory(instance);
-  const cmb_result result = cmb_call_model(instance, CMB_CALL_JACOBIAN, jacobian);
-  for (size_t i = 0; result == CMB_RESULT_OK && i < unknown_count; ++i) {
-    const double *row = jacobian + position(cmb_model.derivative, unknown[i]);
+  const fmurt_result result = fmurt_call_model(instance, FMURT_CALL_JACOBIAN, jacobian);
+  for (size_t i = 0; result == FMURT_RESULT_OK && i < unknown_count; ++i) {
+    const double *row = jacobian + position(fmurt_model.derivative, unknown[i]);
     sensitivity[i] = 0.0;
-    for (size_t j = 0; j < known_count; ++j) sensitivity[i] += row[position(cmb_model.state, known[j]) * n] * seed[j];
+    for (size_t j = 0; j < known_count; ++j) sensitivity[i] += row[position(fmurt_model.state, known[j]) * n] * seed[j];
   }
   free(jacobian);
   return result;
@@ -113,22 +113,23 @@ static int all_finite(const double *numbers, size_t count) {
   return 1;
 }
 
-cmb_result cmb_directional_derivative(cmb_instance *instance, const unsigned *unknown, size_t unknown_count,
-                                      const unsigned *known, size_t known_count, const double *seed,
-                                      double *sensitivity) {
+fmurt_result fmurt_directional_derivative(fmurt_instance *instance, const unsigned *unknown, size_t unknown_count,
+                                          const unsigned *known, size_t known_count, const double *seed,
+                                          double *sensitivity) {
   for (size_t i = 0; i < unknown_count + known_count; ++i) {
     const unsigned slot = i < unknown_count ? unknown[i] : known[i - unknown_count];
-    if (slot < cmb_model.real_count) continue;
+    if (slot < fmurt_model.real_count) continue;
     snprintf(instance->message, sizeof instance->message, "Value reference %u is no variable of the model", slot);
-    return CMB_RESULT_ERROR;
+    return FMURT_RESULT_ERROR;
   }
-  cmb_result result = cmb_update_values(instance);
-  if (result != CMB_RESULT_OK) return result;
+  fmurt_result result = fmurt_update_values(instance);
+  if (result != FMURT_RESULT_OK) return result;
 
-  if (cmb_model.jacobian != NULL && instance->situation.phase != CMB_PHASE_INITIALIZATION && known_count > 0 &&
-      all_in(cmb_model.derivative, unknown, unknown_count) && all_in(cmb_model.state, known, known_count)) {
+  if (fmurt_model.jacobian != NULL && instance->situation.phase != FMURT_PHASE_INITIALIZATION && known_count > 0 &&
+      all_in(fmurt_model.derivative, unknown, unknown_count) && all_in(fmurt_model.state, known, known_count)) {
     result = multiply_jacobian(instance, unknown, unknown_count, known, known_count, seed, sensitivity);
-    if (result == CMB_RESULT_ERROR || (result == CMB_RESULT_OK && all_finite(sensitivity, unknown_count))) return result;
+    if (result == FMURT_RESULT_ERROR || (result == FMURT_RESULT_OK && all_finite(sensitivity, unknown_count)))
+      return result;
   }
 
   /* Central differences are best at the cube root of the rounding error (Nocedal and Wright, section 8.1). */
@@ -138,7 +139,7 @@ cmb_result cmb_directional_derivative(cmb_instance *instance, const unsigned *un
   }
   if (!(rate > 0.0) || !isfinite(rate)) {
     for (size_t i = 0; i < unknown_count; ++i) sensitivity[i] = 0.0;
-    return CMB_RESULT_OK;
+    return FMURT_RESULT_OK;
   }
 
   perturbation knowns = {.instance = instance, .known = known, .known_count = known_count, .seed = seed};
@@ -156,8 +157,8 @@ cmb_result cmb_directional_derivative(cmb_instance *instance, const unsigned *un
     result = differentiate(&knowns, unknown, unknown_count, cbrt(DBL_EPSILON) / rate, sensitivity);
     char cause[sizeof instance->message];
     memcpy(cause, instance->message, sizeof cause);
-    const cmb_result restored = move(&knowns, 0.0);
-    if (result == CMB_RESULT_OK) {
+    const fmurt_result restored = move(&knowns, 0.0);
+    if (result == FMURT_RESULT_OK) {
       result = restored;
     } else {
       memcpy(instance->message, cause, sizeof cause);

@@ -1,14 +1,14 @@
-/* cmb_state.c - see cmb_state.h. */
-#include "cmb_state.h"
+/* fmurt_state.c - see fmurt_state.h. */
+#include "fmurt_state.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cmb_solver.h"
+#include "fmurt_solver.h"
 
 /* One block of bytes, the same in memory and serialized: header, situation, doubles, ints, texts. */
-struct cmb_state {
+struct fmurt_state {
   size_t size;
   char *bytes;
 };
@@ -28,16 +28,16 @@ static uint64_t hash_bytes(const char *bytes, size_t size) {
   return hash;
 }
 
-static uint64_t model_hash(void) { return hash_bytes(cmb_model.guid, strlen(cmb_model.guid)); }
+static uint64_t model_hash(void) { return hash_bytes(fmurt_model.guid, strlen(fmurt_model.guid)); }
 
-static size_t fixed_size(const cmb_instance *instance) {
-  return sizeof(state_header) + sizeof(cmb_situation) + instance->double_block_count * sizeof(double) +
+static size_t fixed_size(const fmurt_instance *instance) {
+  return sizeof(state_header) + sizeof(fmurt_situation) + instance->double_block_count * sizeof(double) +
          instance->int_block_count * sizeof(int);
 }
 
 static size_t text_size(char *const *texts) {
   size_t size = 0;
-  for (size_t i = 0; i < cmb_model.string_count; ++i) size += strlen(texts[i]) + 1;
+  for (size_t i = 0; i < fmurt_model.string_count; ++i) size += strlen(texts[i]) + 1;
   return size;
 }
 
@@ -47,22 +47,22 @@ static char *put(char *position, const void *source, size_t size) {
 }
 
 static char *put_texts(char *position, char *const *texts) {
-  for (size_t i = 0; i < cmb_model.string_count; ++i) position = put(position, texts[i], strlen(texts[i]) + 1);
+  for (size_t i = 0; i < fmurt_model.string_count; ++i) position = put(position, texts[i], strlen(texts[i]) + 1);
   return position;
 }
 
-cmb_result cmb_state_save(cmb_instance *instance, cmb_state **state) {
+fmurt_result fmurt_state_save(fmurt_instance *instance, fmurt_state **state) {
   const size_t size = fixed_size(instance) + text_size(instance->string) + text_size(instance->start_string);
   char *bytes = malloc(size);
-  cmb_state *saved = *state != NULL ? *state : calloc(1, sizeof **state);
+  fmurt_state *saved = *state != NULL ? *state : calloc(1, sizeof **state);
   if (bytes == NULL || saved == NULL) {
     free(bytes);
     if (*state == NULL) free(saved);
-    return CMB_RESULT_ERROR;
+    return FMURT_RESULT_ERROR;
   }
-  cmb_solver_restart(instance->solver);
+  fmurt_solver_restart(instance->solver);
 
-  cmb_situation *situation = &instance->situation;
+  fmurt_situation *situation = &instance->situation;
   situation->kind = instance->kind;
   situation->time = instance->values.time;
   situation->next_time_event = instance->values.next_time_event;
@@ -83,20 +83,20 @@ cmb_result cmb_state_save(cmb_instance *instance, cmb_state **state) {
   saved->bytes = bytes;
   saved->size = size;
   *state = saved;
-  return CMB_RESULT_OK;
+  return FMURT_RESULT_OK;
 }
 
 static void free_texts(char **texts) {
   if (texts == NULL) return;
-  for (size_t i = 0; i < 2 * cmb_model.string_count; ++i) free(texts[i]);
+  for (size_t i = 0; i < 2 * fmurt_model.string_count; ++i) free(texts[i]);
   free(texts);
 }
 
 /* Copies the saved texts, current ones first, then start texts; NULL if memory is short or the bytes end early. */
 static char **copy_texts(const char *position, const char *end) {
-  char **texts = calloc(2 * cmb_model.string_count + 1, sizeof *texts);
+  char **texts = calloc(2 * fmurt_model.string_count + 1, sizeof *texts);
   if (texts == NULL) return NULL;
-  for (size_t i = 0; i < 2 * cmb_model.string_count; ++i) {
+  for (size_t i = 0; i < 2 * fmurt_model.string_count; ++i) {
     const char *zero = memchr(position, '\0', (size_t)(end - position));
     const size_t size = zero != NULL ? (size_t)(zero - position) + 1 : 0;
     texts[i] = zero != NULL ? malloc(size) : NULL;
@@ -110,29 +110,29 @@ static char **copy_texts(const char *position, const char *end) {
   return texts;
 }
 
-int cmb_state_fits(const cmb_instance *instance, const cmb_state *state) {
-  cmb_situation saved;
+int fmurt_state_fits(const fmurt_instance *instance, const fmurt_state *state) {
+  fmurt_situation saved;
   if (state->size < fixed_size(instance)) return 0;
   memcpy(&saved, state->bytes + sizeof(state_header), sizeof saved);
   return saved.kind == (int)instance->kind;
 }
 
-cmb_result cmb_state_restore(cmb_instance *instance, const cmb_state *state) {
+fmurt_result fmurt_state_restore(fmurt_instance *instance, const fmurt_state *state) {
   const char *position = state->bytes + sizeof(state_header);
   char **texts = copy_texts(state->bytes + fixed_size(instance), state->bytes + state->size);
-  if (texts == NULL) return CMB_RESULT_ERROR;
+  if (texts == NULL) return FMURT_RESULT_ERROR;
 
-  cmb_situation *situation = &instance->situation;
+  fmurt_situation *situation = &instance->situation;
   memcpy(situation, position, sizeof *situation);
   position += sizeof *situation;
   memcpy(instance->double_block, position, instance->double_block_count * sizeof(double));
   position += instance->double_block_count * sizeof(double);
   memcpy(instance->int_block, position, instance->int_block_count * sizeof(int));
-  for (size_t i = 0; i < cmb_model.string_count; ++i) {
+  for (size_t i = 0; i < fmurt_model.string_count; ++i) {
     free(instance->string[i]);
     free(instance->start_string[i]);
     instance->string[i] = texts[i];
-    instance->start_string[i] = texts[cmb_model.string_count + i];
+    instance->start_string[i] = texts[fmurt_model.string_count + i];
     instance->values.string[i] = instance->string[i];
   }
   free(texts);
@@ -142,19 +142,19 @@ cmb_result cmb_state_restore(cmb_instance *instance, const cmb_state *state) {
   instance->values.initial = situation->initial;
   instance->values.terminal = situation->terminal;
   instance->values.terminate = situation->terminate_requested;
-  cmb_solver_restart(instance->solver);
-  return CMB_RESULT_OK;
+  fmurt_solver_restart(instance->solver);
+  return FMURT_RESULT_OK;
 }
 
-void cmb_state_free(cmb_state *state) {
+void fmurt_state_free(fmurt_state *state) {
   if (state == NULL) return;
   free(state->bytes);
   free(state);
 }
 
-size_t cmb_state_size(const cmb_state *state) { return state->size; }
+size_t fmurt_state_size(const fmurt_state *state) { return state->size; }
 
-void cmb_state_write(const cmb_state *state, char *bytes) {
+void fmurt_state_write(const fmurt_state *state, char *bytes) {
   state_header header;
   memcpy(&header, state->bytes, sizeof header);
   header.hash = hash_bytes(state->bytes + sizeof header, state->size - sizeof header);
@@ -162,7 +162,7 @@ void cmb_state_write(const cmb_state *state, char *bytes) {
   memcpy(bytes, &header, sizeof header);
 }
 
-cmb_state *cmb_state_read(const char *bytes, size_t size) {
+fmurt_state *fmurt_state_read(const char *bytes, size_t size) {
   state_header header;
   if (size < sizeof header) return NULL;
   memcpy(&header, bytes, sizeof header);
@@ -170,7 +170,7 @@ cmb_state *cmb_state_read(const char *bytes, size_t size) {
       header.model != model_hash() || header.hash != hash_bytes(bytes + sizeof header, size - sizeof header)) {
     return NULL;
   }
-  cmb_state *state = calloc(1, sizeof *state);
+  fmurt_state *state = calloc(1, sizeof *state);
   char *copy = malloc(size);
   if (state == NULL || copy == NULL) {
     free(state);

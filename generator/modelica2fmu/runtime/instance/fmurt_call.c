@@ -1,5 +1,5 @@
-/* cmb_call.c - guarded calls, and the functions of ModelicaUtilities.h and cmb_model.h that report from inside. */
-#include "cmb_call.h"
+/* fmurt_call.c - guarded calls, and the functions of ModelicaUtilities.h and fmurt_model.h that report from inside. */
+#include "fmurt_call.h"
 
 #include <pthread.h>
 #include <setjmp.h>
@@ -17,7 +17,7 @@ union allocation {
 
 typedef struct call_frame {
   jmp_buf failure;
-  cmb_instance *instance;
+  fmurt_instance *instance;
   struct call_frame *outer;
   allocation *allocations;
 } call_frame;
@@ -25,43 +25,47 @@ typedef struct call_frame {
 /* The guarded call this thread is in. Thread-local because ModelicaError has no argument for it. */
 static _Thread_local call_frame *current_frame = NULL;
 
-static cmb_result dispatch(cmb_values *values, cmb_model_function function, void *argument) {
+static fmurt_result dispatch(fmurt_values *values, fmurt_model_function function, void *argument) {
   switch (function) {
-    case CMB_CALL_PARAMETERS: return cmb_model.parameters != NULL ? cmb_model.parameters(values) : CMB_RESULT_OK;
-    case CMB_CALL_INITIALIZE: return cmb_model.initialize != NULL ? cmb_model.initialize(values) : CMB_RESULT_OK;
-    case CMB_CALL_CONTINUOUS: return cmb_model.continuous != NULL ? cmb_model.continuous(values) : CMB_RESULT_OK;
-    case CMB_CALL_INDICATORS:
-      return cmb_model.indicators != NULL ? cmb_model.indicators(values, argument) : CMB_RESULT_OK;
-    case CMB_CALL_DISCRETE: return cmb_model.discrete != NULL ? cmb_model.discrete(values, argument) : CMB_RESULT_OK;
-    case CMB_CALL_JACOBIAN: return cmb_model.jacobian(values, argument);
-    case CMB_CALL_SETTLE: return cmb_model.settle(values);
+    case FMURT_CALL_PARAMETERS:
+      return fmurt_model.parameters != NULL ? fmurt_model.parameters(values) : FMURT_RESULT_OK;
+    case FMURT_CALL_INITIALIZE:
+      return fmurt_model.initialize != NULL ? fmurt_model.initialize(values) : FMURT_RESULT_OK;
+    case FMURT_CALL_CONTINUOUS:
+      return fmurt_model.continuous != NULL ? fmurt_model.continuous(values) : FMURT_RESULT_OK;
+    case FMURT_CALL_INDICATORS:
+      return fmurt_model.indicators != NULL ? fmurt_model.indicators(values, argument) : FMURT_RESULT_OK;
+    case FMURT_CALL_DISCRETE:
+      return fmurt_model.discrete != NULL ? fmurt_model.discrete(values, argument) : FMURT_RESULT_OK;
+    case FMURT_CALL_JACOBIAN: return fmurt_model.jacobian(values, argument);
+    case FMURT_CALL_SETTLE: return fmurt_model.settle(values);
   }
-  return CMB_RESULT_ERROR;
+  return FMURT_RESULT_ERROR;
 }
 
 /* Apart from the caller so that no local variable of this function changes between setjmp and longjmp. */
-static cmb_result call_in_frame(call_frame *frame, cmb_model_function function, void *argument) {
-  if (setjmp(frame->failure) != 0) return CMB_RESULT_DISCARD;
+static fmurt_result call_in_frame(call_frame *frame, fmurt_model_function function, void *argument) {
+  if (setjmp(frame->failure) != 0) return FMURT_RESULT_DISCARD;
   return dispatch(&frame->instance->values, function, argument);
 }
 
 /* Copies texts the model put into string slots. Old texts are freed last: a slot may show another one's text. */
-static cmb_result adopt_strings(cmb_instance *instance) {
-  cmb_result result = CMB_RESULT_OK;
-  for (size_t i = 0; i < cmb_model.string_count; ++i) {
+static fmurt_result adopt_strings(fmurt_instance *instance) {
+  fmurt_result result = FMURT_RESULT_OK;
+  for (size_t i = 0; i < fmurt_model.string_count; ++i) {
     if (instance->values.string[i] == instance->string[i]) continue;
     const char *text = instance->values.string[i] != NULL ? instance->values.string[i] : "";
     const size_t size = strlen(text) + 1;
     char *copy = malloc(size);
     if (copy == NULL) {
-      result = CMB_RESULT_ERROR;
+      result = FMURT_RESULT_ERROR;
       instance->values.string[i] = instance->string[i];
     } else {
       memcpy(copy, text, size);
       instance->values.string[i] = copy;
     }
   }
-  for (size_t i = 0; i < cmb_model.string_count; ++i) {
+  for (size_t i = 0; i < fmurt_model.string_count; ++i) {
     if (instance->values.string[i] == instance->string[i]) continue;
     free(instance->string[i]);
     instance->string[i] = (char *)instance->values.string[i];
@@ -69,18 +73,18 @@ static cmb_result adopt_strings(cmb_instance *instance) {
   return result;
 }
 
-cmb_result cmb_call_model(cmb_instance *instance, cmb_model_function function, void *argument) {
+fmurt_result fmurt_call_model(fmurt_instance *instance, fmurt_model_function function, void *argument) {
   call_frame frame;
   frame.instance = instance;
   frame.outer = current_frame;
   frame.allocations = NULL;
   current_frame = &frame;
   instance->message[0] = '\0';
-  cmb_result result = call_in_frame(&frame, function, argument);
+  fmurt_result result = call_in_frame(&frame, function, argument);
   current_frame = frame.outer;
-  if (cmb_model.string_count > 0) {
-    const cmb_result adopted = adopt_strings(instance);
-    if (result == CMB_RESULT_OK) result = adopted;
+  if (fmurt_model.string_count > 0) {
+    const fmurt_result adopted = adopt_strings(instance);
+    if (result == FMURT_RESULT_OK) result = adopted;
   }
   while (frame.allocations != NULL) {
     allocation *next = frame.allocations->next;
@@ -90,38 +94,40 @@ cmb_result cmb_call_model(cmb_instance *instance, cmb_model_function function, v
   return result;
 }
 
-static void keep_message(cmb_instance *instance, const char *message) {
+static void keep_message(fmurt_instance *instance, const char *message) {
   snprintf(instance->message, sizeof instance->message, "%s", message);
   const size_t length = strlen(instance->message);
   if (length > 0 && instance->message[length - 1] == '\n') instance->message[length - 1] = '\0';
 }
 
-void cmb_report_error(cmb_values *values, const char *message) { keep_message(values->host, message); }
+void fmurt_report_error(fmurt_values *values, const char *message) { keep_message(values->host, message); }
 
-void cmb_report_warning(cmb_values *values, const char *message) {
-  cmb_log(values->host, CMB_LOG_WARNING, CMB_LOG_STATUS_WARNING, "%s", message);
+void fmurt_report_warning(fmurt_values *values, const char *message) {
+  fmurt_log(values->host, FMURT_LOG_WARNING, FMURT_LOG_STATUS_WARNING, "%s", message);
 }
 
 /* -- ModelicaUtilities.h -- */
 
-static void tell(cmb_severity severity, const char *text) {
+static void tell(fmurt_severity severity, const char *text) {
   if (current_frame == NULL) {
     fprintf(stderr, "%s\n", text); /* from a thread of the external code: no instance to tell */
     return;
   }
-  cmb_log(current_frame->instance, severity, severity == CMB_LOG_WARNING ? CMB_LOG_STATUS_WARNING : CMB_LOG_ALL, "%s",
-          text);
+  fmurt_log(current_frame->instance, severity, severity == FMURT_LOG_WARNING ? FMURT_LOG_STATUS_WARNING : FMURT_LOG_ALL,
+            "%s", text);
 }
 
-static void tell_formatted(cmb_severity severity, const char *format, va_list arguments) {
+static void tell_formatted(fmurt_severity severity, const char *format, va_list arguments) {
   char text[2048];
   vsnprintf(text, sizeof text, format, arguments);
   tell(severity, text);
 }
 
-void ModelicaMessage(const char *string) { tell(CMB_LOG_DEBUG, string); }
+void ModelicaMessage(const char *string) { tell(FMURT_LOG_DEBUG, string); }
 
-void ModelicaVFormatMessage(const char *format, va_list arguments) { tell_formatted(CMB_LOG_DEBUG, format, arguments); }
+void ModelicaVFormatMessage(const char *format, va_list arguments) {
+  tell_formatted(FMURT_LOG_DEBUG, format, arguments);
+}
 
 void ModelicaFormatMessage(const char *format, ...) {
   va_list arguments;
@@ -130,10 +136,10 @@ void ModelicaFormatMessage(const char *format, ...) {
   va_end(arguments);
 }
 
-void ModelicaWarning(const char *string) { tell(CMB_LOG_WARNING, string); }
+void ModelicaWarning(const char *string) { tell(FMURT_LOG_WARNING, string); }
 
 void ModelicaVFormatWarning(const char *format, va_list arguments) {
-  tell_formatted(CMB_LOG_WARNING, format, arguments);
+  tell_formatted(FMURT_LOG_WARNING, format, arguments);
 }
 
 void ModelicaFormatWarning(const char *format, ...) {

@@ -1,15 +1,15 @@
-/* cmb_instance.c - memory and start values of an instance, and its log. */
-#include "cmb_instance.h"
-#include "cmb_delay.h"
+/* fmurt_instance.c - memory and start values of an instance, and its log. */
+#include "fmurt_instance.h"
+#include "fmurt_delay.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cmb_solver.h"
+#include "fmurt_solver.h"
 
-const char *const cmb_log_category_name[CMB_LOG_CATEGORY_COUNT] = {
+const char *const fmurt_log_category_name[FMURT_LOG_CATEGORY_COUNT] = {
     "logEvents", "logSolver", "logStatusWarning", "logStatusDiscard", "logStatusError", "logAll"};
 
 static char *duplicate(const char *text) {
@@ -32,17 +32,19 @@ static int *take_ints(int **next, size_t count) {
 }
 
 /* One block for all doubles and one for all ints; calloc of at least one element never asks for size 0. */
-static int allocate_arrays(cmb_instance *instance) {
-  const size_t reals = cmb_model.real_count, integers = cmb_model.integer_count, booleans = cmb_model.boolean_count;
-  const size_t delays = cmb_model.delay_count * CMB_DELAY_SIZE;
-  instance->double_block_count = 4 * reals + cmb_model.work_count + delays;
-  instance->int_block_count = 5 * integers + 5 * booleans + reals + cmb_model.indicator_count + cmb_model.integer_work_count;
+static int allocate_arrays(fmurt_instance *instance) {
+  const size_t reals = fmurt_model.real_count, integers = fmurt_model.integer_count,
+               booleans = fmurt_model.boolean_count;
+  const size_t delays = fmurt_model.delay_count * FMURT_DELAY_SIZE;
+  instance->double_block_count = 4 * reals + fmurt_model.work_count + delays;
+  instance->int_block_count =
+      5 * integers + 5 * booleans + reals + fmurt_model.indicator_count + fmurt_model.integer_work_count;
   instance->double_block = calloc(instance->double_block_count + 1, sizeof(double));
   instance->int_block = calloc(instance->int_block_count + 1, sizeof(int));
-  instance->string = calloc(cmb_model.string_count + 1, sizeof(char *));
-  instance->start_string = calloc(cmb_model.string_count + 1, sizeof(char *));
-  instance->values.string = calloc(cmb_model.string_count + 1, sizeof(char *));
-  instance->indicator = calloc(cmb_model.indicator_count + 1, sizeof(double));
+  instance->string = calloc(fmurt_model.string_count + 1, sizeof(char *));
+  instance->start_string = calloc(fmurt_model.string_count + 1, sizeof(char *));
+  instance->values.string = calloc(fmurt_model.string_count + 1, sizeof(char *));
+  instance->indicator = calloc(fmurt_model.indicator_count + 1, sizeof(double));
   instance->scratch = calloc(reals + 1, sizeof(double));
   if (instance->double_block == NULL || instance->int_block == NULL || instance->string == NULL ||
       instance->start_string == NULL || instance->values.string == NULL || instance->indicator == NULL ||
@@ -55,7 +57,7 @@ static int allocate_arrays(cmb_instance *instance) {
   instance->values.pre_real = take_doubles(&next_double, reals);
   instance->start_real = take_doubles(&next_double, reals);
   instance->set_real = take_doubles(&next_double, reals);
-  instance->values.work = take_doubles(&next_double, cmb_model.work_count);
+  instance->values.work = take_doubles(&next_double, fmurt_model.work_count);
   instance->values.delay = take_doubles(&next_double, delays);
 
   int *next_int = instance->int_block;
@@ -70,30 +72,30 @@ static int allocate_arrays(cmb_instance *instance) {
   instance->set_boolean = take_ints(&next_int, booleans);
   instance->boolean_is_set = take_ints(&next_int, booleans);
   instance->real_is_set = take_ints(&next_int, reals);
-  instance->values.relation = take_ints(&next_int, cmb_model.indicator_count);
-  instance->values.integer_work = take_ints(&next_int, cmb_model.integer_work_count);
+  instance->values.relation = take_ints(&next_int, fmurt_model.indicator_count);
+  instance->values.integer_work = take_ints(&next_int, fmurt_model.integer_work_count);
   return 1;
 }
 
-cmb_instance *cmb_instance_create(const char *name, cmb_kind kind, cmb_log_sink sink, void *receiver) {
-  cmb_instance *instance = calloc(1, sizeof *instance);
+fmurt_instance *fmurt_instance_create(const char *name, fmurt_kind kind, fmurt_log_sink sink, void *receiver) {
+  fmurt_instance *instance = calloc(1, sizeof *instance);
   if (instance == NULL) return NULL;
   instance->kind = kind;
   instance->sink = sink;
   instance->receiver = receiver;
   instance->values.host = instance;
   instance->name = duplicate(name);
-  if (instance->name == NULL || !allocate_arrays(instance) || cmb_instance_reset(instance) != CMB_RESULT_OK) {
-    cmb_instance_destroy(instance);
+  if (instance->name == NULL || !allocate_arrays(instance) || fmurt_instance_reset(instance) != FMURT_RESULT_OK) {
+    fmurt_instance_destroy(instance);
     return NULL;
   }
   return instance;
 }
 
-void cmb_instance_destroy(cmb_instance *instance) {
+void fmurt_instance_destroy(fmurt_instance *instance) {
   if (instance == NULL) return;
-  cmb_solver_destroy(instance->solver);
-  for (size_t i = 0; i < cmb_model.string_count; ++i) {
+  fmurt_solver_destroy(instance->solver);
+  for (size_t i = 0; i < fmurt_model.string_count; ++i) {
     if (instance->string != NULL) free(instance->string[i]);
     if (instance->start_string != NULL) free(instance->start_string[i]);
   }
@@ -116,50 +118,51 @@ static void copy_ints(int *target, const int *source, size_t count) {
   if (count > 0) memcpy(target, source, count * sizeof *target);
 }
 
-cmb_result cmb_instance_reset(cmb_instance *instance) {
-  cmb_solver_destroy(instance->solver);
+fmurt_result fmurt_instance_reset(fmurt_instance *instance) {
+  fmurt_solver_destroy(instance->solver);
   instance->solver = NULL;
   memset(instance->double_block, 0, instance->double_block_count * sizeof(double));
   memset(instance->int_block, 0, instance->int_block_count * sizeof(int));
-  copy_doubles(instance->start_real, cmb_model.real_start, cmb_model.real_count);
-  copy_ints(instance->start_integer, cmb_model.integer_start, cmb_model.integer_count);
-  copy_ints(instance->start_boolean, cmb_model.boolean_start, cmb_model.boolean_count);
-  copy_doubles(instance->values.real, instance->start_real, cmb_model.real_count);
-  copy_ints(instance->values.integer, instance->start_integer, cmb_model.integer_count);
-  copy_ints(instance->values.boolean, instance->start_boolean, cmb_model.boolean_count);
-  for (size_t i = 0; i < cmb_model.string_count; ++i) {
-    const char *start = cmb_model.string_start[i] != NULL ? cmb_model.string_start[i] : "";
+  copy_doubles(instance->start_real, fmurt_model.real_start, fmurt_model.real_count);
+  copy_ints(instance->start_integer, fmurt_model.integer_start, fmurt_model.integer_count);
+  copy_ints(instance->start_boolean, fmurt_model.boolean_start, fmurt_model.boolean_count);
+  copy_doubles(instance->values.real, instance->start_real, fmurt_model.real_count);
+  copy_ints(instance->values.integer, instance->start_integer, fmurt_model.integer_count);
+  copy_ints(instance->values.boolean, instance->start_boolean, fmurt_model.boolean_count);
+  for (size_t i = 0; i < fmurt_model.string_count; ++i) {
+    const char *start = fmurt_model.string_start[i] != NULL ? fmurt_model.string_start[i] : "";
     char *copy = duplicate(start);
-    if (copy == NULL || cmb_set_string(instance, i, start) != CMB_RESULT_OK) {
+    if (copy == NULL || fmurt_set_string(instance, i, start) != FMURT_RESULT_OK) {
       free(copy);
-      return CMB_RESULT_ERROR;
+      return FMURT_RESULT_ERROR;
     }
     free(instance->start_string[i]);
     instance->start_string[i] = copy;
   }
 
   memset(&instance->situation, 0, sizeof instance->situation);
-  instance->situation.phase = CMB_PHASE_INSTANTIATED;
+  instance->situation.phase = FMURT_PHASE_INSTANTIATED;
   instance->situation.parameters_stale = 1;
   instance->situation.initialization_stale = 1;
   instance->situation.continuous_stale = 1;
-  instance->situation.settings.start_time = cmb_interface_tables.start_time;
+  instance->situation.settings.start_time = fmurt_interface_tables.start_time;
   instance->situation.settings.stop_time = HUGE_VAL;
-  instance->situation.solver_real[CMB_SOLVER_RELATIVE_TOLERANCE] = cmb_interface_tables.relative_tolerance;
-  instance->situation.solver_real[CMB_SOLVER_ABSOLUTE_TOLERANCE] = cmb_interface_tables.absolute_tolerance;
-  instance->situation.solver_real[CMB_SOLVER_MAXIMUM_STEP] = cmb_interface_tables.maximum_step;
-  instance->situation.solver_integer[CMB_SOLVER_MAXIMUM_STEPS] = cmb_interface_tables.maximum_steps;
+  instance->situation.solver_real[FMURT_SOLVER_RELATIVE_TOLERANCE] = fmurt_interface_tables.relative_tolerance;
+  instance->situation.solver_real[FMURT_SOLVER_ABSOLUTE_TOLERANCE] = fmurt_interface_tables.absolute_tolerance;
+  instance->situation.solver_real[FMURT_SOLVER_MAXIMUM_STEP] = fmurt_interface_tables.maximum_step;
+  instance->situation.solver_integer[FMURT_SOLVER_MAXIMUM_STEPS] = fmurt_interface_tables.maximum_steps;
   instance->values.time = instance->situation.settings.start_time;
   instance->values.next_time_event = HUGE_VAL;
   instance->values.initial = 0;
   instance->values.terminal = 0;
   instance->values.terminate = 0;
   instance->message[0] = '\0';
-  return CMB_RESULT_OK;
+  return FMURT_RESULT_OK;
 }
 
-void cmb_log(cmb_instance *instance, cmb_severity severity, cmb_log_category category, const char *format, ...) {
-  if (severity == CMB_LOG_DEBUG && !instance->logged[category] && !instance->logged[CMB_LOG_ALL]) return;
+void fmurt_log(fmurt_instance *instance, fmurt_severity severity, fmurt_log_category category, const char *format,
+               ...) {
+  if (severity == FMURT_LOG_DEBUG && !instance->logged[category] && !instance->logged[FMURT_LOG_ALL]) return;
   if (instance->sink == NULL) return;
   char message[2048];
   va_list arguments;
@@ -169,20 +172,20 @@ void cmb_log(cmb_instance *instance, cmb_severity severity, cmb_log_category cat
   instance->sink(instance->receiver, instance->name, severity, category, message);
 }
 
-const char *cmb_slot_name(const cmb_slot_table *table, size_t slot) {
+const char *fmurt_slot_name(const fmurt_slot_table *table, size_t slot) {
   return slot < table->count && table->name != NULL && table->name[slot] != NULL ? table->name[slot] : "?";
 }
 
-cmb_result cmb_set_string(cmb_instance *instance, size_t slot, const char *text) {
+fmurt_result fmurt_set_string(fmurt_instance *instance, size_t slot, const char *text) {
   char *copy = duplicate(text);
-  if (copy == NULL) return CMB_RESULT_ERROR;
+  if (copy == NULL) return FMURT_RESULT_ERROR;
   free(instance->string[slot]);
   instance->string[slot] = copy;
   instance->values.string[slot] = copy;
-  return CMB_RESULT_OK;
+  return FMURT_RESULT_OK;
 }
 
-void cmb_invalidate(cmb_instance *instance, int parameter_changed) {
+void fmurt_invalidate(fmurt_instance *instance, int parameter_changed) {
   if (parameter_changed) instance->situation.parameters_stale = 1;
   instance->situation.initialization_stale = 1;
   instance->situation.continuous_stale = 1;

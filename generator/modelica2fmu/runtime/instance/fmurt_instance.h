@@ -1,88 +1,89 @@
-/* cmb_instance.h - one instance of the model: its values, its phase, its log. Independent of the FMI version.
+/* fmurt_instance.h - one instance of the model: its values, its phase, its log. Independent of the FMI version.
  *
  * An instance belongs to its caller. No function keeps anything outside the instance, so different
  * instances may be used by different threads at the same time; one instance by one thread at a time.
  * Instance arguments are never NULL unless said. */
-#ifndef CMB_INSTANCE_H
-#define CMB_INSTANCE_H
+#ifndef FMURT_INSTANCE_H
+#define FMURT_INSTANCE_H
 
 #include <stdarg.h>
 #include <stddef.h>
 
-#include "cmb_interface.h"
-#include "cmb_model.h"
+#include "fmurt_interface.h"
+#include "fmurt_model.h"
 
 /* Phases of the FMI state machines, one bit each so that a function's permitted phases are a mask. */
-typedef enum cmb_phase {
-  CMB_PHASE_INSTANTIATED = 1,
-  CMB_PHASE_INITIALIZATION = 2,
-  CMB_PHASE_EVENT = 4,       /* event mode */
-  CMB_PHASE_CONTINUOUS = 8,  /* continuous-time mode */
-  CMB_PHASE_STEP = 16,       /* co-simulation between two steps */
-  CMB_PHASE_STEP_FAILED = 32,/* co-simulation after a discarded step */
-  CMB_PHASE_TERMINATED = 64,
-  CMB_PHASE_ERROR = 128
-} cmb_phase;
+typedef enum fmurt_phase {
+  FMURT_PHASE_INSTANTIATED = 1,
+  FMURT_PHASE_INITIALIZATION = 2,
+  FMURT_PHASE_EVENT = 4,        /* event mode */
+  FMURT_PHASE_CONTINUOUS = 8,   /* continuous-time mode */
+  FMURT_PHASE_STEP = 16,        /* co-simulation between two steps */
+  FMURT_PHASE_STEP_FAILED = 32, /* co-simulation after a discarded step */
+  FMURT_PHASE_TERMINATED = 64,
+  FMURT_PHASE_ERROR = 128
+} fmurt_phase;
 
 /* What an instance is for; each has phases of its own. */
-typedef enum cmb_kind {
-  CMB_KIND_MODEL_EXCHANGE,
-  CMB_KIND_CO_SIMULATION,            /* events inside the steps */
-  CMB_KIND_CO_SIMULATION_WITH_EVENTS /* events in event mode */
-} cmb_kind;
+typedef enum fmurt_kind {
+  FMURT_KIND_MODEL_EXCHANGE,
+  FMURT_KIND_CO_SIMULATION,            /* events inside the steps */
+  FMURT_KIND_CO_SIMULATION_WITH_EVENTS /* events in event mode */
+} fmurt_kind;
 
-typedef enum cmb_severity { CMB_LOG_DEBUG, CMB_LOG_WARNING, CMB_LOG_DISCARD, CMB_LOG_ERROR } cmb_severity;
+typedef enum fmurt_severity { FMURT_LOG_DEBUG, FMURT_LOG_WARNING, FMURT_LOG_DISCARD, FMURT_LOG_ERROR } fmurt_severity;
 
-/* Log categories, in the order of cmb_log_category_name. */
-typedef enum cmb_log_category {
-  CMB_LOG_EVENTS,
-  CMB_LOG_SOLVER,
-  CMB_LOG_STATUS_WARNING,
-  CMB_LOG_STATUS_DISCARD,
-  CMB_LOG_STATUS_ERROR,
-  CMB_LOG_ALL,
-  CMB_LOG_CATEGORY_COUNT
-} cmb_log_category;
+/* Log categories, in the order of fmurt_log_category_name. */
+typedef enum fmurt_log_category {
+  FMURT_LOG_EVENTS,
+  FMURT_LOG_SOLVER,
+  FMURT_LOG_STATUS_WARNING,
+  FMURT_LOG_STATUS_DISCARD,
+  FMURT_LOG_STATUS_ERROR,
+  FMURT_LOG_ALL,
+  FMURT_LOG_CATEGORY_COUNT
+} fmurt_log_category;
 
-extern const char *const cmb_log_category_name[CMB_LOG_CATEGORY_COUNT];
+extern const char *const fmurt_log_category_name[FMURT_LOG_CATEGORY_COUNT];
 
 /* Where messages go; the FMI layer provides it. message is valid during the call only. */
-typedef void (*cmb_log_sink)(void *receiver, const char *instance_name, cmb_severity severity,
-                             cmb_log_category category, const char *message);
+typedef void (*fmurt_log_sink)(void *receiver, const char *instance_name, fmurt_severity severity,
+                               fmurt_log_category category, const char *message);
 
-typedef struct cmb_settings {
+typedef struct fmurt_settings {
   double start_time, stop_time; /* stop_time is HUGE_VAL if none was given */
   double tolerance;             /* of the importer; 0 if none was given */
-} cmb_settings;
+} fmurt_settings;
 
 /* The part of an instance's state that is neither a value of the model nor of the solver. */
-typedef struct cmb_situation {
-  int kind;                  /* cmb_kind */
-  int phase;                 /* cmb_phase */
-  int parameters_stale;      /* a parameter was set since cmb_model.parameters ran */
-  int initialization_stale;  /* something was set since cmb_model.initialize ran */
-  int continuous_stale;      /* something was set since cmb_model.continuous ran */
-  int event_pending;         /* co-simulation: an input or parameter was set, events must be looked for */
-  int terminate_requested;   /* the model called terminate() */
-  int initial, terminal;     /* as in cmb_values */
+typedef struct fmurt_situation {
+  int kind;                 /* fmurt_kind */
+  int phase;                /* fmurt_phase */
+  int parameters_stale;     /* a parameter was set since fmurt_model.parameters ran */
+  int initialization_stale; /* something was set since fmurt_model.initialize ran */
+  int continuous_stale;     /* something was set since fmurt_model.continuous ran */
+  int event_pending;        /* co-simulation: an input or parameter was set, events must be looked for */
+  int terminate_requested;  /* the model called terminate() */
+  int initial, terminal;    /* as in fmurt_values */
   double time, next_time_event;
-  cmb_settings settings;
-  double solver_real[CMB_SOLVER_REAL_COUNT];
-  int solver_integer[CMB_SOLVER_INTEGER_COUNT];
-} cmb_situation;
+  fmurt_settings settings;
+  double solver_real[FMURT_SOLVER_REAL_COUNT];
+  int solver_integer[FMURT_SOLVER_INTEGER_COUNT];
+} fmurt_situation;
 
-typedef struct cmb_solver cmb_solver;
+typedef struct fmurt_solver fmurt_solver;
 
-typedef struct cmb_instance {
+typedef struct fmurt_instance {
   char *name;
-  cmb_values values;
-  cmb_kind kind;
-  cmb_situation situation; /* its kind, time, next_time_event, initial and terminal are filled by cmb_state.c only */
+  fmurt_values values;
+  fmurt_kind kind;
+  fmurt_situation
+      situation; /* its kind, time, next_time_event, initial and terminal are filled by fmurt_state.c only */
 
   /* Start values: what the model's tables say, overwritten by what is set before initialization ends. */
   double *start_real;
   int *start_integer, *start_boolean;
-  /* Set values of slots that cmb_model.parameters may also write, and which of them are set. */
+  /* Set values of slots that fmurt_model.parameters may also write, and which of them are set. */
   double *set_real;
   int *set_integer, *set_boolean;
   int *real_is_set, *integer_is_set, *boolean_is_set;
@@ -95,34 +96,34 @@ typedef struct cmb_instance {
   char **string;       /* [string_count] owned text behind values.string */
   char **start_string; /* [string_count] owned */
 
-  double *indicator; /* [indicator_count] scratch */
-  double *scratch;   /* [real_count] scratch for values that `parameters` must not change */
-  cmb_solver *solver; /* co-simulation; NULL until the first step */
+  double *indicator;    /* [indicator_count] scratch */
+  double *scratch;      /* [real_count] scratch for values that `parameters` must not change */
+  fmurt_solver *solver; /* co-simulation; NULL until the first step */
 
-  cmb_log_sink sink;
+  fmurt_log_sink sink;
   void *receiver;
-  int logged[CMB_LOG_CATEGORY_COUNT];
+  int logged[FMURT_LOG_CATEGORY_COUNT];
   char message[1024]; /* cause of the model's last failure, empty if none */
-} cmb_instance;
+} fmurt_instance;
 
 /* Makes an instance with start values; NULL if memory is short. name is copied. */
-cmb_instance *cmb_instance_create(const char *name, cmb_kind kind, cmb_log_sink sink, void *receiver);
+fmurt_instance *fmurt_instance_create(const char *name, fmurt_kind kind, fmurt_log_sink sink, void *receiver);
 /* Frees an instance and all it owns; instance may be NULL. */
-void cmb_instance_destroy(cmb_instance *instance);
-/* Back to the state after cmb_instance_create; log settings stay. CMB_RESULT_ERROR if memory is short. */
-cmb_result cmb_instance_reset(cmb_instance *instance);
+void fmurt_instance_destroy(fmurt_instance *instance);
+/* Back to the state after fmurt_instance_create; log settings stay. FMURT_RESULT_ERROR if memory is short. */
+fmurt_result fmurt_instance_reset(fmurt_instance *instance);
 
 /* Logs a message (printf format); debug messages only if their category is on. */
-void cmb_log(cmb_instance *instance, cmb_severity severity, cmb_log_category category, const char *format, ...)
+void fmurt_log(fmurt_instance *instance, fmurt_severity severity, fmurt_log_category category, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
 /* Name of the variable at a slot, or "?"; static storage. */
-const char *cmb_slot_name(const cmb_slot_table *table, size_t slot);
+const char *fmurt_slot_name(const fmurt_slot_table *table, size_t slot);
 
-/* Sets string slot `slot` to a copy of text. CMB_RESULT_ERROR if memory is short. */
-cmb_result cmb_set_string(cmb_instance *instance, size_t slot, const char *text);
+/* Sets string slot `slot` to a copy of text. FMURT_RESULT_ERROR if memory is short. */
+fmurt_result fmurt_set_string(fmurt_instance *instance, size_t slot, const char *text);
 
 /* Declares everything that depends on set values out of date. */
-void cmb_invalidate(cmb_instance *instance, int parameter_changed);
+void fmurt_invalidate(fmurt_instance *instance, int parameter_changed);
 
 #endif

@@ -1,5 +1,5 @@
-/* cmb_solver.c - see cmb_solver.h. */
-#include "cmb_solver.h"
+/* fmurt_solver.c - see fmurt_solver.h. */
+#include "fmurt_solver.h"
 
 #include <cvode/cvode.h>
 #include <float.h>
@@ -11,17 +11,17 @@
 #include <sunlinsol/sunlinsol_spgmr.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
-#include "cmb_call.h"
-#include "cmb_dense.h"
-#include "cmb_evaluate.h"
-#include "cmb_event.h"
-#include "cmb_vector.h"
+#include "fmurt_call.h"
+#include "fmurt_dense.h"
+#include "fmurt_evaluate.h"
+#include "fmurt_event.h"
+#include "fmurt_vector.h"
 
 enum { MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
 
-/* From so many states on, Newton's linear systems are solved by GMRES with products of Jacobian and vector, each of which
- * costs one evaluation: a dense Jacobian costs as many as there are states, and its factors the cube of that. Scenes of
- * many bodies are so large; each body feels a few others, and few iterations do. */
+/* From so many states on, Newton's linear systems are solved by GMRES with products of Jacobian and vector, each of
+ * which costs one evaluation: a dense Jacobian costs as many as there are states, and its factors the cube of that.
+ * Scenes of many bodies are so large; each body feels a few others, and few iterations do. */
 enum { KRYLOV_STATES = 500 };
 
 /* How far Newton's iteration goes, as a share of what the error test permits: CVODE's own share, and the one for where
@@ -33,8 +33,8 @@ static const double usual_newton_share = 0.1, careful_newton_share = 0.01;
 enum { STEPS_WATCHED = 200 };
 static const double creeping_share = 0.1;
 
-struct cmb_solver {
-  cmb_instance *instance;
+struct fmurt_solver {
+  fmurt_instance *instance;
   SUNContext context;
   void *memory;
   N_Vector state, tolerance;
@@ -43,44 +43,44 @@ struct cmb_solver {
   double *entry; /* [state_count] states at the start of an advance */
   size_t state_count;
   int initialized, restart;
-  cmb_result cause; /* of the last failed evaluation */
-  long counted[CMB_SOLVER_INTEGER_COUNT];
-  long steps_left; /* that are still allowed */
+  fmurt_result cause; /* of the last failed evaluation */
+  long counted[FMURT_SOLVER_INTEGER_COUNT];
+  long steps_left;           /* that are still allowed */
   long quotient_evaluations; /* of the right-hand side, since the last count */
 };
 
 /* Models without states are integrated with one constant state, so that indicators of time are watched. */
-static size_t vector_size(const cmb_solver *solver) { return solver->state_count > 0 ? solver->state_count : 1; }
+static size_t vector_size(const fmurt_solver *solver) { return solver->state_count > 0 ? solver->state_count : 1; }
 
 static void log_solver_error(int code, const char *module, const char *function, char *message, void *data) {
   if (code == CV_TOO_MUCH_WORK) return; /* advance_watched calls again, or the step is given up with a message */
-  cmb_log(data, CMB_LOG_DEBUG, CMB_LOG_SOLVER, "%s, %s (%d): %s", module, function, code, message);
+  fmurt_log(data, FMURT_LOG_DEBUG, FMURT_LOG_SOLVER, "%s, %s (%d): %s", module, function, code, message);
 }
 
-static int to_cvode(cmb_solver *solver, cmb_result result) {
-  if (result != CMB_RESULT_OK) {
+static int to_cvode(fmurt_solver *solver, fmurt_result result) {
+  if (result != FMURT_RESULT_OK) {
     solver->cause = result;
-    cmb_log(solver->instance, CMB_LOG_DEBUG, CMB_LOG_SOLVER, "%s", solver->instance->message);
+    fmurt_log(solver->instance, FMURT_LOG_DEBUG, FMURT_LOG_SOLVER, "%s", solver->instance->message);
   }
-  return result == CMB_RESULT_OK ? 0 : result == CMB_RESULT_DISCARD ? 1 : -1;
+  return result == FMURT_RESULT_OK ? 0 : result == FMURT_RESULT_DISCARD ? 1 : -1;
 }
 
 static int right_hand_side(realtype time, N_Vector state, N_Vector derivative, void *data) {
-  cmb_solver *solver = data;
-  cmb_instance *instance = solver->instance;
+  fmurt_solver *solver = data;
+  fmurt_instance *instance = solver->instance;
   double *derivatives = NV_DATA_S(derivative);
-  cmb_set_point(instance, time, NV_DATA_S(state));
-  const cmb_result result = cmb_update_continuous(instance);
-  if (result != CMB_RESULT_OK) return to_cvode(solver, result);
+  fmurt_set_point(instance, time, NV_DATA_S(state));
+  const fmurt_result result = fmurt_update_continuous(instance);
+  if (result != FMURT_RESULT_OK) return to_cvode(solver, result);
   if (solver->state_count == 0) derivatives[0] = 0.0;
-  for (size_t i = 0; i < solver->state_count; ++i) derivatives[i] = instance->values.real[cmb_model.derivative[i]];
+  for (size_t i = 0; i < solver->state_count; ++i) derivatives[i] = instance->values.real[fmurt_model.derivative[i]];
   return 0;
 }
 
 static int roots(realtype time, N_Vector state, realtype *indicator, void *data) {
-  cmb_solver *solver = data;
-  cmb_set_point(solver->instance, time, NV_DATA_S(state));
-  return to_cvode(solver, cmb_event_indicators(solver->instance, indicator));
+  fmurt_solver *solver = data;
+  fmurt_set_point(solver->instance, time, NV_DATA_S(state));
+  return to_cvode(solver, fmurt_event_indicators(solver->instance, indicator));
 }
 
 /* Difference quotients with increments by the states' values or nominal values, whichever is larger. CVODE's own shrink
@@ -88,12 +88,12 @@ static int roots(realtype time, N_Vector state, realtype *indicator, void *data)
  * good part of the quotients, and wrong Jacobians let Newton accept points beside the fast modes' equilibrium. */
 static int difference_quotients(realtype time, N_Vector state, N_Vector derivative, SUNMatrix matrix, void *data,
                                 N_Vector first, N_Vector second, N_Vector third) {
-  cmb_solver *solver = data;
+  fmurt_solver *solver = data;
   (void)second, (void)third;
   double *x = NV_DATA_S(state), *moved = NV_DATA_S(first);
   const double *here = NV_DATA_S(derivative);
   for (size_t k = 0; k < solver->state_count; ++k) {
-    const double kept = x[k], nominal = cmb_model.state_nominal[k];
+    const double kept = x[k], nominal = fmurt_model.state_nominal[k];
     x[k] += sqrt(DBL_EPSILON) * fmax(fabs(kept), nominal > 0.0 ? nominal : 1.0);
     const double step = x[k] - kept;
     const int flag = right_hand_side(time, state, first, data);
@@ -117,23 +117,23 @@ static int all_finite(const double *numbers, size_t count) {
  * zero, a call that fails beside the point), difference quotients. */
 static int jacobian(realtype time, N_Vector state, N_Vector derivative, SUNMatrix matrix, void *data, N_Vector first,
                     N_Vector second, N_Vector third) {
-  cmb_solver *solver = data;
-  cmb_set_point(solver->instance, time, NV_DATA_S(state));
-  cmb_result result = cmb_update_continuous(solver->instance);
-  if (result != CMB_RESULT_OK) return to_cvode(solver, result);
-  result = cmb_call_model(solver->instance, CMB_CALL_JACOBIAN, SUNDenseMatrix_Data(matrix));
-  if (result == CMB_RESULT_ERROR) return to_cvode(solver, result);
-  if (result == CMB_RESULT_OK && all_finite(SUNDenseMatrix_Data(matrix), solver->state_count * solver->state_count)) {
+  fmurt_solver *solver = data;
+  fmurt_set_point(solver->instance, time, NV_DATA_S(state));
+  fmurt_result result = fmurt_update_continuous(solver->instance);
+  if (result != FMURT_RESULT_OK) return to_cvode(solver, result);
+  result = fmurt_call_model(solver->instance, FMURT_CALL_JACOBIAN, SUNDenseMatrix_Data(matrix));
+  if (result == FMURT_RESULT_ERROR) return to_cvode(solver, result);
+  if (result == FMURT_RESULT_OK && all_finite(SUNDenseMatrix_Data(matrix), solver->state_count * solver->state_count)) {
     return 0;
   }
   return difference_quotients(time, state, derivative, matrix, data, first, second, third);
 }
 
-cmb_solver *cmb_solver_create(cmb_instance *instance) {
-  cmb_solver *solver = calloc(1, sizeof *solver);
+fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
+  fmurt_solver *solver = calloc(1, sizeof *solver);
   if (solver == NULL) return NULL;
   solver->instance = instance;
-  solver->state_count = cmb_model.state_count;
+  solver->state_count = fmurt_model.state_count;
   solver->restart = 1;
   const sunindextype size = (sunindextype)vector_size(solver);
   if (SUNContext_Create(NULL, &solver->context) != 0) {
@@ -145,27 +145,27 @@ cmb_solver *cmb_solver_create(cmb_instance *instance) {
   solver->tolerance = N_VNew_Serial(size, solver->context);
   solver->memory = CVodeCreate(CV_BDF, solver->context);
   if (solver->state != NULL) {
-    cmb_speed_up_vector(solver->state);
+    fmurt_speed_up_vector(solver->state);
     N_VConst(0.0, solver->state);
   }
   if (solver->state_count < KRYLOV_STATES) {
     solver->matrix = SUNDenseMatrix(size, size, solver->context);
     if (solver->matrix != NULL) {
-      cmb_speed_up_matrix(solver->matrix);
-      solver->linear = cmb_dense_create(size, solver->context);
+      fmurt_speed_up_matrix(solver->matrix);
+      solver->linear = fmurt_dense_create(size, solver->context);
     }
   } else if (solver->state != NULL) {
     solver->linear = SUNLinSol_SPGMR(solver->state, SUN_PREC_NONE, 0, solver->context);
   }
-  if (solver->entry == NULL || solver->state == NULL || solver->tolerance == NULL || solver->memory == NULL || solver->linear == NULL ||
-      CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
-    cmb_solver_destroy(solver);
+  if (solver->entry == NULL || solver->state == NULL || solver->tolerance == NULL || solver->memory == NULL ||
+      solver->linear == NULL || CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
+    fmurt_solver_destroy(solver);
     return NULL;
   }
   return solver;
 }
 
-void cmb_solver_destroy(cmb_solver *solver) {
+void fmurt_solver_destroy(fmurt_solver *solver) {
   if (solver == NULL) return;
   if (solver->memory != NULL) CVodeFree(&solver->memory);
   if (solver->linear != NULL) SUNLinSolFree(solver->linear);
@@ -177,18 +177,18 @@ void cmb_solver_destroy(cmb_solver *solver) {
   free(solver);
 }
 
-void cmb_solver_restart(cmb_solver *solver) {
+void fmurt_solver_restart(fmurt_solver *solver) {
   if (solver != NULL) solver->restart = 1;
 }
 
-static void load_point(cmb_solver *solver) {
+static void load_point(fmurt_solver *solver) {
   double *state = NV_DATA_S(solver->state);
-  for (size_t i = 0; i < solver->state_count; ++i) state[i] = solver->instance->values.real[cmb_model.state[i]];
+  for (size_t i = 0; i < solver->state_count; ++i) state[i] = solver->instance->values.real[fmurt_model.state[i]];
 }
 
-static double relative_tolerance(const cmb_situation *situation) {
+static double relative_tolerance(const fmurt_situation *situation) {
   if (situation->settings.tolerance > 0.0) return situation->settings.tolerance;
-  return situation->solver_real[CMB_SOLVER_RELATIVE_TOLERANCE];
+  return situation->solver_real[FMURT_SOLVER_RELATIVE_TOLERANCE];
 }
 
 /* The absolute tolerance, divided by a state's nominal value, where the importer gives none. Positions have the nominal
@@ -197,38 +197,38 @@ static double relative_tolerance(const cmb_situation *situation) {
  * the contact, keep Newton from converging (tried on stacks and on a box that lands on its edge). */
 static double default_absolute(double relative) { return fmin(relative, fmax(1e-3 * relative, 1e-9)); }
 
-static int set_tolerances(cmb_solver *solver) {
-  const cmb_situation *situation = &solver->instance->situation;
+static int set_tolerances(fmurt_solver *solver) {
+  const fmurt_situation *situation = &solver->instance->situation;
   const double relative = relative_tolerance(situation);
-  const double option = situation->solver_real[CMB_SOLVER_ABSOLUTE_TOLERANCE];
+  const double option = situation->solver_real[FMURT_SOLVER_ABSOLUTE_TOLERANCE];
   const double absolute = option > 0.0 ? option : default_absolute(relative);
   double *tolerance = NV_DATA_S(solver->tolerance);
   if (solver->state_count == 0) tolerance[0] = 1.0;
   for (size_t i = 0; i < solver->state_count; ++i) {
-    const double nominal = cmb_model.state_nominal[i];
+    const double nominal = fmurt_model.state_nominal[i];
     tolerance[i] = absolute * (nominal > 0.0 ? nominal : 1.0);
   }
   return CVodeSVtolerances(solver->memory, relative, solver->tolerance);
 }
 
-static int first_start(cmb_solver *solver) {
+static int first_start(fmurt_solver *solver) {
   int flag = CVodeInit(solver->memory, right_hand_side, solver->instance->values.time, solver->state);
   if (flag == CV_SUCCESS) flag = set_tolerances(solver);
   if (flag == CV_SUCCESS) flag = CVodeSetUserData(solver->memory, solver);
   if (flag == CV_SUCCESS) flag = CVodeSetLinearSolver(solver->memory, solver->linear, solver->matrix);
   if (flag == CV_SUCCESS && solver->state_count > 0 && solver->matrix != NULL) {
-    flag = CVodeSetJacFn(solver->memory, cmb_model.jacobian != NULL ? jacobian : difference_quotients);
+    flag = CVodeSetJacFn(solver->memory, fmurt_model.jacobian != NULL ? jacobian : difference_quotients);
   }
   if (flag == CV_SUCCESS) flag = CVodeSetMaxHnilWarns(solver->memory, -1);
-  if (flag == CV_SUCCESS && cmb_model.indicator_count > 0) {
-    flag = CVodeRootInit(solver->memory, (int)cmb_model.indicator_count, roots);
+  if (flag == CV_SUCCESS && fmurt_model.indicator_count > 0) {
+    flag = CVodeRootInit(solver->memory, (int)fmurt_model.indicator_count, roots);
     if (flag == CV_SUCCESS) flag = CVodeSetNoInactiveRootWarn(solver->memory);
   }
   solver->initialized = flag == CV_SUCCESS;
   return flag;
 }
 
-static int start(cmb_solver *solver) {
+static int start(fmurt_solver *solver) {
   load_point(solver);
   int flag = CV_SUCCESS;
   if (!solver->initialized) {
@@ -244,35 +244,37 @@ static int start(cmb_solver *solver) {
 }
 
 /* Adds what CVODE did since the last call to the instance's counters. */
-static void count(cmb_solver *solver) {
-  long now[CMB_SOLVER_INTEGER_COUNT] = {0};
-  CVodeGetNumSteps(solver->memory, &now[CMB_SOLVER_STEPS]);
-  CVodeGetNumRhsEvals(solver->memory, &now[CMB_SOLVER_EVALUATIONS]);
-  CVodeGetNumJacEvals(solver->memory, &now[CMB_SOLVER_JACOBIANS]);
-  CVodeGetNumErrTestFails(solver->memory, &now[CMB_SOLVER_ERROR_TEST_FAILURES]);
-  CVodeGetNumNonlinSolvConvFails(solver->memory, &now[CMB_SOLVER_CONVERGENCE_FAILURES]);
+static void count(fmurt_solver *solver) {
+  long now[FMURT_SOLVER_INTEGER_COUNT] = {0};
+  CVodeGetNumSteps(solver->memory, &now[FMURT_SOLVER_STEPS]);
+  CVodeGetNumRhsEvals(solver->memory, &now[FMURT_SOLVER_EVALUATIONS]);
+  CVodeGetNumJacEvals(solver->memory, &now[FMURT_SOLVER_JACOBIANS]);
+  CVodeGetNumErrTestFails(solver->memory, &now[FMURT_SOLVER_ERROR_TEST_FAILURES]);
+  CVodeGetNumNonlinSolvConvFails(solver->memory, &now[FMURT_SOLVER_CONVERGENCE_FAILURES]);
   long products = 0; /* of Jacobian and vector, by GMRES */
-  if (CVodeGetNumLinRhsEvals(solver->memory, &products) == CV_SUCCESS) now[CMB_SOLVER_EVALUATIONS] += products;
-  solver->steps_left -= now[CMB_SOLVER_STEPS] - solver->counted[CMB_SOLVER_STEPS];
-  for (int i = 0; i < CMB_SOLVER_INTEGER_COUNT; ++i) {
+  if (CVodeGetNumLinRhsEvals(solver->memory, &products) == CV_SUCCESS) now[FMURT_SOLVER_EVALUATIONS] += products;
+  solver->steps_left -= now[FMURT_SOLVER_STEPS] - solver->counted[FMURT_SOLVER_STEPS];
+  for (int i = 0; i < FMURT_SOLVER_INTEGER_COUNT; ++i) {
     solver->instance->situation.solver_integer[i] += (int)(now[i] - solver->counted[i]);
     solver->counted[i] = now[i];
   }
-  solver->instance->situation.solver_integer[CMB_SOLVER_EVALUATIONS] += (int)solver->quotient_evaluations;
+  solver->instance->situation.solver_integer[FMURT_SOLVER_EVALUATIONS] += (int)solver->quotient_evaluations;
   solver->quotient_evaluations = 0;
 }
 
-static cmb_result explain(cmb_solver *solver, int flag, double time, const char *cause) {
-  cmb_instance *instance = solver->instance;
-  const cmb_result result = flag == CV_RHSFUNC_FAIL || (flag == CV_RTFUNC_FAIL && solver->cause == CMB_RESULT_ERROR) ||
-                                    flag == CV_MEM_FAIL || flag == CV_ILL_INPUT
-                                ? CMB_RESULT_ERROR
-                                : CMB_RESULT_DISCARD;
+static fmurt_result explain(fmurt_solver *solver, int flag, double time, const char *cause) {
+  fmurt_instance *instance = solver->instance;
+  const fmurt_result result = flag == CV_RHSFUNC_FAIL ||
+                                      (flag == CV_RTFUNC_FAIL && solver->cause == FMURT_RESULT_ERROR) ||
+                                      flag == CV_MEM_FAIL || flag == CV_ILL_INPUT
+                                  ? FMURT_RESULT_ERROR
+                                  : FMURT_RESULT_DISCARD;
   if (flag == CV_TOO_MUCH_WORK) {
-    snprintf(instance->message, sizeof instance->message,
-             "The integrator gives up at time %.15g: it needs more than %d steps in one communication step. If the model "
-             "is right, raise cmbSolver.maximumSteps or take shorter communication steps",
-             time, instance->situation.solver_integer[CMB_SOLVER_MAXIMUM_STEPS]);
+    snprintf(
+        instance->message, sizeof instance->message,
+        "The integrator gives up at time %.15g: it needs more than %d steps in one communication step. If the model "
+        "is right, raise cmbSolver.maximumSteps or take shorter communication steps",
+        time, instance->situation.solver_integer[FMURT_SOLVER_MAXIMUM_STEPS]);
     return result;
   }
   char *name = CVodeGetReturnFlagName(flag);
@@ -285,7 +287,7 @@ static cmb_result explain(cmb_solver *solver, int flag, double time, const char 
 /* After a failure: moves the instance to the latest point of CVODE's last successful step at which the model can be
  * evaluated. The accepted solution need not be one, since Newton's last correction is not evaluated again. Without one,
  * to the point where the advance began. Returns the time. */
-static double move_to_last_good_point(cmb_solver *solver, double begin) {
+static double move_to_last_good_point(fmurt_solver *solver, double begin) {
   static const double share_back[] = {0.0, 0.125, 0.5, 1.0};
   double last_time = 0.0, last_step = 0.0;
   if (CVodeGetCurrentTime(solver->memory, &last_time) == CV_SUCCESS &&
@@ -293,24 +295,25 @@ static double move_to_last_good_point(cmb_solver *solver, double begin) {
     for (size_t i = 0; i < sizeof share_back / sizeof share_back[0]; ++i) {
       const double time = last_time - share_back[i] * last_step;
       if (!(time > begin) || CVodeGetDky(solver->memory, time, 0, solver->state) != CV_SUCCESS) break;
-      cmb_set_point(solver->instance, time, NV_DATA_S(solver->state));
-      if (cmb_update_continuous(solver->instance) == CMB_RESULT_OK) return time;
+      fmurt_set_point(solver->instance, time, NV_DATA_S(solver->state));
+      if (fmurt_update_continuous(solver->instance) == FMURT_RESULT_OK) return time;
     }
   }
-  cmb_set_point(solver->instance, begin, solver->entry);
+  fmurt_set_point(solver->instance, begin, solver->entry);
   return begin;
 }
 
 /* Without states and indicators there is nothing to integrate or to watch. */
-static cmb_result jump(cmb_solver *solver, double target) {
-  cmb_set_point(solver->instance, target, NULL);
-  return CMB_RESULT_OK;
+static fmurt_result jump(fmurt_solver *solver, double target) {
+  fmurt_set_point(solver->instance, target, NULL);
+  return FMURT_RESULT_OK;
 }
 
 /* 1 if all of the last STEPS_WATCHED steps, since `begin`, were as short as each other. */
-static int creeps(cmb_solver *solver, double begin, double largest_step) {
+static int creeps(fmurt_solver *solver, double begin, double largest_step) {
   double time = 0.0, step = 0.0;
-  if (CVodeGetCurrentTime(solver->memory, &time) != CV_SUCCESS || CVodeGetLastStep(solver->memory, &step) != CV_SUCCESS) {
+  if (CVodeGetCurrentTime(solver->memory, &time) != CV_SUCCESS ||
+      CVodeGetLastStep(solver->memory, &step) != CV_SUCCESS) {
     return 0;
   }
   const double way = STEPS_WATCHED * step;
@@ -319,10 +322,11 @@ static int creeps(cmb_solver *solver, double begin, double largest_step) {
 
 /* Lets CVODE go on to `end`, as far as steps are left, and counts what it did; where it creeps, Newton's iteration is
  * carried further until the next start. */
-static int advance_watched(cmb_solver *solver, double end, double largest_step, double *reached) {
+static int advance_watched(fmurt_solver *solver, double end, double largest_step, double *reached) {
   for (;;) {
     double begin = 0.0;
-    int flag = CVodeSetMaxNumSteps(solver->memory, solver->steps_left < STEPS_WATCHED ? solver->steps_left : STEPS_WATCHED);
+    int flag =
+        CVodeSetMaxNumSteps(solver->memory, solver->steps_left < STEPS_WATCHED ? solver->steps_left : STEPS_WATCHED);
     if (flag == CV_SUCCESS) flag = CVodeGetCurrentTime(solver->memory, &begin);
     if (flag != CV_SUCCESS) return flag;
     flag = CVode(solver->memory, end, solver->state, reached, CV_NORMAL);
@@ -333,8 +337,8 @@ static int advance_watched(cmb_solver *solver, double end, double largest_step, 
 }
 
 /* Integrates from the instance's time. */
-static int integrate(cmb_solver *solver, double end, double limit, double largest_step, double *reached) {
-  solver->cause = CMB_RESULT_OK;
+static int integrate(fmurt_solver *solver, double end, double limit, double largest_step, double *reached) {
+  solver->cause = FMURT_RESULT_OK;
   solver->instance->message[0] = '\0';
   int flag = solver->restart ? start(solver) : CV_SUCCESS;
   /* Smaller steps than the rounding of time lead nowhere: they only creep up to where the model cannot be evaluated. */
@@ -346,7 +350,7 @@ static int integrate(cmb_solver *solver, double end, double limit, double larges
   }
   if (flag == CV_SUCCESS) flag = CVodeSetStopTime(solver->memory, fmin(limit, DBL_MAX));
   for (size_t i = 0; i < solver->state_count; ++i) {
-    solver->entry[i] = solver->instance->values.real[cmb_model.state[i]];
+    solver->entry[i] = solver->instance->values.real[fmurt_model.state[i]];
   }
   if (flag != CV_SUCCESS) return flag;
   if (solver->steps_left <= 0) return CV_TOO_MUCH_WORK;
@@ -359,9 +363,10 @@ static int is_recoverable(int flag) {
          flag == CV_UNREC_RHSFUNC_ERR;
 }
 
-static double last_step_begin(cmb_solver *solver) {
+static double last_step_begin(fmurt_solver *solver) {
   double time = -HUGE_VAL, step = 0.0;
-  if (CVodeGetCurrentTime(solver->memory, &time) != CV_SUCCESS || CVodeGetLastStep(solver->memory, &step) != CV_SUCCESS) {
+  if (CVodeGetCurrentTime(solver->memory, &time) != CV_SUCCESS ||
+      CVodeGetLastStep(solver->memory, &step) != CV_SUCCESS) {
     return -HUGE_VAL;
   }
   return time - step;
@@ -372,12 +377,13 @@ static int is_too_short(double begin, double end) {
   return end - begin <= 8.0 * DBL_EPSILON * fmax(fabs(begin), fabs(end));
 }
 
-void cmb_solver_allow_steps(cmb_solver *solver, long count) { solver->steps_left = count; }
+void fmurt_solver_allow_steps(fmurt_solver *solver, long count) { solver->steps_left = count; }
 
-cmb_result cmb_solver_advance(cmb_solver *solver, double target, double limit, double maximum_step, cmb_stop *stop) {
-  cmb_instance *instance = solver->instance;
-  *stop = CMB_STOP_TARGET;
-  if (solver->state_count == 0 && cmb_model.indicator_count == 0) return jump(solver, target);
+fmurt_result fmurt_solver_advance(fmurt_solver *solver, double target, double limit, double maximum_step,
+                                  fmurt_stop *stop) {
+  fmurt_instance *instance = solver->instance;
+  *stop = FMURT_STOP_TARGET;
+  if (solver->state_count == 0 && fmurt_model.indicator_count == 0) return jump(solver, target);
 
   double end = target, largest_step = maximum_step;
   double progress_time = -HUGE_VAL; /* where the last fresh start after a failure was */
@@ -388,29 +394,29 @@ cmb_result cmb_solver_advance(cmb_solver *solver, double target, double limit, d
     if (solver->restart && is_too_short(begin, end)) {
       instance->values.time = end;
       instance->situation.continuous_stale = 1;
-      return CMB_RESULT_OK;
+      return FMURT_RESULT_OK;
     }
     double reached = begin;
     const int flag = integrate(solver, end, limit, largest_step, &reached);
     if (flag >= 0) {
       const int found_root = flag == CV_ROOT_RETURN;
-      cmb_set_point(instance, found_root ? reached : end, NV_DATA_S(solver->state));
+      fmurt_set_point(instance, found_root ? reached : end, NV_DATA_S(solver->state));
       instance->situation.continuous_stale = 1;
-      if (found_root) *stop = CMB_STOP_ROOT;
-      if (!shortened || found_root) return CMB_RESULT_OK;
+      if (found_root) *stop = FMURT_STOP_ROOT;
+      if (!shortened || found_root) return FMURT_RESULT_OK;
       memcpy(instance->message, failure, sizeof failure);
-      return CMB_RESULT_DISCARD;
+      return FMURT_RESULT_DISCARD;
     }
 
     char cause[sizeof instance->message];
-    snprintf(cause, sizeof cause, "%s", solver->cause != CMB_RESULT_OK ? instance->message : "");
-    const int root_failed = flag == CV_RTFUNC_FAIL && solver->cause == CMB_RESULT_DISCARD;
+    snprintf(cause, sizeof cause, "%s", solver->cause != FMURT_RESULT_OK ? instance->message : "");
+    const int root_failed = flag == CV_RTFUNC_FAIL && solver->cause == FMURT_RESULT_DISCARD;
     const double failed_at = root_failed ? last_step_begin(solver) : reached;
     solver->restart = 1;
     if (is_recoverable(flag) || flag == CV_TOO_MUCH_WORK) {
       reached = move_to_last_good_point(solver, begin);
     } else {
-      cmb_set_point(instance, begin, solver->entry);
+      fmurt_set_point(instance, begin, solver->entry);
       reached = begin;
     }
     instance->situation.continuous_stale = 1;

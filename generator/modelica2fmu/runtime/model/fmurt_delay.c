@@ -1,21 +1,21 @@
-/* cmb_delay.c - see cmb_delay.h.
+/* fmurt_delay.c - see fmurt_delay.h.
  *
  * Places in a delay's memory: how many points there are, the oldest of them, the time up to which jumps have returned,
  * the delay itself; then times, values and for each point whether an event has closed it. */
-#include "cmb_delay.h"
+#include "fmurt_delay.h"
 
 #include <math.h>
 
 enum { COUNT, OLDEST, RETURNED, DELAY, POINTS };
 
-static double *memory_of(const cmb_values *values, int number) {
-  return values->delay + (size_t)number * CMB_DELAY_SIZE;
+static double *memory_of(const fmurt_values *values, int number) {
+  return values->delay + (size_t)number * FMURT_DELAY_SIZE;
 }
 
-static int place(const double *memory, int i) { return ((int)memory[OLDEST] + i) % CMB_DELAY_POINTS; }
+static int place(const double *memory, int i) { return ((int)memory[OLDEST] + i) % FMURT_DELAY_POINTS; }
 static double *time_of(double *memory, int i) { return memory + POINTS + place(memory, i); }
-static double *value_of(double *memory, int i) { return memory + POINTS + CMB_DELAY_POINTS + place(memory, i); }
-static double *is_closed(double *memory, int i) { return memory + POINTS + 2 * CMB_DELAY_POINTS + place(memory, i); }
+static double *value_of(double *memory, int i) { return memory + POINTS + FMURT_DELAY_POINTS + place(memory, i); }
+static double *is_closed(double *memory, int i) { return memory + POINTS + 2 * FMURT_DELAY_POINTS + place(memory, i); }
 
 /* Smaller steps at events are none: two points so close in time tell nothing of a slope. */
 static const double SMALLEST_JUMP = 1e-9;
@@ -24,7 +24,7 @@ static const double SMALLEST_JUMP = 1e-9;
 static double rounding(double time) { return 1e-12 * fmax(1.0, fabs(time)); }
 
 static void append(double *memory, double time, double value) {
-  if ((int)memory[COUNT] == CMB_DELAY_POINTS) {
+  if ((int)memory[COUNT] == FMURT_DELAY_POINTS) {
     memory[OLDEST] = (double)place(memory, 1);
     memory[COUNT] -= 1.0;
   }
@@ -69,7 +69,8 @@ static double value_at(double *memory, double time, int has_returned) {
   const double margin = rounding(time);
   if (has_returned) {
     for (int i = count - 1; i > 0 && *time_of(memory, i) > time - margin; --i)
-      if (*time_of(memory, i) == *time_of(memory, i - 1) && *time_of(memory, i) < time + margin) return *value_of(memory, i);
+      if (*time_of(memory, i) == *time_of(memory, i - 1) && *time_of(memory, i) < time + margin)
+        return *value_of(memory, i);
   }
   int low = 0, high = count - 1; /* the point low is before the time, or the first */
   if (time <= *time_of(memory, 0) || count == 1) return *value_of(memory, 0);
@@ -85,7 +86,7 @@ static double value_at(double *memory, double time, int has_returned) {
   return last - first == 3 ? polynomial(memory, first, last, time) : polynomial(memory, low, high, time);
 }
 
-double cmb_delay(cmb_values *values, int number, double expression, double delay, double longest) {
+double fmurt_delay(fmurt_values *values, int number, double expression, double delay, double longest) {
   double *memory = memory_of(values, number);
   note(memory, values->time, expression, longest);
   memory[DELAY] = delay;
@@ -95,16 +96,16 @@ double cmb_delay(cmb_values *values, int number, double expression, double delay
   return value_at(memory, time, has_returned);
 }
 
-void cmb_delay_close(cmb_values *values) {
-  for (size_t k = 0; k < cmb_model.delay_count; ++k) {
+void fmurt_delay_close(fmurt_values *values) {
+  for (size_t k = 0; k < fmurt_model.delay_count; ++k) {
     double *memory = memory_of(values, (int)k);
     const int count = (int)memory[COUNT];
     if (count > 0 && *time_of(memory, count - 1) == values->time) *is_closed(memory, count - 1) = 1.0;
   }
 }
 
-void cmb_delay_event(cmb_values *values) {
-  for (size_t k = 0; k < cmb_model.delay_count; ++k) {
+void fmurt_delay_event(fmurt_values *values) {
+  for (size_t k = 0; k < fmurt_model.delay_count; ++k) {
     double *memory = memory_of(values, (int)k);
     const int count = (int)memory[COUNT];
     if (count == 0) continue;

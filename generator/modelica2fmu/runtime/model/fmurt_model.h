@@ -1,110 +1,111 @@
-/* cmb_model.h - what the FMI runtime knows of a generated model.
+/* fmurt_model.h - what the FMI runtime knows of a generated model.
  *
- * The generated C file defines exactly one object with external linkage, `cmb_model`. Every variable of
+ * The generated C file defines exactly one object with external linkage, `fmurt_model`. Every variable of
  * the model is a slot of one of four arrays (Real, Integer incl. enumerations, Boolean, String); a slot's
  * index is its FMI value reference. The generated functions read and write these arrays only, so several
  * instances run in parallel. */
-#ifndef CMB_MODEL_H
-#define CMB_MODEL_H
+#ifndef FMURT_MODEL_H
+#define FMURT_MODEL_H
 
 #include <stddef.h>
 
-typedef enum cmb_result {
-  CMB_RESULT_OK = 0,
-  CMB_RESULT_DISCARD = 1, /* not computable here (domain error, singular block): a smaller step may help */
-  CMB_RESULT_ERROR = 2    /* the model cannot go on; the message is in the instance */
-} cmb_result;
+typedef enum fmurt_result {
+  FMURT_RESULT_OK = 0,
+  FMURT_RESULT_DISCARD = 1, /* not computable here (domain error, singular block): a smaller step may help */
+  FMURT_RESULT_ERROR = 2    /* the model cannot go on; the message is in the instance */
+} fmurt_result;
 
 /* Values of one instance. Arrays belong to the runtime, which allocates them by the sizes of
- * cmb_model_description and fills them from its start tables. */
-typedef struct cmb_values {
+ * fmurt_model_description and fills them from its start tables. */
+typedef struct fmurt_values {
   double time;
-  double *real;          /* [real_count] */
-  int *integer;          /* [integer_count] */
-  int *boolean;          /* [boolean_count], 0 or 1 */
-  const char **string;   /* [string_count] */
-  double *pre_real;      /* values before the current event iteration: pre(v) */
+  double *real;        /* [real_count] */
+  int *integer;        /* [integer_count] */
+  int *boolean;        /* [boolean_count], 0 or 1 */
+  const char **string; /* [string_count] */
+  double *pre_real;    /* values before the current event iteration: pre(v) */
   int *pre_integer;
   int *pre_boolean;
-  int *relation;         /* [indicator_count]: state of every event-generating relation; frozen while
+  int *relation;          /* [indicator_count]: state of every event-generating relation; frozen while
                             integrating, updated by the runtime at events from the sign of the indicator
                             (1: indicator > 0) before it calls `discrete` */
-  double *work;          /* [work_count] scratch and warm starts of the solved blocks */
-  int *integer_work;     /* [integer_work_count] */
-  double *delay;         /* [delay_count * CMB_DELAY_SIZE]: what delay() remembers (cmb_delay.h) */
-  int initial;           /* 1 while initial() is true */
-  int terminal;          /* 1 while terminal() is true */
+  double *work;           /* [work_count] scratch and warm starts of the solved blocks */
+  int *integer_work;      /* [integer_work_count] */
+  double *delay;          /* [delay_count * FMURT_DELAY_SIZE]: what delay() remembers (fmurt_delay.h) */
+  int initial;            /* 1 while initial() is true */
+  int terminal;           /* 1 while terminal() is true */
   double next_time_event; /* set by `discrete`: next time event, or HUGE_VAL */
-  int terminate;         /* set by `discrete`: terminate() was called */
-  void *host;            /* the runtime's own, given back to the callbacks below */
-} cmb_values;
+  int terminate;          /* set by `discrete`: terminate() was called */
+  void *host;             /* the runtime's own, given back to the callbacks below */
+} fmurt_values;
 
 /* Provided by the runtime, called by generated code. */
-void cmb_report_error(cmb_values *values, const char *message);   /* cause of a CMB_RESULT_ERROR or _DISCARD */
-void cmb_report_warning(cmb_values *values, const char *message);
+void fmurt_report_error(fmurt_values *values, const char *message); /* cause of a FMURT_RESULT_ERROR or _DISCARD */
+void fmurt_report_warning(fmurt_values *values, const char *message);
 /* Scales and factorizes A (column-major n x n, overwritten). `scale` has n doubles, `pivot` n ints.
  * 0 on success, k+1 if column k is singular. */
-int cmb_factorize(int n, double *a, double *scale, int *pivot);
-/* Solves A x = b with what cmb_factorize left: b in, x out. */
-void cmb_substitute(int n, const double *a, const double *scale, const int *pivot, double *b);
+int fmurt_factorize(int n, double *a, double *scale, int *pivot);
+/* Solves A x = b with what fmurt_factorize left: b in, x out. */
+void fmurt_substitute(int n, const double *a, const double *scale, const int *pivot, double *b);
 /* Derivatives are computed for this many directions at once. */
-enum { CMB_LANES = 4 };
-/* The same for CMB_LANES right-hand sides: b[i * CMB_LANES + lane]. */
-void cmb_substitute_lanes(int n, const double *a, const double *scale, const int *pivot, double *b);
-/* A linear system that is evaluated from the equations it stands for: they are linear in the unknowns. Offsets are in the
- * work array; columns of several unknowns are found at once, in lanes. */
-typedef struct cmb_linear_system {
+enum { FMURT_LANES = 4 };
+/* The same for FMURT_LANES right-hand sides: b[i * FMURT_LANES + lane]. */
+void fmurt_substitute_lanes(int n, const double *a, const double *scale, const int *pivot, double *b);
+/* A linear system that is evaluated from the equations it stands for: they are linear in the unknowns. Offsets are in
+ * the work array; columns of several unknowns are found at once, in lanes. */
+typedef struct fmurt_linear_system {
   int size;
   int matrix, scale, solution; /* column-major [size * size]; [size]; [size] */
   int pivot;                   /* [size], in the array of integers */
-  int seeds;                   /* [size * CMB_LANES] derivatives of the unknowns by the unknowns of this pass */
-  int columns;                 /* [size * CMB_LANES] derivatives of the residuals by the unknowns of this pass */
-  int (*evaluate_inner)(cmb_values *values);     /* unknowns from `solution`, and what follows from them */
-  int (*evaluate_residuals)(cmb_values *values); /* after evaluate_inner: -residuals, to `solution` */
-  int (*evaluate_numbers)(cmb_values *values);   /* what the columns have in common */
-  int (*evaluate_columns)(cmb_values *values);   /* after evaluate_numbers: `columns` from `seeds` */
-  const char *singular;                          /* message */
-} cmb_linear_system;
-/* Solves it: `solution` and `evaluate_inner` have been done when it ends with CMB_RESULT_OK, and the factors are there. */
-cmb_result cmb_solve_linear(cmb_values *values, const cmb_linear_system *system);
+  int seeds;                   /* [size * FMURT_LANES] derivatives of the unknowns by the unknowns of this pass */
+  int columns;                 /* [size * FMURT_LANES] derivatives of the residuals by the unknowns of this pass */
+  int (*evaluate_inner)(fmurt_values *values);     /* unknowns from `solution`, and what follows from them */
+  int (*evaluate_residuals)(fmurt_values *values); /* after evaluate_inner: -residuals, to `solution` */
+  int (*evaluate_numbers)(fmurt_values *values);   /* what the columns have in common */
+  int (*evaluate_columns)(fmurt_values *values);   /* after evaluate_numbers: `columns` from `seeds` */
+  const char *singular;                            /* message */
+} fmurt_linear_system;
+/* Solves it: `solution` and `evaluate_inner` have been done when it ends with FMURT_RESULT_OK, and the factors are
+ * there. */
+fmurt_result fmurt_solve_linear(fmurt_values *values, const fmurt_linear_system *system);
 /* Damped Newton with finite-difference Jacobian for small nonlinear blocks, used by generated code:
- * residual(values, context, x, r) returns a cmb_result. x: start value in, solution out. nominal may be NULL.
- * work needs n*n + 7*n doubles, integer_work n ints. CMB_RESULT_DISCARD when it does not converge. */
-typedef int (*cmb_residual)(cmb_values *values, const void *context, const double *x, double *r);
-int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual residual, int n, double *x,
-                        const double *nominal, double tolerance, double *work, int *integer_work);
-/* After cmb_solve_nonlinear has failed at x: reports the equation with the largest residual, by the place where the model
- * states it (equation[n]), and the unknowns by their names (unknown[n]). r has n doubles. Gives back `result`. */
-int cmb_report_unsolved(cmb_values *values, cmb_residual residual, int n, const double *x, double *r,
-                        const char *const *unknown, const char *const *equation, int result);
+ * residual(values, context, x, r) returns a fmurt_result. x: start value in, solution out. nominal may be NULL.
+ * work needs n*n + 7*n doubles, integer_work n ints. FMURT_RESULT_DISCARD when it does not converge. */
+typedef int (*fmurt_residual)(fmurt_values *values, const void *context, const double *x, double *r);
+int fmurt_solve_nonlinear(fmurt_values *values, const void *context, fmurt_residual residual, int n, double *x,
+                          const double *nominal, double tolerance, double *work, int *integer_work);
+/* After fmurt_solve_nonlinear has failed at x: reports the equation with the largest residual, by the place where the
+ * model states it (equation[n]), and the unknowns by their names (unknown[n]). r has n doubles. Gives back `result`. */
+int fmurt_report_unsolved(fmurt_values *values, fmurt_residual residual, int n, const double *x, double *r,
+                          const char *const *unknown, const char *const *equation, int result);
 
-typedef struct cmb_model_description {
+typedef struct fmurt_model_description {
   const char *name;
   const char *guid;
   size_t real_count, integer_count, boolean_count, string_count;
   size_t state_count, indicator_count, work_count, integer_work_count;
-  size_t delay_count;           /* delay() operators */
-  const unsigned *state;        /* [state_count] value references into real */
-  const unsigned *derivative;   /* [state_count] */
-  const double *state_nominal;  /* [state_count] */
-  const double *real_start;     /* start tables, defaults before parameters are computed */
+  size_t delay_count;          /* delay() operators */
+  const unsigned *state;       /* [state_count] value references into real */
+  const unsigned *derivative;  /* [state_count] */
+  const double *state_nominal; /* [state_count] */
+  const double *real_start;    /* start tables, defaults before parameters are computed */
   const int *integer_start;
   const int *boolean_start;
   const char *const *string_start;
 
   /* Computes dependent parameters and bound start values from independent parameters (after a set). */
-  cmb_result (*parameters)(cmb_values *values);
+  fmurt_result (*parameters)(fmurt_values *values);
   /* Solves the initialization problem: states, algebraics, discrete start values. values->initial is 1. */
-  cmb_result (*initialize)(cmb_values *values);
+  fmurt_result (*initialize)(fmurt_values *values);
   /* From time, states, inputs, parameters, discrete values and frozen relations: all derivatives and
    * continuous algebraics. */
-  cmb_result (*continuous)(cmb_values *values);
+  fmurt_result (*continuous)(fmurt_values *values);
   /* The indicators, [indicator_count], for the values after `continuous`. */
-  cmb_result (*indicators)(cmb_values *values, double *indicator);
+  fmurt_result (*indicators)(fmurt_values *values, double *indicator);
   /* One event iteration: discrete equations and when-clauses with pre() from pre_*; may reinit states
    * (*states_changed = 1). Sets next_time_event. The runtime repeats (indicators -> relation, copy to pre,
    * discrete) until neither discrete values nor relations change. */
-  cmb_result (*discrete)(cmb_values *values, int *states_changed);
+  fmurt_result (*discrete)(fmurt_values *values, int *states_changed);
 
   /* Optional members; NULL where left out. */
 
@@ -112,12 +113,12 @@ typedef struct cmb_model_description {
   const char *const *indicator_text; /* [indicator_count] the relations as the modeller wrote them, for messages */
   /* d(derivative)/d(state) at the values after `continuous`, relations and discrete variables held:
    * jacobian[i + j * state_count] is the derivative of derivative i by state j. */
-  cmb_result (*jacobian)(cmb_values *values, double *jacobian);
+  fmurt_result (*jacobian)(fmurt_values *values, double *jacobian);
   /* The equations of `discrete`, without its actions: reinitializations, assertions, terminations, next_time_event. The
    * runtime repeats it with the same pre() values until the relations agree with what it solves. */
-  cmb_result (*settle)(cmb_values *values);
-} cmb_model_description;
+  fmurt_result (*settle)(fmurt_values *values);
+} fmurt_model_description;
 
-extern const cmb_model_description cmb_model;
+extern const fmurt_model_description fmurt_model;
 
 #endif

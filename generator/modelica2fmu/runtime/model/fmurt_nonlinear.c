@@ -1,4 +1,4 @@
-/* cmb_nonlinear.c - damped Newton for small nonlinear blocks of generated code.
+/* fmurt_nonlinear.c - damped Newton for small nonlinear blocks of generated code.
  *
  * Deuflhard, Newton Methods for Nonlinear Problems (2011), chapter 3, in its simplest form: a step is halved
  * until the residual, scaled by the rows of the Jacobian, falls. */
@@ -7,24 +7,24 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cmb_model.h"
+#include "fmurt_model.h"
 
 enum { MAXIMUM_ITERATIONS = 100, MAXIMUM_HALVINGS = 30 };
 
 typedef struct newton {
-  cmb_values *values;
+  fmurt_values *values;
   const void *context;
-  cmb_residual residual;
+  fmurt_residual residual;
   int n;
   double *x;
   const double *nominal;
-  double *jacobian;    /* [n * n], column-major */
-  double *r;           /* [n] residual at x */
-  double *r_trial;     /* [n] */
-  double *x_trial;     /* [n] */
-  double *step;        /* [n] */
-  double *row_scale;   /* [n] size of each row of the Jacobian times the nominal values */
-  double *x_scale;     /* [n] */
+  double *jacobian;     /* [n * n], column-major */
+  double *r;            /* [n] residual at x */
+  double *r_trial;      /* [n] */
+  double *x_trial;      /* [n] */
+  double *step;         /* [n] */
+  double *row_scale;    /* [n] size of each row of the Jacobian times the nominal values */
+  double *x_scale;      /* [n] */
   double *linear_scale; /* [n] of the factorized Jacobian's rows */
 } newton;
 
@@ -37,8 +37,8 @@ static int all_finite(int n, const double *vector) {
 
 static int evaluate(const newton *solver, const double *x, double *r) {
   const int result = solver->residual(solver->values, solver->context, x, r);
-  if (result != CMB_RESULT_OK) return result;
-  return all_finite(solver->n, r) ? CMB_RESULT_OK : CMB_RESULT_DISCARD;
+  if (result != FMURT_RESULT_OK) return result;
+  return all_finite(solver->n, r) ? FMURT_RESULT_OK : FMURT_RESULT_DISCARD;
 }
 
 static double scaled_norm(const newton *solver, const double *r) {
@@ -55,14 +55,14 @@ static int compute_jacobian(newton *solver) {
     const double x = solver->x[j];
     double delta = sqrt(DBL_EPSILON) * solver->x_scale[j];
     memcpy(solver->x_trial, solver->x, (size_t)n * sizeof(double));
-    int result = CMB_RESULT_DISCARD;
-    for (int side = 0; side < 2 && result == CMB_RESULT_DISCARD; ++side) {
+    int result = FMURT_RESULT_DISCARD;
+    for (int side = 0; side < 2 && result == FMURT_RESULT_DISCARD; ++side) {
       if (side == 1) delta = -delta;
       volatile double shifted = x + delta; /* the difference that is really made, not the one asked for */
       solver->x_trial[j] = shifted;
       result = evaluate(solver, solver->x_trial, solver->r_trial);
     }
-    if (result != CMB_RESULT_OK) return result;
+    if (result != FMURT_RESULT_OK) return result;
     delta = solver->x_trial[j] - x;
     for (int i = 0; i < n; ++i) {
       const double entry = (solver->r_trial[i] - solver->r[i]) / delta;
@@ -73,7 +73,7 @@ static int compute_jacobian(newton *solver) {
   for (int i = 0; i < n; ++i) {
     if (!(solver->row_scale[i] > 0.0)) solver->row_scale[i] = 1.0;
   }
-  return CMB_RESULT_OK;
+  return FMURT_RESULT_OK;
 }
 
 static void update_scale(newton *solver) {
@@ -83,17 +83,17 @@ static void update_scale(newton *solver) {
   }
 }
 
-static int fail(cmb_values *values, int iteration, double norm) {
+static int fail(fmurt_values *values, int iteration, double norm) {
   char message[200];
   snprintf(message, sizeof message,
            "A nonlinear system does not converge at time %.15g (%d iterations, scaled residual %.3g)", values->time,
            iteration, norm);
-  cmb_report_error(values, message);
-  return CMB_RESULT_DISCARD;
+  fmurt_report_error(values, message);
+  return FMURT_RESULT_DISCARD;
 }
 
-int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual residual, int n, double *x,
-                        const double *nominal, double tolerance, double *work, int *integer_work) {
+int fmurt_solve_nonlinear(fmurt_values *values, const void *context, fmurt_residual residual, int n, double *x,
+                          const double *nominal, double tolerance, double *work, int *integer_work) {
   const size_t size = (size_t)n;
   double *vectors = work + size * size;
   newton solver = {.values = values,
@@ -112,25 +112,25 @@ int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual re
                    .linear_scale = vectors + 6 * size};
 
   int result = evaluate(&solver, x, solver.r);
-  if (result != CMB_RESULT_OK) return result;
+  if (result != FMURT_RESULT_OK) return result;
 
   double norm = HUGE_VAL;
   for (int iteration = 0; iteration < MAXIMUM_ITERATIONS; ++iteration) {
     update_scale(&solver);
     result = compute_jacobian(&solver);
-    if (result != CMB_RESULT_OK) return result;
+    if (result != FMURT_RESULT_OK) return result;
     norm = scaled_norm(&solver, solver.r);
     memcpy(solver.step, solver.r, size * sizeof(double));
-    const int singular = cmb_factorize(n, solver.jacobian, solver.linear_scale, integer_work);
+    const int singular = fmurt_factorize(n, solver.jacobian, solver.linear_scale, integer_work);
     if (singular != 0) {
-      if (norm <= tolerance) return CMB_RESULT_OK; /* solved already; the missing direction does not matter */
+      if (norm <= tolerance) return FMURT_RESULT_OK; /* solved already; the missing direction does not matter */
       char message[200];
       snprintf(message, sizeof message, "The Jacobian of a nonlinear system is singular in unknown %d at time %.15g",
                singular, values->time);
-      cmb_report_error(values, message);
-      return CMB_RESULT_DISCARD;
+      fmurt_report_error(values, message);
+      return FMURT_RESULT_DISCARD;
     }
-    cmb_substitute(n, solver.jacobian, solver.linear_scale, integer_work, solver.step);
+    fmurt_substitute(n, solver.jacobian, solver.linear_scale, integer_work, solver.step);
 
     double step_size = 0.0;
     for (int i = 0; i < n; ++i) step_size = fmax(step_size, fabs(solver.step[i]) / solver.x_scale[i]);
@@ -140,8 +140,8 @@ int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual re
     for (int halving = 0; halving < MAXIMUM_HALVINGS && !accepted; ++halving, damping *= 0.5) {
       for (int i = 0; i < n; ++i) solver.x_trial[i] = x[i] - damping * solver.step[i];
       result = evaluate(&solver, solver.x_trial, solver.r_trial);
-      if (result == CMB_RESULT_ERROR) return result;
-      if (result == CMB_RESULT_DISCARD) continue;
+      if (result == FMURT_RESULT_ERROR) return result;
+      if (result == FMURT_RESULT_DISCARD) continue;
       const double trial_norm = scaled_norm(&solver, solver.r_trial);
       accepted = trial_norm <= (1.0 - 0.25 * damping) * norm || trial_norm <= DBL_EPSILON || step_size <= tolerance;
     }
@@ -151,14 +151,15 @@ int cmb_solve_nonlinear(cmb_values *values, const void *context, cmb_residual re
     }
     memcpy(x, solver.x_trial, size * sizeof(double));
     memcpy(solver.r, solver.r_trial, size * sizeof(double));
-    if (step_size <= tolerance) return CMB_RESULT_OK;
+    if (step_size <= tolerance) return FMURT_RESULT_OK;
   }
   return fail(values, MAXIMUM_ITERATIONS, norm);
 }
 
-int cmb_report_unsolved(cmb_values *values, cmb_residual residual, int n, const double *x, double *r,
-                        const char *const *unknown, const char *const *equation, int result) {
-  if (residual(values, NULL, x, r) != CMB_RESULT_OK || !all_finite(n, r)) return result; /* that is the better cause */
+int fmurt_report_unsolved(fmurt_values *values, fmurt_residual residual, int n, const double *x, double *r,
+                          const char *const *unknown, const char *const *equation, int result) {
+  if (residual(values, NULL, x, r) != FMURT_RESULT_OK || !all_finite(n, r))
+    return result; /* that is the better cause */
   int worst = 0;
   for (int i = 1; i < n; ++i) {
     if (fabs(r[i]) > fabs(r[worst])) worst = i;
@@ -166,13 +167,14 @@ int cmb_report_unsolved(cmb_values *values, cmb_residual residual, int n, const 
   char names[400] = "";
   size_t length = 0;
   for (int i = 0; i < n && length < sizeof names - 40; ++i) {
-    length += (size_t)snprintf(names + length, sizeof names - length, "%s%s = %.6g", i > 0 ? ", " : "", unknown[i], x[i]);
+    length +=
+        (size_t)snprintf(names + length, sizeof names - length, "%s%s = %.6g", i > 0 ? ", " : "", unknown[i], x[i]);
   }
   char message[700];
   snprintf(message, sizeof message,
            "A nonlinear system of %d equations has no solution near its start at time %.15g: the equation %s is off by "
            "%.3g. Better start values or other states may help. Unknowns: %s%s",
            n, values->time, equation[worst], r[worst], names, length >= sizeof names - 40 ? ", ..." : "");
-  cmb_report_error(values, message);
+  fmurt_report_error(values, message);
   return result;
 }

@@ -1,4 +1,4 @@
-/* cmb_table.c - interpolation in tables; see cmb_table.h.
+/* fmurt_table.c - interpolation in tables; see fmurt_table.h.
  *
  * Between its points a smooth curve is a cubic Hermite polynomial; its slopes at the points are those of
  *   Akima, Journal of the ACM 17(4), 1970, and its variant with weights |d| + |s|/2 (d difference, s sum of slopes),
@@ -6,7 +6,7 @@
  *   Steffen, Astronomy and Astrophysics 239, 1990,
  * the last two with the secant's slope at the ends, as Modelica's tables have it. Slopes are computed where they are
  * needed: two of them, from up to four neighbours. */
-#include "cmb_table.h"
+#include "fmurt_table.h"
 
 #include <float.h>
 #include <math.h>
@@ -61,15 +61,15 @@ static double monotone_slope(const part *p, int i, int smoothness) {
   const double m0 = secant(p, i - 1), m1 = secant(p, i);
   const double h0 = p->x[i] - p->x[i - 1], h1 = p->x[i + 1] - p->x[i];
   if (sign(m0) * sign(m1) <= 0) return 0.0;
-  if (smoothness == CMB_TABLE_FRITSCH_BUTLAND) return 3.0 * (h0 + h1) / ((h0 + 2.0 * h1) / m0 + (2.0 * h0 + h1) / m1);
+  if (smoothness == FMURT_TABLE_FRITSCH_BUTLAND) return 3.0 * (h0 + h1) / ((h0 + 2.0 * h1) / m0 + (2.0 * h0 + h1) / m1);
   const double parabola = (m0 * h1 + m1 * h0) / (h0 + h1);
   const double bound = 2.0 * fmin(fabs(m0), fabs(m1));
   return fabs(parabola) > bound ? sign(m0) * bound : parabola;
 }
 
 static double slope_at(const part *p, int i, int smoothness) {
-  if (smoothness == CMB_TABLE_AKIMA || smoothness == CMB_TABLE_MODIFIED_AKIMA)
-    return akima_slope(p, i, smoothness == CMB_TABLE_MODIFIED_AKIMA);
+  if (smoothness == FMURT_TABLE_AKIMA || smoothness == FMURT_TABLE_MODIFIED_AKIMA)
+    return akima_slope(p, i, smoothness == FMURT_TABLE_MODIFIED_AKIMA);
   return monotone_slope(p, i, smoothness);
 }
 
@@ -85,9 +85,9 @@ static part part_around(const double *x, const double *y, int n, int i) {
 static double inside(const double *x, const double *y, int n, int i, int smoothness, double u, int order) {
   const double h = x[i + 1] - x[i];
   if (!(h > 0.0)) return order == 0 ? y[i + 1] : 0.0;
-  if (smoothness == CMB_TABLE_CONSTANT) return order == 0 ? (u >= x[i + 1] ? y[i + 1] : y[i]) : 0.0;
+  if (smoothness == FMURT_TABLE_CONSTANT) return order == 0 ? (u >= x[i + 1] ? y[i + 1] : y[i]) : 0.0;
   const double m = (y[i + 1] - y[i]) / h, v = u - x[i];
-  if (smoothness == CMB_TABLE_LINEAR) return order == 0 ? y[i] + m * v : m;
+  if (smoothness == FMURT_TABLE_LINEAR) return order == 0 ? y[i] + m * v : m;
   const part p = part_around(x, y, n, i);
   const double s0 = slope_at(&p, i, smoothness), s1 = slope_at(&p, i + 1, smoothness);
   const double c2 = (3.0 * m - 2.0 * s0 - s1) / h, c3 = (s0 + s1 - 2.0 * m) / (h * h);
@@ -100,7 +100,7 @@ static double beyond(const double *x, const double *y, int n, int end, int smoot
   double m = 0.0;
   if (x[i + 1] > x[i]) {
     const part p = part_around(x, y, n, i);
-    const int straight = smoothness == CMB_TABLE_LINEAR || smoothness == CMB_TABLE_CONSTANT;
+    const int straight = smoothness == FMURT_TABLE_LINEAR || smoothness == FMURT_TABLE_CONSTANT;
     m = straight ? secant(&p, i) : slope_at(&p, end, smoothness);
   }
   return order == 0 ? y[end] + m * (u - x[end]) : m;
@@ -108,10 +108,10 @@ static double beyond(const double *x, const double *y, int n, int end, int smoot
 
 static double outside(const double *x, const double *y, int n, int end, int smoothness, int extrapolation, double u,
                       int order) {
-  if (extrapolation == CMB_TABLE_NO_EXTRAPOLATION)
+  if (extrapolation == FMURT_TABLE_NO_EXTRAPOLATION)
     ModelicaFormatError("a table from %g to %g has no value at %g, and no extrapolation was asked for", x[0], x[n - 1],
                         u);
-  if (extrapolation == CMB_TABLE_HOLD) return order == 0 ? y[end] : 0.0;
+  if (extrapolation == FMURT_TABLE_HOLD) return order == 0 ? y[end] : 0.0;
   return beyond(x, y, n, end, smoothness, u, order);
 }
 
@@ -122,9 +122,10 @@ static double in_period(const double *x, int n, double u) {
   return fmin(u - floor((u - x[0]) / period) * period, x[n - 1]);
 }
 
-double cmb_table_value(const double *x, const double *y, int n, int smoothness, int extrapolation, double u, int order) {
+double fmurt_table_value(const double *x, const double *y, int n, int smoothness, int extrapolation, double u,
+                         int order) {
   if (n == 1) return order == 0 ? y[0] : 0.0;
-  if (extrapolation == CMB_TABLE_PERIODIC) u = in_period(x, n, u);
+  if (extrapolation == FMURT_TABLE_PERIODIC) u = in_period(x, n, u);
   if (u < x[0]) return outside(x, y, n, 0, smoothness, extrapolation, u, order);
   if (u > x[n - 1]) return outside(x, y, n, n - 1, smoothness, extrapolation, u, order);
   return inside(x, y, n, interval_of(x, n, u, 0), smoothness, u, order);
@@ -134,26 +135,26 @@ double cmb_table_value(const double *x, const double *y, int n, int smoothness, 
 
 /* Where u lies along one axis: values at i and i + 1 with weights. */
 typedef struct place {
-  int i;           /* the only point, or the first of two */
-  double first;    /* weight of point i */
-  double second;   /* weight of point i + 1 */
+  int i;         /* the only point, or the first of two */
+  double first;  /* weight of point i */
+  double second; /* weight of point i + 1 */
 } place;
 
 static place place_on(const double *x, int n, int smoothness, int extrapolation, double u, int of_slope) {
   const place point = {0, of_slope ? 0.0 : 1.0, 0.0};
   if (n == 1) return point;
-  if (extrapolation == CMB_TABLE_PERIODIC) u = in_period(x, n, u);
+  if (extrapolation == FMURT_TABLE_PERIODIC) u = in_period(x, n, u);
   const int is_outside = u < x[0] || u > x[n - 1];
-  if (is_outside && extrapolation == CMB_TABLE_NO_EXTRAPOLATION)
+  if (is_outside && extrapolation == FMURT_TABLE_NO_EXTRAPOLATION)
     ModelicaFormatError("a table from %g to %g has no value at %g, and no extrapolation was asked for", x[0], x[n - 1],
                         u);
-  if (is_outside && extrapolation == CMB_TABLE_HOLD) {
+  if (is_outside && extrapolation == FMURT_TABLE_HOLD) {
     const place end = {u < x[0] ? 0 : n - 2, u < x[0] ? point.first : 0.0, u < x[0] ? 0.0 : point.first};
     return end;
   }
   place found = {interval_of(x, n, u, 0), 0.0, 0.0};
   const double h = x[found.i + 1] - x[found.i];
-  if (smoothness == CMB_TABLE_CONSTANT && !is_outside) {
+  if (smoothness == FMURT_TABLE_CONSTANT && !is_outside) {
     found.first = u >= x[found.i + 1] ? 0.0 : point.first;
     found.second = point.first - found.first;
   } else if (of_slope) {
@@ -166,8 +167,8 @@ static place place_on(const double *x, int n, int smoothness, int extrapolation,
   return found;
 }
 
-double cmb_table_surface(const double *x, int rows, const double *y, int columns, const double *z, int smoothness,
-                         int extrapolation, double u, double v, int order) {
+double fmurt_table_surface(const double *x, int rows, const double *y, int columns, const double *z, int smoothness,
+                           int extrapolation, double u, double v, int order) {
   const place a = place_on(x, rows, smoothness, extrapolation, u, order == 1);
   const place b = place_on(y, columns, smoothness, extrapolation, v, order == 2);
   double value = 0.0;
@@ -184,14 +185,14 @@ static double rounding(const double *x, int n, double time) {
   return 16.0 * DBL_EPSILON * (fabs(time) + fabs(x[0]) + fabs(x[n - 1]));
 }
 
-double cmb_table_at_time(const double *x, const double *y, int n, int smoothness, int extrapolation, double start,
-                         double shift, double time, double next, double before, int order) {
+double fmurt_table_at_time(const double *x, const double *y, int n, int smoothness, int extrapolation, double start,
+                           double shift, double time, double next, double before, int order) {
   const int is_left_of_event = next == before && next < DBL_MAX && time >= next;
   if (time < start || (is_left_of_event && start >= next)) return 0.0;
   if (n == 1) return order == 0 ? y[0] : 0.0;
   double u = (is_left_of_event ? next : time) - shift;
   const double margin = rounding(x, n, u);
-  if (extrapolation == CMB_TABLE_PERIODIC) {
+  if (extrapolation == FMURT_TABLE_PERIODIC) {
     const double period = x[n - 1] - x[0];
     const double aside = is_left_of_event ? -margin : margin;
     u -= floor((u + aside - x[0]) / period) * period;
@@ -201,29 +202,29 @@ double cmb_table_at_time(const double *x, const double *y, int n, int smoothness
       const int end = u < x[0] ? 0 : n - 1;
       return outside(x, y, n, end, smoothness, extrapolation, u, order);
     }
-    if (u <= x[0] + margin && extrapolation != CMB_TABLE_PERIODIC)
-      return outside(x, y, n, 0, smoothness, extrapolation == CMB_TABLE_NO_EXTRAPOLATION ? CMB_TABLE_HOLD : extrapolation,
-                     x[0], order);
+    if (u <= x[0] + margin && extrapolation != FMURT_TABLE_PERIODIC)
+      return outside(x, y, n, 0, smoothness,
+                     extrapolation == FMURT_TABLE_NO_EXTRAPOLATION ? FMURT_TABLE_HOLD : extrapolation, x[0], order);
     const int i = interval_of(x, n, u - margin, 1);
-    if (smoothness == CMB_TABLE_CONSTANT) return order == 0 ? y[i] : 0.0;
+    if (smoothness == FMURT_TABLE_CONSTANT) return order == 0 ? y[i] : 0.0;
     return inside(x, y, n, i, smoothness, fmin(u, x[i + 1]), order);
   }
   if (u < x[0] - margin) return outside(x, y, n, 0, smoothness, extrapolation, u, order);
-  if (u >= x[n - 1] - margin && extrapolation != CMB_TABLE_PERIODIC)
+  if (u >= x[n - 1] - margin && extrapolation != FMURT_TABLE_PERIODIC)
     return outside(x, y, n, n - 1, smoothness, extrapolation, u, order);
   const int i = interval_of(x, n, u + margin, 0);
-  if (smoothness == CMB_TABLE_CONSTANT) return order == 0 ? y[i] : 0.0;
+  if (smoothness == FMURT_TABLE_CONSTANT) return order == 0 ? y[i] : 0.0;
   return inside(x, y, n, i, smoothness, fmax(u, x[i]), order);
 }
 
-double cmb_table_next_event(const double *x, int n, int extrapolation, double start, double shift, int events,
-                            double time) {
+double fmurt_table_next_event(const double *x, int n, int extrapolation, double start, double shift, int events,
+                              double time) {
   if (time < start) return start;
   if (n == 1) return DBL_MAX;
   double u = time - shift, offset = 0.0;
   const double margin = rounding(x, n, u);
   u += margin;
-  if (extrapolation == CMB_TABLE_PERIODIC) {
+  if (extrapolation == FMURT_TABLE_PERIODIC) {
     const double period = x[n - 1] - x[0];
     if (!(period > 0.0)) return DBL_MAX;
     offset = floor((u - x[0]) / period) * period;
@@ -234,7 +235,7 @@ double cmb_table_next_event(const double *x, int n, int extrapolation, double st
   if (!(u < x[n - 1])) return DBL_MAX;
   for (int i = interval_of(x, n, u, 0) + 1; i < n - 1; ++i) {
     const int jumps = !(x[i + 1] > x[i]);
-    if (x[i] > u && (events == CMB_TABLE_ALL_EVENTS || (events == CMB_TABLE_EVENTS_AT_JUMPS && jumps)))
+    if (x[i] > u && (events == FMURT_TABLE_ALL_EVENTS || (events == FMURT_TABLE_EVENTS_AT_JUMPS && jumps)))
       return x[i] + offset + shift;
   }
   return x[n - 1] + offset + shift;

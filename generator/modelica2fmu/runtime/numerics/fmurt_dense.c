@@ -1,12 +1,12 @@
-/* cmb_dense.c - see cmb_dense.h.
+/* fmurt_dense.c - see fmurt_dense.h.
  *
  * The matrix is divided into sparse rows s, whose block is diagonal, and the remaining ones r:
  *
  *   D x_s + K x_r = b_s,   A x_s + B x_r = b_r,   so   (B - A D^-1 K) x_r = b_r - A D^-1 b_s.
  *
- * For positions s with the rates of speeds, D is the identity, K is -gamma times few ones, and what remains is the matrix
- * of the equations of second order. */
-#include "cmb_dense.h"
+ * For positions s with the rates of speeds, D is the identity, K is -gamma times few ones, and what remains is the
+ * matrix of the equations of second order. */
+#include "fmurt_dense.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,10 +14,10 @@
 #include <nvector/nvector_serial.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
-#include "cmb_lu.h"
+#include "fmurt_lu.h"
 
-/* A sparse row has at most so many entries beside the diagonal one, its pivot, and none is larger than that: multipliers of
- * at most one, as in partial pivoting. */
+/* A sparse row has at most so many entries beside the diagonal one, its pivot, and none is larger than that:
+ * multipliers of at most one, as in partial pivoting. */
 enum { SPARSE_ENTRIES = 4 };
 
 typedef struct sparse_row {
@@ -30,13 +30,13 @@ typedef struct sparse_row {
 
 typedef struct content {
   int size, sparse_count, rest_count;
-  sparse_row *sparse; /* [size] the first sparse_count are in use */
-  int *rest;          /* [size] rows that remain, in order */
-  int *place;         /* [size] of each row among the remaining ones; -1 for a sparse one */
-  int *pivot;         /* [size] of the remaining matrix */
-  double *below;      /* [rest_count * sparse_count] A, column-major */
-  double *factors;    /* [rest_count * rest_count] */
-  double *right;      /* [size] */
+  sparse_row *sparse;     /* [size] the first sparse_count are in use */
+  int *rest;              /* [size] rows that remain, in order */
+  int *place;             /* [size] of each row among the remaining ones; -1 for a sparse one */
+  int *pivot;             /* [size] of the remaining matrix */
+  double *below;          /* [rest_count * sparse_count] A, column-major */
+  double *factors;        /* [rest_count * rest_count] */
+  double *right;          /* [size] */
   sunindextype last_flag; /* 0, or 1 + the column without a pivot */
 } content;
 
@@ -114,7 +114,7 @@ static int setup(SUNLinearSolver solver, SUNMatrix matrix) {
       for (size_t i = 0; i < m; ++i) target[i] -= below[i] * row->entry[e];
     }
   }
-  self->last_flag = cmb_lu_factorize(self->rest_count, self->factors, self->pivot, 0.0);
+  self->last_flag = fmurt_lu_factorize(self->rest_count, self->factors, self->pivot, 0.0);
   return self->last_flag != 0; /* recoverable: another step gives another matrix */
 }
 
@@ -133,7 +133,7 @@ static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector solution, N_
     if (value == 0.0) continue;
     for (int i = 0; i < m; ++i) remaining[i] -= below[i] * value;
   }
-  cmb_lu_solve(m, self->factors, self->pivot, remaining);
+  fmurt_lu_solve(m, self->factors, self->pivot, remaining);
   for (int i = 0; i < m; ++i) x[self->rest[i]] = remaining[i];
   for (int k = 0; k < self->sparse_count; ++k) {
     const sparse_row *row = &self->sparse[k];
@@ -176,7 +176,7 @@ static content *create_content(int size) {
   return self;
 }
 
-SUNLinearSolver cmb_dense_create(sunindextype size, SUNContext context) {
+SUNLinearSolver fmurt_dense_create(sunindextype size, SUNContext context) {
   SUNLinearSolver solver = SUNLinSolNewEmpty(context);
   if (solver == NULL) return NULL;
   solver->ops->gettype = type_of;

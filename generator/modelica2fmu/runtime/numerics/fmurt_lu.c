@@ -1,5 +1,5 @@
-/* cmb_lu.c - see cmb_lu.h. */
-#include "cmb_lu.h"
+/* fmurt_lu.c - see fmurt_lu.h. */
+#include "fmurt_lu.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -88,12 +88,12 @@ __attribute__((target("avx2,no-fma"))) static void solve_wide(int n, const doubl
   solve(n, a, pivot, b);
 }
 
-int cmb_lu_factorize(int n, double *a, int *pivot, double least) {
+int fmurt_lu_factorize(int n, double *a, int *pivot, double least) {
   if (__builtin_cpu_supports("avx2")) return factorize_wide(n, a, pivot, least);
   return factorize(n, a, pivot, least);
 }
 
-void cmb_lu_solve(int n, const double *a, const int *pivot, double *b) {
+void fmurt_lu_solve(int n, const double *a, const int *pivot, double *b) {
   if (__builtin_cpu_supports("avx2")) {
     solve_wide(n, a, pivot, b);
   } else {
@@ -103,8 +103,8 @@ void cmb_lu_solve(int n, const double *a, const int *pivot, double *b) {
 
 #else
 
-int cmb_lu_factorize(int n, double *a, int *pivot, double least) { return factorize(n, a, pivot, least); }
+int fmurt_lu_factorize(int n, double *a, int *pivot, double least) { return factorize(n, a, pivot, least); }
 
-void cmb_lu_solve(int n, const double *a, const int *pivot, double *b) { solve(n, a, pivot, b); }
+void fmurt_lu_solve(int n, const double *a, const int *pivot, double *b) { solve(n, a, pivot, b); }
 
 #endif

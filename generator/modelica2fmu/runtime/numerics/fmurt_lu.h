@@ -1,14 +1,14 @@
-/* cmb_lu.h - LU factorization of dense matrices with partial pivoting; column-major, thread-safe, no allocation.
+/* fmurt_lu.h - LU factorization of dense matrices with partial pivoting; column-major, thread-safe, no allocation.
  *
  * Results do not depend on the processor: wider registers do the same operations on more elements at once. */
-#ifndef CMB_LU_H
-#define CMB_LU_H
+#ifndef FMURT_LU_H
+#define FMURT_LU_H
 
-/* Overwrites `a` (n x n) with its factors; `pivot` has n elements. 0 on success, k + 1 if no pivot in column k is larger
- * than `least` times the column's largest element before the elimination. */
-int cmb_lu_factorize(int n, double *a, int *pivot, double least);
+/* Overwrites `a` (n x n) with its factors; `pivot` has n elements. 0 on success, k + 1 if no pivot in column k is
+ * larger than `least` times the column's largest element before the elimination. */
+int fmurt_lu_factorize(int n, double *a, int *pivot, double least);
 
 /* Solves A x = b with these factors: b in, x out. */
-void cmb_lu_solve(int n, const double *a, const int *pivot, double *b);
+void fmurt_lu_solve(int n, const double *a, const int *pivot, double *b);
 
 #endif

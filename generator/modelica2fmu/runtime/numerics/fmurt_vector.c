@@ -1,5 +1,5 @@
-/* cmb_vector.c - see cmb_vector.h. */
-#include "cmb_vector.h"
+/* fmurt_vector.c - see fmurt_vector.h. */
+#include "fmurt_vector.h"
 
 #include <math.h>
 #include <string.h>
@@ -51,7 +51,7 @@ static realtype weighted_norm(N_Vector x, N_Vector weight) {
   return sqrt(sum / (double)n);
 }
 
-void cmb_speed_up_vector(N_Vector vector) {
+void fmurt_speed_up_vector(N_Vector vector) {
   vector->ops->nvlinearsum = linear_sum;
   vector->ops->nvscale = scale;
   vector->ops->nvconst = set_all;
@@ -81,7 +81,7 @@ static int scale_add_identity(realtype factor, SUNMatrix matrix) {
   return 0;
 }
 
-void cmb_speed_up_matrix(SUNMatrix matrix) {
+void fmurt_speed_up_matrix(SUNMatrix matrix) {
   matrix->ops->copy = copy;
   matrix->ops->zero = zero;
   matrix->ops->scaleaddi = scale_add_identity;

@@ -16,7 +16,7 @@ from fmpy import simulate_fmu
 from lxml import etree
 from mechanics_simulation import ROOT
 from modelica2fmu.build import BuildOptions, build_fmu
-from modelica2fmu.standard_library import core_subset
+from modelica2fmu.library.standard_library import core_subset
 
 ROBOTS = ("ur5_robot.urdf", "panda.urdf", "kinova.urdf", "z1.urdf", "allegro_left_hand.urdf")
 STOP = 0.2

@@ -13,14 +13,14 @@ import casadi
 import numpy as np
 import pytest
 from fmpy import extract, instantiate_fmu, read_model_description
-from modelica2fmu import expression as ex
-from modelica2fmu.blocks import Assignment, Block, LinearBlock, needed_blocks
 from modelica2fmu.build import BuildOptions, Translation, build_fmu, translate
-from modelica2fmu.slots import Store
-from modelica2fmu.standard_library import StandardLibrary, core_subset
+from modelica2fmu.codegen.slots import Store
+from modelica2fmu.equations.blocks import Assignment, Block, LinearBlock, needed_blocks
+from modelica2fmu.library.standard_library import StandardLibrary, core_subset
+from modelica2fmu.symbolic import expression as ex
 from numpy.typing import NDArray
 
-MODELS = Path(__file__).resolve().parents[3] / "Resources" / "reference" / "ReferenceModels.mo"
+MODELS = Path(__file__).resolve().parents[4] / "Resources" / "reference" / "ReferenceModels.mo"
 
 
 @contextmanager

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from modelica2fmu.rolled_code import rolled
+from modelica2fmu.codegen.rolled_code import rolled
 
 LOOP = re.compile(r"for \(size_t rolled = 0; rolled < (\d+); \+\+rolled\) \{")
 INDEX = re.compile(r"\[(\d+) ([+-]) (\d+) \* rolled\]")

@@ -14,9 +14,9 @@ import pytest
 from contact_foundation.errors import UnsupportedModelError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu, translate
-from modelica2fmu.front_end import load_flat_model
-from modelica2fmu.source_map import SourceMap
-from modelica2fmu.standard_library import StandardLibrary, core_subset
+from modelica2fmu.frontend.loading import load_flat_model
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.standard_library import StandardLibrary, core_subset
 
 CLASSES = """
   partial model Law

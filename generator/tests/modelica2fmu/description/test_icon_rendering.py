@@ -9,10 +9,10 @@ import zlib
 import numpy as np
 import pytest
 from modelica2fmu.build import BuildOptions, build_fmu
-from modelica2fmu.icon_annotation import read_icon
-from modelica2fmu.icon_rendering import icon_png
+from modelica2fmu.description.icon import model_icon
+from modelica2fmu.description.icon_annotation import read_icon
+from modelica2fmu.description.icon_rendering import icon_png
 from modelica2fmu.options import FmiVersion
-from modelica2fmu.packaging.icon import model_icon
 
 RED, GREEN, BLUE, CLEAR = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (0, 0, 0, 0)
 FILLED = "pattern=LinePattern.None, fillPattern=FillPattern.Solid"

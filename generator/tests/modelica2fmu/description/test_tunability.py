@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from modelica2fmu.description import Causality, Variability
-from modelica2fmu.scalar_model import ExternalCall
+from modelica2fmu.description.model_description import Causality, Variability
+from modelica2fmu.description.tunability import Tunability
+from modelica2fmu.expand.scalar_model import ExternalCall
 from modelica2fmu.translation import Translation
-from modelica2fmu.tunability import Tunability
 
 MODEL = """model Tunable
   parameter Real rate = 2 "used by an equation";

@@ -7,7 +7,7 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from modelica2fmu.packaging.units import BASE_UNITS, display_conversion, parse_unit, rate_unit
+from modelica2fmu.description.units import BASE_UNITS, display_conversion, parse_unit, rate_unit
 
 
 def exponents(**powers: int) -> tuple[int, ...]:

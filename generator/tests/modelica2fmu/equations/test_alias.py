@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 from contact_foundation.errors import InputError
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.alias import eliminate_aliases, signed_terms
-from modelica2fmu.scalar_model import Kind, ScalarEquation, ScalarModel, ScalarVariable
-from modelica2fmu.source_map import SourceMap
+from modelica2fmu.equations.alias import eliminate_aliases, signed_terms
+from modelica2fmu.expand.scalar_model import Kind, ScalarEquation, ScalarModel, ScalarVariable
+from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.symbolic import expression as ex
 
 
 def s(name):

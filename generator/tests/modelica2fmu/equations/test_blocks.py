@@ -7,10 +7,10 @@ import pytest
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from modelica2fmu import expression as ex
-from modelica2fmu.blocks import Assignment, LinearBlock, NonlinearBlock, Residual, needed_blocks
-from modelica2fmu.linear_form import LinearForms, solved_for
-from modelica2fmu.sorting import solve_order
+from modelica2fmu.equations.blocks import Assignment, LinearBlock, NonlinearBlock, Residual, needed_blocks
+from modelica2fmu.equations.sorting import solve_order
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.linear_form import LinearForms, solved_for
 
 
 def nowhere(_span):

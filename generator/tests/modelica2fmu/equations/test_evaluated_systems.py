@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from fmpy import extract, instantiate_fmu, read_model_description
 from fmpy.fmi1 import FMICallException
-from modelica2fmu.blocks import LinearBlock
+from modelica2fmu.equations.blocks import LinearBlock
 
 COUNT = 30
 # With L the lower triangle of ones and c = cos(x): a = L (c z), f = L' a, k c f + z = x + 1, where z = der(v).

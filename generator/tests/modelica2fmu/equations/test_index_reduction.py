@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
-from modelica2fmu import expression as ex
-from modelica2fmu import ir
-from modelica2fmu.index_reduction import reduce_index
-from modelica2fmu.scalar_model import Kind, ScalarModel, ScalarVariable
+from modelica2fmu.equations.index_reduction import reduce_index
+from modelica2fmu.expand.scalar_model import Kind, ScalarModel, ScalarVariable
+from modelica2fmu.frontend import ir
+from modelica2fmu.symbolic import expression as ex
 
 
 def system(names, selects=None, kinds=None):

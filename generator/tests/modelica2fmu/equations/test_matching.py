@@ -5,7 +5,7 @@ from __future__ import annotations
 import networkx as nx
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from modelica2fmu.matching import Matching, strongly_connected_components
+from modelica2fmu.equations.matching import Matching, strongly_connected_components
 
 bipartite = st.lists(st.lists(st.integers(0, 9), max_size=4, unique=True), min_size=1, max_size=10)
 

@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from contact_foundation.errors import InputError, UnsupportedModelError
-from modelica2fmu.standard_library import find_standard_library
-from modelica2fmu.table_files import read_table
+from modelica2fmu.expand.table_files import read_table
+from modelica2fmu.library.standard_library import find_standard_library
+from modelica2fmu.packaging.runtime_sources import runtime_file, runtime_folders
 from scipy.interpolate import Akima1DInterpolator, PchipInterpolator, RegularGridInterpolator
 
-RUNTIME = Path(__file__).resolve().parents[2] / "modelica2fmu" / "runtime"
 LINEAR, AKIMA, CONSTANT, FRITSCH_BUTLAND, STEFFEN, MODIFIED_AKIMA = range(1, 7)
 HOLD, LAST_TWO_POINTS, PERIODIC, NO_EXTRAPOLATION = range(1, 5)
 ALL_EVENTS, AT_JUMPS, NO_EVENTS = range(1, 4)
@@ -51,19 +51,20 @@ def library(folder: Path, sources: list[Path], *options: str) -> ctypes.CDLL:
 
 @pytest.fixture(scope="module")
 def tables(tmp_path_factory):
-    found = library(tmp_path_factory.mktemp("tables"), [RUNTIME / "cmb_table.c"], f"-I{RUNTIME}")
+    includes = [f"-I{path}" for path in runtime_folders()]
+    found = library(tmp_path_factory.mktemp("tables"), [runtime_file("fmurt_table.c")], *includes)
     real, whole = ctypes.c_double, ctypes.c_int
-    found.cmb_table_value.argtypes = [DOUBLES, DOUBLES, whole, whole, whole, real, whole]
-    found.cmb_table_surface.argtypes = [DOUBLES, whole, DOUBLES, whole, DOUBLES, whole, whole, real, real, whole]
-    found.cmb_table_at_time.argtypes = [DOUBLES, DOUBLES, whole, whole, whole, *[real] * 5, whole]
-    found.cmb_table_next_event.argtypes = [DOUBLES, whole, whole, real, real, whole, real]
+    found.fmurt_table_value.argtypes = [DOUBLES, DOUBLES, whole, whole, whole, real, whole]
+    found.fmurt_table_surface.argtypes = [DOUBLES, whole, DOUBLES, whole, DOUBLES, whole, whole, real, real, whole]
+    found.fmurt_table_at_time.argtypes = [DOUBLES, DOUBLES, whole, whole, whole, *[real] * 5, whole]
+    found.fmurt_table_next_event.argtypes = [DOUBLES, whole, whole, real, real, whole, real]
     for name in ("value", "surface", "at_time", "next_event"):
-        getattr(found, f"cmb_table_{name}").restype = real
+        getattr(found, f"fmurt_table_{name}").restype = real
     return found
 
 
 def curve(tables, smoothness, extrapolation, points, order=0, x=X, y=Y):
-    return np.array([tables.cmb_table_value(x, y, len(x), smoothness, extrapolation, u, order) for u in points])
+    return np.array([tables.fmurt_table_value(x, y, len(x), smoothness, extrapolation, u, order) for u in points])
 
 
 def test_linear_segments(tables):
@@ -144,7 +145,7 @@ def test_surface_is_bilinear(tables):
     expected = RegularGridInterpolator((x, y), z)(places)
 
     def surface(u, v, order=0, extrapolation=LAST_TWO_POINTS):
-        return tables.cmb_table_surface(x, 3, y, 4, z, LINEAR, extrapolation, u, v, order)
+        return tables.fmurt_table_surface(x, 3, y, 4, z, LINEAR, extrapolation, u, v, order)
 
     assert [surface(u, v) for u, v in places] == pytest.approx(expected)
     for u, v in places:
@@ -167,10 +168,10 @@ def passing(tables, smoothness, extrapolation, start, shift, events, stop):
     x, y = TIMES, VALUES
 
     def next_event(time):
-        return tables.cmb_table_next_event(x, len(x), extrapolation, start, shift, events, time)
+        return tables.fmurt_table_next_event(x, len(x), extrapolation, start, shift, events, time)
 
     def value(time, following, before):
-        return tables.cmb_table_at_time(
+        return tables.fmurt_table_at_time(
             x, y, len(x), smoothness, extrapolation, start, shift, time, following, before, 0
         )
 

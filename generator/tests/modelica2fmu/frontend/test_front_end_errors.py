@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from contact_foundation.errors import InputError
 from modelica2fmu.build import build_fmu, translate
+from modelica2fmu.library.standard_library import StandardLibrary, core_subset
 from modelica2fmu.phases import PhaseClock
-from modelica2fmu.standard_library import StandardLibrary, core_subset
 
 LIBRARY = StandardLibrary(core_subset(), "", "core subset")
 BALL = """model Ball

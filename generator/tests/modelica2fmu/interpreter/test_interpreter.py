@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from contact_foundation.errors import InputError, UnsupportedModelError
-from modelica2fmu import expression as ex
+from modelica2fmu.symbolic import expression as ex
 
 
 def value(translation, name):

@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 from modelica2fmu.build import translate
-from modelica2fmu.cache_pruning import mark_used, prune_front_end_cache, prune_unused, pruned_after_use
-from modelica2fmu.library_repairs import views_folder
+from modelica2fmu.library.cache_pruning import mark_used, prune_front_end_cache, prune_unused, pruned_after_use
+from modelica2fmu.library.library_repairs import views_folder
+from modelica2fmu.library.standard_library import StandardLibrary, core_subset
 from modelica2fmu.packaging.object_store import ObjectStore
 from modelica2fmu.packaging.toolchain import DEPENDENCIES, Compilation
-from modelica2fmu.standard_library import StandardLibrary, core_subset
 
 DAY = 24 * 3600.0
 
@@ -115,7 +115,7 @@ def test_another_process_that_uses_the_folder_keeps_it(tmp_path):
     old.mkdir()
     aged(old, 40 * DAY)
     program = (
-        "import sys\nfrom pathlib import Path\nfrom modelica2fmu.cache_pruning import pruned_after_use\n"
+        "import sys\nfrom pathlib import Path\nfrom modelica2fmu.library.cache_pruning import pruned_after_use\n"
         "with pruned_after_use(Path(sys.argv[1])):\n  print('holds', flush=True)\n  sys.stdin.read()\n"
     )
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}

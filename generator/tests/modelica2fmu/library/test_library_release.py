@@ -12,8 +12,8 @@ from pathlib import Path
 
 import pytest
 from contact_foundation.errors import BuildError, CmbError, InputError
-from modelica2fmu.library_release import ADDRESS, RELEASES, content_digest, install_release, release_of
-from modelica2fmu.standard_library import StandardLibrary, find_standard_library
+from modelica2fmu.library.library_release import ADDRESS, RELEASES, content_digest, install_release, release_of
+from modelica2fmu.library.standard_library import StandardLibrary, find_standard_library
 
 FILES = {
     "Modelica/package.mo": 'package Modelica\n annotation(version="4.1.0", revisionId="abc 2025");\nend Modelica;\n',

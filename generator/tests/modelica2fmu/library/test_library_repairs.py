@@ -6,10 +6,10 @@ import re
 from pathlib import Path
 
 import pytest
-from modelica2fmu.ir import Span
-from modelica2fmu.library_repairs import REPAIRS, repaired_library
-from modelica2fmu.source_map import SourceMap, source_number
-from modelica2fmu.standard_library import find_standard_library
+from modelica2fmu.frontend.ir import Span
+from modelica2fmu.library.library_repairs import REPAIRS, repaired_library
+from modelica2fmu.library.source_map import SourceMap, source_number
+from modelica2fmu.library.standard_library import find_standard_library
 
 VECTORS = """within Modelica.Math;
 package BooleanVectors

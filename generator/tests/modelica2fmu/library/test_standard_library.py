@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from contact_foundation.errors import InputError
-from modelica2fmu.standard_library import cache_folder, core_subset, find_standard_library
+from modelica2fmu.library.standard_library import cache_folder, core_subset, find_standard_library
 from modelica2fmu.translation import translate
 
 

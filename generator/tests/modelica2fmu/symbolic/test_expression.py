@@ -8,7 +8,7 @@ import casadi
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from modelica2fmu import expression as ex
+from modelica2fmu.symbolic import expression as ex
 
 X, Y = ex.symbol("x"), ex.symbol("y")
 

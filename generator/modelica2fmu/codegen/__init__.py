@@ -1,0 +1,1 @@
+"""Generates C from sorted equations."""

@@ -1,0 +1,1 @@
+"""Expands a flattened model to scalar variables, equations and events."""

@@ -1,0 +1,1 @@
+"""Has rumoca flatten a model, and reads the flattened form into typed classes."""

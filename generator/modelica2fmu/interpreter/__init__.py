@@ -1,0 +1,1 @@
+"""Evaluates Modelica expressions and functions on values that may be symbolic."""

@@ -1,0 +1,1 @@
+"""Scalar expressions: operations, derivatives, linear forms."""
