@@ -1,5 +1,6 @@
 # make demo   sets up and runs the main job on Resources/cad/hammer
 # make test   sets up and passes the tests
+# make test-full   passes the long tests, which make test leaves out
 # make bench  times the engine beside libccd, FCL and coal
 # make bench-fmu  how building and simulating FMUs grows with the size of the model
 # make release   packs the Modelica library: out/ContactMultiBody-<version>.zip
@@ -11,13 +12,16 @@
 # make test-msl  passes the tests with the Standard Library's examples (MODELICAPATH; about fifteen minutes)
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: test-msl coverage fuzz stress bench-fmu contact-paths demo test setup setup-test lint bench clean release promises large test-omc icons
+.PHONY: test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release promises large test-omc icons
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
 
 test: setup-test
 	scripts/test
+
+test-full: setup-test
+	scripts/test full
 
 setup:
 	scripts/setup

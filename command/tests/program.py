@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 
+import pytest
 from cmb.project import CASES, ROOT
 from fmu_regression.cases.case import find_cases
 
@@ -16,11 +17,9 @@ CaseCheck = Callable[[Path], None]
 HAMMER = ROOT / "Resources" / "cad" / "hammer"
 
 
-def cases_of(folder: str) -> list[Path]:
-    """The regression cases of one folder of ``regression/cases``."""
-    return list(find_cases(CASES / folder))
-
-
-def case_name(path: Path) -> str:
-    """A case's name, for the test's."""
-    return path.stem
+def cases_of(folder: str, quick: Collection[str]) -> list[object]:
+    """The regression cases of one folder of ``regression/cases``; all but the ``quick`` ones are marked ``full``."""
+    paths = list(find_cases(CASES / folder))
+    unknown = set(quick) - {path.stem for path in paths}
+    assert not unknown, f"no such case: {', '.join(sorted(unknown))}"
+    return [pytest.param(path, id=path.stem, marks=() if path.stem in quick else pytest.mark.full) for path in paths]
