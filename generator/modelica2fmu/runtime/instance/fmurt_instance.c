@@ -1,13 +1,12 @@
 /* fmurt_instance.c - memory and start values of an instance, and its log. */
 #include "fmurt_instance.h"
-#include "fmurt_delay.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "fmurt_solver.h"
+#include "fmurt_delay.h"
 
 const char *const fmurt_log_category_name[FMURT_LOG_CATEGORY_COUNT] = {
     "logEvents", "logSolver", "logStatusWarning", "logStatusDiscard", "logStatusError", "logAll"};
@@ -92,9 +91,14 @@ fmurt_instance *fmurt_instance_create(const char *name, fmurt_kind kind, fmurt_l
   return instance;
 }
 
+static void destroy_solver(fmurt_instance *instance) {
+  if (instance->solver != NULL) instance->destroy_solver(instance->solver);
+  instance->solver = NULL;
+}
+
 void fmurt_instance_destroy(fmurt_instance *instance) {
   if (instance == NULL) return;
-  fmurt_solver_destroy(instance->solver);
+  destroy_solver(instance);
   for (size_t i = 0; i < fmurt_model.string_count; ++i) {
     if (instance->string != NULL) free(instance->string[i]);
     if (instance->start_string != NULL) free(instance->start_string[i]);
@@ -119,8 +123,7 @@ static void copy_ints(int *target, const int *source, size_t count) {
 }
 
 fmurt_result fmurt_instance_reset(fmurt_instance *instance) {
-  fmurt_solver_destroy(instance->solver);
-  instance->solver = NULL;
+  destroy_solver(instance);
   memset(instance->double_block, 0, instance->double_block_count * sizeof(double));
   memset(instance->int_block, 0, instance->int_block_count * sizeof(int));
   copy_doubles(instance->start_real, fmurt_model.real_start, fmurt_model.real_count);

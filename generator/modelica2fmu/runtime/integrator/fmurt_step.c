@@ -45,6 +45,7 @@ fmurt_result fmurt_do_step(fmurt_instance *instance, double target, int stop_at_
   fmurt_situation *situation = &instance->situation;
   if (instance->solver == NULL) {
     instance->solver = fmurt_solver_create(instance);
+    instance->destroy_solver = fmurt_solver_destroy;
     if (instance->solver == NULL) {
       snprintf(instance->message, sizeof instance->message, "No memory for the integrator");
       return FMURT_RESULT_ERROR;
