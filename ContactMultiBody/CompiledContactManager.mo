@@ -1,32 +1,36 @@
 within ContactMultiBody;
 model CompiledContactManager "Lets many bodies collide; the engine finds the contacts and computes their forces"
-  extends Internal.PartialCompiledContacts;
+  extends Interfaces.PartialCompiledContacts;
   import Modelica.Mechanics.MultiBody.Frames;
 
   Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame[n] "Frames of the bodies"
     annotation (Placement(transformation(extent={{-116,-80},{-84,80}})));
 
-  Modelica.Units.SI.Force force[n, 3]=bodyForce "Contact force on each body, in world axes";
+  Modelica.Units.SI.Force force[n, 3] "Contact force on each body, in world axes";
+protected
+  Modelica.Units.SI.Torque torque[n, 3] "Contact torque on each body about its frame, in world axes";
+  Modelica.Units.SI.Position origin[n, 3] "Origins of the bodies' frames, to be differentiated";
 equation
   for i in 1:n loop
-    r_0[i, :] = frame[i].r_0;
-    T[i, :, :] = frame[i].R.T;
+    origin[i, :] = frame[i].r_0;
     w_0[i, :] = Frames.resolve1(frame[i].R, frame[i].R.w);
   end for;
-  v_0 = der(r_0);
+  v_0 = der(origin);
+  r_0 = Internal.Unaliased.vectors({frame[i].r_0 for i in 1:n});
+  T = Internal.Unaliased.rotations({frame[i].R.T for i in 1:n});
+  force = Internal.Unaliased.vectors(responseForce);
+  torque = Internal.Unaliased.vectors(responseTorque);
   for i in 1:n loop
-    frame[i].f = -Frames.resolve2(frame[i].R, bodyForce[i, :]);
-    frame[i].t = -Frames.resolve2(frame[i].R, bodyTorque[i, :]);
+    frame[i].f = -Frames.resolve2(frame[i].R, force[i, :]);
+    frame[i].t = -Frames.resolve2(frame[i].R, torque[i, :]);
   end for;
   annotation (
     defaultComponentName="contacts",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
-        Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
         Ellipse(extent={{-70,70},{-10,10}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.Sphere),
         Ellipse(extent={{10,70},{70,10}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.Sphere),
         Ellipse(extent={{-30,96},{30,36}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.Sphere),
         Rectangle(extent={{-80,10},{80,-34}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.HorizontalCylinder),
-        Text(extent={{-150,150},{150,110}}, textString="%name", textColor={0,0,255}),
         Text(extent={{-100,-60},{100,-90}}, textString="n=%n")}),
     Documentation(info="<html>
 <p>

@@ -1,6 +1,6 @@
 within ContactMultiBody;
 model ContactManager "Lets all bodies it is connected to collide"
-  extends Internal.PartialContacts;
+  extends Interfaces.PartialContacts;
 
   parameter String geometry[n] "Descriptor of each body's geometry, usually {body1.geometry, ...}";
   parameter Types.Backend backend=Types.Backend.Automatic "Algorithm that finds the contacts"
@@ -8,17 +8,21 @@ model ContactManager "Lets all bodies it is connected to collide"
   parameter Modelica.Units.SI.Length exactWithin(min=Modelica.Constants.small)=Modelica.Constants.inf
     "Gap between bounding spheres up to which distances are exact; beyond it they are lower bounds, which cost less"
     annotation (Dialog(tab="Advanced"));
-  final parameter Integer scene=Internal.intern(geometry, pair, Integer(backend) - 1) "Handle of the scene in the engine";
+  final parameter Integer scene=Internal.Engine.intern(geometry, pair, Integer(backend) - 1) "Handle of the scene in the engine";
 equation
-  (distance,depth,weight,normal,point) = Internal.query(scene, r_0, {frame[i].R.T for i in 1:n}, m, pointCapacity, exactWithin);
+  (pairDistance,depth,weight,normal,point) = Internal.Engine.query(
+    scene,
+    {frame[i].r_0 for i in 1:n},
+    {frame[i].R.T for i in 1:n},
+    m,
+    pointCapacity,
+    exactWithin);
   annotation (
     defaultComponentName="contacts",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
-        Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
         Ellipse(extent={{-40,80},{40,0}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.Sphere),
         Rectangle(extent={{-80,4},{80,-40}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.HorizontalCylinder),
         Line(points={{0,4},{0,70}}, color={255,0,0}, thickness=0.5, arrow={Arrow.None,Arrow.Filled}),
-        Text(extent={{-150,150},{150,110}}, textString="%name", textColor={0,0,255}),
         Text(extent={{-100,-60},{100,-90}}, textString="n=%n")}),
     Documentation(info="<html>
 <p>

@@ -1,6 +1,6 @@
 within ContactMultiBody;
 model VolumeContactManager "Lets bodies collide that touch with faces, by forces proportional to the volume of their overlap"
-  extends Internal.PartialContacts(
+  extends Interfaces.PartialContacts(
     final pointCapacity=4,
     final stiffnessChoice=Types.StiffnessChoice.Given,
     final exponent=1,
@@ -12,17 +12,20 @@ model VolumeContactManager "Lets bodies collide that touch with faces, by forces
   parameter Modelica.Units.SI.Length exactWithin(min=Modelica.Constants.small)=Modelica.Constants.inf
     "Gap between bounding spheres up to which distances are exact; beyond it they are lower bounds, which cost less"
     annotation (Dialog(tab="Advanced"));
-  final parameter Integer scene=Internal.intern(geometry, pair, 0) "Handle of the scene in the engine";
+  final parameter Integer scene=Internal.Engine.intern(geometry, pair, 0) "Handle of the scene in the engine";
 equation
-  (distance,depth,weight,normal,point) = Internal.queryVolume(scene, r_0, {frame[i].R.T for i in 1:n}, m, exactWithin);
+  (pairDistance,depth,weight,normal,point) = Internal.Engine.queryVolume(
+    scene,
+    {frame[i].r_0 for i in 1:n},
+    {frame[i].R.T for i in 1:n},
+    m,
+    exactWithin);
   annotation (
     defaultComponentName="contacts",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
-        Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
         Rectangle(extent={{-46,70},{46,-8}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.HorizontalCylinder),
         Rectangle(extent={{-80,4},{80,-40}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.HorizontalCylinder),
         Rectangle(extent={{-46,4},{46,-8}}, lineColor={255,0,0}, fillColor={255,128,128}, fillPattern=FillPattern.Solid),
-        Text(extent={{-150,150},{150,110}}, textString="%name", textColor={0,0,255}),
         Text(extent={{-100,-60},{100,-90}}, textString="n=%n")}),
     Documentation(info="<html>
 <p>

@@ -24,7 +24,7 @@ algorithm
     pairs[i, 1] := max(1, min(n, first));
     pairs[i, 2] := max(1, min(n, second));
   end for;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>Rows {1,2}, {1,3}, ..., {2,3}, ... where all pairs are looked at.</p>
 </html>"));
 end pairsLookedAt;

@@ -1,6 +1,6 @@
 within ContactMultiBody.Parts;
 model FreeBodies "Many equal free rigid bodies that collide with each other and with fixed surroundings"
-  extends Internal.PartialCompiledContacts(
+  extends Interfaces.PartialCompiledContacts(
     final n=bodyCount + 1,
     final geometry={if i <= bodyCount then bodyGeometry else surroundings for i in 1:bodyCount + 1},
     final inertia(
@@ -38,7 +38,8 @@ model FreeBodies "Many equal free rigid bodies that collide with each other and 
     each unit="1") "Quaternions, from world to the bodies' frames";
   Modelica.Units.SI.AngularVelocity w[bodyCount, 3](start=w_start, each fixed=true, each stateSelect=StateSelect.always)
     "Angular velocities, in the bodies' axes";
-  Modelica.Units.SI.Force surroundingsForce[3]=bodyForce[bodyCount + 1, :] "Contact force on the surroundings";
+  Modelica.Units.SI.Force surroundingsForce[3]=Internal.FreeBodies.forceOnSurroundings(responseForce)
+    "Contact force on the surroundings";
   Modelica.Units.SI.Energy kineticEnergy "Kinetic energy of all bodies";
   Modelica.Units.SI.Energy energy "Kinetic, potential and elastic energy of all bodies";
 protected
@@ -47,34 +48,22 @@ protected
   Modelica.Units.SI.Energy bodyKineticEnergy[bodyCount] "Kinetic energy of each body";
   Modelica.Units.SI.Energy bodyPotentialEnergy[bodyCount] "Potential energy of each body";
 equation
-  rotation = Internal.quaternionRotations(Q);
-  wWorld = Internal.worldVectors(rotation, w);
-  for i in 1:bodyCount loop
-    r_0[i, :] = r[i, :];
-  end for;
-  r_0[n, :] = zeros(3);
-  for i in 1:bodyCount loop
-    v_0[i, :] = v[i, :];
-  end for;
-  v_0[n, :] = zeros(3);
-  for i in 1:bodyCount loop
-    T[i, :, :] = rotation[i, :, :];
-  end for;
-  T[n, :, :] = {{1,0,0},{0,1,0},{0,0,1}};
-  for i in 1:bodyCount loop
-    w_0[i, :] = wWorld[i, :];
-  end for;
-  w_0[n, :] = zeros(3);
+  rotation = Internal.FreeBodies.quaternionRotations(Q);
+  wWorld = Internal.FreeBodies.worldVectors(rotation, w);
+  r_0 = Internal.FreeBodies.withSurroundings(r);
+  v_0 = Internal.FreeBodies.withSurroundings(v);
+  T = Internal.FreeBodies.withSurroundingsFrame(rotation);
+  w_0 = Internal.FreeBodies.withSurroundings(wWorld);
 
   der(r) = v;
-  der(v) = Internal.accelerations(bodyMass, gravity, bodyForce, bodyCount);
-  der(Q) = Internal.quaternionRates(Q, w);
-  der(w) = Internal.angularAccelerations(bodyInertia, w, rotation, bodyTorque);
+  der(v) = Internal.FreeBodies.accelerations(bodyMass, gravity, responseForce, bodyCount);
+  der(Q) = Internal.FreeBodies.quaternionRates(Q, w);
+  der(w) = Internal.FreeBodies.angularAccelerations(bodyInertia, w, rotation, responseTorque);
 
-  bodyKineticEnergy = Internal.kineticEnergies(bodyMass, bodyInertia, v, w);
-  kineticEnergy = Internal.total(bodyKineticEnergy);
+  bodyKineticEnergy = Internal.FreeBodies.kineticEnergies(bodyMass, bodyInertia, v, w);
+  kineticEnergy = Internal.FreeBodies.total(bodyKineticEnergy);
   bodyPotentialEnergy = -bodyMass*(r*gravity);
-  energy = kineticEnergy + Internal.total(bodyPotentialEnergy) + elasticEnergy;
+  energy = kineticEnergy + Internal.FreeBodies.total(bodyPotentialEnergy) + elasticEnergy;
   annotation (
     defaultComponentName="bodies",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={

@@ -1,6 +1,6 @@
 within ContactMultiBody.PureModelica;
 model CapsuleOnCapsule "Two capsules"
-  extends ContactMultiBody.Internal.PartialContacts(
+  extends Interfaces.PartialContacts(
     final n=2,
     final pairs={{1,2}},
     final pointCapacity=1);
@@ -13,14 +13,12 @@ protected
   Modelica.Units.SI.Position q[3] "Point of the second segment closest to the first";
 equation
   (p,q) = Geometry.closestOfSegments(frame[1].r_0, frame[1].R.T[3, :], length1, frame[2].r_0, frame[2].R.T[3, :], length2);
-  (distance,depth,weight,normal,point) = Geometry.sphereOnSphere(p, radius1, q, radius2);
+  (pairDistance,depth,weight,normal,point) = Geometry.sphereOnSphere(p, radius1, q, radius2);
   annotation (
     defaultComponentName="contact",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
-        Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
         Rectangle(extent={{-60,50},{60,0}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.HorizontalCylinder, radius=25),
-        Rectangle(extent={{-80,0},{80,-50}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.HorizontalCylinder, radius=25),
-        Text(extent={{-150,150},{150,110}}, textString="%name", textColor={0,0,255})}),
+        Rectangle(extent={{-80,0},{80,-50}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.HorizontalCylinder, radius=25)}),
     Documentation(info="<html>
 <p>One contact point between the closest points of the segments. Capsules that lie along each other touch along a length, of
 which one point carries all the force; they are better left to the contact engine.</p>

@@ -1,13 +1,13 @@
 within ContactMultiBody.PureModelica;
 model SphereOnBox "Sphere and box"
-  extends ContactMultiBody.Internal.PartialContacts(
+  extends Interfaces.PartialContacts(
     final n=2,
     final pairs={{1,2}},
     final pointCapacity=1);
   parameter Modelica.Units.SI.Radius radius(min=Modelica.Constants.small) "Radius of the sphere centred in frame[1]";
   parameter Modelica.Units.SI.Length size[3](each min=Modelica.Constants.small) "Full lengths of the box, centred in frame[2]";
 equation
-  (distance,depth,weight,normal,point) = Geometry.sphereOnBox(
+  (pairDistance,depth,weight,normal,point) = Geometry.sphereOnBox(
     frame[2].R.T*(frame[1].r_0 - frame[2].r_0),
     radius,
     size,
@@ -16,10 +16,8 @@ equation
   annotation (
     defaultComponentName="contact",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
-        Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
         Ellipse(extent={{-40,60},{40,-20}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.Sphere),
-        Rectangle(extent={{-50,-20},{50,-80}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.HorizontalCylinder),
-        Text(extent={{-150,150},{150,110}}, textString="%name", textColor={0,0,255})}),
+        Rectangle(extent={{-50,-20},{50,-80}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.HorizontalCylinder)}),
     Documentation(info="<html>
 <p>One contact point on a face, an edge or a corner of the box.</p>
 <p>The laws and their parameters are those of the <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a>.</p>

@@ -1,6 +1,6 @@
 within ContactMultiBody.PureModelica;
 model SphereOnCapsule "Sphere and capsule"
-  extends ContactMultiBody.Internal.PartialContacts(
+  extends Interfaces.PartialContacts(
     final n=2,
     final pairs={{1,2}},
     final pointCapacity=1);
@@ -8,7 +8,7 @@ model SphereOnCapsule "Sphere and capsule"
   parameter Modelica.Units.SI.Radius radius2(min=Modelica.Constants.small) "Radius of the capsule";
   parameter Modelica.Units.SI.Length length2(min=0) "Length of the capsule's segment along the third axis of frame[2], centred there";
 equation
-  (distance,depth,weight,normal,point) = Geometry.sphereOnSphere(
+  (pairDistance,depth,weight,normal,point) = Geometry.sphereOnSphere(
     frame[1].r_0,
     radius1,
     Geometry.closestOnSegment(frame[1].r_0, frame[2].r_0, frame[2].R.T[3, :], length2),
@@ -16,10 +16,8 @@ equation
   annotation (
     defaultComponentName="contact",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
-        Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
         Ellipse(extent={{-40,80},{40,0}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.Sphere),
-        Rectangle(extent={{-80,0},{80,-50}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.HorizontalCylinder, radius=25),
-        Text(extent={{-150,150},{150,110}}, textString="%name", textColor={0,0,255})}),
+        Rectangle(extent={{-80,0},{80,-50}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.HorizontalCylinder, radius=25)}),
     Documentation(info="<html>
 <p>One contact point, towards the point of the capsule's segment closest to the sphere.</p>
 <p>The laws and their parameters are those of the <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a>.</p>

@@ -1,20 +1,18 @@
 within ContactMultiBody.PureModelica;
 model SphereOnHalfSpace "Sphere on a half-space"
-  extends ContactMultiBody.Internal.PartialContacts(
+  extends Interfaces.PartialContacts(
     final n=2,
     final pairs={{1,2}},
     final pointCapacity=1);
   parameter Modelica.Units.SI.Radius radius(min=Modelica.Constants.small) "Radius of the sphere, centred in frame[1]";
   parameter Real outward[3](each unit="1")={0,0,1} "Outward unit normal of the half-space, in frame[2]; its plane goes through the origin";
 equation
-  (distance,depth,weight,normal,point) = Geometry.spheresOnHalfSpace({frame[1].r_0}, radius, frame[2].r_0, transpose(frame[2].R.T)*outward);
+  (pairDistance,depth,weight,normal,point) = Geometry.spheresOnHalfSpace({frame[1].r_0}, radius, frame[2].r_0, transpose(frame[2].R.T)*outward);
   annotation (
     defaultComponentName="contact",
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
-        Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),
         Rectangle(extent={{-80,-20},{80,-70}}, lineColor={95,95,95}, fillColor={175,175,175}, fillPattern=FillPattern.Backward),
-        Ellipse(extent={{-40,60},{40,-20}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.Sphere),
-        Text(extent={{-150,150},{150,110}}, textString="%name", textColor={0,0,255})}),
+        Ellipse(extent={{-40,60},{40,-20}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.Sphere)}),
     Documentation(info="<html>
 <p>One contact point below the centre.</p>
 <p>The laws and their parameters are those of the <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a>.</p>

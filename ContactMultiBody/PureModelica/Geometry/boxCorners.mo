@@ -10,7 +10,7 @@ algorithm
     corner[i, :] := centre + (mod(i - 1, 2) - 0.5)*size[1]*T[1, :] + (mod(div(i - 1, 2), 2) - 0.5)*size[2]*T[2, :] +
       (div(i - 1, 4) - 0.5)*size[3]*T[3, :];
   end for;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>The first coordinate changes fastest.</p>
 </html>"));
 end boxCorners;

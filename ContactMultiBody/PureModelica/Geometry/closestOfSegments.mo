@@ -20,7 +20,7 @@ algorithm
   s := min(max((b + t*v - a)*u, -lengthA/2), lengthA/2);
   p := a + s*u;
   q := b + t*v;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 Solves for the closest points of the two lines, limits the first, then each to the closest of the other. Parallel segments touch along a length; one point of it is returned.
 Source: C. Ericson: Real-Time Collision Detection, Morgan Kaufmann 2005, section 5.1.9.

@@ -8,7 +8,7 @@ pure function closestOnSegment "Point of a segment closest to a point"
   output Modelica.Units.SI.Position q[3] "Closest point";
 algorithm
   q := centre + min(max((p - centre)*axis, -length/2), length/2)*axis;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>Projects the point onto the line and limits it to the segment.</p>
 </html>"));
 end closestOnSegment;

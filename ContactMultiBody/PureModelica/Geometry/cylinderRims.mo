@@ -20,7 +20,7 @@ algorithm
     rim[4*i - 1, :] := centre + (i - 1.5)*length*T[3, :] + radius*v;
     rim[4*i, :] := centre + (i - 1.5)*length*T[3, :] - radius*v;
   end for;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 For an upright cylinder the lowest point is not defined; the four points of a rim then stand in directions fixed to the cylinder. Four points
 evenly spaced carry the same force and moment in whatever direction they stand, as long as all of them carry and the law is linear.

@@ -32,7 +32,7 @@ algorithm
   weight[1, 1] := 1;
   normal[1, 1, :] := transpose(T)*e;
   point[1, 1, :] := origin + transpose(T)*(centre - (radius + distance[1]/2)*e);
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>Faces, edges and corners of the box. While the centre is outside, the normal turns continuously around edges and corners; a centre inside the box is pushed out through the nearest face.</p>
 </html>"));
 end sphereOnBox;

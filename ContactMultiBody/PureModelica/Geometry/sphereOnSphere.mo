@@ -21,7 +21,7 @@ algorithm
   weight[1, 1] := 1;
   normal[1, 1, :] := e;
   point[1, 1, :] := (a - ra*e + b + rb*e)/2;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>All other round shapes reduce to this function: their closest points are the centres.</p>
 </html>"));
 end sphereOnSphere;

@@ -22,7 +22,7 @@ algorithm
     point[1, i, :] := centre[i, :] - (radius + height[i]/2)*outward;
   end for;
   distance[1] := min(height);
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>Each sphere is one contact point, and all carry the same share of the force. With four carrying, a box that stands on four corners is carried by the whole stiffness, on one corner by a quarter of the stiffness. With radius zero, the centres are vertices.</p>
 </html>"));
 end spheresOnHalfSpace;

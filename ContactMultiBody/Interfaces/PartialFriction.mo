@@ -1,0 +1,90 @@
+within ContactMultiBody.Interfaces;
+partial model PartialFriction "Friction against sliding, and the force of each point"
+  import SI = Modelica.Units.SI;
+  extends PartialNormalForce;
+
+  parameter Types.Friction friction=Types.Friction.Regularised "Law of friction"
+    annotation (Evaluate=true, Dialog(group="Friction"));
+  parameter Types.CombinationRule frictionRule=Types.CombinationRule.GeometricMean "How friction of two materials combines"
+    annotation (Evaluate=true, Dialog(group="Friction", enable=friction <> Types.Friction.None));
+  parameter Real muStatic[m](each min=0, each unit="1")=Materials.combine(material.muStatic, pair, frictionRule)
+    "Coefficient of static friction of each pair, for Anchored only"
+    annotation (Dialog(group="Friction", enable=friction == Types.Friction.Anchored));
+  parameter Real muDynamic[m](each min=0, each unit="1")=Materials.combine(material.muDynamic, pair, frictionRule)
+    "Coefficient of sliding friction of each pair"
+    annotation (Dialog(group="Friction", enable=friction <> Types.Friction.None));
+  parameter SI.Velocity regularisationSpeed(min=Modelica.Constants.small)=1e-3
+    "Sliding speed over which regularised friction changes its direction"
+    annotation (Dialog(group="Friction", enable=friction == Types.Friction.Regularised));
+  parameter SI.Velocity limitSpeed(min=Modelica.Constants.small)=0.01
+    "Sliding speed that separates static from sliding friction, for Anchored only"
+    annotation (Dialog(group="Friction", enable=friction == Types.Friction.Anchored));
+  parameter SI.TranslationalSpringConstant frictionStiffness[m](each min=Modelica.Constants.small)=0.8*1e-4^(exponent - 1)*stiffness
+    "Stiffness of each static spring, for Anchored only"
+    annotation (Dialog(group="Friction", enable=friction == Types.Friction.Anchored));
+  parameter SI.Time frictionDampingTime(min=0)=1e-3 "Damping of the static springs by their stiffness, for Anchored only"
+    annotation (Dialog(group="Friction", enable=friction == Types.Friction.Anchored));
+  parameter SI.Time relaxationTime(min=Modelica.Constants.small)=1e-3
+    "Time in which an anchor that holds nothing is forgotten, for Anchored only"
+    annotation (Dialog(group="Friction", enable=friction == Types.Friction.Anchored));
+
+  SI.Energy elasticEnergy "Energy stored in the compliance of all contacts";
+  SI.Position anchorStretch[if friction == Types.Friction.Anchored then m else 0, 3](each start=0, each fixed=true)
+    "Way each pair slid since its anchor was set, in world axes";
+
+protected
+  Real meanNormal[if friction == Types.Friction.Anchored then m else 0, 3](each unit="1") "Normal of each pair as a whole";
+  SI.Velocity sliding[if friction == Types.Friction.Anchored then m else 0, 3] "Tangential velocity of each pair as a whole";
+  SI.AngularVelocity spin[if friction == Types.Friction.Anchored then m else 0] "Mean angular velocity about the normal";
+  Real mu[if friction == Types.Friction.Anchored then m else 0](each unit="1") "Coefficient of friction at the present speed";
+  SI.Force pointForce[m, pointCapacity, 3] "Force of each point on the first body";
+equation
+  if friction == Types.Friction.None then
+    pointForce = Internal.FrictionForces.frictionlessForces(pointNormalForce, normal);
+    elasticEnergy = Internal.NormalForces.springEnergy(depth, weight, stiffness, exponent);
+  elseif friction == Types.Friction.Regularised then
+    pointForce = Internal.FrictionForces.regularisedForces(
+      pointNormalForce,
+      normal,
+      pointVelocity,
+      pointSpeed,
+      muDynamic,
+      regularisationSpeed);
+    elasticEnergy = Internal.NormalForces.springEnergy(depth, weight, stiffness, exponent);
+  else
+    (meanNormal,sliding,spin,mu) = Internal.FrictionForces.contactMeans(
+      pointNormalForce,
+      normal,
+      pointVelocity,
+      w_0,
+      pair,
+      muStatic,
+      muDynamic,
+      limitSpeed);
+    pointForce = Internal.FrictionForces.anchoredForces(
+      pointNormalForce,
+      normal,
+      meanNormal,
+      sliding,
+      anchorStretch,
+      frictionStiffness,
+      frictionDampingTime,
+      mu);
+    der(anchorStretch) = Internal.FrictionForces.anchorRates(
+      pointNormalForce,
+      anchorStretch,
+      sliding,
+      meanNormal,
+      spin,
+      frictionStiffness,
+      mu,
+      relaxationTime);
+    elasticEnergy = Internal.NormalForces.springEnergy(depth, weight, stiffness, exponent) +
+      Internal.FrictionForces.anchorEnergy(anchorStretch, frictionStiffness);
+  end if;
+  annotation (Documentation(info="<html>
+<p>
+One law of <a href=\"modelica://ContactMultiBody.Friction\">Friction</a>, or none, gives the force of each point from its normal force; static springs add to the elastic energy.
+</p>
+</html>"));
+end PartialFriction;

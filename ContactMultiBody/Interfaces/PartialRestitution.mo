@@ -1,0 +1,71 @@
+within ContactMultiBody.Interfaces;
+partial model PartialRestitution "What an impact gives back, and the events that catch its speed"
+  import SI = Modelica.Units.SI;
+  extends PartialPairs;
+
+  parameter Types.NormalLaw normalLaw=Types.NormalLaw.Exact "Law of the normal force"
+    annotation (Evaluate=true, Dialog(group="Normal force"));
+
+  parameter Boolean useRestitution=true
+    "= true, if impacts deliver the coefficients of restitution; without effect for SpringDamper"
+    annotation (Evaluate=true, choices(checkBox=true), Dialog(group="Restitution"));
+  parameter Types.RestitutionMethod restitutionMethod=Types.RestitutionMethod.ImpactSpeed
+    "How the speed at the start of a contact is known"
+    annotation (Evaluate=true, Dialog(group="Restitution", enable=useRestitution));
+  parameter Types.CombinationRule restitutionRule=Types.CombinationRule.Minimum "How restitution of two materials combines"
+    annotation (Evaluate=true, Dialog(group="Restitution", enable=useRestitution));
+  parameter Real restitution[m](each min=0, each max=1, each unit="1")=Materials.combine(
+    material.restitution, pair, restitutionRule) "Coefficient of restitution of each pair"
+    annotation (Dialog(group="Restitution", enable=useRestitution));
+  parameter SI.Velocity restSpeed(min=Modelica.Constants.small)=0.01 "Impacts slower than this come to rest, for ImpactSpeed only"
+    annotation (Dialog(group="Restitution", enable=useRestitution));
+
+  final parameter Boolean catchImpacts=useRestitution and normalLaw <> Types.NormalLaw.SpringDamper and restitutionMethod
+       == Types.RestitutionMethod.ImpactSpeed "= true, if events catch the speeds of impacts" annotation (Evaluate=true);
+  final parameter Real dampingFactor[m](each unit="1")=Internal.Restitution.dampingFactors(normalLaw, restitution)
+    "Damping factor of each pair";
+
+  SI.Velocity impactSpeed[if catchImpacts then m else 0]
+    "Approach speed of each pair when it last was struck";
+  Boolean touches[if catchImpacts then m else 0] "= true, if the bodies of the pair touch";
+
+protected
+  final parameter Boolean isMemoryless=useRestitution and normalLaw <> Types.NormalLaw.SpringDamper and restitutionMethod
+       == Types.RestitutionMethod.Memoryless "= true, if restitution is delivered without events" annotation (Evaluate=true);
+  SI.Velocity strikeSpeed[if catchImpacts then m else 0] "Greatest approach speed of the points where each pair touches";
+  Boolean struck[if catchImpacts then m else 0] "= true, if a touching pair meets faster than when it last was struck";
+  SI.Velocity caughtSpeed[if catchImpacts then m else 0] "Impact speed of each pair after an event now";
+  Real rate[if catchImpacts then m else 0](each unit="s/m") "Damping factor by impact speed of each pair";
+initial equation
+  if catchImpacts then
+    pre(impactSpeed) = strikeSpeed;
+  end if;
+equation
+  if catchImpacts then
+    for i in 1:m loop
+      touches[i] = distance[i] < 0;
+    end for;
+    strikeSpeed = Internal.Restitution.strikeSpeeds(depth, pointSpeed);
+    for i in 1:m loop
+      struck[i] = strikeSpeed[i] > 1.25*max(pre(impactSpeed[i]), restSpeed) and distance[i] < 0;
+    end for;
+    // Only pre() of scalars, and outside of functions: some tools pass pre() of an array as its present values.
+    for i in 1:m loop
+      caughtSpeed[i] = if touches[i] and not pre(touches[i]) or struck[i] then strikeSpeed[i] else pre(impactSpeed[i]);
+    end for;
+    when touches then
+      impactSpeed = caughtSpeed;
+    elsewhen struck then
+      impactSpeed = caughtSpeed;
+    end when;
+    for i in 1:m loop
+      rate[i] = NormalForce.dampingRate(dampingFactor[i], impactSpeed[i], restSpeed);
+    end for;
+  end if;
+  annotation (Documentation(info="<html>
+<p>
+The damping of a contact that delivers a restitution depends on the speed at which it began. Either events catch that speed (<code>impactSpeed</code>), or it is recovered from depth
+and speed (<code>Memoryless</code>), for which <a href=\"modelica://ContactMultiBody.Interfaces.PartialNormalForce\">PartialNormalForce</a> needs the bodies' inertia.
+</p>
+</html>"));
+end PartialRestitution;
