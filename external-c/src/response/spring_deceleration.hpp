@@ -1,5 +1,5 @@
 // How fast the springs of a contact slow the bodies down: what takes the place of an effective mass where several points
-// carry. As ContactMultiBody.Internal.springDecelerations computes it.
+// carry. As ContactMultiBody.Internal.Restitution.springDecelerations computes it.
 #pragma once
 
 #include <vector>
