@@ -13,7 +13,7 @@ from contact_foundation.errors import InputError
 
 from modelica2fmu.codegen.code_generation import GeneratedModel, generate
 from modelica2fmu.description.icon_rendering import icon_png
-from modelica2fmu.description.model_description import ExternalCode, ModelDescription
+from modelica2fmu.description.model_description import ModelDescription
 from modelica2fmu.description.variables import describe_enumerations, describe_variables, internal_parameters
 from modelica2fmu.equations.alias import ReducedModel, eliminate_aliases
 from modelica2fmu.equations.systems import Systems, build_systems
@@ -23,7 +23,7 @@ from modelica2fmu.expand.scalarize import scalarize
 from modelica2fmu.frontend.loading import load_flat_model
 from modelica2fmu.library.cache_pruning import pruned_after_use
 from modelica2fmu.library.experiment import read_experiment
-from modelica2fmu.library.external_code import find_external_code, named_file
+from modelica2fmu.library.external_code import ExternalCode, find_external_code, named_file
 from modelica2fmu.library.library_repairs import repaired_library, views_folder
 from modelica2fmu.library.source_map import SourceMap
 from modelica2fmu.library.sources import locate

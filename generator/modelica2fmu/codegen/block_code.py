@@ -16,7 +16,7 @@ from modelica2fmu.equations.lanes import LANES, lane_passes
 from modelica2fmu.equations.systems import PlaceOf
 from modelica2fmu.equations.tangents import TangentAssignment, is_tangent, probe, probe_name
 from modelica2fmu.expand.scalar_model import ExternalCall, ScalarVariable
-from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -213,7 +213,7 @@ class BlockCode:
 
         return Statement((), solve, calls_model=True)
 
-    def _stated(self, span: ir.Span | None) -> str:
+    def _stated(self, span: Span | None) -> str:
         """Where an equation stands, without its folder, which would make the code depend on the machine."""
         place = self._place(span)
         if place.file is None:

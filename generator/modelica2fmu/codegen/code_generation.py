@@ -16,6 +16,7 @@ from modelica2fmu.codegen.event_code import (
     indicator_statements,
     lasting_asserts,
 )
+from modelica2fmu.codegen.generated_source import GeneratedSource
 from modelica2fmu.codegen.jacobian_code import jacobian_code
 from modelica2fmu.codegen.model_file import GUID_PLACE, ModelParts, model_file, model_header
 from modelica2fmu.codegen.slots import Slots, assign_slots
@@ -27,7 +28,6 @@ from modelica2fmu.equations.sorting import solve_order
 from modelica2fmu.equations.systems import PlaceOf, Systems
 from modelica2fmu.equations.tangents import tangents
 from modelica2fmu.expand.scalar_model import ExternalCall, Kind, derivative_name, start_name, unwrapped
-from modelica2fmu.packaging import GeneratedSource
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 

@@ -12,6 +12,9 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 
+from modelica2fmu.library.experiment import DefaultExperiment
+from modelica2fmu.library.external_code import ExternalCode
+
 
 class DataType(StrEnum):
     """Base type of a variable."""
@@ -111,33 +114,6 @@ class Variable:
     enumeration: str | None = None
     derivative_of: str | None = None
     reinit: bool = False
-
-
-@dataclass(frozen=True)
-class DefaultExperiment:
-    """The model's experiment annotation; ``None`` where it does not say."""
-
-    start: float | None = None
-    stop: float | None = None
-    tolerance: float | None = None
-    interval: float | None = None
-
-
-@dataclass(frozen=True)
-class ExternalCode:
-    """What the external C functions of the model need to compile and link.
-
-    Attributes:
-        includes: texts of Include annotations, in order, each once; the generated C has them already.
-        include_directories: existing folders for ``#include``.
-        libraries: names as in the Library annotation (``m``, ``contact_multibody``), in link order.
-        library_directories: existing folders searched for them, most specific (platform) first.
-    """
-
-    includes: tuple[str, ...] = ()
-    include_directories: tuple[Path, ...] = ()
-    libraries: tuple[str, ...] = ()
-    library_directories: tuple[Path, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from modelica2fmu.expand.scalar_model import ExternalCall
-from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -16,7 +16,7 @@ class Residual:
     """``residual = 0``."""
 
     residual: float | Node
-    span: ir.Span | None = None
+    span: Span | None = None
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Assignment:
     target: str
     value: float | Node
     is_discrete: bool = False
-    span: ir.Span | None = None
+    span: Span | None = None
 
 
 Entry = Residual | Assignment | ExternalCall
@@ -69,7 +69,7 @@ class NonlinearBlock:
     residuals: tuple[float | Node, ...]
     inner: tuple[Step, ...]
     size: int
-    spans: tuple[ir.Span | None, ...] = ()
+    spans: tuple[Span | None, ...] = ()
 
 
 Block = Assignment | ExternalCall | LinearBlock | NonlinearBlock

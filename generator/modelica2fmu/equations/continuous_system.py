@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from modelica2fmu.expand.scalar_model import Kind, ScalarModel, is_call_output, unwrapped
-from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -26,7 +26,7 @@ class ContinuousEquation:
 
     number: int
     residual: float | Node
-    span: ir.Span | None = None
+    span: Span | None = None
     derivative_of: int | None = None
     derivative: int | None = None
     is_invariant: bool = False

@@ -23,7 +23,7 @@ from modelica2fmu.equations.continuous_system import (
 from modelica2fmu.equations.matching import Matching
 from modelica2fmu.equations.state_selection import StateSelection
 from modelica2fmu.expand.scalar_model import Kind, ScalarModel, derivative_name, is_call_output, unwrapped
-from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -32,11 +32,11 @@ _ORDER_LIMIT: Final = 6
 
 def reduce_index(
     model: ScalarModel,
-    residuals: Sequence[tuple[float | Node, ir.Span | None]],
+    residuals: Sequence[tuple[float | Node, Span | None]],
     unknowns: Sequence[str],
     others: Sequence[float | Node],
     resolve: Callable[[str], float | Node],
-    place: Callable[[ir.Span | None], Place],
+    place: Callable[[Span | None], Place],
 ) -> ReducedSystem:
     """Reduces the index of ``residuals = 0`` and chooses states.
 
@@ -59,11 +59,11 @@ class _Reducer:
     def __init__(
         self,
         model: ScalarModel,
-        residuals: Sequence[tuple[float | Node, ir.Span | None]],
+        residuals: Sequence[tuple[float | Node, Span | None]],
         unknowns: Sequence[str],
         others: Sequence[float | Node],
         resolve: Callable[[str], float | Node],
-        place: Callable[[ir.Span | None], Place],
+        place: Callable[[Span | None], Place],
     ) -> None:
         self._model = model
         self._resolve = resolve
@@ -92,7 +92,7 @@ class _Reducer:
         self._incidence_is_stale = False
         self._angular_velocities = self._angular_velocity_names()
 
-    def _require_derivatives(self, root: float | Node, span: ir.Span | None) -> None:
+    def _require_derivatives(self, root: float | Node, span: Span | None) -> None:
         """Only continuous variables of the equations have derivatives."""
         for name in ex.symbols(root):
             order, inner = order_and_variable(name)

@@ -16,7 +16,7 @@ from contact_foundation.errors import InputError, Place
 
 from modelica2fmu.equations.blocks import Assignment, LinearBlock, LinearSystem, Residual
 from modelica2fmu.equations.lanes import lane_passes
-from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 from modelica2fmu.symbolic.linear_form import LinearForm, LinearForms, solved_for
@@ -30,7 +30,7 @@ def linear_block(
     torn: Sequence[str],
     order: Sequence[tuple[Residual, str]],
     remaining: Sequence[Residual],
-    place: Callable[[ir.Span | None], Place],
+    place: Callable[[Span | None], Place],
 ) -> LinearBlock | None:
     """The block of a torn component; ``None`` if it is not linear.
 

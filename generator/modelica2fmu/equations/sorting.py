@@ -23,7 +23,7 @@ from modelica2fmu.equations.linear_blocks import linear_block
 from modelica2fmu.equations.matching import Matching, strongly_connected_components
 from modelica2fmu.equations.tearing import Tearing
 from modelica2fmu.expand.scalar_model import ExternalCall
-from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.linear_form import solved_for
 
@@ -32,7 +32,7 @@ def solve_order(
     entries: Sequence[Entry],
     unknowns: Collection[str],
     preferred: Collection[str],
-    place: Callable[[ir.Span | None], Place],
+    place: Callable[[Span | None], Place],
 ) -> list[Block]:
     """Blocks in the order in which they can be solved.
 
@@ -55,7 +55,7 @@ class _Sorter:
         entries: Sequence[Entry],
         unknowns: Collection[str],
         preferred: Collection[str],
-        place: Callable[[ir.Span | None], Place],
+        place: Callable[[Span | None], Place],
     ) -> None:
         self._entries = entries
         self._unknowns = dict.fromkeys(unknowns)

@@ -20,6 +20,7 @@ from modelica2fmu.equations.continuous_system import ContinuousEquation, Reduced
 from modelica2fmu.equations.matching import Matching
 from modelica2fmu.expand.scalar_model import ScalarModel, derivative_name, unwrapped
 from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -45,7 +46,7 @@ class StateSelection:
         incidence: Mapping[int, Sequence[str]],
         names: Mapping[str, None],
         angular_velocities: Collection[str],
-        place: Callable[[ir.Span | None], Place],
+        place: Callable[[Span | None], Place],
     ) -> None:
         self._model = model
         self._equations = equations

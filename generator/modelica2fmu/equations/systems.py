@@ -26,11 +26,11 @@ from modelica2fmu.expand.scalar_model import (
     start_name,
     unwrapped,
 )
-from modelica2fmu.frontend import ir
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
-PlaceOf = Callable[[ir.Span | None], Place]
+PlaceOf = Callable[[Span | None], Place]
 
 
 @dataclass

@@ -22,7 +22,7 @@ from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter import arrays
 from modelica2fmu.interpreter.arrays import Record, Text, Value
 from modelica2fmu.interpreter.interpreter import Interpreter
-from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap, Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -45,7 +45,7 @@ class CallExpansion:
         interpreter: Interpreter,
         source_map: SourceMap,
         files: Callable[[str], Path],
-        constant: Callable[[Node, ir.Span | None, str], float],
+        constant: Callable[[Node, Span | None, str], float],
         is_enumeration: Callable[[str], bool],
     ) -> None:
         self._result = result
@@ -57,7 +57,7 @@ class CallExpansion:
         self._calls: dict[tuple[Any, ...], tuple[Value, ...]] = {}
         self._delays: dict[tuple[float | Node, ...], int] = {}
 
-    def external(self, function: ir.Function, args: Mapping[str, Value], span: ir.Span | None) -> tuple[Value, ...]:
+    def external(self, function: ir.Function, args: Mapping[str, Value], span: Span | None) -> tuple[Value, ...]:
         """The outputs of an external function, as symbols; see :class:`interpreter_host.Host`."""
         external = function.external
         assert external is not None
@@ -133,7 +133,7 @@ class CallExpansion:
         self._calls[key] = value
         return value
 
-    def _table(self, function: ir.Function, args: Mapping[str, Value], span: ir.Span | None) -> tuple[Value, ...]:
+    def _table(self, function: ir.Function, args: Mapping[str, Value], span: Span | None) -> tuple[Value, ...]:
         """A function of the Standard Library's tables."""
 
         def number(value: Value) -> float:
@@ -150,7 +150,7 @@ class CallExpansion:
                 raise
             raise type(error)(error.message, place=self._source_map.place(span or function.span)) from error
 
-    def lookup(self, function: str, symbol: str, arguments: tuple[CallArgument, ...], span: ir.Span | None) -> Node:
+    def lookup(self, function: str, symbol: str, arguments: tuple[CallArgument, ...], span: Span | None) -> Node:
         """The result of a call of a function of the runtime, made once for equal arguments."""
         key = (symbol, arguments)
         known = self._calls.get(key)
@@ -172,9 +172,7 @@ class CallExpansion:
         self._calls[key] = (result,)
         return result
 
-    def delay(
-        self, value: float | Node, delay: float | Node, longest: float | Node, span: ir.Span | None
-    ) -> float | Node:
+    def delay(self, value: float | Node, delay: float | Node, longest: float | Node, span: Span | None) -> float | Node:
         """See :class:`interpreter_host.Host`; a call of the runtime, which keeps the history."""
         if not isinstance(value, Node) or only_parameters(self._result, value):
             return value

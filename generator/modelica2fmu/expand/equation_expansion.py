@@ -13,7 +13,7 @@ from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter import arrays
 from modelica2fmu.interpreter.arrays import Scalar, Text
 from modelica2fmu.interpreter.interpreter import Interpreter
-from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap, Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -90,7 +90,7 @@ class EquationExpansion:
         return result
 
     def _outputs(
-        self, targets: ir.TupleExpression, call: ir.Expression, events: bool, span: ir.Span | None
+        self, targets: ir.TupleExpression, call: ir.Expression, events: bool, span: Span | None
     ) -> tuple[list[Any], list[Any]]:
         """Scalars of the outputs of a call and of what they are equal to; outputs may be left out."""
         outputs = self._interpreter.evaluate(call, events=events)

@@ -20,9 +20,8 @@ from modelica2fmu.expand.scalar_model import (
     unwrapped,
 )
 from modelica2fmu.expand.scalar_values import KNOWN_KINDS, is_fixed_while_simulating
-from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter.value_functions import relation
-from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap, Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -141,7 +140,7 @@ class EventOperators:
             self._held(ex.subtract(below, value))
         return ex.symbol(name)
 
-    def sample(self, start: float | Node, interval: float | Node, span: ir.Span | None) -> bool | Node:
+    def sample(self, start: float | Node, interval: float | Node, span: Span | None) -> bool | Node:
         """See :class:`interpreter_host.Host`; true in the event iteration in which the count of samples rises."""
         for value in (start, interval):
             if isinstance(value, Node) and not is_fixed_while_simulating(self._result, value):

@@ -14,6 +14,7 @@ from typing import Final
 
 from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter.arrays import Text
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic.expression import Node
 
 TIME: Final = "time"
@@ -94,7 +95,7 @@ class ScalarVariable:
     orientation: tuple[str, int, int] | None = None
     declaration: ir.Variable | None = None
     is_output: bool = False
-    span: ir.Span | None = None
+    span: Span | None = None
 
 
 @dataclass(frozen=True)
@@ -103,7 +104,7 @@ class ScalarEquation:
 
     left: float | Node
     right: float | Node
-    span: ir.Span | None = None
+    span: Span | None = None
     target: str | None = None
 
 
@@ -160,7 +161,7 @@ class ExternalCall:
     result: tuple[str, str] | None
     outputs: tuple[str, ...]
     has_prototype: bool
-    span: ir.Span | None = None
+    span: Span | None = None
 
     def inputs(self) -> list[Node]:
         """Symbolic inputs."""
@@ -180,7 +181,7 @@ class Reinitialization:
     trigger: float | Node
     state: str
     value: float | Node
-    span: ir.Span | None = None
+    span: Span | None = None
 
 
 @dataclass(frozen=True)

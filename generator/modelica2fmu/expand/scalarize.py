@@ -18,7 +18,7 @@ from modelica2fmu.expand.when_expansion import WhenExpansion
 from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter.arrays import Scalar, Value
 from modelica2fmu.interpreter.interpreter import Interpreter
-from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap, Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -92,7 +92,7 @@ class _Scalarizer:
         """See :class:`interpreter_host.Host`."""
         return self._enumerations.of_variable(name)
 
-    def derivative(self, value: float | Node, span: ir.Span | None) -> float | Node:
+    def derivative(self, value: float | Node, span: Span | None) -> float | Node:
         """See :class:`interpreter_host.Host`."""
 
         def rate(name: str) -> float | Node:
@@ -109,7 +109,7 @@ class _Scalarizer:
 
         return ex.Differentiation(rate)(value)
 
-    def previous(self, value: float | Node, span: ir.Span | None) -> float | Node:
+    def previous(self, value: float | Node, span: Span | None) -> float | Node:
         """See :class:`interpreter_host.Host`."""
         del span
         return self._events.previous(value)
@@ -122,21 +122,19 @@ class _Scalarizer:
         """See :class:`interpreter_host.Host`."""
         return self._events.step(op, value)
 
-    def sample(self, start: float | Node, interval: float | Node, span: ir.Span | None) -> bool | Node:
+    def sample(self, start: float | Node, interval: float | Node, span: Span | None) -> bool | Node:
         """See :class:`interpreter_host.Host`."""
         return self._events.sample(start, interval, span)
 
-    def external(self, function: ir.Function, args: Mapping[str, Value], span: ir.Span | None) -> tuple[Value, ...]:
+    def external(self, function: ir.Function, args: Mapping[str, Value], span: Span | None) -> tuple[Value, ...]:
         """See :class:`interpreter_host.Host`."""
         return self._calls.external(function, args, span)
 
-    def delay(
-        self, value: float | Node, delay: float | Node, longest: float | Node, span: ir.Span | None
-    ) -> float | Node:
+    def delay(self, value: float | Node, delay: float | Node, longest: float | Node, span: Span | None) -> float | Node:
         """See :class:`interpreter_host.Host`."""
         return self._calls.delay(value, delay, longest, span)
 
-    def constant(self, value: Node, span: ir.Span | None, purpose: str) -> float:
+    def constant(self, value: Node, span: Span | None, purpose: str) -> float:
         """See :class:`interpreter_host.Host`."""
         return self._values.constant(value, span, purpose)
 

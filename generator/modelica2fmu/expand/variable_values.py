@@ -14,7 +14,7 @@ from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter import arrays
 from modelica2fmu.interpreter.arrays import Record, Scalar, Text, Value
 from modelica2fmu.interpreter.interpreter import Interpreter
-from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap, Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -181,7 +181,7 @@ class VariableValues:
     def _plain(value: Scalar) -> float | str | Node | None:
         return None if isinstance(value, Text) else value
 
-    def constant(self, value: Node, span: ir.Span | None, purpose: str) -> float:
+    def constant(self, value: Node, span: Span | None, purpose: str) -> float:
         """See :class:`interpreter_host.Host`; the parameters it depends on can no longer be changed."""
         numbers: dict[str, float | Node] = {}
         for name in ex.symbols(value):
@@ -214,7 +214,7 @@ class VariableValues:
                 indices = name[len(declared.name) + 1 : -1].split(",")
                 value[tuple(int(index) - 1 for index in indices)] = number
 
-    def _parameter_number(self, name: str, span: ir.Span | None) -> float:
+    def _parameter_number(self, name: str, span: Span | None) -> float:
         value = self._result.variables[name].value
         if value is None:
             declared = self._result.variables[name].declaration

@@ -23,7 +23,7 @@ from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter import arrays
 from modelica2fmu.interpreter.arrays import Scalar, Value
 from modelica2fmu.interpreter.interpreter import Interpreter
-from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap, Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -58,7 +58,7 @@ class WhenExpansion:
         values = [self._interpreter.evaluate(element) for element in elements]
         return self._trigger_of_values(values, label, condition.span)
 
-    def _trigger_of_values(self, values: list[Any], label: str, span: ir.Span | None) -> float | Node:
+    def _trigger_of_values(self, values: list[Any], label: str, span: Span | None) -> float | Node:
         trigger: float | Node = False
         for position, value in enumerate(values):
             if isinstance(value, Node) and value.op == "symbol" and value.name == INITIAL:
@@ -186,7 +186,7 @@ class WhenExpansion:
         return arrays.elementwise(lambda item: substitution(item) if isinstance(item, Node) else item, value)
 
     def _update(
-        self, update: dict[str, float | Node], names: list[str], items: list[Scalar], span: ir.Span | None
+        self, update: dict[str, float | Node], names: list[str], items: list[Scalar], span: Span | None
     ) -> None:
         if len(items) == 1 and len(names) > 1:
             items = items * len(names)

@@ -8,7 +8,7 @@ from typing import Any, Final
 from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu.frontend import ir
-from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap, Span
 
 # Expression trees of a sound model are shallow; deeper ones are an attack or a generator gone wrong.
 _DEPTH_LIMIT: Final = 400
@@ -24,7 +24,7 @@ class ExpressionReader:
     def __init__(self, source_map: SourceMap) -> None:
         self._source_map = source_map
         self._depth = 0
-        self._expression_readers: dict[str, Callable[[Any, ir.Span | None], ir.Expression]] = {
+        self._expression_readers: dict[str, Callable[[Any, Span | None], ir.Expression]] = {
             "Literal": self._literal,
             "VarRef": self._reference,
             "Binary": self._binary,
@@ -41,7 +41,7 @@ class ExpressionReader:
             "StringConversion": self._string_conversion,
         }
 
-    def unsupported(self, construct: str, span: ir.Span | None) -> UnsupportedModelError:
+    def unsupported(self, construct: str, span: Span | None) -> UnsupportedModelError:
         """The error for a construct that has no place in the typed form."""
         return UnsupportedModelError(
             f"{construct} is not translated",
@@ -67,11 +67,11 @@ class ExpressionReader:
         self._depth -= 1
         return result
 
-    def _literal(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _literal(self, body: Any, span: Span | None) -> ir.Expression:
         _, value = only(body["value"])
         return ir.Literal(value, span)
 
-    def _reference(self, body: Any, span: ir.Span | None) -> ir.Reference:
+    def _reference(self, body: Any, span: Span | None) -> ir.Reference:
         subscripts = tuple(self.subscript(subscript) for subscript in body["subscripts"])
         name = body["name"]
         if isinstance(name, str):
@@ -104,53 +104,53 @@ class ExpressionReader:
             return self.expression(body.get("expr", body))
         raise self.unsupported(f"a subscript of kind {tag}", None)
 
-    def _binary(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _binary(self, body: Any, span: Span | None) -> ir.Expression:
         return ir.Binary(tag_of(body["op"]), self.expression(body["lhs"]), self.expression(body["rhs"]), span)
 
-    def _unary(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _unary(self, body: Any, span: Span | None) -> ir.Expression:
         return ir.Unary(tag_of(body["op"]), self.expression(body["rhs"]), span)
 
-    def _builtin(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _builtin(self, body: Any, span: Span | None) -> ir.Expression:
         name = body["function"]
         name = _BUILTIN_NAMES.get(name, name[0].lower() + name[1:])
         return ir.Builtin(name, tuple(self.expression(arg) for arg in body["args"]), span)
 
-    def _call(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _call(self, body: Any, span: Span | None) -> ir.Expression:
         args = tuple(self.expression(arg) for arg in body["args"])
         return ir.Call(name_of(body["name"]), args, bool(body["is_constructor"]), span)
 
-    def _if(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _if(self, body: Any, span: Span | None) -> ir.Expression:
         branches = tuple((self.expression(condition), self.expression(value)) for condition, value in body["branches"])
         return ir.If(branches, self.expression(body["else_branch"]), span)
 
-    def _array(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _array(self, body: Any, span: Span | None) -> ir.Expression:
         kind = ir.Concatenation[tag_of(body["kind"]).upper()]
         return ir.ArrayConstructor(tuple(self.expression(item) for item in body["elements"]), kind, span)
 
-    def _tuple(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _tuple(self, body: Any, span: Span | None) -> ir.Expression:
         elements = tuple(
             None if item == "Empty" or (isinstance(item, dict) and "Empty" in item) else self.expression(item)
             for item in body["elements"]
         )
         return ir.TupleExpression(elements, span)
 
-    def _range(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _range(self, body: Any, span: Span | None) -> ir.Expression:
         return ir.Range(self.expression(body["start"]), self.optional(body["step"]), self.expression(body["end"]), span)
 
-    def _index(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _index(self, body: Any, span: Span | None) -> ir.Expression:
         subscripts = tuple(self.subscript(subscript) for subscript in body["subscripts"])
         return ir.Indexed(self.expression(body["base"]), subscripts, span)
 
-    def _field(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _field(self, body: Any, span: Span | None) -> ir.Expression:
         return ir.FieldAccess(self.expression(body["base"]), body["field"], span)
 
-    def _comprehension(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _comprehension(self, body: Any, span: Span | None) -> ir.Expression:
         if body.get("filter"):
             raise self.unsupported("an array constructor with a filter", span)
         indices = tuple((index["name"], self.expression(index["range"])) for index in body["indices"])
         return ir.Comprehension(self.expression(body["expr"]), indices, span)
 
-    def _string_conversion(self, body: Any, span: ir.Span | None) -> ir.Expression:
+    def _string_conversion(self, body: Any, span: Span | None) -> ir.Expression:
         tag, options = only(body["format"]) if isinstance(body["format"], dict) else (str(body["format"]), {})
         if tag != "Options":
             raise self.unsupported("String() with a C format", span)
@@ -163,14 +163,14 @@ class ExpressionReader:
         )
 
     @staticmethod
-    def span(body: dict[str, Any]) -> ir.Span | None:
+    def span(body: dict[str, Any]) -> Span | None:
         """Where a thing with a span stands."""
         return span_of(body.get("span"))
 
 
-def span_of(item: Any) -> ir.Span | None:
+def span_of(item: Any) -> Span | None:
     """Where something stands, if that is known."""
-    return ir.Span(item["source"], item["start"], item["end"]) if isinstance(item, dict) else None
+    return Span(item["source"], item["start"], item["end"]) if isinstance(item, dict) else None
 
 
 def only(item: dict[str, Any]) -> tuple[str, Any]:

@@ -9,7 +9,7 @@ from typing import Any
 
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.flat_expressions import ExpressionReader, name_of, only, plain_parts, span_of, tag_of
-from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap, Span
 
 
 def read_flat_model(flat: dict[str, Any], name: str, source_map: SourceMap) -> ir.FlatModel:
@@ -127,7 +127,7 @@ class _Reader(ExpressionReader):
                 return ir.CallAssignment(targets, call, span)
         raise self.unsupported(f"a when-equation of kind {tag}", span)
 
-    def _target(self, item: Any, span: ir.Span | None) -> ir.Reference:
+    def _target(self, item: Any, span: Span | None) -> ir.Reference:
         """The target of a when-equation: a name, subscripts included, or a component reference."""
         if isinstance(item, dict):
             if "parts" in item:
@@ -226,7 +226,7 @@ class _Reader(ExpressionReader):
             return ir.Break(span)
         raise self.unsupported(f"a statement of kind {tag}", span)
 
-    def _call_statement(self, body: dict[str, Any], span: ir.Span | None) -> ir.Statement:
+    def _call_statement(self, body: dict[str, Any], span: Span | None) -> ir.Statement:
         name = name_of(body["comp"]) if "name" in body["comp"] else ".".join(p["ident"] for p in body["comp"]["parts"])
         args = tuple(self.expression(arg) for arg in body["args"])
         if name == "terminate":
@@ -242,7 +242,7 @@ class _Reader(ExpressionReader):
             targets.append(target)
         return ir.CallAssignment(tuple(targets), ir.Call(name, args, span=span), span)
 
-    def _assert(self, body: dict[str, Any], span: ir.Span | None) -> ir.Assert:
+    def _assert(self, body: dict[str, Any], span: Span | None) -> ir.Assert:
         level = body.get("level")
         is_warning = False
         if level is not None:

@@ -5,15 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import Enum
 
-
-@dataclass(frozen=True)
-class Span:
-    """Where in the sources something stands: the front end's number of the file and byte offsets."""
-
-    source: int
-    start: int
-    end: int
-
+from modelica2fmu.library.source_map import Span
 
 # --- expressions ---------------------------------------------------------------------------------------------
 

@@ -18,7 +18,7 @@ from modelica2fmu.frontend.errors import FrontEndError, front_end_error
 from modelica2fmu.frontend.flat_reader import read_flat_model
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
 from modelica2fmu.frontend.runner import Request, ask
-from modelica2fmu.library.source_map import SourceMap, source_number
+from modelica2fmu.library.source_map import SourceMap, Span, source_number
 
 # What a folder with the Modelica Standard Library holds.
 _STANDARD_PACKAGES: Final = ("Modelica", "ModelicaServices", "Complex")
@@ -61,7 +61,7 @@ def _check(flat: dict[str, Any], model: str, file: Path, given: LoneFiles, sourc
     """Restores what is fixed; raises UnsupportedModelError if the front end left out anything else."""
 
     def place(extent: Extent) -> Place:
-        return source_map.place(ir.Span(source_number(str(extent.file)), extent.start, extent.end))
+        return source_map.place(Span(source_number(str(extent.file)), extent.start, extent.end))
 
     library = ClassLibrary(given.file, file.read_bytes(), given.roots)
     for name in check_flat_model(flat, model, FlatReading(library, place)):

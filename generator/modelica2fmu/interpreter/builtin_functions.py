@@ -6,7 +6,6 @@ from functools import partial
 
 import numpy as np
 
-from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter import arrays
 from modelica2fmu.interpreter.arrays import Record, Scalar, Value
 from modelica2fmu.interpreter.interpreter_host import Host
@@ -19,6 +18,7 @@ from modelica2fmu.interpreter.value_functions import (
     scalar_number,
     whole_value,
 )
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -35,7 +35,7 @@ class BuiltinFunctions:
         self._host = host
         self._known = known
 
-    def call(self, name: str, args: list[Value], events: bool, span: ir.Span | None) -> Value:
+    def call(self, name: str, args: list[Value], events: bool, span: Span | None) -> Value:
         """The value of a function.
 
         Args:
@@ -60,7 +60,7 @@ class BuiltinFunctions:
             return self._host.relation(op, left, right)
         return relation(op, left, right)
 
-    def _of_the_model(self, name: str, args: list[Value], span: ir.Span | None) -> Value | None:
+    def _of_the_model(self, name: str, args: list[Value], span: Span | None) -> Value | None:
         """Functions of what the model is at other times; ``None`` for others."""
         if name == "initial":
             return ex.symbol("initial()")
@@ -112,7 +112,7 @@ class BuiltinFunctions:
         function = VALUE_FUNCTIONS.get(name)
         return None if function is None else function(args)
 
-    def _with_sizes(self, name: str, args: list[Value], span: ir.Span | None) -> Value:
+    def _with_sizes(self, name: str, args: list[Value], span: Span | None) -> Value:
         """Functions of sizes: they ask for one, or an argument gives that of the result."""
         if name == "size":
             return self._size(args, span)
@@ -142,7 +142,7 @@ class BuiltinFunctions:
         quotient = self._host.step("floor" if name == "mod" else "quotient", ex.divide(a, b))
         return quotient if name == "div" else ex.subtract(a, ex.multiply(quotient, b))
 
-    def _size(self, args: list[Value], span: ir.Span | None) -> Value:
+    def _size(self, args: list[Value], span: Span | None) -> Value:
         value = args[0]
         shape = value.shape if isinstance(value, np.ndarray) else ()
         if len(args) == 1:

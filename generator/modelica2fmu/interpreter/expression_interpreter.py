@@ -17,7 +17,7 @@ from modelica2fmu.interpreter.references import References
 from modelica2fmu.interpreter.string_operator import StringOperator
 from modelica2fmu.interpreter.translation_values import TranslationValues
 from modelica2fmu.interpreter.value_functions import ELEMENTWISE, RELATIONS, concatenated, scalar_number
-from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap, Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -141,7 +141,7 @@ class ExpressionInterpreter(TranslationValues, ABC):
             raise self.unsupported(f"the operator {op}", expression.span)
         return arrays.elementwise(function, left, right)
 
-    def _relation(self, op: str, left: Value, right: Value, span: ir.Span | None) -> Value:
+    def _relation(self, op: str, left: Value, right: Value, span: Span | None) -> Value:
         if isinstance(left, str | Text) or isinstance(right, str | Text):
             first, second = self.text(left, span), self.text(right, span)
             return {"eq": first == second, "ne": first != second, "lt": first < second, "le": first <= second,
@@ -180,7 +180,7 @@ class ExpressionInterpreter(TranslationValues, ABC):
         except UnsupportedModelError:
             raise error from None
 
-    def merged(self, condition: Node, first: Value, second: Value, span: ir.Span | None = None) -> Value:
+    def merged(self, condition: Node, first: Value, second: Value, span: Span | None = None) -> Value:
         """``first`` where the condition holds, else ``second``, element by element."""
         if isinstance(first, Record) and isinstance(second, Record):
             return Record(

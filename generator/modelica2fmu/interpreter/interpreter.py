@@ -20,6 +20,7 @@ from modelica2fmu.interpreter.expression_interpreter import ITERATION_LIMIT, Exp
 from modelica2fmu.interpreter.interpreter_host import Scope
 from modelica2fmu.interpreter.string_functions import STRING_FUNCTIONS
 from modelica2fmu.interpreter.value_functions import scalar_number
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -49,7 +50,7 @@ class Interpreter(ExpressionInterpreter):
         args = [self.value(arg, scope) for arg in call.args]
         return self._invoke(function, args, call.span)
 
-    def _invoke(self, function: ir.Function, args: list[Value], span: ir.Span | None) -> tuple[Value, ...]:
+    def _invoke(self, function: ir.Function, args: list[Value], span: Span | None) -> tuple[Value, ...]:
         if self.call_depth >= _CALL_DEPTH_LIMIT:
             raise self.unsupported(f"a recursion deeper than {_CALL_DEPTH_LIMIT} in {function.name}", span)
         local = Scope()
@@ -81,7 +82,7 @@ class Interpreter(ExpressionInterpreter):
             outputs.append(value)
         return tuple(outputs)
 
-    def _external(self, function: ir.Function, local: Scope, span: ir.Span | None) -> tuple[Value, ...]:
+    def _external(self, function: ir.Function, local: Scope, span: Span | None) -> tuple[Value, ...]:
         assert function.external is not None
         if function.external.language not in ("C", "builtin"):
             raise self.unsupported(f"an external function in {function.external.language}", function.span)
@@ -95,7 +96,7 @@ class Interpreter(ExpressionInterpreter):
                 return (known(*args),)
         return self._host.external(function, values, span)
 
-    def _mathematical(self, function: ir.Function, local: Scope, span: ir.Span | None) -> Value:
+    def _mathematical(self, function: ir.Function, local: Scope, span: Span | None) -> Value:
         """A function that only gives one of the language's own a second name, like those of Modelica.Math."""
         assert function.external is not None
         name = function.external.name

@@ -7,6 +7,7 @@ from typing import Protocol
 
 from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter.arrays import Scalar, Value
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -22,11 +23,11 @@ class Host(Protocol):
         """Name of the enumeration type of a variable, or ``None``."""
         ...
 
-    def derivative(self, value: float | Node, span: ir.Span | None) -> float | Node:
+    def derivative(self, value: float | Node, span: Span | None) -> float | Node:
         """``der(value)``."""
         ...
 
-    def previous(self, value: float | Node, span: ir.Span | None) -> float | Node:
+    def previous(self, value: float | Node, span: Span | None) -> float | Node:
         """``pre(value)``."""
         ...
 
@@ -38,21 +39,19 @@ class Host(Protocol):
         """``floor`` of a value or, for ``quotient``, the value rounded towards zero, with events where it changes."""
         ...
 
-    def sample(self, start: float | Node, interval: float | Node, span: ir.Span | None) -> bool | Node:
+    def sample(self, start: float | Node, interval: float | Node, span: Span | None) -> bool | Node:
         """``sample(start, interval)``."""
         ...
 
-    def external(self, function: ir.Function, args: Mapping[str, Value], span: ir.Span | None) -> tuple[Value, ...]:
+    def external(self, function: ir.Function, args: Mapping[str, Value], span: Span | None) -> tuple[Value, ...]:
         """The outputs of an external function."""
         ...
 
-    def delay(
-        self, value: float | Node, delay: float | Node, longest: float | Node, span: ir.Span | None
-    ) -> float | Node:
+    def delay(self, value: float | Node, delay: float | Node, longest: float | Node, span: Span | None) -> float | Node:
         """``delay(value, delay, longest)``."""
         ...
 
-    def constant(self, value: Node, span: ir.Span | None, purpose: str) -> float:
+    def constant(self, value: Node, span: Span | None, purpose: str) -> float:
         """The number that ``value`` has at translation; raises UnsupportedModelError if it can change."""
         ...
 

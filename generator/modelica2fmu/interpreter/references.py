@@ -11,6 +11,7 @@ from modelica2fmu.interpreter.arrays import Record, Value
 from modelica2fmu.interpreter.interpreter_host import Host, Scope
 from modelica2fmu.interpreter.translation_values import TranslationValues
 from modelica2fmu.interpreter.value_functions import dynamic_element
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -96,7 +97,7 @@ class References:
             raise self._known.unsupported("a slice of an array of components", None)
         return self._value(subscript, scope)
 
-    def indexed(self, value: Value, subscripts: tuple[ir.Subscript, ...], scope: Scope, span: ir.Span | None) -> Value:
+    def indexed(self, value: Value, subscripts: tuple[ir.Subscript, ...], scope: Scope, span: Span | None) -> Value:
         """Elements of an array, by subscripts of its first dimensions.
 
         Raises:

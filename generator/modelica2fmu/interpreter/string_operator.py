@@ -6,6 +6,7 @@ from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter.arrays import Text, Value
 from modelica2fmu.interpreter.interpreter_host import Host
 from modelica2fmu.interpreter.translation_values import TranslationValues
+from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic.expression import Node
 
 
@@ -24,7 +25,7 @@ class StringOperator:
         self._known = known
 
     def convert(
-        self, value: Value, source: ir.Expression, digits: int, width: int, left: bool, span: ir.Span | None
+        self, value: Value, source: ir.Expression, digits: int, width: int, left: bool, span: Span | None
     ) -> str | Text:
         """``String(value, significantDigits=digits, minimumLength=width, leftJustified=left)``.
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from contact_foundation.errors import InputError, UnsupportedModelError
 
-from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter.arrays import Value
 from modelica2fmu.interpreter.interpreter_host import Host
-from modelica2fmu.library.source_map import SourceMap
+from modelica2fmu.library.source_map import SourceMap, Span
 from modelica2fmu.symbolic.expression import Node
 
 
@@ -23,7 +22,7 @@ class TranslationValues:
         self._host = host
         self._source_map = source_map
 
-    def unsupported(self, construct: str, span: ir.Span | None) -> UnsupportedModelError:
+    def unsupported(self, construct: str, span: Span | None) -> UnsupportedModelError:
         """The error for a construct that is not translated."""
         return UnsupportedModelError(
             f"{construct} is not translated",
@@ -31,11 +30,11 @@ class TranslationValues:
             remedy="see docs/fmu-builder.md for the constructs that are, and rewrite the model with those",
         )
 
-    def wrong(self, message: str, span: ir.Span | None) -> InputError:
+    def wrong(self, message: str, span: Span | None) -> InputError:
         """The error for a model that is wrong."""
         return InputError(message, place=self._source_map.place(span))
 
-    def integer(self, value: Value, span: ir.Span | None) -> int:
+    def integer(self, value: Value, span: Span | None) -> int:
         """A whole number that is needed at translation."""
         if isinstance(value, Node):
             value = self._host.constant(value, span, "an array size, index or loop bound")
@@ -43,7 +42,7 @@ class TranslationValues:
             return int(value)
         raise self.wrong(f"a whole number is needed here, not {value!r}", span)
 
-    def number(self, value: Value, span: ir.Span | None, purpose: str) -> float:
+    def number(self, value: Value, span: Span | None, purpose: str) -> float:
         """A number that is needed at translation, for ``purpose``."""
         if isinstance(value, Node):
             value = self._host.constant(value, span, purpose)
@@ -51,7 +50,7 @@ class TranslationValues:
             return value
         raise self.wrong(f"a number is needed here, not {value!r}", span)
 
-    def is_known(self, value: Node, span: ir.Span | None, purpose: str) -> bool:
+    def is_known(self, value: Node, span: Span | None, purpose: str) -> bool:
         """True for what parameters decide; with a ``purpose`` these can no longer be changed."""
         try:
             self._host.constant(value, span, purpose)
@@ -59,13 +58,13 @@ class TranslationValues:
             return False
         return True
 
-    def text(self, value: Value, span: ir.Span | None) -> str:
+    def text(self, value: Value, span: Span | None) -> str:
         """A String that is needed at translation."""
         if isinstance(value, str):
             return value
         raise self.unsupported("a String that depends on variables", span)
 
-    def checked(self, index: int, size: int, span: ir.Span | None) -> int:
+    def checked(self, index: int, size: int, span: Span | None) -> int:
         """An index counted from 0; raises InputError outside of the array."""
         if not 1 <= index <= size:
             raise self.wrong(f"index {index} is outside of 1 to {size}", span)

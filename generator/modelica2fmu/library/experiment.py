@@ -4,13 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from modelica2fmu.description.model_description import DefaultExperiment
 from modelica2fmu.library.class_text import class_texts
 
 _NUMBER: Final = r"([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)"
+
+
+@dataclass(frozen=True)
+class DefaultExperiment:
+    """The model's experiment annotation; ``None`` where it does not say."""
+
+    start: float | None = None
+    stop: float | None = None
+    tolerance: float | None = None
+    interval: float | None = None
 
 
 def read_experiment(model: str, sources: Sequence[Path]) -> DefaultExperiment:

@@ -3,16 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 from contact_foundation.errors import InputError
 
-from modelica2fmu.description.model_description import ExternalCode
-
 _SCHEME: Final = "modelica://"
 # Modelica 3.6, 12.9.4: the folder of the platform comes before the library folder itself.
 _PLATFORM_FOLDERS: Final = ("linux64", "x86_64-linux-gnu", "")
+
+
+@dataclass(frozen=True)
+class ExternalCode:
+    """What the external C functions of the model need to compile and link.
+
+    Attributes:
+        includes: texts of Include annotations, in order, each once; the generated C has them already.
+        include_directories: existing folders for ``#include``.
+        libraries: names as in the Library annotation (``m``, ``contact_multibody``), in link order.
+        library_directories: existing folders searched for them, most specific (platform) first.
+    """
+
+    includes: tuple[str, ...] = ()
+    include_directories: tuple[Path, ...] = ()
+    libraries: tuple[str, ...] = ()
+    library_directories: tuple[Path, ...] = ()
 
 
 def find_external_code(

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from contact_foundation.errors import Place
-
-from modelica2fmu.frontend.ir import Span
 
 _FNV_OFFSET = 0xCBF29CE484222325
 _FNV_PRIME = 0x100000001B3
@@ -19,6 +18,15 @@ def source_number(path: str) -> int:
     for byte in path.encode():
         number = (number ^ byte) * _FNV_PRIME & 0xFFFFFFFFFFFFFFFF
     return number
+
+
+@dataclass(frozen=True)
+class Span:
+    """Where in the sources something stands: the front end's number of the file and byte offsets."""
+
+    source: int
+    start: int
+    end: int
 
 
 class SourceMap:

@@ -6,13 +6,13 @@ import re
 import shutil
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from contact_foundation.errors import InputError, Place
 from contact_foundation.output import whole_file
 from contact_foundation.progress import Progress, silent
 
+from modelica2fmu.codegen.generated_source import GeneratedSource
 from modelica2fmu.description.model_description import ModelDescription
 from modelica2fmu.packaging.archive import write_archive
 from modelica2fmu.packaging.dependencies import Sundials, find_fmi_headers, find_sundials
@@ -32,19 +32,6 @@ _RUNTIME_FLAGS = ("-Wall", "-Wextra")
 _GENERATED_FLAGS = ("-O1",)  # long straight-line code gains nothing from -O2 and takes twice as long to compile
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")
-
-
-@dataclass(frozen=True)
-class GeneratedSource:
-    """One generated file: C that is compiled, or a header.
-
-    Attributes:
-        name: file name without folder, ending in ``.c`` or ``.h``.
-        text: its content.
-    """
-
-    name: str
-    text: str
 
 
 def _check_names(description: ModelDescription, sources: Sequence[GeneratedSource]) -> None:

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import fixture_models as models
 import pytest
-from modelica2fmu.description.model_description import ExternalCode, ModelDescription
+from modelica2fmu.description.model_description import ModelDescription
+from modelica2fmu.library.external_code import ExternalCode
 from modelica2fmu.packaging import FmiVersion, package_fmu
 from modelica2fmu.packaging.runtime_sources import runtime_folders
 

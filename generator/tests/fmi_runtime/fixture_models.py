@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from modelica2fmu.codegen.generated_source import GeneratedSource
 from modelica2fmu.description.model_description import (
     Causality,
     DataType,
-    DefaultExperiment,
     EnumerationItem,
     EnumerationType,
     Initial,
@@ -16,7 +16,7 @@ from modelica2fmu.description.model_description import (
     Variability,
     Variable,
 )
-from modelica2fmu.packaging import GeneratedSource
+from modelica2fmu.library.experiment import DefaultExperiment
 
 FIXTURES = Path(__file__).resolve().parent / "fixtures"
 

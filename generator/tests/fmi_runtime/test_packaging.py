@@ -16,8 +16,10 @@ import pytest
 from contact_foundation.errors import BuildError, CmbError, InputError
 from fmpy import read_model_description
 from lxml import etree
-from modelica2fmu.description.model_description import ExternalCode, ModelDescription, Resource
-from modelica2fmu.packaging import GeneratedSource, SolverOptions, package_fmu
+from modelica2fmu.codegen.generated_source import GeneratedSource
+from modelica2fmu.description.model_description import ModelDescription, Resource
+from modelica2fmu.library.external_code import ExternalCode
+from modelica2fmu.packaging import SolverOptions, package_fmu
 from modelica2fmu.packaging.dependencies import find_fmi_headers, find_sundials
 from modelica2fmu.packaging.fmi2_description import fmi2_description
 

@@ -6,9 +6,8 @@ import re
 from pathlib import Path
 
 import pytest
-from modelica2fmu.frontend.ir import Span
 from modelica2fmu.library.library_repairs import REPAIRS, repaired_library
-from modelica2fmu.library.source_map import SourceMap, source_number
+from modelica2fmu.library.source_map import SourceMap, Span, source_number
 from modelica2fmu.library.standard_library import find_standard_library
 
 VECTORS = """within Modelica.Math;
