@@ -7,12 +7,13 @@
 # make coverage  prints the branch coverage of the engine's own code by its tests
 # make fuzz      fuzzes the engine (needs clang): make fuzz SECONDS=60
 # make stress    ten million random and adversarial poses of all pairs of bodies (POSES=...)
+# make contact-quality  work, jumps and frames of the contact forces of all pairs of bodies, as tables (PATHS=40)
 # make promises  measures what the library promises into docs/promises.md
 # make large     lets a thousand spheres fill a box: builds and runs regression/cases/large, some minutes
 # make test-msl  passes the tests with the Standard Library's examples (MODELICAPATH; about fifteen minutes)
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release promises large test-omc icons
+.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release promises large test-omc icons
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -66,6 +67,9 @@ fuzz:
 
 stress:
 	scripts/stress $(POSES)
+
+contact-quality:
+	scripts/contact-quality
 
 bench-fmu: setup
 	.venv/bin/python regression/bench/fmu_size.py

@@ -15,8 +15,6 @@ using Station = AxisManifoldScratch::Station;
 constexpr double rounding = 1e-13;
 // Faces at right angles to the contact plane to this cosine are walls.
 constexpr double wall_cosine = 1e-12;
-// Sine of the inclination at which a cylinder or cone no longer lies on its side.
-constexpr double lying_sine = 0.25;
 // A polytope is thin at a line where it is thinner than this part of the depth.
 constexpr double sharp_part = 0.1;
 
@@ -157,6 +155,11 @@ double ContactLine::place(const Vec3 &p) const {
   return std::clamp(per_step2_ * dot(p - middle_, step_), -half_, half_);
 }
 
+double way_sine(const Shape &shape) {
+  if (shape.kind != ShapeKind::cone) return flat_sine;
+  return std::min(flat_sine, 2.0 * shape.body.half.z / convex::cone_slant(shape.body.half));
+}
+
 double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
   gradient = {};
   if (shape.kind == ShapeKind::capsule) return 1.0;
@@ -172,8 +175,8 @@ double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
   } else if (shape.kind != ShapeKind::cylinder) {
     return 0.0;
   }
-  const double inclination = std::fabs(sine) / lying_sine;
-  gradient = (std::copysign(1.0, sine) * faded_slope(inclination) / lying_sine) * sine_gradient;
+  const double limit = way_sine(shape), inclination = std::fabs(sine) / limit;
+  gradient = (std::copysign(1.0, sine) * faded_slope(inclination) / limit) * sine_gradient;
   return faded(inclination);
 }
 

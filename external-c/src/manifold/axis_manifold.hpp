@@ -45,9 +45,14 @@ struct AxisManifoldScratch {
   std::vector<Slope> roofs, floors;
 };
 
+// Sine of the inclination at which a cylinder or cone no longer touches with its flat end, and with its side: a sixth of a
+// right angle, but no more than the angle between a blunt cone's base and side. So the parts of both never exceed 1 together,
+// and on the axis, where the side has no lowest line, the side's is 0.
+double way_sine(const Shape &shape);
+
 // How far a shape lies along a line on an obstacle in the direction `towards` (unit, in the shape's frame): 1 for a
-// capsule, always; for a cylinder or cone 1 with its side flat, fading to 0 where that is inclined by more than a
-// sixth of a right angle; 0 for all others. `gradient` receives its derivative by `towards`.
+// capsule, always; for a cylinder or cone 1 with its side flat, fading to 0 where that is inclined by more than
+// way_sine tells; 0 for all others. `gradient` receives its derivative by `towards`.
 double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient);
 
 // The following append what a line carries that lies, seen along the contact normal `normal` (unit, from the other shape to

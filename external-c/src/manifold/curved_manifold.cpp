@@ -18,14 +18,15 @@ namespace {
 
 // How far a shape rests on a face in the direction `towards` (unit, in its frame): 1 for a polytope, whose corners know
 // themselves; for a cylinder or cone 1 with its flat end on the contact plane, fading to 0 where that is inclined by
-// more than a sixth of a right angle; 0 for all others. `gradient` receives its derivative by `towards`.
+// more than way_sine tells; 0 for all others. `gradient` receives its derivative by `towards`.
 double flat_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
   gradient = {};
   if (shape.polytope) return 1.0;
   if (!shape.rim || (shape.kind == ShapeKind::cone && towards.z > 0.0)) return 0.0;
-  const double across = std::sqrt(towards.x * towards.x + towards.y * towards.y), inclination = across / flat_sine;
+  const double limit = way_sine(shape);
+  const double across = std::sqrt(towards.x * towards.x + towards.y * towards.y), inclination = across / limit;
   if (across > 0.0) {
-    gradient = (faded_slope(inclination) / (flat_sine * across)) * Vec3{towards.x, towards.y, 0.0};
+    gradient = (faded_slope(inclination) / (limit * across)) * Vec3{towards.x, towards.y, 0.0};
   }
   return faded(inclination);
 }

@@ -20,15 +20,17 @@ struct PathSums {
   double largest_load = 0.0;  // m
 };
 
+// Stretches deeper than `deepest` (m) are left out.
 inline PathSums follow(const PairScene &scene, const PosePath &pose_a, const BodyPose &pose_b, int samples,
-                       std::size_t suspects) {
+                       std::size_t suspects, std::size_t capacity = 64, double deepest = HUGE_VAL) {
   struct Sums {
     Vec3 load, moment;
+    double depth;
   };
   PathSums result;
   const auto sums = [&](double s) {
-    const Contact contact = scene.query(pose_a(s), pose_b, 64);
-    const Sums found{contact.load(), contact.moment({})};
+    const Contact contact = scene.query(pose_a(s), pose_b, capacity);
+    const Sums found{contact.load(), contact.moment({}), -contact.distance};
     result.largest_load = std::fmax(result.largest_load, norm(found.load));
     return found;
   };
@@ -40,11 +42,13 @@ inline PathSums follow(const PairScene &scene, const PosePath &pose_a, const Bod
   Sums last = sums(0.0);
   for (int i = 1; i <= samples; ++i) {
     const Sums next = sums(static_cast<double>(i) / samples);
-    intervals.push_back({change(last, next), static_cast<double>(i - 1) / samples});
+    if (last.depth <= deepest && next.depth <= deepest) {
+      intervals.push_back({change(last, next), static_cast<double>(i - 1) / samples});
+    }
     last = next;
   }
   std::sort(intervals.begin(), intervals.end(), [](const auto &x, const auto &y) { return x.change > y.change; });
-  for (std::size_t k = 0; k < suspects; ++k) {
+  for (std::size_t k = 0; k < std::min(suspects, intervals.size()); ++k) {
     double begin = intervals[k].begin, end = begin + 1.0 / samples, jump = 0.0;
     for (int halving = 0; halving < 32; ++halving) {
       const double middle = 0.5 * (begin + end);

@@ -1,0 +1,71 @@
+// A slice of what `make contact-quality` samples: contact forces are the same in every frame, do not jump, and where they are
+// the gradient of an energy do no work around closed paths.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "quality_samples.hpp"
+
+namespace {
+
+using namespace cmb::quality;
+
+struct Pair {
+  const char *a, *b;
+  KindPair kinds() const { return {find_kind(a), find_kind(b)}; }
+};
+
+void PrintTo(const Pair &pair, std::ostream *stream) { *stream << pair.a << ", " << pair.b; }
+
+std::vector<Pair> pairs() {
+  std::vector<Pair> result;
+  for (std::size_t i = 0; i < all_kinds().size(); ++i) {
+    for (std::size_t j = i; j < all_kinds().size(); ++j) {
+      const Kind *a = &all_kinds()[i], *b = &all_kinds()[j];
+      if (a->ground && b->ground) continue;
+      if (a->ground) std::swap(a, b);
+      result.push_back({a->name, b->name});
+    }
+  }
+  return result;
+}
+
+class InFrames : public testing::TestWithParam<Pair> {};
+
+TEST_P(InFrames, ForcesMoveWithTheBodies) {
+  const FrameError frames = sample_frames(GetParam().kinds(), 12, 11);
+  EXPECT_GT(frames.poses, 6);
+  // The base and the side of a blunt cone are as little as 1e-3 rad apart: rounding of the normal counts that much more.
+  const auto blunt = [](const char *kind) { return std::string(kind) == "flat-cone"; };
+  EXPECT_LT(frames.worst, blunt(GetParam().a) || blunt(GetParam().b) ? 1e-7 : 1e-9) << "pose " << frames.worst_seed;
+}
+
+INSTANTIATE_TEST_SUITE_P(AllPairs, InFrames, testing::ValuesIn(pairs()));
+
+class WithoutJumps : public testing::TestWithParam<Pair> {};
+
+TEST_P(WithoutJumps, LoadsAreContinuous) {
+  const Jumps jumps = sample_jumps(GetParam().kinds(), 0.1, 8, 300, 5);
+  EXPECT_GT(jumps.paths, 3);
+  EXPECT_EQ(jumps.jumping, 0) << "by " << jumps.worst << " on path " << jumps.worst_seed << " at " << jumps.worst_place;
+}
+
+INSTANTIATE_TEST_SUITE_P(Cones, WithoutJumps,
+                         testing::Values(Pair{"flat-cone", "box"}, Pair{"flat-cone", "capsule"}, Pair{"flat-cone", "hull-20"},
+                                         Pair{"flat-cone", "cylinder"}, Pair{"flat-cone", "flat-cone"},
+                                         Pair{"slender-cone", "box"}));
+
+class Elastic : public testing::TestWithParam<Pair> {};
+
+TEST_P(Elastic, DoesNoWorkAroundClosedPaths) {
+  const LoopWork loops = sample_loops(GetParam().kinds(), 0.01, 0.01, 8, 1000, 3);
+  EXPECT_GT(loops.paths, 4);
+  EXPECT_LT(loops.worst, 1e-5) << "path " << loops.worst_seed;
+}
+
+INSTANTIATE_TEST_SUITE_P(Gradients, Elastic,
+                         testing::Values(Pair{"box", "halfspace"}, Pair{"prism", "halfspace"}, Pair{"cylinder", "halfspace"},
+                                         Pair{"sphere", "box"}, Pair{"ellipsoid", "box"}, Pair{"sphere", "cylinder"}));
+
+}  // namespace
