@@ -31,10 +31,9 @@ equation
     comparison.torque[i, 2, :] = bounded.frame[i].t;
   end for;
   comparison.energy = {exact.elasticEnergy,bounded.elasticEnergy};
-  distance[:, 1] = exact.distance;
-  distance[:, 2] = bounded.distance;
-  impactSpeed[:, 1] = exact.impactSpeed;
-  impactSpeed[:, 2] = bounded.impactSpeed;
+  impactDifference = max(abs(exact.impactSpeed - bounded.impactSpeed));
+  excess = max(bounded.distance - exact.distance);
+  shortfall = max(exact.distance - bounded.distance);
   annotation (experiment(StopTime=20, Tolerance=1e-6, Interval=0.02), Documentation(info="<html>
 <p>Overlaps push the same to the bit, impacts are caught at the same times, and no bound exceeds the distance.</p>
 </html>"));

@@ -24,7 +24,7 @@ algorithm
   drag := min(max((size2 - elastic*largest)/((1 - elastic)*largest + shortest), 0), 2);
   rate := (if normalForce > 0 then slidingVelocity + spin*cross(normal, stretch) - drag*max(slidingVelocity*outward, 0)*
     outward else zeros(3)) - (max(1 - largest/size2, 0)*stretch + (stretch*normal)*normal)/relaxationTime;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 The anchor stays where it is while the spring is stretched by less than 0.9 of &mu; F<sub>n</sub>/S: sticking is purely elastic, so
 that nothing creeps under constant or changing load below 0.9 of the limit. From there on the anchor is dragged

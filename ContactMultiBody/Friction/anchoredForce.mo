@@ -15,7 +15,7 @@ algorithm
   trial := -(stiffness*stretch + damping*slidingVelocity);
   size2 := sqrt(trial*trial + Modelica.Constants.small);
   force := min(1, mu*max(normalForce, 0)/size2)*trial;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 F<sub>t</sub> = -(S z + c v<sub>t</sub>), at most &mu; F<sub>n</sub>. While the body sticks this is a spring: the body returns when the load does, and
 does not creep. Source: T. Juh&aacute;sz 2008, equations 5 to 9, with a damper added so that a body stopped does not ring.

@@ -8,7 +8,7 @@ pure function regularised "Coulomb friction, continuous through zero speed"
   output Modelica.Units.SI.Force force[3] "Force on the first body";
 algorithm
   force := -mu*normalForce/sqrt(slidingVelocity*slidingVelocity + regularisationSpeed^2)*slidingVelocity;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 F<sub>t</sub> = -&mu; F<sub>n</sub> v<sub>t</sub>/sqrt(v<sub>t</sub><sup>2</sup> + v<sub>s</sub><sup>2</sup>). The law has no states and no
 events. It cannot hold: under a load that is the share q of the largest friction force, bodies creep with

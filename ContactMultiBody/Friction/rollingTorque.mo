@@ -12,7 +12,7 @@ protected
 algorithm
   rolling := w - (w*normal)*normal;
   torque := -lever*normalForce/sqrt(rolling*rolling + regularisationSpeed^2)*rolling;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 T = f F<sub>n</sub> against the rolling: the pressure in front of a rolling body is higher than behind it, which moves the normal force forward by the length f.
 </p>

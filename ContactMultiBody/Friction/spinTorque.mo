@@ -10,7 +10,7 @@ pure function spinTorque "Torque against turning about the normal"
   output Modelica.Units.SI.Torque torque[3] "Torque on the first body";
 algorithm
   torque := -2/3*mu*radius*normalForce*(w*normal)/sqrt((w*normal)^2 + regularisationSpeed^2)*normal;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 T = 2/3 &mu; F<sub>n</sub> a, the torque of a round area of contact of radius a under even pressure. It matters for single points of contact, as of a
 sphere; where several points carry, their friction forces already make the torque.

@@ -15,7 +15,7 @@ algorithm
         max(value[pairs[i, 1]] + value[pairs[i, 2]], Modelica.Constants.small)
       else value[pairs[i, 1]]*value[pairs[i, 2]];
   end for;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 Restitution and friction are properties of pairs, not of materials. Measured values of a pair should be given to the
 <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a> directly; the rules are for want of them.

@@ -10,7 +10,7 @@ algorithm
   for i in 1:size(pairs, 1) loop
     stiffness[i] := NormalForce.hertzStiffness(E[pairs[i, 1]], nu[pairs[i, 1]], E[pairs[i, 2]], nu[pairs[i, 2]], radius[i]);
   end for;
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>Applies <a href=\"modelica://ContactMultiBody.NormalForce.hertzStiffness\">hertzStiffness</a> to all pairs.</p>
 </html>"));
 end pairHertzStiffness;
