@@ -103,10 +103,10 @@ PosedPair place(const Row &row, std::size_t poses) {
     b.rotation = random_bodies::random_rotation(random);
     a.translation = random.direction();
     for (int k = 0; k < 3; ++k) {
-      const ConvexAnswer answer = *exact_distance(pair.a, a, pair.b, b, scratch);
+      const ConvexAnswer answer = exact_distance(pair.a, a, pair.b, b, scratch);
       a.translation = a.translation + (row.distance - answer.distance) * answer.normal;
     }
-    if (std::fabs(exact_distance(pair.a, a, pair.b, b, scratch)->distance - row.distance) <
+    if (std::fabs(exact_distance(pair.a, a, pair.b, b, scratch).distance - row.distance) <
         0.2 * std::fabs(row.distance)) {
       pair.pose_a.push_back(a);
       pair.pose_b.push_back(b);
@@ -137,7 +137,7 @@ void run(const Row &row, std::size_t poses) {
       const double found = column.peer->ask(k);  // also warms up
       const double exact = pair.b.kind == ShapeKind::halfspace
                                ? row.distance
-                               : exact_distance(pair.a, pair.pose_a[k], pair.b, pair.pose_b[k], scratch)->distance;
+                               : exact_distance(pair.a, pair.pose_a[k], pair.b, pair.pose_b[k], scratch).distance;
       if (std::isfinite(found)) column.error = std::fmax(column.error, std::fabs(found - exact));
       if (!std::isfinite(found)) ++column.failures;
     }

@@ -108,9 +108,7 @@ constexpr std::size_t capacity = 6;
 // Scenes of their own: interned ones are kept, and the registry of a long run would be full.
 double ask(cmb::Scene &scene, cmb_backend backend, const std::string &a, const std::string &b, const double *position,
            const double *rotation) {
-  scene.backend = backend;
-  const cmb::DistanceLibrary *library = cmb::distance_library(backend);
-  cmb::attach_library_shapes(scene.bodies, library == nullptr ? nullptr : library->make_shape);
+  cmb::attach_library(scene, backend, cmb::distance_library(backend));
   for (std::size_t body = 0; body < 2; ++body) {
     require(cmb::check_body_pose(body, position, rotation) == CMB_OK, cmb_last_error(), a, b, position, rotation);
   }

@@ -7,10 +7,13 @@
 
 #include <stddef.h>
 
-#if defined(__GNUC__)
+/* Visible outside of the shared library that the engine is linked into; the static archive defines it empty. */
+#ifndef CMB_API
+#if defined(__GNUC__) && !defined(_WIN32)
 #define CMB_API __attribute__((visibility("default")))
 #else
 #define CMB_API
+#endif
 #endif
 
 #ifdef __cplusplus
@@ -33,12 +36,15 @@ typedef CMB_ENUM(cmb_status) {
   CMB_ERROR_INTERNAL = 5    /* a back end failed and no other could answer */
 } cmb_status;
 
+/* Libraries are modules of their own (libContactMultiBodyLibccd.so, ...Fcl.so, ...Coal.so), loaded when a scene names them
+ * first: from the folders of the environment variable CMB_MODULE_PATH, from the folder of the binary that holds the engine, or
+ * from where the system looks for libraries. Where one is missing interning fails and says so. */
 typedef CMB_ENUM(cmb_backend) {
   CMB_BACKEND_AUTO = 0,
   CMB_BACKEND_ANALYTIC = 1, /* the engine's own exact paths */
   CMB_BACKEND_LIBCCD = 2,
   CMB_BACKEND_FCL = 3,
-  CMB_BACKEND_COAL = 4      /* only where the engine was built with coal; interning says so if not */
+  CMB_BACKEND_COAL = 4
 } cmb_backend;
 
 /* Handle of an interned scene; positive. */

@@ -1,5 +1,5 @@
-// coal behind the engine's interface; a module of its own, loaded by coal_backend.cpp.
-#include "backend/coal_module.hpp"
+// The module with coal.
+#include "backend/distance_library.hpp"
 
 #include <coal/distance.h>
 
@@ -36,13 +36,13 @@ LibraryShape *make_shape(const Shape &shape) {
   }
 }
 
-bool distance(const LibraryShape &a, const Pose &pose_a, const LibraryShape &b, const Pose &pose_b,
-              ConvexAnswer &answer) {
+bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer) {
+  if (!a.in_library || !b.in_library) return false;
   try {
     const coal::DistanceRequest request(true, true);
     coal::DistanceResult result;
-    coal::distance(static_cast<const CoalShape &>(a).geometry(), cmb::coal_transform(pose_a),
-                   static_cast<const CoalShape &>(b).geometry(), cmb::coal_transform(pose_b), request, result);
+    coal::distance(static_cast<const CoalShape &>(*a.in_library).geometry(), cmb::coal_transform(pose_a),
+                   static_cast<const CoalShape &>(*b.in_library).geometry(), cmb::coal_transform(pose_b), request, result);
     answer.distance = result.min_distance;
     answer.normal = -vector(result.normal);  // coal's points from the first shape to the second
     answer.point_a = vector(result.nearest_points[0]);
@@ -55,4 +55,5 @@ bool distance(const LibraryShape &a, const Pose &pose_a, const LibraryShape &b, 
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) const cmb::CoalModule cmb_coal_module = {make_shape, distance};
+extern "C" __attribute__((visibility("default"))) const cmb::DistanceLibrary cmb_distance_library = {
+    CMB_VERSION, sizeof(cmb::Shape), sizeof(cmb::ConvexAnswer), make_shape, distance};

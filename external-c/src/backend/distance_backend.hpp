@@ -1,10 +1,6 @@
 // Back ends: who computes the signed distance of two convex shapes.
 #pragma once
 
-#include <memory>
-#include <optional>
-
-#include "contact_multibody.h"
 #include "narrowphase/convex_distance.hpp"
 #include "shape/shape.hpp"
 
@@ -28,40 +24,12 @@ struct BackendScratch {
   convex::DistanceScratch distance;
 };
 
-// A back end answers or, where it has no answer it vouches for, returns nothing; it never throws and never aborts.
-// Neither shape is a half-space or a mesh; poses map the shapes' frames to the world. FCL and coal answer for shapes only
-// that they hold (Shape::in_library).
-using DistanceFunction = std::optional<ConvexAnswer> (*)(const Shape &a, const Pose &pose_a, const Shape &b,
-                                                         const Pose &pose_b, BackendScratch &scratch);
-
-// The engine's own exact path; answers everything.
+// The engine's own exact path: answers for all shapes but half-spaces and meshes. Poses map the shapes' frames to the
+// world. Never throws.
 void find_exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, BackendScratch &scratch,
                          ConvexAnswer &answer);
-std::optional<ConvexAnswer> exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
-                                           BackendScratch &scratch);
-// libccd's Minkowski portal refinement; answers overlapping shapes only.
-std::optional<ConvexAnswer> libccd_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
-                                            BackendScratch &scratch);
-// FCL's collide and distance with its own solver.
-std::optional<ConvexAnswer> fcl_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
-                                         BackendScratch &scratch);
-// coal's signed distance, where the engine was built with coal (CMake option CMB_COAL) and finds it; else no answer.
-std::optional<ConvexAnswer> coal_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
-                                          BackendScratch &scratch);
-bool coal_is_available();
-
-// The shape as FCL or coal holds it; null where it has none. Throw std::bad_alloc.
-std::shared_ptr<const LibraryShape> make_fcl_shape(const Shape &shape);
-std::shared_ptr<const LibraryShape> make_coal_shape(const Shape &shape);
-
-// A back end that is a library.
-struct DistanceLibrary {
-  DistanceFunction distance;
-  std::shared_ptr<const LibraryShape> (*make_shape)(const Shape &shape);  // null where it takes the engine's shapes
-};
-
-// Null for the engine's own.
-const DistanceLibrary *distance_library(cmb_backend backend);
+ConvexAnswer exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                            BackendScratch &scratch);
 
 // Whether a library's answer holds: finite, unit normal, and the two shapes' extents along it leave the distance it
 // says to `tolerance` (relative to the shapes' size). An overlap's depth that is true along the normal but not the

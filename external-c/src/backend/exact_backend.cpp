@@ -114,8 +114,8 @@ void find_exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, con
   if (polytopes) answer.mean_normal = pose_a.rotation * found.mean_normal;
 }
 
-std::optional<ConvexAnswer> exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
-                                           BackendScratch &scratch) {
+ConvexAnswer exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                            BackendScratch &scratch) {
   ConvexAnswer answer;
   find_exact_distance(a, pose_a, b, pose_b, scratch, answer);
   return answer;

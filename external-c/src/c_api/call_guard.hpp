@@ -5,6 +5,7 @@
 #include <new>
 #include <string>
 
+#include "backend/distance_library.hpp"
 #include "c_api/last_error.hpp"
 #include "contact_multibody.h"
 #include "scene/registry.hpp"
@@ -24,6 +25,9 @@ cmb_status guarded(Work &&work) noexcept {
   } catch (const SceneError &error) {
     set_last_error(error.what());
     return error.status();
+  } catch (const LibraryMissing &error) {
+    set_last_error(error.what());
+    return CMB_ERROR_ARGUMENT;
   } catch (const std::bad_alloc &) {
     set_last_error("out of memory; make the scene smaller");
     return CMB_ERROR_MEMORY;

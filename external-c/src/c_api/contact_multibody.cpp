@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "backend/distance_backend.hpp"
+#include "backend/distance_library.hpp"
 #include "c_api/call_guard.hpp"
 #include "c_api/pose_check.hpp"
 #include "query/overlap_query.hpp"
@@ -121,12 +121,8 @@ cmb_status cmb_intern_with_files(const char *const *geometry, size_t body_count,
       return fail(CMB_ERROR_ARGUMENT, "there is no back end " + std::to_string(static_cast<int>(backend)) +
                                           "; use 0 auto, 1 analytic, 2 libccd, 3 FCL or 4 coal");
     }
-    if (backend == CMB_BACKEND_COAL && !cmb::coal_is_available()) {
-      return fail(CMB_ERROR_ARGUMENT, "this engine was built without coal, or does not find it; build it with -DCMB_COAL=ON or use another back end");
-    }
-    const cmb::DistanceLibrary *library = cmb::distance_library(backend);
-    *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend,
-                               library == nullptr ? nullptr : library->make_shape, folder == nullptr ? "" : folder);
+    *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend, cmb::distance_library(backend),
+                               folder == nullptr ? "" : folder);
     return CMB_OK;
   });
 }

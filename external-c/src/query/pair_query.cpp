@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "backend/distance_library.hpp"
 #include "manifold/capsule_manifold.hpp"
 #include "manifold/halfspace_manifold.hpp"
 #include "math/pose_algebra.hpp"
@@ -26,19 +27,19 @@ void find_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const S
                  BackendScratch &scratch, ConvexAnswer &answer, cmb_backend &who) {
   find_exact_distance(a, pose_a, b, pose_b, scratch, answer);
   who = CMB_BACKEND_ANALYTIC;
-  const DistanceLibrary *library = distance_library(scene.backend);
-  if (library == nullptr) return;
-  auto theirs = library->distance(a, pose_a, b, pose_b, scratch);
+  if (scene.library == nullptr) return;
+  ConvexAnswer theirs;
   const double slack = library_tolerance * (a.bound_radius + b.bound_radius);
-  const bool holds = theirs && answer_holds(*theirs, a, pose_a, b, pose_b, library_tolerance) &&
-                     std::fabs(theirs->distance - answer.distance) <= slack &&
-                     (theirs->distance < 0.0) == (answer.distance < 0.0);
+  const bool holds = scene.library->distance(a, pose_a, b, pose_b, theirs) &&
+                     answer_holds(theirs, a, pose_a, b, pose_b, library_tolerance) &&
+                     std::fabs(theirs.distance - answer.distance) <= slack &&
+                     (theirs.distance < 0.0) == (answer.distance < 0.0);
   (holds ? scene.answered : scene.refused).fetch_add(1, std::memory_order_relaxed);
   if (!holds) return;
   who = scene.backend;
   // The mean of the ways out hardly depends on who found the shortest one.
-  theirs->mean_normal = answer.mean_normal;
-  answer = *theirs;
+  theirs.mean_normal = answer.mean_normal;
+  answer = theirs;
 }
 
 // The gap between two shapes' bounding spheres, or between such a sphere and a half-space, not both: a lower bound of
@@ -119,7 +120,7 @@ void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const 
     return;
   }
   const bool capsules = a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule;
-  if (capsules && distance_library(scene.backend) == nullptr && capsule_contact(a, pose_a, b, pose_b, result)) return;
+  if (capsules && scene.library == nullptr && capsule_contact(a, pose_a, b, pose_b, result)) return;
   ConvexAnswer &answer = scratch.answer;
   find_answer(scene, a, pose_a, b, pose_b, scratch.backend, answer, who);
   convex_contact(a, pose_a, b, pose_b, answer, scratch.backend.distance, scratch.manifold, result);

@@ -55,10 +55,9 @@ void attach_mesh_hulls(std::vector<BodyShapes> &bodies) {
 }
 
 std::unique_ptr<Scene> make_scene(const char *const *geometry, std::size_t body_count, const int *pairs,
-                                  std::size_t pair_count, cmb_backend backend, MakeLibraryShape make_shape,
+                                  std::size_t pair_count, cmb_backend backend, const DistanceLibrary *library,
                                   const std::string &folder) {
   auto scene = std::make_unique<Scene>();
-  scene->backend = backend;
   scene->pairs.reserve(pair_count);
   for (std::size_t i = 0; i < pair_count; ++i) {
     const int first = pairs[2 * i], second = pairs[2 * i + 1];
@@ -92,26 +91,29 @@ std::unique_ptr<Scene> make_scene(const char *const *geometry, std::size_t body_
     }
   }
   attach_mesh_hulls(scene->bodies);
-  attach_library_shapes(scene->bodies, make_shape);
+  attach_library(*scene, backend, library);
   return scene;
 }
 
 }  // namespace
 
-void attach_library_shapes(std::vector<BodyShapes> &bodies, MakeLibraryShape make_shape) {
-  for (BodyShapes &shapes : bodies) {
+void attach_library(Scene &scene, cmb_backend backend, const DistanceLibrary *library) {
+  scene.backend = backend;
+  scene.library = library;
+  for (BodyShapes &shapes : scene.bodies) {
     for (Shape &shape : shapes) {
       const bool convex = shape.kind != ShapeKind::halfspace && shape.kind != ShapeKind::mesh;
-      shape.in_library = convex && make_shape != nullptr ? make_shape(shape) : nullptr;
+      const bool kept = convex && library != nullptr && library->make_shape != nullptr;
+      shape.in_library.reset(kept ? library->make_shape(shape) : nullptr);
     }
   }
 }
 
 cmb_scene intern_scene(const char *const *geometry, std::size_t body_count, const int *pairs, std::size_t pair_count,
-                       cmb_backend backend, MakeLibraryShape make_shape, const std::string &folder) {
+                       cmb_backend backend, const DistanceLibrary *library, const std::string &folder) {
   const cmb_scene handle = registry().intern(
       scene_key(geometry, body_count, pairs, pair_count, backend, folder), [&]() -> std::unique_ptr<const Scene> {
-        return make_scene(geometry, body_count, pairs, pair_count, backend, make_shape, folder);
+        return make_scene(geometry, body_count, pairs, pair_count, backend, library, folder);
       });
   if (handle == 0) {
     throw SceneError(CMB_ERROR_MEMORY, "there are " + std::to_string(scene_limit) +

@@ -2,28 +2,24 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
+#include "backend/distance_library.hpp"
 #include "scene/scene.hpp"
 
 namespace cmb {
 
 constexpr std::size_t scene_limit = 65536;
 
-// Makes what a back end's library keeps of a convex shape.
-using MakeLibraryShape = std::shared_ptr<const LibraryShape> (*)(const Shape &shape);
-
 // The handle of the scene with these arguments, which is made where it does not exist yet. Files are read within
-// `folder` only; none where it is empty. `make_shape` belongs to `backend`, null where that keeps no shapes. Throws
+// `folder` only; none where it is empty. `library` is that of `backend`, null for the engine's own. Throws
 // SceneError, std::bad_alloc. Guarded by a mutex.
 cmb_scene intern_scene(const char *const *geometry, std::size_t body_count, const int *pairs, std::size_t pair_count,
-                       cmb_backend backend, MakeLibraryShape make_shape, const std::string &folder);
+                       cmb_backend backend, const DistanceLibrary *library, const std::string &folder);
 
-// Gives every convex shape what `make_shape`, unless it is null, makes of it.
-void attach_library_shapes(std::vector<BodyShapes> &bodies, MakeLibraryShape make_shape);
+// Lets a library, none where it is null, answer for the scene: gives every convex shape what the library keeps of it.
+void attach_library(Scene &scene, cmb_backend backend, const DistanceLibrary *library);
 
 // The scene of a handle, null where there is none; without locking.
 const Scene *find_scene(cmb_scene handle);

@@ -12,6 +12,8 @@
 
 namespace cmb {
 
+struct DistanceLibrary;
+
 // Immutable but for two diagnostic counters; shared by threads.
 struct Scene {
   struct Pair {
@@ -20,6 +22,7 @@ struct Scene {
   std::vector<BodyShapes> bodies;
   std::vector<Pair> pairs;
   cmb_backend backend = CMB_BACKEND_AUTO;
+  const DistanceLibrary *library = nullptr;  // of the back end; null for the engine's own
 
   // How often the library named as back end gave an answer that held, and how often not; diagnostics only.
   mutable std::atomic<std::uint64_t> answered{0};

@@ -1,12 +1,11 @@
+// The module with libccd: its Minkowski portal refinement, which answers for overlapping shapes only.
 #include <ccd/ccd.h>
 
-#include <cmath>
-
-#include "backend/distance_backend.hpp"
-
-namespace cmb {
+#include "backend/distance_library.hpp"
 
 namespace {
+
+using namespace cmb;
 
 constexpr double portal_tolerance = 1e-10;  // of the portal's distance, relative to a body of unit size
 constexpr unsigned long most_iterations = 500;
@@ -34,10 +33,7 @@ void center(const void *object, ccd_vec3_t *result) {
 
 Vec3 vector(const ccd_vec3_t &v) { return {v.v[0], v.v[1], v.v[2]}; }
 
-}  // namespace
-
-std::optional<ConvexAnswer> libccd_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
-                                            BackendScratch &) {
+bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer) {
   ccd_t options;
   CCD_INIT(&options);
   options.support1 = support;
@@ -49,13 +45,15 @@ std::optional<ConvexAnswer> libccd_distance(const Shape &a, const Pose &pose_a, 
   const PlacedShape placed_a{&a, &pose_a}, placed_b{&b, &pose_b};
   ccd_real_t depth = 0.0;
   ccd_vec3_t direction, position;
-  if (ccdMPRPenetration(&placed_a, &placed_b, &options, &depth, &direction, &position) != 0) return std::nullopt;
-  ConvexAnswer answer;
+  if (ccdMPRPenetration(&placed_a, &placed_b, &options, &depth, &direction, &position) != 0) return false;
   answer.distance = -depth;
   answer.normal = -vector(direction);
   answer.point_a = vector(position) + 0.5 * answer.distance * answer.normal;
   answer.point_b = vector(position) - 0.5 * answer.distance * answer.normal;
-  return answer;
+  return true;
 }
 
-}  // namespace cmb
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) const cmb::DistanceLibrary cmb_distance_library = {
+    CMB_VERSION, sizeof(cmb::Shape), sizeof(cmb::ConvexAnswer), nullptr, distance};

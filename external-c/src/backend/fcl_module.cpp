@@ -1,17 +1,18 @@
+// The module with FCL.
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
 #include <cmath>
 #include <memory>
-#include <stdexcept>
+#include <optional>
 #include <utility>
 
-#include "backend/distance_backend.hpp"
+#include "backend/distance_library.hpp"
 #include "backend/fcl_geometry.hpp"
 
-namespace cmb {
-
 namespace {
+
+using namespace cmb;
 
 // FCL's own GJK and EPA. Its other solver, built on libccd, contains assertions that end the program, and Debian
 // ships FCL with assertions on.
@@ -71,30 +72,32 @@ std::optional<ConvexAnswer> gap(const Placed &a, const Placed &b) {
   return answer;
 }
 
-}  // namespace
-
-std::shared_ptr<const LibraryShape> make_fcl_shape(const Shape &shape) {
+LibraryShape *make_shape(const Shape &shape) {
   try {
     auto geometry = fcl_geometry(shape);
     if (!geometry) return nullptr;
     geometry->computeLocalAABB();
-    return std::make_shared<const FclShape>(std::move(geometry));
-  } catch (const std::logic_error &) {
+    return new FclShape(std::move(geometry));
+  } catch (...) {
     return nullptr;  // FCL refuses the shape
   }
 }
 
-std::optional<ConvexAnswer> fcl_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
-                                         BackendScratch &) {
-  if (!a.in_library || !b.in_library) return std::nullopt;
+bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer) {
+  if (!a.in_library || !b.in_library) return false;
   try {
     const Placed placed_a{static_cast<const FclShape &>(*a.in_library).geometry(), fcl_transform(pose_a)};
     const Placed placed_b{static_cast<const FclShape &>(*b.in_library).geometry(), fcl_transform(pose_b)};
-    const auto answer = overlap(placed_a, placed_b);
-    return answer ? answer : gap(placed_a, placed_b);
+    auto found = overlap(placed_a, placed_b);
+    if (!found) found = gap(placed_a, placed_b);
+    if (found) answer = *found;
+    return found.has_value();
   } catch (...) {
-    return std::nullopt;  // FCL throws where its solver fails
+    return false;  // FCL throws where its solver fails
   }
 }
 
-}  // namespace cmb
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) const cmb::DistanceLibrary cmb_distance_library = {
+    CMB_VERSION, sizeof(cmb::Shape), sizeof(cmb::ConvexAnswer), make_shape, distance};
