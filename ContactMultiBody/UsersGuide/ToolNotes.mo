@@ -9,8 +9,10 @@ Resources/Library/&lt;platform&gt;, where the build of the project installs them
 <a href=\"modelica://ContactMultiBody.PureModelica\">PureModelica</a> need neither.
 </p>
 <p>
-The engine is linked statically, FCL, libccd and OctoMap are shared libraries beside it. Where these are not installed on the system, set <code>LD_LIBRARY_PATH</code> to the package's
-folder Resources/Library/linux64 before you start the tool, so that models find them when they are linked and when they run.
+The engine is one static library, libContactMultiBody.a, that a C compiler links and that needs nothing but the C library. FCL, libccd and coal, which
+<a href=\"modelica://ContactMultiBody.Types.Backend\">Backend</a> names, are modules beside it that are loaded when a scene names them: from the folders of the environment variable
+<code>CMB_MODULE_PATH</code>, from the folder of the binary that holds the engine, or from where the system looks for libraries. For models that name one set
+<code>CMB_MODULE_PATH</code> to the package's folder Resources/Library/linux64 before you start the tool. FMUs of <code>cmb fmu</code> bring along what their model names.
 </p>
 <p>
 Geometry is not drawn: tools animate what MultiBody animates, boxes and cylinders of <a href=\"modelica://ContactMultiBody.Parts.BodyBox\">BodyBox</a> and

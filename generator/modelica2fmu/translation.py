@@ -17,6 +17,7 @@ from modelica2fmu.description.model_description import ModelDescription
 from modelica2fmu.description.variables import describe_enumerations, describe_variables, internal_parameters
 from modelica2fmu.equations.alias import ReducedModel, eliminate_aliases
 from modelica2fmu.equations.systems import Systems, build_systems
+from modelica2fmu.expand.backend_modules import chosen_modules
 from modelica2fmu.expand.geometry_files import write_out_geometry
 from modelica2fmu.expand.scalar_model import ScalarModel, derivative_name
 from modelica2fmu.expand.scalarize import scalarize
@@ -73,6 +74,7 @@ def translate(
             clock.begin("expand")
             scalar = scalarize(flat, source_map, lambda name: named_file(name, roots, file))
             external = _with_real_paths(find_external_code(scalar.external_annotations, roots, model.split(".")[0]))
+            external = replace(external, modules=chosen_modules(scalar.calls))
             icon = icon_png(model, [*sources, *roots])
             scalar.calls[:] = write_out_geometry(scalar.calls, external.library_directories, roots)
         clock.begin("reduce")

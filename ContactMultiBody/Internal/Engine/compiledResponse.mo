@@ -28,7 +28,7 @@ external "C" cmb_modelica_response(broadphase, r_0, size(r_0, 1), T, v_0, w_0, m
     Include="#include \"contact_multibody_scene_modelica.h\"",
     IncludeDirectory="modelica://ContactMultiBody/Resources/Include",
     LibraryDirectory="modelica://ContactMultiBody/Resources/Library",
-    Library={"ContactMultiBody","fcl","ccd","stdc++"});
+    Library={"ContactMultiBody"});
   annotation (Documentation(info="<html>
 <p>
 The laws of <a href=\"modelica://ContactMultiBody.NormalForce\">NormalForce</a> and

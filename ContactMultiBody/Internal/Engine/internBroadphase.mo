@@ -12,7 +12,7 @@ external "C" broadphase = cmb_modelica_intern_broadphase(scene, fixed, size(fixe
     Include="#include \"contact_multibody_scene_modelica.h\"",
     IncludeDirectory="modelica://ContactMultiBody/Resources/Include",
     LibraryDirectory="modelica://ContactMultiBody/Resources/Library",
-    Library={"ContactMultiBody","fcl","ccd","stdc++"});
+    Library={"ContactMultiBody"});
   annotation (Documentation(info="<html>
 <p>
 As with <a href=\"modelica://ContactMultiBody.Internal.Engine.intern\">intern</a>, the engine keeps what it was asked for, and equal arguments

@@ -20,7 +20,7 @@ external "C" cmb_modelica_query_within(scene, exactWithin, position, size(positi
     Include="#include \"contact_multibody_modelica.h\"",
     IncludeDirectory="modelica://ContactMultiBody/Resources/Include",
     LibraryDirectory="modelica://ContactMultiBody/Resources/Library",
-    Library={"ContactMultiBody","fcl","ccd","stdc++"});
+    Library={"ContactMultiBody"});
   annotation (Documentation(info="<html>
 <p>
 One call for the whole scene: the result depends on the scene and the poses alone, so that an integrator may evaluate in any

@@ -18,7 +18,7 @@ external "C" cmb_modelica_query_volume_within(scene, exactWithin, position, size
     Include="#include \"contact_multibody_modelica.h\"",
     IncludeDirectory="modelica://ContactMultiBody/Resources/Include",
     LibraryDirectory="modelica://ContactMultiBody/Resources/Library",
-    Library={"ContactMultiBody","fcl","ccd","stdc++"});
+    Library={"ContactMultiBody"});
   annotation (Documentation(info="<html>
 <p>
 The weights times depth sum to the volume, and times half the squared depth to the integral of half the squared depth over the area of contact: with exponent 1 the laws of

@@ -23,12 +23,14 @@ class ExternalCode:
         include_directories: existing folders for ``#include``.
         libraries: names as in the Library annotation (``m``, ``contact_multibody``), in link order.
         library_directories: existing folders searched for them, most specific (platform) first.
+        modules: file names of shared objects in these folders that the libraries load while the model runs.
     """
 
     includes: tuple[str, ...] = ()
     include_directories: tuple[Path, ...] = ()
     libraries: tuple[str, ...] = ()
     library_directories: tuple[Path, ...] = ()
+    modules: tuple[str, ...] = ()
 
 
 def find_external_code(

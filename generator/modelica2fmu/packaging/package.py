@@ -21,7 +21,7 @@ from modelica2fmu.packaging.interface_tables import interface_source
 from modelica2fmu.packaging.layout import LAYOUTS, FmiVersion, Layout
 from modelica2fmu.packaging.object_store import ObjectStore
 from modelica2fmu.packaging.runtime_sources import runtime_files, runtime_folders
-from modelica2fmu.packaging.shared_libraries import bundle_libraries, licence_of
+from modelica2fmu.packaging.shared_libraries import bundle_libraries, copy_modules, licence_of
 from modelica2fmu.packaging.solver_variables import SolverOptions, with_solver_variables
 from modelica2fmu.packaging.source_folder import EXTERNAL_HEADERS, cmake_project, copy_headers
 from modelica2fmu.packaging.toolchain import DEPENDENCIES, Compilation, Libraries, compile_objects, link_shared
@@ -175,7 +175,8 @@ def package_fmu(
         link_shared(
             compiled, Libraries((sundials.archive,), external.libraries, external.library_directories), library, scratch
         )
-        bundled = bundle_libraries(library, external.library_directories)
+        modules = copy_modules(external.modules, external.library_directories, binaries)
+        bundled = bundle_libraries([library, *modules], external.library_directories)
         _copy_licences(documentation / "licenses", sundials, bundled)
 
         progress("pack", 0.9)

@@ -65,8 +65,28 @@ def _refuse_callers_of_modelica(name: str, library: Path) -> None:
         )
 
 
-def bundle_libraries(library: Path, directories: Sequence[Path]) -> dict[str, Path]:
-    """Copies what ``library`` needs beside it and makes sure that it is found there.
+def copy_modules(names: Sequence[str], directories: Sequence[Path], target: Path) -> list[Path]:
+    """Copies shared objects that the FMU's library loads while it runs into its folder.
+
+    Raises:
+        BuildError: one is not found.
+    """
+    copies = []
+    for name in names:
+        origin = next((path for directory in directories if (path := directory / name).is_file()), None)
+        if origin is None:
+            raise BuildError(
+                f"the module {name}, which the model needs, is not in {', '.join(map(str, directories))}",
+                remedy="Install it there, or choose another back end in the model.",
+            )
+        shutil.copyfile(origin.resolve(), target / name)
+        (target / name).chmod(0o755)
+        copies.append(target / name)
+    return copies
+
+
+def bundle_libraries(libraries: Sequence[Path], directories: Sequence[Path]) -> dict[str, Path]:
+    """Copies what ``libraries``, all in one folder, need beside them and makes sure that it is found there.
 
     Returns:
         The origin of each copy, by file name.
@@ -74,18 +94,20 @@ def bundle_libraries(library: Path, directories: Sequence[Path]) -> dict[str, Pa
     Raises:
         BuildError: a library is not found, or one is still taken from elsewhere.
     """
-    needed = needed_libraries(library, directories)
+    needed = {name: path for library in libraries for name, path in needed_libraries(library, directories).items()}
+    folder = libraries[0].parent
     for name, origin in needed.items():
         _refuse_callers_of_modelica(name, origin)
-        copy = library.parent / name
+        copy = folder / name
         shutil.copyfile(origin.resolve(), copy)
         copy.chmod(0o755)
-    for name, path in needed_libraries(library).items():
-        if path.parent.resolve() != library.parent.resolve():
-            raise BuildError(
-                f"{library.name} would take {name} from {path} and not from the FMU",
-                remedy="A library that it needs has a run path of its own (DT_RUNPATH); use one without.",
-            )
+    for library in libraries:
+        for name, path in needed_libraries(library).items():
+            if path.parent.resolve() != folder.resolve():
+                raise BuildError(
+                    f"{library.name} would take {name} from {path} and not from the FMU",
+                    remedy="A library that it needs has a run path of its own (DT_RUNPATH); use one without.",
+                )
     return needed
 
 
