@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from contact_foundation.cache import user_cache
-from modelica2fmu.build import BuildOptions
-from modelica2fmu.packaging import FmiVersion, SolverOptions
+
+if TYPE_CHECKING:
+    from modelica2fmu.build import BuildOptions
+    from modelica2fmu.packaging import FmiVersion, SolverOptions
 
 
 def add_build_arguments(parser: ArgumentParser) -> None:
@@ -23,6 +26,8 @@ def add_build_arguments(parser: ArgumentParser) -> None:
 
 def fmi_version(arguments: Namespace) -> FmiVersion:
     """The version of the standard that was asked for."""
+    from modelica2fmu.packaging import FmiVersion
+
     return FmiVersion(f"{arguments.fmi}.0")
 
 
@@ -33,6 +38,9 @@ def build_options(arguments: Namespace, solver: SolverOptions | None = None) -> 
         arguments: of a parser that ``add_build_arguments`` saw.
         solver: defaults of the co-simulation integrator.
     """
+    from modelica2fmu.build import BuildOptions
+    from modelica2fmu.packaging import SolverOptions
+
     return BuildOptions(
         msl=arguments.msl,
         fmi=fmi_version(arguments),

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from argparse import ArgumentParser
 
-from cad2modelica import Decomposer
-
 
 def add_collision_arguments(parser: ArgumentParser) -> None:
     """Adds what says how finely concave parts are decomposed."""
@@ -21,9 +19,7 @@ def add_collision_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--decomposer",
-        type=Decomposer,
-        choices=list(Decomposer),
-        metavar="{coacd,vhacd}",
+        choices=("coacd", "vhacd"),
         help="what splits concave parts: coacd (along planes; if left out) or vhacd (by voxels; pieces with fewer "
         "corners)",
     )

@@ -7,13 +7,15 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 from contact_foundation.progress import Progress
-from modelica2fmu.build import build_fmu
-from scene_effects.measurement import Bench, BuildFigures, RunOptions
 
 from cmb.build_arguments import add_build_arguments, build_options
 from cmb.modelica_sources import find_sources
+
+if TYPE_CHECKING:
+    from scene_effects.measurement import Bench, BuildFigures
 
 
 def add_scene_arguments(parser: ArgumentParser) -> None:
@@ -44,6 +46,10 @@ def effect_bench(arguments: Namespace, progress: Progress) -> Iterator[Bench]:
         CmbError: the model cannot be built or simulated, or has no manager.
     """
     found = find_sources(arguments.model, arguments.source)
+
+    from modelica2fmu.build import build_fmu
+    from scene_effects.measurement import Bench, BuildFigures, RunOptions
+
     chosen = build_options(arguments)
 
     def build(name: str, further: Sequence[Path], fmu: Path) -> BuildFigures:

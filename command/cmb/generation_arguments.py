@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, BooleanOptionalAction, Namespace
 from pathlib import Path
-
-from cad2modelica import Edited, GenerateOptions
+from typing import TYPE_CHECKING
 
 from cmb.collision_arguments import add_collision_arguments
+
+if TYPE_CHECKING:
+    from cad2modelica import GenerateOptions
 
 
 def add_generation_arguments(parser: ArgumentParser) -> None:
@@ -47,10 +49,7 @@ def add_generation_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--mechatronics",
-        type=Edited,
-        choices=[Edited.KEEP, Edited.REPLACE],
-        default=Edited.ASK,
-        metavar="{keep,replace}",
+        choices=("keep", "replace"),
         help="what happens to a mechatronic model edited by hand when the assignment of actuators has changed",
     )
     parser.add_argument(
@@ -64,14 +63,16 @@ def add_generation_arguments(parser: ArgumentParser) -> None:
 
 def generation_options(arguments: Namespace) -> GenerateOptions:
     """What the arguments say."""
+    from cad2modelica import Decomposer, Edited, GenerateOptions
+
     return GenerateOptions(
         package=arguments.package,
         actuators=arguments.actuators,
         collision_error=arguments.collision_error,
         max_pieces=arguments.max_pieces,
-        decomposer=arguments.decomposer,
+        decomposer=None if arguments.decomposer is None else Decomposer(arguments.decomposer),
         accept_structure=arguments.accept_structure,
-        edited=arguments.mechatronics,
+        edited=Edited.ASK if arguments.mechatronics is None else Edited(arguments.mechatronics),
         assemble=arguments.assemble,
         ground=tuple(arguments.ground),
         stops=arguments.stops,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from cmb.input_file import check_input
 from cmb.project import LIBRARY
 
 
@@ -14,7 +15,11 @@ def find_sources(model: str, given: Sequence[Path]) -> tuple[Path, ...]:
     Args:
         model: qualified name, e.g. ``ContactMultiBody.Examples.BallOnFloor``.
         given: Modelica files and package folders.
+
+    Raises:
+        InputError: one of them does not exist.
     """
+    check_input(*given)
     package = model.split(".")[0]
     here = (path for path in (Path(package), Path(f"{package}.mo")) if path.exists())
     return tuple(dict.fromkeys(path.resolve() for path in (*given, *here, LIBRARY)))

@@ -7,9 +7,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from contact_foundation.progress import Progress
-from rich.console import Console
-from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
-from rich.progress import Progress as Bars
 
 
 @contextmanager
@@ -18,17 +15,20 @@ def progress_bars() -> Iterator[Progress]:
 
     Where standard error is no terminal, each phase is one line when it ends.
     """
-    console = Console(stderr=True)
     if not sys.stderr.isatty():
         yield _LinePerPhase()
         return
+    from rich.console import Console
+    from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
+    from rich.progress import Progress as Bars
+
     bars = Bars(
         TextColumn("{task.description:<28.28}"),
         BarColumn(bar_width=28),
         TextColumn("{task.percentage:>3.0f} %"),
         TimeElapsedColumn(),
         TextColumn("{task.fields[remark]:.40}", style="dim"),
-        console=console,
+        console=Console(stderr=True),
     )
     with bars:
         tasks: dict[str, TaskID] = {}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from cmb.commands import run
+from cmb import pipeline
 from cmb.main import main
 from contact_foundation.output import MARKER
 
@@ -47,7 +47,7 @@ def test_links_of_the_modellers_stay_links(
         kept.append(any((source / "data").is_symlink() for source in sources))
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(run, "build_fmu", stop)
+    monkeypatch.setattr(pipeline, "build_fmu", stop)
     assert main(["run", str(earlier.parent / "r.urdf"), "--output", str(earlier)]) == 130
     assert kept == [True]
     assert (earlier / "model" / "R" / "data").is_symlink()

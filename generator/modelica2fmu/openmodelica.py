@@ -51,6 +51,10 @@ class OpenModelicaReport:
     seconds: float
     warnings: tuple[str, ...]
 
+    def summary(self) -> str:
+        """The export in one line."""
+        return f"{self.fmu}: by {self.version}"
+
     def text(self) -> str:
         """The report as readable lines."""
         lines = [f"model               {self.model}", f"tool                {self.version}"]

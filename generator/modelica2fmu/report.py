@@ -58,6 +58,11 @@ class BuildReport:
     timings: tuple[tuple[str, float], ...]
     cached: bool = False
 
+    def summary(self) -> str:
+        """The build in one line."""
+        origin = " (from the cache)" if self.cached else ""
+        return f"{self.fmu}: {len(self.states)} states, {self.event_indicators} event indicators{origin}"
+
     def text(self) -> str:
         """The report as readable lines."""
         lines = [

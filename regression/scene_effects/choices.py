@@ -6,6 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
+EFFECTS = ("friction", "restitution", "turning", "points", "pairs")
+"""What can be switched on and off."""
+
 
 class Friction(Enum):
     """Laws of friction; the value is the literal of ContactMultiBody.Types.Friction."""

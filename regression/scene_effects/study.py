@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from contact_foundation.errors import InputError, SimulationError
 from contact_foundation.progress import Progress, silent
 
+from scene_effects.choices import EFFECTS
 from scene_effects.manager import Manager
 from scene_effects.measurement import Bench, Measurement
 from scene_effects.observation import PairObservation, observe
-from scene_effects.variants import EFFECTS, Variant, fullest, variants_of
+from scene_effects.variants import Variant, fullest, variants_of
 
 FULLEST = "everything on"
 

@@ -9,10 +9,9 @@ from pathlib import Path
 
 from contact_foundation.output import whole_file
 
-from scene_effects.choices import Change, Friction, Restitution
+from scene_effects.choices import EFFECTS, Change, Friction, Restitution
 from scene_effects.manager import Manager, Parameters
 
-EFFECTS = ("friction", "restitution", "turning", "points", "pairs")
 FULL_POINTS = 4
 MEMORYLESS = "restitution memoryless"
 

@@ -6,10 +6,8 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from contact_foundation.output import check_file
-from fmu_regression.compare.accuracy import DEFAULT_TOLERANCES, study_accuracy
-from fmu_regression.report.accuracy_report import accuracy_text, write_accuracy
-from fmu_regression.scene.scene_file import load_scene
 
+from cmb.input_file import check_input
 from cmb.terminal import progress_bars
 
 NAME = "accuracy"
@@ -46,6 +44,11 @@ def run(arguments: Namespace) -> int:
     """Makes the study and prints its table."""
     if arguments.output is not None:
         check_file(arguments.output)
+    check_input(arguments.fmu, arguments.scene)
+    from fmu_regression.compare.accuracy import DEFAULT_TOLERANCES, study_accuracy
+    from fmu_regression.report.accuracy_report import accuracy_text, write_accuracy
+    from fmu_regression.scene.scene_file import load_scene
+
     with progress_bars() as progress:
         study = study_accuracy(
             arguments.fmu,

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from scene_effects.advice import advice_text, advise
-
 from cmb.effect_bench import add_scene_arguments, effect_bench
+from cmb.input_file import check_input
 from cmb.terminal import progress_bars
 
 NAME = "advise"
@@ -38,6 +37,9 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Prints the advice."""
+    check_input(*arguments.source)
+    from scene_effects.advice import advice_text, advise
+
     with progress_bars() as progress, effect_bench(arguments, progress) as bench:
         advice = advise(bench, arguments.difference, progress)
     print(advice_text(advice))

@@ -5,14 +5,9 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cad2modelica import read_assembly
-from cad2modelica.actuators.file import FILE_NAME, drivable_joints, read_assignments, write_assignments
-from cad2modelica.kinematics.kinematic_graph import kinematic_tree
-from cad2modelica.kinematics.loops import analyse_loops
 from contact_foundation.errors import InputError, Place
 
 from cmb.assembly_file import find_assembly
-from cmb.assignment_dialog import Dialog
 
 NAME = "assign"
 SUMMARY = "assign actuators to the joints of an assembly by questions and answers"
@@ -34,13 +29,20 @@ def add_arguments(parser: ArgumentParser) -> None:
         "assembly", type=Path, metavar="ASSEMBLY", help="the assembly's XML or URDF file, or its folder"
     )
     parser.add_argument(
-        "--actuators", type=Path, metavar="TOML", help=f"file to read and write ({FILE_NAME} beside the assembly)"
+        "--actuators", type=Path, metavar="TOML", help="file to read and write (actuators.toml beside the assembly)"
     )
 
 
 def run(arguments: Namespace) -> int:
     """Asks, and writes the file."""
     path = find_assembly(arguments.assembly)
+    from cad2modelica import read_assembly
+    from cad2modelica.actuators.file import FILE_NAME, drivable_joints, read_assignments, write_assignments
+    from cad2modelica.kinematics.kinematic_graph import kinematic_tree
+    from cad2modelica.kinematics.loops import analyse_loops
+
+    from cmb.assignment_dialog import Dialog
+
     file: Path = arguments.actuators or path.parent / FILE_NAME
     assembly = read_assembly(path)
     loops = analyse_loops(assembly, kinematic_tree(assembly))

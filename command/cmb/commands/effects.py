@@ -6,11 +6,10 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from contact_foundation.output import check_file
-from scene_effects.study import study_effects
-from scene_effects.table import effects_text, write_effects
-from scene_effects.variants import EFFECTS
+from scene_effects.choices import EFFECTS
 
 from cmb.effect_bench import add_scene_arguments, effect_bench
+from cmb.input_file import check_input
 from cmb.terminal import progress_bars
 
 NAME = "effects"
@@ -41,6 +40,10 @@ def run(arguments: Namespace) -> int:
     """Makes the study and prints its table."""
     if arguments.output is not None:
         check_file(arguments.output)
+    check_input(*arguments.source)
+    from scene_effects.study import study_effects
+    from scene_effects.table import effects_text, write_effects
+
     with progress_bars() as progress, effect_bench(arguments, progress) as bench:
         study = study_effects(bench, arguments.effect or EFFECTS, progress)
     print(effects_text(study))

@@ -5,18 +5,19 @@ from __future__ import annotations
 import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from contact_foundation.errors import InputError
 from contact_foundation.output import check_file, whole_file
 from contact_foundation.progress import Progress
-from modelica2fmu.build import BuildReport, build_fmu
-from modelica2fmu.library.standard_library import find_standard_library
-from modelica2fmu.openmodelica import OpenModelicaReport, export_fmu
-from modelica2fmu.packaging import SolverOptions
 
 from cmb.build_arguments import add_build_arguments, build_options, fmi_version
 from cmb.modelica_sources import find_sources
 from cmb.terminal import progress_bars
+
+if TYPE_CHECKING:
+    from modelica2fmu.build import BuildReport
+    from modelica2fmu.openmodelica import OpenModelicaReport
 
 NAME = "fmu"
 SUMMARY = "build an FMU from a Modelica model, with the contact engine inside"
@@ -83,7 +84,7 @@ def run(arguments: Namespace) -> int:
     build = _by_openmodelica if arguments.tool == "omc" else _by_translator
     with progress_bars() as progress:
         report = build(arguments, output, progress)
-    print(_summary(report))
+    print(report.summary())
     if arguments.log == _PRINT:
         sys.stdout.write(report.text() + "\n")
     elif arguments.log is not None:
@@ -93,6 +94,10 @@ def run(arguments: Namespace) -> int:
 
 
 def _by_translator(arguments: Namespace, output: Path, progress: Progress) -> BuildReport:
+    sources = find_sources(arguments.model, arguments.source)
+    from modelica2fmu.build import build_fmu
+    from modelica2fmu.packaging import SolverOptions
+
     given = {
         "relative_tolerance": arguments.tolerance,
         "maximum_step": arguments.max_step,
@@ -100,7 +105,7 @@ def _by_translator(arguments: Namespace, output: Path, progress: Progress) -> Bu
     }
     solver = SolverOptions(**{name: value for name, value in given.items() if value is not None})
     options = build_options(arguments, solver)
-    return build_fmu(arguments.model, find_sources(arguments.model, arguments.source), output, options, progress)
+    return build_fmu(arguments.model, sources, output, options, progress)
 
 
 def _by_openmodelica(arguments: Namespace, output: Path, progress: Progress) -> OpenModelicaReport:
@@ -108,18 +113,15 @@ def _by_openmodelica(arguments: Namespace, output: Path, progress: Progress) -> 
         if getattr(arguments, option) is not None:
             name = option.replace("_", "-")
             raise InputError(f"--{name} is for the built-in translator", remedy="leave it out, or --tool omc")
+    sources = find_sources(arguments.model, arguments.source)
+    from modelica2fmu.library.standard_library import find_standard_library
+    from modelica2fmu.openmodelica import export_fmu
+
     return export_fmu(
         arguments.model,
-        find_sources(arguments.model, arguments.source),
+        sources,
         output,
         find_standard_library(arguments.msl),
         fmi_version(arguments),
         progress=progress,
     )
-
-
-def _summary(report: BuildReport | OpenModelicaReport) -> str:
-    if isinstance(report, OpenModelicaReport):
-        return f"{report.fmu}: by {report.version}"
-    origin = " (from the cache)" if report.cached else ""
-    return f"{report.fmu}: {len(report.states)} states, {report.event_indicators} event indicators{origin}"

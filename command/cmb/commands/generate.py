@@ -5,8 +5,6 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cad2modelica import generate
-
 from cmb.assembly_file import find_assembly
 from cmb.generation_arguments import add_generation_arguments, generation_options
 from cmb.terminal import progress_bars
@@ -40,9 +38,12 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Generates the package and says what was written."""
+    assembly = find_assembly(arguments.assembly)
+    from cad2modelica import generate
+
     with progress_bars() as progress:
         package = generate(
-            find_assembly(arguments.assembly),
+            assembly,
             arguments.output,
             generation_options(arguments),
             progress,

@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from contact_foundation.errors import InputError
-from modelica2fmu.library.library_release import LATEST, RELEASES, content_digest, install_release, release_of
+from modelica2fmu.library.releases import LATEST, RELEASES, content_digest, release_of
 from modelica2fmu.library.standard_library import CORE_SUBSET, StandardLibrary, find_standard_library
 
 from cmb.terminal import progress_bars
@@ -44,6 +44,8 @@ def run(arguments: Namespace) -> int:
     if arguments.action == "install":
         if arguments.msl is not None:
             raise InputError("--msl names a library to look at", remedy="leave it out to install one")
+        from modelica2fmu.library.library_release import install_release
+
         with progress_bars() as progress:
             install_release(arguments.version or LATEST, _origin(arguments.origin), progress=progress)
     elif arguments.version is not None or arguments.origin is not None:

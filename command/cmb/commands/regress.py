@@ -8,11 +8,9 @@ from pathlib import Path
 
 from contact_foundation.errors import EXIT_FAILURE
 from contact_foundation.output import check_file
-from fmu_regression.cases.runner import Verdict, run_cases
-from fmu_regression.report.case_summary import text_table, write_junit, write_summary
 
 from cmb.build_arguments import add_build_arguments, build_options
-from cmb.fmu_provider import FmuProvider
+from cmb.input_file import check_input
 from cmb.project import CASES
 from cmb.terminal import progress_bars
 
@@ -46,6 +44,12 @@ def run(arguments: Namespace) -> int:
     for output in (arguments.output, arguments.junit):
         if output is not None:
             check_file(output)
+    check_input(arguments.folder)
+    from fmu_regression.cases.runner import Verdict, run_cases
+    from fmu_regression.report.case_summary import text_table, write_junit, write_summary
+
+    from cmb.fmu_provider import FmuProvider
+
     with tempfile.TemporaryDirectory(prefix="cmb-regress-") as folder, progress_bars() as progress:
         provider = FmuProvider(Path(folder), build_options(arguments), progress)
         results = run_cases(arguments.folder, provider, time_limit=arguments.time_limit, progress=progress)

@@ -5,10 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from fmu_regression.report.simulation_report import write_report
-from fmu_regression.results.result import read_csv
-
-from cmb.experiment import Experiment, read_experiment
+from cmb.input_file import check_input
 
 NAME = "report"
 SUMMARY = "write report.html from a result: forces, joints, energy, impacts, 3-D animation"
@@ -35,6 +32,12 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Writes the report."""
+    check_input(arguments.result, arguments.scene)
+    from fmu_regression.report.simulation_report import write_report
+    from fmu_regression.results.result import read_csv
+
+    from cmb.experiment import Experiment, read_experiment
+
     experiment = read_experiment(arguments.experiment) if arguments.experiment else Experiment()
     write_report(read_csv(arguments.result), arguments.scene, arguments.output, experiment.figures)
     print(arguments.output)

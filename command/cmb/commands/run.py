@@ -9,24 +9,13 @@ from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
-from cad2modelica import generate
 from contact_foundation.errors import CmbError, InputError, Place
 from contact_foundation.output import MARKER, whole_folder
-from contact_foundation.progress import Progress
-from fmu_regression.fmi.fmu import read_description
-from fmu_regression.report.simulation_report import write_report
-from fmu_regression.report.summarise import summarise
-from fmu_regression.results.result import SimulationResult, write_csv
-from fmu_regression.scene.scene_file import Scene, load_scene
-from fmu_regression.scene.signals import signals_for
-from fmu_regression.simulate.simulation import simulate
-from modelica2fmu.build import build_fmu
 
 from cmb.assembly_file import find_assembly
-from cmb.build_arguments import add_build_arguments, build_options
-from cmb.experiment import Experiment, find_experiment
-from cmb.generation_arguments import add_generation_arguments, generation_options
-from cmb.project import LIBRARY
+from cmb.build_arguments import add_build_arguments
+from cmb.generation_arguments import add_generation_arguments
+from cmb.run_folder import PACKAGE_FOLDER, REPORT, RESULT
 from cmb.terminal import progress_bars
 
 NAME = "run"
@@ -42,10 +31,6 @@ EXAMPLES = """examples:
   cmb run robot/robot.xml --output out/robot \\
     --stop 10 --tolerance 1e-5 --mode cs
 """
-
-PACKAGE_FOLDER = "model"
-RESULT = "result.csv"
-REPORT = "report.html"
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -65,13 +50,16 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> int:
     """Runs the whole road and prints the summary."""
     assembly = find_assembly(arguments.assembly)
-    experiment = find_experiment(assembly.parent)
     output = arguments.output or Path("out") / assembly.stem
     _require_own(output, assembly.stem)
+    from cmb.experiment import find_experiment
+    from cmb.pipeline import carry_out
+
+    experiment = find_experiment(assembly.parent)
     with progress_bars() as progress, whole_folder(output) as staging, _errors_in(staging, output):
         _keep_package(output / PACKAGE_FOLDER, staging / PACKAGE_FOLDER)
-        result, scene = _carry_out(arguments, assembly, experiment, staging, progress)
-    print("\n".join([summarise(result, scene), *experiment.figures.lines(result)]))
+        summary = carry_out(arguments, assembly, experiment, staging, progress)
+    print(summary)
     print(f"\nresults in {output}: the Modelica package, the FMU, result.csv, report.html")
     return 0
 
@@ -104,30 +92,3 @@ def _keep_package(earlier: Path, now: Path) -> None:
     """Hands an earlier package on, because the generator keeps the modeller's own part of it."""
     if earlier.is_dir():
         shutil.copytree(earlier, now, symlinks=True)
-
-
-def _carry_out(
-    arguments: Namespace, assembly: Path, experiment: Experiment, folder: Path, progress: Progress
-) -> tuple[SimulationResult, Scene]:
-    package = generate(assembly, folder / PACKAGE_FOLDER, generation_options(arguments), progress)
-    fmu = folder / f"{assembly.stem}.fmu"
-    model = experiment.model or package.mechatronics
-    sources = (*experiment.sources, package.root, LIBRARY)
-    build_fmu(model, sources, fmu, build_options(arguments), progress)
-    scene = load_scene(package.scene)
-    description = read_description(fmu)
-    experiment.figures.require(description.variables, Place(file=experiment.file))
-    result = simulate(
-        fmu,
-        signals=list(dict.fromkeys([*signals_for(scene, description), *experiment.figures.signals])),
-        stop=arguments.stop,
-        tolerance=arguments.tolerance,
-        interval=arguments.interval,
-        mode=arguments.mode,
-        progress=progress,
-    )
-    write_csv(result, folder / RESULT)
-    progress("report", 0.0)
-    write_report(result, package.scene, folder / REPORT, experiment.figures)
-    progress("report", 1.0)
-    return result, scene

@@ -7,10 +7,9 @@ from dataclasses import asdict
 from pathlib import Path
 
 from contact_foundation.output import check_file
-from fmu_regression.results.result import write_csv
-from fmu_regression.simulate.simulation import simulate
 
 from cmb.assignments import parse_assignments
+from cmb.input_file import check_input
 from cmb.terminal import progress_bars
 
 NAME = "simulate"
@@ -48,6 +47,11 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> int:
     """Simulates and says what was written."""
     check_file(arguments.output)
+    check_input(arguments.fmu)
+    parameters = parse_assignments(arguments.set)
+    from fmu_regression.results.result import write_csv
+    from fmu_regression.simulate.simulation import simulate
+
     with progress_bars() as progress:
         result = simulate(
             arguments.fmu,
@@ -57,7 +61,7 @@ def run(arguments: Namespace) -> int:
             interval=arguments.interval,
             mode=arguments.mode,
             max_step=arguments.max_step,
-            parameters=parse_assignments(arguments.set),
+            parameters=parameters,
             time_limit=arguments.time_limit,
             progress=progress,
         )

@@ -12,7 +12,8 @@ from pathlib import Path
 
 import pytest
 from contact_foundation.errors import BuildError, CmbError, InputError
-from modelica2fmu.library.library_release import ADDRESS, RELEASES, content_digest, install_release, release_of
+from modelica2fmu.library.library_release import install_release
+from modelica2fmu.library.releases import ADDRESS, RELEASES, content_digest, release_of
 from modelica2fmu.library.standard_library import StandardLibrary, find_standard_library
 
 FILES = {

@@ -1,0 +1,61 @@
+"""The whole way of `cmb run`: assembly, Modelica package, FMU, simulation, report."""
+
+from __future__ import annotations
+
+from argparse import Namespace
+from pathlib import Path
+
+from cad2modelica import generate
+from contact_foundation.errors import Place
+from contact_foundation.progress import Progress
+from fmu_regression.fmi.fmu import read_description
+from fmu_regression.report.simulation_report import write_report
+from fmu_regression.report.summarise import summarise
+from fmu_regression.results.result import write_csv
+from fmu_regression.scene.scene_file import load_scene
+from fmu_regression.scene.signals import signals_for
+from fmu_regression.simulate.simulation import simulate
+from modelica2fmu.build import build_fmu
+
+from cmb.build_arguments import build_options
+from cmb.experiment import Experiment
+from cmb.generation_arguments import generation_options
+from cmb.project import LIBRARY
+from cmb.run_folder import PACKAGE_FOLDER, REPORT, RESULT
+
+
+def carry_out(arguments: Namespace, assembly: Path, experiment: Experiment, folder: Path, progress: Progress) -> str:
+    """Carries out every step of ``cmb run``.
+
+    Args:
+        arguments: of the command.
+        assembly: the assembly's file.
+        experiment: what is simulated in place of the generated model, and what is reported.
+        folder: to write to; it may hold an earlier package.
+        progress: told about the steps.
+
+    Returns:
+        The result's summary, in lines.
+    """
+    package = generate(assembly, folder / PACKAGE_FOLDER, generation_options(arguments), progress)
+    fmu = folder / f"{assembly.stem}.fmu"
+    model = experiment.model or package.mechatronics
+    sources = (*experiment.sources, package.root, LIBRARY)
+    build_fmu(model, sources, fmu, build_options(arguments), progress)
+    scene = load_scene(package.scene)
+    description = read_description(fmu)
+    experiment.figures.require(description.variables, Place(file=experiment.file))
+    result = simulate(
+        fmu,
+        signals=list(dict.fromkeys([*signals_for(scene, description), *experiment.figures.signals])),
+        stop=arguments.stop,
+        tolerance=arguments.tolerance,
+        interval=arguments.interval,
+        mode=arguments.mode,
+        progress=progress,
+    )
+    write_csv(result, folder / RESULT)
+    progress("report", 0.0)
+    write_report(result, package.scene, folder / REPORT, experiment.figures)
+    progress("report", 1.0)
+    return "\n".join([summarise(result, scene), *experiment.figures.lines(result)])
