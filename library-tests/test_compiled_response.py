@@ -68,9 +68,9 @@ def check(result: NDArray[np.void], part: str) -> None:
 
 @pytest.mark.parametrize("law", LAWS)
 def test_every_law_of_restitution(trajectories: Trajectories, law: str) -> None:
-    check(trajectories("LawsByBothWays", LAWS), law)
+    check(trajectories("Agreement.LawsByBothWays", LAWS), law)
 
 
 @pytest.mark.parametrize("part", SHAPES)
 def test_shapes_with_many_points(trajectories: Trajectories, part: str) -> None:
-    check(trajectories("ShapesByBothWays", SHAPES), part)
+    check(trajectories("Agreement.ShapesByBothWays", SHAPES), part)

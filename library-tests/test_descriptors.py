@@ -16,7 +16,7 @@ def test_long_literal_descriptor_survives(core: Compiler) -> None:
 
 
 def test_pairs_default_to_all(core: Compiler) -> None:
-    flat = core.flatten("ContactMultiBodyTest.AllParts")
+    flat = core.flatten("ContactMultiBodyTest.Scenes.AllParts")
     assert flat["variables"]["contacts.distance"]["dims"] == [5]
-    every = core.model("ContactMultiBodyTest.AllParts", "contacts(pairs=fill(0,0,2))").to_dict("flat")
+    every = core.model("ContactMultiBodyTest.Scenes.AllParts", "contacts(pairs=fill(0,0,2))").to_dict("flat")
     assert every["variables"]["contacts.distance"]["dims"] == [15]

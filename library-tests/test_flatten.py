@@ -13,7 +13,7 @@ REPRESENTATIVE = (
     "ContactMultiBody.Examples.HammerOnAnvil",
     "ContactMultiBody.Examples.BallWithoutEvents",
     "ContactMultiBody.Examples.RollingResistance",
-    "ContactMultiBodyTest.AllParts",
+    "ContactMultiBodyTest.Scenes.AllParts",
     "ContactMultiBody.Actuators.Examples.CascadeOnArm",
     "ContactMultiBody.Actuators.Examples.SpindleAxis",
 )
@@ -25,8 +25,8 @@ RICH_IN_FUNCTIONS = (
     "ContactMultiBody.Examples.BlockOnMat",
     "ContactMultiBody.Examples.BoxOnEdge",
     "ContactMultiBody.Examples.SpheresInBox",
-    "ContactMultiBodyTest.AllFormulaContacts",
-    "ContactMultiBodyTest.ShapesFromFiles",
+    "ContactMultiBodyTest.Rest.AllFormulaContacts",
+    "ContactMultiBodyTest.Scenes.ShapesFromFiles",
 )
 
 
@@ -106,7 +106,7 @@ def test_equations_call_the_friction_that_was_chosen(core: Compiler, friction: s
 
 @pytest.mark.parametrize("version", LIBRARIES)
 def test_body_without_geometry_is_the_standard_one(compilers: Callable[[str], Compiler], version: str) -> None:
-    flat = compilers(version).flatten("ContactMultiBodyTest.BodyWithoutGeometry")
+    flat = compilers(version).flatten("ContactMultiBodyTest.Scenes.BodyWithoutGeometry")
 
     def members(body: str) -> set[str]:
         return {name.removeprefix(f"{body}.") for name in flat["variables"] if name.startswith(f"{body}.")}

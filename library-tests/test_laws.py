@@ -25,7 +25,7 @@ def simulate(core: Compiler, name: str, stop: float, modification: str = "", tol
 
 @pytest.fixture(scope="module")
 def factors(core: Compiler) -> Trajectory:
-    return simulate(core, "DampingFactors", 1.0)
+    return simulate(core, "Laws.DampingFactors", 1.0)
 
 
 def final(trajectory: Trajectory, name: str) -> float:
@@ -96,7 +96,7 @@ def test_published_laws(factors: Trajectory, law: str) -> None:
 
 
 def test_scalar_laws(core: Compiler) -> None:
-    values = simulate(core, "ScalarLaws", 1.0)
+    values = simulate(core, "Laws.ScalarLaws", 1.0)
     assert final(values, "pull") == 0
     assert final(values, "push") == pytest.approx(1e4 * 0.01**1.5 * 1.25)
     assert final(values, "apart") == 0
@@ -113,31 +113,31 @@ def test_scalar_laws(core: Compiler) -> None:
 
 
 def test_combination_rules(core: Compiler) -> None:
-    values = simulate(core, "CombinationRules", 1.0)
+    values = simulate(core, "Laws.CombinationRules", 1.0)
     expected = {"minimum": 0.2, "maximum": 0.8, "arithmetic": 0.5, "geometric": 0.4, "harmonic": 0.32, "product": 0.16}
     for name, value in expected.items():
         assert final(values, f"{name}[1]") == pytest.approx(value)
 
 
 @pytest.mark.parametrize("e", [0.0, 0.05, 0.5, 1.0])
-@pytest.mark.parametrize("model", ["RestitutionDelivered", "RestitutionWithoutEvents"])
+@pytest.mark.parametrize("model", ["Impacts.RestitutionDelivered", "Impacts.RestitutionWithoutEvents"])
 def test_impact_delivers_the_restitution_asked_for(core: Compiler, model: str, e: float) -> None:
     delivered = final(simulate(core, model, 0.3, f"e={e}"), "delivered")
     assert delivered == pytest.approx(e, abs=1e-3)
 
 
 def test_impact_with_a_published_law(core: Compiler) -> None:
-    assert final(simulate(core, "PublishedLawDelivered", 0.3), "delivered") == pytest.approx(0.725, abs=1e-3)
+    assert final(simulate(core, "Impacts.PublishedLawDelivered", 0.3), "delivered") == pytest.approx(0.725, abs=1e-3)
 
 
 def test_spring_and_damper_do_not_pull(core: Compiler) -> None:
     ratio = 0.1
     expected = math.exp(-ratio / math.sqrt(1 - ratio**2) * (math.pi - 2 * math.asin(ratio)))
-    assert final(simulate(core, "SpringDamperImpact", 0.3), "delivered") == pytest.approx(expected, abs=1e-4)
+    assert final(simulate(core, "Impacts.SpringDamperImpact", 0.3), "delivered") == pytest.approx(expected, abs=1e-4)
 
 
 def test_collision_keeps_momentum_and_angular_momentum(core: Compiler) -> None:
-    motion = simulate(core, "ObliqueImpact", 0.5)
+    motion = simulate(core, "Impacts.ObliqueImpact", 0.5)
     assert np.abs(motion["contact.impactSpeed[1]"]).max() > 1, "they never met"
     assert np.ptp(motion["a.v_0[2]"]) > 0.01, "the impact was not oblique"
     for i in (1, 2, 3):
@@ -146,7 +146,7 @@ def test_collision_keeps_momentum_and_angular_momentum(core: Compiler) -> None:
 
 
 def test_hertz_impact(core: Compiler) -> None:
-    motion = simulate(core, "HertzImpact", 0.02)
+    motion = simulate(core, "Impacts.HertzImpact", 0.02)
     stiffness = 4 / 3 * math.sqrt(0.1) / ((1 - 0.49**2) / 4e6 + (1 - 0.3**2) / 210e9)
     deepest = (5 * 0.5 / (4 * stiffness)) ** 0.4
     assert -motion["contact.distance[1]"].min() == pytest.approx(deepest, rel=2e-3)

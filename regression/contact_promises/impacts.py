@@ -14,7 +14,7 @@ SPEED = (0.01, 0.1, 1.0, 10.0)
 STIFFNESS = (1e4, 1e6, 1e8, 1e9)
 EXPONENT = (1.0, 1.5)
 MASS = 0.5
-"""kg; mass of the ball of the model KnownAnswers.FreeImpact."""
+"""kg; mass of the ball of the model ContactMultiBodyTest.Impacts.FreeImpact."""
 _APPROACH = 1e-3
 """Time in s from the start to the touch in that model."""
 _CONTACT_TIMES = 12
@@ -56,7 +56,7 @@ def delivered(fmu: Path, impact: Impact, tolerance: float) -> float:
     """Speed after the impact by the speed before it.
 
     Args:
-        fmu: of KnownAnswers.FreeImpact or a model that extends it.
+        fmu: of ContactMultiBodyTest.Impacts.FreeImpact or a model that extends it.
         impact: what is asked for.
         tolerance: relative tolerance of the integration, model exchange.
 

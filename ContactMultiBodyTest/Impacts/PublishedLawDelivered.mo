@@ -1,0 +1,31 @@
+within ContactMultiBodyTest.Impacts;
+model PublishedLawDelivered "Lankarani and Nikravesh's law delivers 0.725 where 0.5 is asked for"
+  extends Modelica.Icons.Example;
+  parameter Real e(min=0, max=1, unit="1")=0.5 "Coefficient of restitution asked for";
+  inner Modelica.Mechanics.MultiBody.World world(gravityType=Modelica.Mechanics.MultiBody.Types.GravityTypes.NoGravity);
+  ContactMultiBody.Parts.Body ball(
+    m=0.5,
+    r_CM={0,0,0},
+    I_11=0.002,
+    I_22=0.002,
+    I_33=0.002,
+    material=ContactMultiBody.Materials.Material(restitution=e),
+    r_0(start={0,0,0.2}, each fixed=true),
+    v_0(start={0,0,-3}, each fixed=true),
+    angles_fixed=true,
+    w_0_fixed=true);
+  ContactMultiBody.Parts.Ground floor(material=ContactMultiBody.Materials.Material(restitution=e));
+  ContactMultiBody.PureModelica.SphereOnHalfSpace contact(
+    radius=0.1,
+    material={ball.material,floor.material},
+    friction=ContactMultiBody.Types.Friction.None,
+    normalLaw=ContactMultiBody.Types.NormalLaw.LankaraniNikravesh);
+  Real delivered "Speed after the impact by the speed before it";
+equation
+  delivered = ball.v_0[3]/3;
+  connect(ball.frame_a, contact.frame[1]);
+  connect(floor.frame_a, contact.frame[2]);
+  annotation (experiment(StopTime=0.3, Tolerance=1e-8), Documentation(info="<html>
+<p>An independent check of the table of delivered restitution: <code>delivered</code> ends at 0.725.</p>
+</html>"));
+end PublishedLawDelivered;
