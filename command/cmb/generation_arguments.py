@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, BooleanOptionalAction, Namespace
+from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -58,12 +58,55 @@ def add_generation_arguments(parser: ArgumentParser) -> None:
         help="what the assembly gives and the model would be without (a missing mesh, geometry of no part, limits, "
         "start speeds that do not count) is an error instead of a note; nothing is written then",
     )
+    parser.add_argument(
+        "--package-path",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="FOLDER",
+        help="URDF: meshes may also be read from this folder: a package that the file names, or a folder that holds "
+        "such packages; may be given several times",
+    )
+    parser.add_argument(
+        "--allow-missing",
+        action="store_true",
+        help="URDF: leave out meshes that cannot be read, with a note; without it they are an error",
+    )
+    parser.add_argument(
+        "--density",
+        type=float,
+        metavar="KG/M3",
+        help="URDF: density of links that have geometry and no mass (2700: aluminium); the root stands in the world",
+    )
+    parser.add_argument(
+        "--exclude",
+        type=_pair,
+        action="append",
+        default=[],
+        metavar="A,B",
+        help="these two parts (URDF: links) do not touch each other; may be given several times",
+    )
+    parser.add_argument(
+        "--include",
+        type=_pair,
+        action="append",
+        default=[],
+        metavar="A,B",
+        help="these two touch each other, even if they overlap at the start; may be given several times",
+    )
     add_collision_arguments(parser)
+
+
+def _pair(text: str) -> tuple[str, str]:
+    first, comma, second = (word.strip() for word in text.partition(","))
+    if not (first and comma and second):
+        raise ArgumentTypeError(f"{text!r} is no pair; write two names with a comma between them")
+    return first, second
 
 
 def generation_options(arguments: Namespace) -> GenerateOptions:
     """What the arguments say."""
-    from cad2modelica import Decomposer, Edited, GenerateOptions
+    from cad2modelica import Decomposer, Edited, GenerateOptions, SourceChoices
 
     return GenerateOptions(
         package=arguments.package,
@@ -78,4 +121,7 @@ def generation_options(arguments: Namespace) -> GenerateOptions:
         stops=arguments.stops,
         couple=arguments.couple,
         strict=arguments.strict,
+        source=SourceChoices(tuple(arguments.package_path), arguments.allow_missing, arguments.density),
+        exclude=tuple(arguments.exclude),
+        include=tuple(arguments.include),
     )

@@ -4,5 +4,6 @@ from cad2modelica.generation import GeneratedPackage, GenerateOptions, generate
 from cad2modelica.mechanism.model import Decomposer
 from cad2modelica.reading import read_assembly
 from cad2modelica.regenerate.regeneration import Edited
+from cad2modelica.source.choices import SourceChoices
 
-__all__ = ["Decomposer", "Edited", "GenerateOptions", "GeneratedPackage", "generate", "read_assembly"]
+__all__ = ["Decomposer", "Edited", "GenerateOptions", "GeneratedPackage", "SourceChoices", "generate", "read_assembly"]

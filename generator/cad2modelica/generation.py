@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from contact_foundation.errors import InputError
+from contact_foundation.errors import InputError, Place
 from contact_foundation.output import whole_folder
 from contact_foundation.progress import Progress, silent
 
@@ -14,7 +14,7 @@ from cad2modelica.actuators.placement import place_actuators
 from cad2modelica.collision.collision_shapes import MAXIMUM_PIECES
 from cad2modelica.collision.contact_pairs import contact_pairs, within_reach
 from cad2modelica.collision.part_geometries import part_geometries
-from cad2modelica.collision.start_overlaps import start_overlaps
+from cad2modelica.collision.start_overlaps import start_overlaps, without_start_overlaps
 from cad2modelica.emit.mechanism_building import mechanism_view
 from cad2modelica.emit.mechanism_draft import RESERVED
 from cad2modelica.emit.package_writer import CLASSES, MECHANICS, MECHATRONICS, package_texts
@@ -24,7 +24,7 @@ from cad2modelica.kinematics.joint_couplings import with_couplings
 from cad2modelica.kinematics.kinematic_graph import kinematic_tree
 from cad2modelica.kinematics.loops import analyse_loops
 from cad2modelica.kinematics.spherical_axes import with_spherical_axes
-from cad2modelica.mechanism.assembly_choices import with_grounded, with_stops
+from cad2modelica.mechanism.assembly_choices import with_grounded, with_pairs, with_stops
 from cad2modelica.mechanism.joint_distance import distance_notes
 from cad2modelica.mechanism.model import Assembly, Decomposer, DecompositionLimits
 from cad2modelica.modelica.names import NamePool
@@ -47,6 +47,7 @@ from cad2modelica.report.generation_notes import overlap_notes, speed_notes, uni
 from cad2modelica.report.generation_report import ReportInput, report_html
 from cad2modelica.report.graph_drawing import graph_svg
 from cad2modelica.report.mechanism_pictures import mechanism_pictures
+from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
 from cad2modelica.source.lost import require_nothing_lost
 from cad2modelica.structure.entries import Structure, structure_of
 from cad2modelica.structure.renames import Renames, marks_in, marks_of, renames
@@ -73,6 +74,9 @@ class GenerateOptions:
         stops: whether joints have stops at their limits; None: as the format has it (XML: yes, URDF: no).
         couple: whether joints that are to follow others (mimic of URDF) do.
         strict: whether something of the source that the model does not have is an error, instead of a note.
+        source: where a robot description's meshes may lie, and what becomes of links without mesh or mass.
+        exclude: pairs of parts (URDF: links) that do not touch each other.
+        include: pairs that touch each other although they would be left out.
     """
 
     package: str | None = None
@@ -87,6 +91,9 @@ class GenerateOptions:
     stops: bool | None = None
     couple: bool = True
     strict: bool = False
+    source: SourceChoices = DEFAULT_CHOICES
+    exclude: tuple[tuple[str, str], ...] = ()
+    include: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -135,7 +142,8 @@ def generate(
         InputError: the input is wrong, or what is there must not be replaced without consent; nothing is written then.
     """
     _check(options)
-    assembly = with_stops(with_grounded(read_assembly(assembly_path, progress), options.ground), options.stops)
+    assembly = with_grounded(read_assembly(assembly_path, progress, options.source), options.ground)
+    assembly = with_pairs(with_stops(assembly, options.stops), options.exclude, options.include)
     assembly = with_couplings(assembly, options.couple)
     if options.assemble:
         assembly = assembled(assembly, kinematic_tree(assembly))
@@ -156,6 +164,8 @@ def generate(
     colliding += [plane.name for plane in assembly.planes]
     balls = {part.name: geometries[part.name].ball(part.pose) for part in assembly.parts}
     pairs, dropped = within_reach(assembly, tree, contact_pairs(assembly, tree, colliding), balls)
+    progress("start configuration", 0.0, name)
+    pairs, start, overlapping = without_start_overlaps(assembly, pairs, start_overlaps(assembly, geometries, pairs))
     view = mechanism_view(assembly, tree, loops, geometries, pairs)
     notes = (
         *assembly.notes,
@@ -165,6 +175,7 @@ def generate(
         *loops.notes,
         *(note for item in geometries.values() for note in item.notes),
         *dropped,
+        *overlapping,
     )
     if options.strict:
         require_nothing_lost(notes, assembly.file)
@@ -188,8 +199,6 @@ def generate(
         written = checksum(_encoded(texts.mechatronics))
     else:
         written = earlier.mechatronics
-    progress("start configuration", 0.0, name)
-    start = start_overlaps(assembly, geometries, pairs)
     notes += (*changes, *plan.notes, *lost_references(own, plan, texts.mechatronics), *overlap_notes(start))
     drawing = graph_svg(assembly, tree, loops.loops)
     report = report_html(
@@ -249,6 +258,12 @@ def _encoded(text: str) -> bytes:
 def _check(options: GenerateOptions) -> None:
     if options.collision_error is not None and not 0.0 < options.collision_error < float("inf"):
         raise InputError(f"the collision error is {options.collision_error}", remedy="Give a positive length.")
+    density = options.source.density
+    if density is not None and not 0.0 < density < float("inf"):
+        raise InputError(f"the density is {density} kg/m3", remedy="Give a positive one: 2700 is aluminium.")
+    for folder in options.source.package_paths:
+        if not folder.is_dir():
+            raise InputError("is no folder", place=Place(file=folder), remedy="Correct --package-path.")
     if options.max_pieces is not None and not 1 <= options.max_pieces <= MAXIMUM_PIECES:
         raise InputError(
             f"the largest number of pieces is {options.max_pieces}", remedy=f"Give a number from 1 to {MAXIMUM_PIECES}."

@@ -36,7 +36,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> int:
     """Asks, and writes the file."""
     path = find_assembly(arguments.assembly)
-    from cad2modelica import read_assembly
+    from cad2modelica import SourceChoices, read_assembly
     from cad2modelica.actuators.file import FILE_NAME, drivable_joints, read_assignments, write_assignments
     from cad2modelica.kinematics.kinematic_graph import kinematic_tree
     from cad2modelica.kinematics.loops import analyse_loops
@@ -44,7 +44,7 @@ def run(arguments: Namespace) -> int:
     from cmb.assignment_dialog import Dialog
 
     file: Path = arguments.actuators or path.parent / FILE_NAME
-    assembly = read_assembly(path)
+    assembly = read_assembly(path, choices=SourceChoices(allow_missing=True))
     loops = analyse_loops(assembly, kinematic_tree(assembly))
     joints = drivable_joints(assembly, loops)
     if not joints:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+import networkx as nx
 import numpy as np
 
 from cad2modelica.collision.collision_shapes import CollisionGeometry
 from cad2modelica.geometry.spatial import Array, Pose, perpendicular
-from cad2modelica.mechanism.model import Assembly, Plane
+from cad2modelica.mechanism.model import GROUND, Assembly, JointType, Plane
 
 LIBRARY = (
     Path(__file__).resolve().parents[3]
@@ -88,6 +89,43 @@ def start_overlaps(
             found.append(Overlap(first, second, -float(distance), -float(distance) / (2 * min(sizes))))
     found.sort(key=lambda overlap: (-overlap.depth, overlap.first, overlap.second))
     return StartCheck(tuple(found), len(pairs))
+
+
+def without_start_overlaps(
+    assembly: Assembly, pairs: Sequence[tuple[str, str]], start: StartCheck
+) -> tuple[list[tuple[str, str]], StartCheck, tuple[str, ...]]:
+    """Drops pairs of one mechanism that are deep in each other at the start; those included explicitly stay.
+
+    Descriptions of robots and CAD assemblies have fingers, covers and gear wheels that overlap where they were drawn,
+    and a contact would throw them apart. Bodies that no joints connect keep their contact: a body in the ground would
+    fall for ever without it.
+
+    Returns:
+        The pairs that are left, the overlaps among them, and a note on each pair that is not.
+    """
+    joined: nx.Graph[str] = nx.Graph()
+    joined.add_nodes_from(part.name for part in assembly.parts)
+    joined.add_edges_from(
+        (joint.parent, joint.child)
+        for joint in assembly.joints
+        if joint.type is not JointType.FREE and joint.parent != GROUND
+    )
+    mechanism = {name: number for number, names in enumerate(nx.connected_components(joined)) for name in names}
+    included = {frozenset(pair) for pair in assembly.contacts.included}
+
+    def is_dropped(overlap: Overlap) -> bool:
+        first, second = (mechanism.get(name) for name in (overlap.first, overlap.second))
+        of_one = first is not None and first == second
+        return overlap.deep and of_one and frozenset((overlap.first, overlap.second)) not in included
+
+    dropped = {frozenset((item.first, item.second)): item for item in start.overlaps if is_dropped(item)}
+    notes = tuple(
+        f"{item.first!r} and {item.second!r} overlap at the start by {1000 * item.depth:.4g} mm and were left out of "
+        f"the contacts; --include {item.first},{item.second} has them collide"
+        for item in dropped.values()
+    )
+    left = tuple(item for item in start.overlaps if frozenset((item.first, item.second)) not in dropped)
+    return [pair for pair in pairs if frozenset(pair) not in dropped], replace(start, overlaps=left), notes
 
 
 def _near(

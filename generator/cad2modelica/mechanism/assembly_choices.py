@@ -1,4 +1,4 @@
-"""What the user may choose differently from the source: parts held in the world, and limits as stops or not."""
+"""What the user may choose differently from the source: parts held in the world, stops at limits, pairs that touch."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from contact_foundation.errors import InputError, Place
 
-from cad2modelica.mechanism.model import Assembly, Joint
+from cad2modelica.mechanism.model import GROUND, Assembly, Joint
 from cad2modelica.source.lost import Lost
 
 LISTED = 30  # parts named in a message
@@ -16,21 +16,65 @@ LISTED = 30  # parts named in a message
 def with_grounded(assembly: Assembly, names: Sequence[str]) -> Assembly:
     """The assembly with more parts fixed in the world where they stand.
 
+    Args:
+        assembly: the mechanism.
+        names: of parts, or of links that belong to parts.
+
     Raises:
         InputError: there is no part of such a name.
     """
     known = [part.name for part in assembly.parts]
+    held = {assembly.aliases.get(name, name) for name in names}
     for name in names:
-        if name not in known:
+        if assembly.aliases.get(name, name) not in (*known, GROUND):
             listed = ", ".join(known[:LISTED]) + (", ..." if len(known) > LISTED else "")
             raise InputError(
                 f"there is no part {name!r} to ground", place=Place(file=assembly.file), remedy=f"Parts are: {listed}."
             )
-    parts = tuple(replace(part, grounded=True) if part.name in names else part for part in assembly.parts)
+    parts = tuple(replace(part, grounded=True) if part.name in held else part for part in assembly.parts)
     notes = tuple(
-        note for note in assembly.notes if not any(note.endswith(f"--ground {name} holds it") for name in names)
+        note for note in assembly.notes if not any(note.endswith(f"--ground {name} holds it") for name in held)
     )
-    return replace(assembly, parts=parts, notes=notes)
+    standing = {GROUND, *(part.name for part in assembly.parts if part.grounded)}
+    already = tuple(
+        f"{name!r} stands in the world without --ground too"
+        for name in names
+        if assembly.aliases.get(name, name) in standing
+    )
+    return replace(assembly, parts=parts, notes=(*notes, *already))
+
+
+def with_pairs(assembly: Assembly, exclude: Sequence[tuple[str, str]], include: Sequence[tuple[str, str]]) -> Assembly:
+    """The assembly with more pairs of parts and planes that do not, or do, touch each other.
+
+    Raises:
+        InputError: there is no part or plane of such a name.
+    """
+    known = [*(part.name for part in assembly.parts), *(plane.name for plane in assembly.planes)]
+
+    def named(pair: tuple[str, str]) -> tuple[str, str]:
+        for name in pair:
+            if assembly.aliases.get(name, name) not in known:
+                listed = ", ".join(known[:LISTED]) + (", ..." if len(known) > LISTED else "")
+                raise InputError(
+                    f"there is no part {name!r} in the pair {pair[0]},{pair[1]}",
+                    place=Place(file=assembly.file),
+                    remedy=f"Parts are: {listed}.",
+                )
+        return assembly.aliases.get(pair[0], pair[0]), assembly.aliases.get(pair[1], pair[1])
+
+    contacts = assembly.contacts
+    excluded = tuple(named(pair) for pair in exclude)
+    included = tuple(named(pair) for pair in include)
+    taken = {frozenset(pair) for pair in excluded}
+    return replace(
+        assembly,
+        contacts=replace(
+            contacts,
+            excluded=(*contacts.excluded, *excluded),
+            included=(*(pair for pair in contacts.included if frozenset(pair) not in taken), *included),
+        ),
+    )
 
 
 def with_stops(assembly: Assembly, wanted: bool | None) -> Assembly:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from functools import cached_property
@@ -283,6 +284,7 @@ class Assembly:
         length_unit: the source's unit of length, m.
         limits_stop: whether joints have stops at their limits unless the user says otherwise.
         couplings: joints with one coordinate that follow others, none of them in a loop.
+        aliases: names that the source has beside those of parts, and the part (or ``GROUND``) that each belongs to.
     """
 
     name: str
@@ -301,6 +303,7 @@ class Assembly:
     length_unit: float = 1.0
     limits_stop: bool = True
     couplings: tuple[Coupling, ...] = ()
+    aliases: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def _by_name(self) -> dict[str, Part]:

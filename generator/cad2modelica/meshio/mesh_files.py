@@ -1,4 +1,4 @@
-"""Mesh files: STL (text and binary) and Wavefront OBJ, and COLLADA by its own module."""
+"""Mesh files: STL (text and binary) and Wavefront OBJ; COLLADA, PLY, glTF and VRML by modules of their own."""
 
 from __future__ import annotations
 
@@ -13,6 +13,9 @@ from cad2modelica.geometry.mesh import Indices
 from cad2modelica.geometry.polygon import split
 from cad2modelica.geometry.spatial import Array
 from cad2modelica.meshio.collada_file import read_collada
+from cad2modelica.meshio.gltf_file import read_gltf
+from cad2modelica.meshio.ply_file import read_ply
+from cad2modelica.meshio.vrml_scene import read_scene
 from cad2modelica.source.number_limits import LARGEST, are_usable
 
 MAXIMUM_BYTES = 256 * 2**20
@@ -28,15 +31,18 @@ def read_mesh(file: Path) -> Surface:
     Raises:
         InputError: the file is too large, of another type, broken, or ends too early.
     """
-    if file.suffix.lower() == ".dae":
+    kind = file.suffix.lower()
+    if kind == ".dae":
         return _checked(*read_collada(file), file)
-    readers = {".stl": _read_stl, ".obj": _read_obj}
-    reader = readers.get(file.suffix.lower())
+    if kind == ".wrl":
+        return _checked(*_read_vrml(file), file)
+    readers = {".stl": _read_stl, ".obj": _read_obj, ".ply": read_ply, ".glb": read_gltf, ".gltf": read_gltf}
+    reader = readers.get(kind)
     if reader is None:
         raise InputError(
             f"meshes of type {file.suffix!r} are not read",
             place=Place(file=file),
-            remedy="Convert the mesh to STL, OBJ or COLLADA.",
+            remedy="Convert the mesh to STL, OBJ, PLY, glTF, COLLADA or VRML97.",
         )
     with file.open("rb") as stream:
         data = stream.read(MAXIMUM_BYTES + 1)
@@ -45,6 +51,15 @@ def read_mesh(file: Path) -> Surface:
             f"is larger than {MAXIMUM_BYTES // 2**20} MiB", place=Place(file=file), remedy="Export coarser."
         )
     return _checked(*reader(data, file), file)
+
+
+def _read_vrml(file: Path) -> Surface:
+    """All shapes of a VRML97 file in the scene's axes."""
+    placed = [shape.placed() for shape in read_scene(file, file.parent).shapes]
+    offsets = np.cumsum([0, *(len(vertices) for vertices, _ in placed)])
+    vertices = [np.zeros((0, 3)), *(vertices for vertices, _ in placed)]
+    triangles = [triangles + offset for (_, triangles), offset in zip(placed, offsets[:-1], strict=True)]
+    return np.concatenate(vertices), np.concatenate([np.zeros((0, 3), dtype=np.int64), *triangles])
 
 
 def _checked(vertices: Array, triangles: Indices, file: Path) -> Surface:

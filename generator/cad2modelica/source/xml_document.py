@@ -22,6 +22,8 @@ _BROKEN_PATTERN = re.compile(
 )
 _DECLARATION = re.compile(rb"""<\?xml\s+version\s*=\s*["']([0-9.]+)["'][^>]*\?>""")
 _FIRST_ELEMENT = re.compile(rb"<[A-Za-z_]")
+_UNBOUND = re.compile(r"Namespace prefix (\S+)")
+_UNBOUND_NAMESPACE = "urn:unbound-prefix:"
 
 
 def read_xml(file: Path, maximum_bytes: int = MAXIMUM_BYTES) -> etree._Element:
@@ -46,7 +48,13 @@ def read_xml(file: Path, maximum_bytes: int = MAXIMUM_BYTES) -> etree._Element:
         remove_pis=True,
     )
     try:
-        root = etree.fromstring(data, parser)
+        try:
+            root = etree.fromstring(data, parser)
+        except etree.XMLSyntaxError:
+            bound = _with_bound_prefixes(data)
+            if bound is None:
+                raise
+            root = etree.fromstring(bound, parser)
     except etree.XMLSyntaxError as error:
         _refuse_document_type(data, file)
         message = (error.msg or "syntax error").split(", line ")[0]
@@ -59,6 +67,13 @@ def read_xml(file: Path, maximum_bytes: int = MAXIMUM_BYTES) -> etree._Element:
         _refuse_document_type(data, file, certain=True)
     _check_depth(root, file)
     return root
+
+
+def unbound_prefixes(root: etree._Element) -> list[str]:
+    """Prefixes that the document uses and binds to no namespace; ``read_xml`` bound each to one of its own."""
+    return sorted(
+        prefix for prefix, name in root.nsmap.items() if prefix is not None and name.startswith(_UNBOUND_NAMESPACE)
+    )
 
 
 def validate(root: etree._Element, schema_file: Path, file: Path) -> None:
@@ -139,6 +154,28 @@ def _without_odd_declaration(data: bytes) -> bytes:
         return data
     # Blanks in its place keep lines and columns.
     return data[: found.start()] + b" " * (found.end() - found.start()) + data[found.end() :]
+
+
+def _with_bound_prefixes(data: bytes) -> bytes | None:
+    """The text with prefixes that are bound to no namespace bound in the root; None if there are none.
+
+    Robot descriptions carry elements of programs (``drake:``, ``gazebo:``) whose prefix nobody declares.
+    """
+    try:
+        etree.fromstring(data, etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False))
+    except etree.XMLSyntaxError as error:
+        entries: Iterable[etree._LogEntry] = error.error_log  # type: ignore[assignment]  # iterable, though not typed so
+        messages = [entry.message for entry in entries if entry.type == etree.ErrorTypes.NS_ERR_UNDEFINED_NAMESPACE]
+        prefixes = sorted({found[1] for text in messages if (found := _UNBOUND.match(text)) is not None})
+        root = _FIRST_ELEMENT.search(data)
+        if not prefixes or root is None:
+            return None
+        name = re.compile(rb"[^\s/>]+").match(data, root.start() + 1)
+        if name is None:
+            return None
+        bindings = "".join(f' xmlns:{prefix}="{_UNBOUND_NAMESPACE}{prefix}"' for prefix in prefixes)
+        return data[: name.end()] + bindings.encode() + data[name.end() :]
+    return None
 
 
 def _refuse_document_type(data: bytes, file: Path, *, certain: bool = False) -> None:

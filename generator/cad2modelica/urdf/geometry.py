@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import os.path
-from pathlib import Path, PurePosixPath
+from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
 from contact_foundation.errors import InputError, Place
@@ -19,16 +19,17 @@ from cad2modelica.geometry.primitive_meshes import (
 )
 from cad2modelica.geometry.spatial import Array, Pose, rotation_about
 from cad2modelica.meshio.mesh_files import read_mesh
-from cad2modelica.source.file_reference import resolve_inside
 from cad2modelica.source.number_limits import LARGEST, are_usable
 from cad2modelica.urdf.elements import UrdfElements
+from cad2modelica.urdf.mesh_reference import MeshReferences
 
 DEFAULT_COLOR = (0.7, 0.7, 0.7)
-PACKAGE = "package://"
-PACKAGE_FILE = "package.xml"
-LEVELS_OF_PACKAGES = 5
 
 _LENGTHS = {"box": ("size",), "sphere": ("radius",), "cylinder": ("radius", "length"), "capsule": ("radius", "length")}
+
+
+class UnreadableMesh(InputError):
+    """A mesh file that is named, and is not there, must not be read, or holds no mesh."""
 
 
 class UrdfGeometry:
@@ -37,10 +38,12 @@ class UrdfGeometry:
     Args:
         root: the element ``robot``, which defines colours.
         elements: reads attributes.
+        opened: folders that meshes may be read from beside the description's own.
     """
 
-    def __init__(self, root: etree._Element, elements: UrdfElements) -> None:
+    def __init__(self, root: etree._Element, elements: UrdfElements, opened: Sequence[Path]) -> None:
         self._elements = elements
+        self._references = MeshReferences(elements.file, opened)
         self._materials = {element.get("name"): element for element in root.iterchildren("material")}
         self._surfaces: dict[Path, Surface] = {}
 
@@ -56,7 +59,8 @@ class UrdfGeometry:
             A mesh in the part's coordinates, m.
 
         Raises:
-            InputError: the geometry is missing, of an unknown kind, or its file cannot be read.
+            UnreadableMesh: its file cannot be read.
+            InputError: the geometry is missing, or of an unknown kind.
         """
         geometry = element.find("geometry")
         shape = next(iter(geometry), None) if geometry is not None else None
@@ -72,10 +76,7 @@ class UrdfGeometry:
         kind = str(shape.tag)
         place = self._elements.place(shape, link)
         if kind == "mesh":
-            file = self._file(shape, link)
-            if file not in self._surfaces:
-                self._surfaces[file] = read_mesh(file)
-            vertices, triangles = self._surfaces[file]
+            vertices, triangles = self._read(shape, place)
             scale = self._elements.numbers(shape, "scale", (1.0, 1.0, 1.0))
             if not scale.all():
                 raise InputError("scale is zero", place=place, remedy="Correct the scale.")
@@ -94,16 +95,19 @@ class UrdfGeometry:
             raise InputError(f"a {kind} needs positive lengths", place=place, remedy="Correct them.")
         return _primitive(kind, values)
 
-    def _file(self, shape: etree._Element, link: str) -> Path:
-        reference = shape.get("filename", "")
-        description = self._elements.file
-        folder = description.parent
-        place = self._elements.place(shape, link)
-        if reference.startswith(PACKAGE):
-            folder, reference = _in_package(description, reference, place)
-        elif ".." in PurePosixPath(reference).parts:
-            folder, reference = _inside_package(description, reference)
-        return resolve_inside(folder, reference, place)
+    def _read(self, shape: etree._Element, place: Place) -> Surface:
+        """The surface in a mesh file, read once.
+
+        Raises:
+            UnreadableMesh: there is no such file, it must not be read, or it holds no mesh.
+        """
+        try:
+            file = self._references.find(shape.get("filename", ""), place)
+            if file not in self._surfaces:
+                self._surfaces[file] = read_mesh(file)
+        except InputError as error:
+            raise UnreadableMesh(error.message, place=error.place, remedy=error.remedy) from error
+        return self._surfaces[file]
 
     def _color(self, element: etree._Element) -> tuple[float, float, float]:
         material = element.find("material")
@@ -126,39 +130,3 @@ def _primitive(kind: str, values: list[Array]) -> Surface:
     vertices, triangles = build(radius, float(values[1][0]))
     # URDF's axis lies along z, the mesh's along y.
     return vertices @ rotation_about([1, 0, 0], np.pi / 2).T, triangles
-
-
-def _in_package(description: Path, reference: str, place: Place) -> tuple[Path, str]:
-    """Folder and reference in it, for one that names its ROS package.
-
-    Raises:
-        InputError: there is no folder of the package's name, nor such a file beside the description.
-    """
-    package, _, inner = reference.removeprefix(PACKAGE).partition("/")
-    if package in ("", ".", "..") or "\\" in package or "\0" in package:
-        raise InputError(f"{reference!r} names no package", place=place, remedy=f"Write {PACKAGE}NAME/FILE.")
-    resolved = description.resolve()
-    above = resolved.parents[:LEVELS_OF_PACKAGES]
-    # The package's own folder if the description lies in it, else one beside.
-    candidates = [ancestor for ancestor in resolved.parents if ancestor.name == package]
-    candidates += [ancestor / package for ancestor in above if os.path.isdir(ancestor / package)]
-    leaves = ".." in PurePosixPath(inner).parts
-    holding = [candidate for candidate in candidates if not leaves and os.path.isfile(candidate / inner)]
-    if not candidates and not leaves and not os.path.isfile(description.parent / inner):
-        raise InputError(
-            f"names the package {package!r}, which does not exist: no folder of that name holds {description.name}, or "
-            f"lies beside it or one of the {LEVELS_OF_PACKAGES} folders above",
-            place=place,
-            remedy="Copy the package's folder there.",
-        )
-    return next(iter(holding + candidates), description.parent), inner
-
-
-def _inside_package(description: Path, reference: str) -> tuple[Path, str]:
-    """Folder and reference in it, for one that climbs but stays in the ROS package that the description lies in."""
-    above = description.resolve().parents[:LEVELS_OF_PACKAGES]
-    package = next((folder for folder in above if (folder / PACKAGE_FILE).is_file()), None)
-    target = Path(os.path.normpath(above[0] / reference))
-    if package is None or not target.is_relative_to(package):
-        return description.parent, reference
-    return package, target.relative_to(package).as_posix()

@@ -12,7 +12,6 @@ from lxml import etree
 from cad2modelica.geometry.mesh import Mesh, join
 from cad2modelica.mechanism.mass_check import check_against_geometry, check_tensor
 from cad2modelica.mechanism.model import MassProperties
-from cad2modelica.source.number_limits import SMALLEST
 from cad2modelica.urdf.elements import UrdfElements, plain_number
 
 LEAST_GYRATION = 1e-3
@@ -29,6 +28,12 @@ def has_mass(link: etree._Element) -> bool:
         return element is not None and plain_number(element.get("value", "0")) != 0.0
     except ValueError:
         return True  # reported where the number is read
+
+
+def gets_mass_by_density(link: etree._Element) -> bool:
+    """Whether a link says nothing of its mass and has geometry."""
+    has_geometry = link.find("visual/geometry") is not None or link.find("collision/geometry") is not None
+    return has_geometry and link.find("inertial/mass") is None
 
 
 def has_inertia_alone(link: etree._Element) -> bool:
@@ -61,12 +66,7 @@ def usable(properties: MassProperties, meshes: tuple[Mesh, ...]) -> tuple[MassPr
     Returns:
         The properties, their inertia with principal moments of at least a thousandth of the size as radius of
         gyration if one of them was zero or negative; and remarks.
-
-    Raises:
-        ValueError: the mass is negative, or too small to compute with.
     """
-    if not properties.mass >= SMALLEST:
-        raise ValueError(f"mass is {properties.mass:g} kg, but must be positive")
     remarks: list[str] = []
     moments, axes = np.linalg.eigh(properties.inertia)
     size = float(np.linalg.norm(np.ptp(join(meshes)[0], axis=0))) if meshes else SIZE_WITHOUT_GEOMETRY

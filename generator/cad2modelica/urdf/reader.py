@@ -6,16 +6,17 @@ the child link in the parent link, its axis is given in the child link's frame.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from contact_foundation.errors import CmbError, Place
+from contact_foundation.errors import CmbError, InputError, Place
 from contact_foundation.progress import Progress, silent
 from lxml import etree
 
 from cad2modelica.geometry.mesh import Mesh
 from cad2modelica.geometry.spatial import IDENTITY, Pose
+from cad2modelica.mechanism.mass_properties import NO_MASS, placed, solid_mass, together
 from cad2modelica.mechanism.model import (
     GROUND,
     Assembly,
@@ -31,11 +32,14 @@ from cad2modelica.mechanism.model import (
     MassProperties,
     Part,
 )
+from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
 from cad2modelica.source.lost import Lost
+from cad2modelica.source.number_limits import SMALLEST
 from cad2modelica.source.problems import Problems
+from cad2modelica.source.xml_document import unbound_prefixes
 from cad2modelica.urdf.elements import UrdfElements
-from cad2modelica.urdf.geometry import UrdfGeometry
-from cad2modelica.urdf.mass import read_mass_properties, usable
+from cad2modelica.urdf.geometry import UnreadableMesh, UrdfGeometry
+from cad2modelica.urdf.mass import has_mass, read_mass_properties, usable
 from cad2modelica.urdf.mimic import start_position
 from cad2modelica.urdf.tree import TYPES, Link, UrdfJoint, UrdfTree, read_tree
 
@@ -47,42 +51,62 @@ DECOMPOSED_TRIANGLES = 1000
 descriptions are written for it, and a robot of thirty finely tessellated links would be decomposed for minutes."""
 
 
-@dataclass
+@dataclass(eq=False)
 class _Found:
-    visual: list[Mesh] = field(default_factory=list)
-    collision: list[Mesh] = field(default_factory=list)
+    """A link's geometry and mass, in the axes of the part it belongs to."""
+
+    link: Link
+    visual: list[Mesh]
+    collision: list[Mesh]
+    mass: MassProperties = NO_MASS
+
+    @property
+    def has_geometry(self) -> bool:
+        return bool(self.visual or self.collision)
 
 
-def read_urdf(root: etree._Element, path: Path, progress: Progress = silent) -> Assembly:
+def read_urdf(
+    root: etree._Element, path: Path, progress: Progress = silent, choices: SourceChoices = DEFAULT_CHOICES
+) -> Assembly:
     """Reads a robot description.
 
-    A root link without mass is the ground; other links without mass belong to the link they are fixed to. Descriptions
-    in circulation are often approximate; what can be used is used, with a note on everything doubtful.
+    A root link without mass is the ground; links that are fixed to each other are one part, which has the name of the
+    link that a joint moves. Descriptions in circulation are often approximate; what can be used is used, with a note on
+    everything doubtful.
 
     Args:
         root: the element ``robot``.
         path: the file.
         progress: is told which link is being read.
+        choices: where meshes may lie, and what becomes of links without mesh or mass.
 
     Raises:
         InputError: the input is wrong; a ``ProblemList`` if several problems were found.
     """
-    return _UrdfReader(root, path, progress).read()
+    return _UrdfReader(root, path, progress, choices).read()
 
 
 class _UrdfReader:
-    def __init__(self, root: etree._Element, path: Path, progress: Progress) -> None:
+    def __init__(self, root: etree._Element, path: Path, progress: Progress, choices: SourceChoices) -> None:
         self._root = root
         self._file = path
         self._progress = progress
         self._problems = Problems(str(path))
         self._notes: list[str] = []
         self._elements = UrdfElements(path, self._problems, self._notes)
-        self._geometry = UrdfGeometry(root, self._elements)
+        self._geometry = UrdfGeometry(root, self._elements, choices.package_paths)
+        self._choices = choices
+        self._missing: dict[str, list[UnreadableMesh]] = {}
+        self._read_links = 0
 
     def read(self) -> Assembly:
         self._elements.refuse_macros(self._root)
-        tree = read_tree(self._root, self._elements)
+        self._notes += [
+            f"the prefix {prefix!r} is bound to no namespace: its elements and attributes were not read"
+            for prefix in unbound_prefixes(self._root)
+        ]
+        tree = read_tree(self._root, self._elements, self._choices.density is not None)
+        self._require_mass(tree)
         parts, ground = self._parts(tree)
         found = [self._model_joint(joint, tree, ground) for joint in tree.joints]
         joints = [joint for joint in found if joint is not None]
@@ -109,67 +133,133 @@ class _UrdfReader:
             notes=tuple(self._notes),
             limits_stop=False,
             couplings=couplings,
+            aliases={
+                name: ground if host.part == GROUND else host.part
+                for name, host in tree.hosts.items()
+                if name not in {part.name for part in parts}
+            },
         )
 
     # ----- parts -----
 
     def _parts(self, tree: UrdfTree) -> tuple[list[Part], str]:
         """All parts, and the name of what joints to the ground are fixed to: a part if the ground has geometry."""
-        found: dict[str, _Found] = {}
-        for index, (name, link) in enumerate(tree.links.items()):
-            self._progress("read geometry", index / len(tree.links), name)
-            host = tree.hosts[name]
-            collected = found.setdefault(host.part, _Found())
-            for kind, target in (("visual", collected.visual), ("collision", collected.collision)):
-                for element in link.element.iterchildren(kind):
-                    try:
-                        target.append(self._geometry.mesh(element, name, host.inner))
-                    except CmbError as error:
-                        reason = ". ".join(line.strip().rstrip(".") for line in str(error).splitlines())
-                        self._notes.append(Lost(f"link {name!r}: {kind} geometry left out: {reason}"))
+        members: dict[str, list[Link]] = {}
+        for name, link in tree.links.items():
+            members.setdefault(tree.hosts[name].part, []).append(link)
+        found = {host: [self._found(link, tree) for link in links] for host, links in members.items()}
+        self._report_missing()
         parts = []
         ground = GROUND
         for name, link in tree.links.items():
             host = tree.hosts[name]
-            own = found.get(host.part, _Found())
-            if host.part == GROUND and ground == GROUND and (own.visual or own.collision):
-                ground = name
-                parts.append(self._part(link, IDENTITY, own, grounded=True))
+            if host.part == GROUND and ground == GROUND and any(item.has_geometry for item in found[GROUND]):
+                ground = next(item.link.name for item in found[GROUND] if item.has_geometry)
+                parts.append(self._standing_part(tree.links[ground], found[GROUND]))
             elif host.part == name:
-                parts.append(self._part(link, host.world, own, grounded=False))
+                parts.append(self._moving_part(link, host.world, found[name]))
+        self._note_groups(parts, ground, members)
         return parts, ground
 
-    def _part(self, link: Link, pose: Pose, found: _Found, *, grounded: bool) -> Part:
-        place = self._place(link.element)
-        meshes = tuple(found.visual or found.collision)
-        properties = MassProperties(0.0, np.zeros(3), np.zeros((3, 3)))
+    def _found(self, link: Link, tree: UrdfTree) -> _Found:
+        """What one link brings into its part, in the part's axes."""
+        self._read_links += 1
+        self._progress("read geometry", self._read_links / len(tree.links), link.name)
+        host = tree.hosts[link.name]
+        found = _Found(link, self._meshes(link, "visual", host.inner), self._meshes(link, "collision", host.inner))
         inertial = link.element.find("inertial")
-        if link.has_mass and inertial is not None:
-            properties = read_mass_properties(inertial, self._elements)
+        if has_mass(link.element) and inertial is not None:
+            own = read_mass_properties(inertial, self._elements)
+            if not own.mass >= SMALLEST:
+                message = f"mass is {own.mass:g} kg, but must be positive"
+                self._problems.add(message, self._place(link.element), "Correct the inertial.")
+            else:
+                found.mass = placed(own, host.inner)
+        elif link.by_density and self._choices.density is not None:
+            found.mass, closed = solid_mass(found.visual or found.collision, self._choices.density)
+            doubt = "" if closed else "; its meshes are not closed, and their hulls were taken"
+            self._notes.append(
+                f"link {link.name!r} has the mass {found.mass.mass:.4g} kg of its geometry with "
+                f"{self._choices.density:g} kg/m3{doubt}"
+            )
+        return found
+
+    def _meshes(self, link: Link, kind: str, inner: Pose) -> list[Mesh]:
+        meshes = []
+        for element in link.element.iterchildren(kind):
             try:
-                properties, remarks = usable(properties, meshes)
-                self._notes += [f"link {link.name!r}: {remark}" for remark in remarks]
-            except ValueError as error:
-                self._problems.add(str(error), place, "Correct the inertial.")
-        elif grounded:
-            self._notes.append(f"link {link.name!r} has no mass and is fixed in the world; its geometry collides")
+                meshes.append(self._geometry.mesh(element, link.name, inner))
+            except CmbError as error:
+                if isinstance(error, UnreadableMesh) and not self._choices.allow_missing:
+                    self._missing.setdefault(error.message, []).append(error)
+                    continue
+                reason = ". ".join(line.strip().rstrip(".") for line in str(error).splitlines())
+                self._notes.append(Lost(f"link {link.name!r}: {kind} geometry left out: {reason}"))
+        return meshes
+
+    def _report_missing(self) -> None:
+        """Each mesh that cannot be read, or each package that is not there, is one problem."""
+        for message, errors in self._missing.items():
+            more = f" ({len(errors)} meshes)" if len(errors) > 1 else ""
+            remedy = f"{errors[0].remedy or ''}\n  --allow-missing does without the geometry.".strip()
+            self._problems.record(InputError(message + more, place=errors[0].place, remedy=remedy))
+
+    def _standing_part(self, link: Link, members: list[_Found]) -> Part:
+        """What stands in the world: it needs no mass."""
+        self._notes.append(f"link {link.name!r} is fixed in the world; its geometry collides")
+        return self._part(link, IDENTITY, members, NO_MASS, grounded=True)
+
+    def _moving_part(self, link: Link, pose: Pose, members: list[_Found]) -> Part:
+        properties = together(item.mass for item in members)
+        meshes = tuple(mesh for item in members for mesh in item.visual)
+        if properties.mass > 0:
+            properties, remarks = usable(
+                properties, meshes or tuple(mesh for item in members for mesh in item.collision)
+            )
+            self._notes += [f"link {link.name!r}: {remark}" for remark in remarks]
         else:
             self._notes.append(f"link {link.name!r} has no mass: it only carries what is behind it")
-        if not meshes:
+        return self._part(link, pose, members, properties, grounded=False)
+
+    def _part(
+        self, link: Link, pose: Pose, members: list[_Found], properties: MassProperties, *, grounded: bool
+    ) -> Part:
+        visual = tuple(mesh for item in members for mesh in item.visual)
+        collision = tuple(mesh for item in members for mesh in item.collision)
+        if not (visual or collision):
             self._notes.append(f"link {link.name!r} has no geometry: it moves, but does not collide and is not shown")
         return Part(
             name=link.name,
             material=None,
             pose=pose,
             mass_properties=properties,
-            meshes=meshes,
+            meshes=visual or collision,
             collision=CollisionChoice.AUTO,
             grounded=grounded,
             velocity=np.zeros(3),
             angular_velocity=np.zeros(3),
-            place=place,
-            collision_meshes=tuple(found.collision) if found.collision else None,
+            place=self._place(link.element),
+            collision_meshes=collision or None,
         )
+
+    def _note_groups(self, parts: list[Part], ground: str, members: dict[str, list[Link]]) -> None:
+        """Tells which links with mass have no part of their own."""
+        for part in parts:
+            links = members[GROUND if part.name == ground else part.name]
+            others = [link.name for link in links if link.has_mass and link.name != part.name]
+            if others:
+                listed = ", ".join(repr(name) for name in others)
+                self._notes.append(f"fixed to {part.name!r} and one body with it: {listed}")
+
+    def _require_mass(self, tree: UrdfTree) -> None:
+        """Records a problem if nothing could move, though there are joints that move."""
+        moving = [joint for joint in tree.joints if joint.type != "fixed"]
+        if moving and not any(link.has_mass for link in tree.links.values()):
+            self._problems.add(
+                f"no link has mass, so that none of its {len(moving)} joints would move",
+                self._place(self._root),
+                "Add inertial elements, or have masses made from the geometry: --density 2700 (kg/m3, aluminium).",
+            )
 
     # ----- joints -----
 

@@ -12,7 +12,7 @@ from cad2modelica.geometry.spatial import IDENTITY, Array, Pose, rotation_about
 from cad2modelica.mechanism.model import GROUND, Coupling, JointType
 from cad2modelica.source.lost import Lost
 from cad2modelica.urdf.elements import UrdfElements
-from cad2modelica.urdf.mass import has_inertia_alone, has_mass
+from cad2modelica.urdf.mass import gets_mass_by_density, has_inertia_alone, has_mass
 from cad2modelica.urdf.mimic import read_couplings, start_position
 
 TYPES = {
@@ -29,15 +29,20 @@ _IGNORED = {"safety_controller", "calibration"}
 
 @dataclass(frozen=True, eq=False)
 class Link:
-    """A link; its name is the one in the description, but for ``ground``, which means the world here."""
+    """A link; its name is the one in the description, but for ``ground``, which means the world here.
+
+    Attributes:
+        by_density: whether its mass comes from its geometry and a density.
+    """
 
     name: str
     element: etree._Element
+    by_density: bool = False
 
     @property
     def has_mass(self) -> bool:
-        """Whether it is a body that forces can accelerate."""
-        return has_mass(self.element)
+        """Whether it is a body that forces can accelerate, by its own mass or one from its geometry."""
+        return has_mass(self.element) or self.by_density
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,15 +77,20 @@ class UrdfTree:
     couplings: dict[str, Coupling]
 
 
-def read_tree(root: etree._Element, elements: UrdfElements) -> UrdfTree:
+def read_tree(root: etree._Element, elements: UrdfElements, density: bool) -> UrdfTree:
     """Reads links and joints.
 
-    A root link without mass is the ground; other links without mass belong to the link they are fixed to.
+    A root link without mass is the ground; links that are fixed to others belong to one part with them.
+
+    Args:
+        root: the element ``robot``.
+        elements: reads attributes.
+        density: whether links without mass get one from their geometry; a root does not, it stands in the world.
 
     Raises:
         InputError: the structure is wrong; a ``ProblemList`` if several problems were found.
     """
-    reader = _TreeReader(root, elements)
+    reader = _TreeReader(root, elements, density)
     links = reader.links()
     joints = reader.joints(links)
     elements.problems.raise_if_any()
@@ -90,8 +100,9 @@ def read_tree(root: etree._Element, elements: UrdfElements) -> UrdfTree:
 
 
 class _TreeReader:
-    def __init__(self, root: etree._Element, elements: UrdfElements) -> None:
+    def __init__(self, root: etree._Element, elements: UrdfElements, density: bool) -> None:
         self._root = root
+        self._density = density
         self._elements = elements
         self._problems = elements.problems
         self._notes = elements.notes
@@ -99,6 +110,9 @@ class _TreeReader:
     def links(self) -> dict[str, Link]:
         """All links by name."""
         links: dict[str, Link] = {}
+        children = {
+            child.get("link", "") for joint in self._root.iterchildren("joint") for child in joint.iter("child")
+        }
         for element in self._root.iterchildren("link"):
             name = _link_name(element.get("name", ""))
             if not name or name in links:
@@ -107,7 +121,8 @@ class _TreeReader:
                     self._elements.place(element),
                     "Rename the link.",
                 )
-            links[name] = Link(name, element)
+            hangs = element.get("name", "") in children
+            links[name] = Link(name, element, self._density and hangs and gets_mass_by_density(element))
             if has_inertia_alone(element):
                 self._notes.append(Lost(f"link {name!r} has inertia without mass, which is left out"))
         return links
@@ -211,7 +226,7 @@ class _TreeReader:
             parent = hosts[joint.parent]
             origin = joint.origin @ _moved(joint, start_position(joint.name, couplings))
             world = parent.world @ origin
-            if links[joint.child].has_mass or (joint.type != "fixed" and joint.child in carries_mass):
+            if joint.type != "fixed" and joint.child in carries_mass:
                 hosts[joint.child] = Host(joint.child, IDENTITY, world)
                 continue
             if joint.type != "fixed":

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from assembly_text import joint, part, write_assembly
-from cad2modelica import GenerateOptions, generate
+from cad2modelica import GenerateOptions, SourceChoices, generate
 from cad2modelica.source.lost import Lost
 from cmb.main import main
 from contact_foundation.errors import InputError
@@ -125,20 +125,20 @@ LOST: dict[str, tuple[Write, str]] = {
 def test_what_would_be_lost_is_refused(case: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     write, words = LOST[case]
     file = write(tmp_path)
-    assert main(["generate", str(file), "--output", str(tmp_path / "out"), "--strict"]) == 2
+    assert main(["generate", str(file), "--output", str(tmp_path / "out"), "--strict", "--allow-missing"]) == 2
     message = capsys.readouterr().err
     assert words in message
     assert f"cmb: {file}: the model would be without" in message
     assert "--strict" in message
     assert not (tmp_path / "out").exists()
-    assert main(["generate", str(file), "--output", str(tmp_path / "out")]) == 0
+    assert main(["generate", str(file), "--output", str(tmp_path / "out"), "--allow-missing"]) == 0
     assert words in capsys.readouterr().out
 
 
 def test_all_losses_are_told_at_once(tmp_path: Path) -> None:
     file = robot(INERTIAL + MESH, INERTIAL + BOX, joints=hinge(1, LIMIT))(tmp_path)
     with pytest.raises(InputError) as caught:
-        generate(file, tmp_path / "out", GenerateOptions(strict=True))
+        generate(file, tmp_path / "out", GenerateOptions(strict=True, source=SourceChoices(allow_missing=True)))
     assert "without 2 things" in str(caught.value)
     assert f"does not exist in {tmp_path}. Copy the file" in str(caught.value)
     for words in ("gone.stl", "without stops"):

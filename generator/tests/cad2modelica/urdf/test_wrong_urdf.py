@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cad2modelica import read_assembly
+from cad2modelica import SourceChoices, read_assembly
 from cad2modelica.geometry.primitive_meshes import box_surface
 from cad2modelica.meshio import mesh_files
 from cmb.main import main
@@ -76,7 +76,11 @@ def test_wrong_structure_is_refused(
         ("package:///etc/secret.stl", "names no package"),
         ("package://arm/../secret.stl", "leaves"),
         ("package://arm/link.stl", "through a symbolic link"),
-        ("package://arm/..\\secret.stl", "not a file name"),
+        ("package://arm/..\\secret.stl", "leaves"),
+        ("..\\secret.stl", "leaves"),
+        ("file:///etc/secret.stl", "not a relative path"),
+        ("C:/secret.stl", "not a relative path"),
+        ("model://nowhere/box.stl", "the package 'nowhere', which does not exist"),
         ("../secret.stl", "leaves"),
         pytest.param("x" * 5000, "does not exist", id="long-name"),
         pytest.param("package://" + "x" * 5000 + "/a.stl", "which does not exist", id="long-package"),
@@ -102,7 +106,7 @@ def test_geometry_is_left_out_and_nothing_else_is_read(
     file = package / "urdf" / "robot.urdf"
     visual = f'<visual><geometry><mesh filename="{filename}"/></geometry></visual>'
     file.write_text(robot("", f'<link name="a">{INERTIAL}{visual}</link>'))
-    assembly = read_assembly(file)
+    assembly = read_assembly(file, choices=SourceChoices(allow_missing=True))
     assert assembly.part("a").meshes == ()
     (note,) = [note for note in assembly.notes if "geometry left out" in note]
     assert words in note
