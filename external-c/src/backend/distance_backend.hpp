@@ -13,7 +13,7 @@ struct ConvexAnswer {
   Vec3 point_a, point_b;  // witness points; point_a - point_b = distance * normal
   bool proven = true;     // the answer lies between bounds that agree
   // Of boxes and hulls that overlap, from the exact path: the mean normal of the difference's surface, which does not
-  // jump (narrowphase/polytope/nearby_surface.hpp). Else the normal.
+  // jump (narrowphase/polytope/mean_normal.hpp). Else the normal.
   Vec3 mean_normal;
   // From the exact path, where the shapes overlap: a ball of this radius in A - B touches its surface there (m; 0: none known).
   double ball = 0.0;

@@ -3,7 +3,7 @@
 
 #include "backend/distance_backend.hpp"
 #include "math/pose_algebra.hpp"
-#include "narrowphase/analytic/closed_distance.hpp"
+#include "narrowphase/analytic/closed_form_distance.hpp"
 
 namespace cmb {
 
@@ -20,7 +20,7 @@ void between_spheres(double radius_a, const Vec3 &center_a, double radius_b, con
   answer.point_b = center_b + radius_b * answer.normal;
   answer.mean_normal = answer.normal;
   answer.proven = true;
-  answer.ball = radius_a + radius_b;
+  answer.interior_ball = radius_a + radius_b;
 }
 
 // The place of a capsule's axis nearest to p.
@@ -37,7 +37,7 @@ void set_answer(const convex::SignedDistance &found, const Pose &frame, ConvexAn
   answer.point_a = frame(found.point_a);
   answer.point_b = frame(found.point_b);
   answer.proven = found.proven;
-  answer.ball = found.ball;
+  answer.interior_ball = found.ball;
   answer.mean_normal = answer.normal;
 }
 
@@ -51,7 +51,7 @@ void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const 
   answer.point_a = pose_a.translation + axes.a + radius_a * axes.direction;
   answer.point_b = pose_a.translation + axes.b - radius_b * axes.direction;
   answer.proven = axes.proven;
-  answer.ball = radius_a + radius_b;
+  answer.interior_ball = radius_a + radius_b;
 }
 
 // Of a shape that has_point_formula, A, and a ball, B; or of the ball and that shape, where `reversed`.
@@ -73,7 +73,7 @@ void to_ball(const Shape &a, const Pose &pose_a, double radius_b, const Vec3 &ce
   answer.point_a = reversed ? of_b : of_a;
   answer.point_b = reversed ? of_a : of_b;
   answer.proven = true;
-  answer.ball = a.body.radius + radius_b;
+  answer.interior_ball = a.body.radius + radius_b;
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ const char *pose_problem(const double *position, const GivenAxes &axes) {
 
 double sum_of_sizes(double x, double y, double z) { return std::fabs(x) + std::fabs(y) + std::fabs(z); }
 
-// Whether nothing is wrong by far, found with few comparisons; sums are not numbers where a term is not. `z`, at right angles to
+// Whether nothing is wrong by far, found with few comparisons; sums are not numbers where a term is not. `z`, perpendicular to
 // the first two axes, is the third one then.
 bool is_sound(const double *position, const GivenAxes &axes, const convex::Vec3 &z) {
   constexpr double slight = 0.1 * rotation_tolerance;

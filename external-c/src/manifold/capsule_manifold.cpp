@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/axis_share.hpp"
-#include "narrowphase/analytic/closed_distance.hpp"
+#include "manifold/rod_end_share.hpp"
+#include "narrowphase/analytic/closed_form_distance.hpp"
 
 namespace cmb {
 
@@ -178,7 +178,7 @@ bool capsule_contact(const Shape &a, const Pose &pose_a, const Shape &b, const P
   const convex::NearestOnSegments on = convex::nearest_on_segments(axis_a, half_a, axis_b, half_b, between);
   const Vec3 place_a = on.place_a * axis_a, place_b = between + on.place_b * axis_b, gap = place_a - place_b;
   const double apart2 = norm2(gap), apart = std::sqrt(apart2), depth = reach - apart;
-  // Deeper, there may be other ways out; where the axes meet, there is no direction from one to the other.
+  // Deeper, there may be other contact directions; where the axes meet, there is no direction from one to the other.
   if (!(apart > 1e-9 * reach) || 1.5 * depth > reach) return false;
   const Vec3 normal = (1.0 / apart) * gap;
   const Vec3 witness = pose_a.translation + 0.5 * (place_a + place_b) - (0.5 * (radius_a - radius_b)) * normal;

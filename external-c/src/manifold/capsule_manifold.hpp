@@ -15,7 +15,7 @@ bool capsule_on_capsule(const Shape &a, const Pose &pose_a, const Shape &b, cons
                         std::vector<ContactPoint> &points);
 
 // The contact of capsules A and B, from their poses at once: writes distance, normal and witness of `result` and appends to its
-// points. False, and nothing written, where the axes meet or are so near that there may be several ways out.
+// points. False, and nothing written, where the axes meet or are so near that there may be several contact directions.
 bool capsule_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ContactSet &result);
 
 }  // namespace cmb

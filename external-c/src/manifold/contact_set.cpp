@@ -67,7 +67,7 @@ struct PairTable {
   }
 };
 
-// Finds the cheapest pair again and again, in one loop without a branch: which pair it is cannot be foretold.
+// Finds the cheapest pair again and again, in one loop without a branch: which pair it is, is unpredictable.
 class CheapestPair {
  public:
   explicit CheapestPair(std::vector<ContactPoint> &points) : points_(points) {

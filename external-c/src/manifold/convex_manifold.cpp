@@ -1,6 +1,6 @@
 #include "manifold/convex_manifold.hpp"
 
-#include "narrowphase/polytope/nearby_surface.hpp"
+#include "narrowphase/polytope/mean_normal.hpp"
 
 namespace cmb {
 
@@ -12,8 +12,8 @@ bool touches_at_its_witness(const Shape &a, const Shape &b, const ConvexAnswer &
   if (ball_a && ball_b) return true;
   if (!ball_a && !ball_b) return false;
   // The reach is no more than 1.5 depths, which takes no root.
-  return answer.ball >= -1.5 * answer.distance ||
-         answer.ball >= convex::surface_reach(-answer.distance, a.bound_radius + b.bound_radius);
+  return answer.interior_ball >= -1.5 * answer.distance ||
+         answer.interior_ball >= convex::averaging_radius(-answer.distance, a.bound_radius + b.bound_radius);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace cmb {
 
 // Room that manifolds are made in; one for each thread.
 struct ManifoldScratch {
-  DepthGraph polytope;
+  PenetrationProfile polytope;
   CurvedManifoldScratch curved;
 };
 

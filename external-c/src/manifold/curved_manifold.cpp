@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/axis_share.hpp"
 #include "manifold/capsule_manifold.hpp"
 #include "manifold/deepest_edges.hpp"
 #include "manifold/disc_manifold.hpp"
+#include "manifold/rod_end_share.hpp"
 #include "math/pose_algebra.hpp"
-#include "narrowphase/multicontact/ways_out.hpp"
-#include "narrowphase/polytope/nearby_surface.hpp"
+#include "narrowphase/multicontact/contact_directions.hpp"
+#include "narrowphase/polytope/mean_normal.hpp"
 #include "shape/rim_polytope.hpp"
 
 namespace cmb {
@@ -26,9 +26,9 @@ double flat_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
   const double limit = way_sine(shape);
   const double across = std::sqrt(towards.x * towards.x + towards.y * towards.y), inclination = across / limit;
   if (across > 0.0) {
-    gradient = (faded_slope(inclination) / (limit * across)) * Vec3{towards.x, towards.y, 0.0};
+    gradient = (falling_smoothstep_slope(inclination) / (limit * across)) * Vec3{towards.x, towards.y, 0.0};
   }
-  return faded(inclination);
+  return falling_smoothstep(inclination);
 }
 
 // A shape's ways of touching.
@@ -61,7 +61,7 @@ const ContactPolytope &corners_of(const Shape &shape) { return shape.polytope ? 
 // is hardly in each other, does not.
 double agreement(double found, double depth) {
   constexpr double none = 0.5, full = 0.9;
-  return faded(std::max(0.0, (full - found / depth) / (full - none)));
+  return falling_smoothstep(std::max(0.0, (full - found / depth) / (full - none)));
 }
 
 // The deepest of the corners or points from `begin` on that have weight, of which there is one.
@@ -96,7 +96,7 @@ double polygon_part(const Shape &shape, const Pose &pose, const Vec3 &aside, con
   for (std::size_t k = begin; k < points.size(); ++k) {
     spread += points[k].weight * points[k].depth * norm(points[k].position - middle);
   }
-  return 1.0 - faded((inside + spread) / (load * border * shape.body.half.x));
+  return 1.0 - falling_smoothstep((inside + spread) / (load * border * shape.body.half.x));
 }
 
 // Scales the weights of points[begin, end).
@@ -111,7 +111,7 @@ convex::SignedDistance in_frame_of_a(const ConvexAnswer &answer, const Pose &pos
   result.normal = transposed_times(pose_a.rotation, answer.normal);
   result.point_a = transposed_times(pose_a.rotation, answer.point_a - pose_a.translation);
   result.point_b = transposed_times(pose_a.rotation, answer.point_b - pose_a.translation);
-  result.ball = answer.ball;
+  result.ball = answer.interior_ball;
   return result;
 }
 
@@ -130,7 +130,7 @@ void line_on_faces(const Shape &shape, const Pose &pose, const Shape &other, con
 
 // What flat ends and faces carry on each other; returns the part of it that counts.
 double flat_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, double depth, const Vec3 &normal,
-                    const Vec3 &witness, DepthGraph &graph, std::vector<ContactPoint> &points) {
+                    const Vec3 &witness, PenetrationProfile &graph, std::vector<ContactPoint> &points) {
   if (a.rim && b.rim) {
     return agreement(disc_on_disc(Disc(a, pose_a, -normal), Disc(b, pose_b, normal), normal, 1.0, points), depth);
   }
@@ -183,7 +183,8 @@ Vec3 middle_of_flats(const Shape &a, const Pose &pose_a, const Shape &b, const P
   return witness;
 }
 
-// Appends the contact along one way out: each shape touches with a flat end or its faces, on a line, or at a point, in parts.
+// Appends the contact along one contact direction: each shape touches with a flat end or its faces, on a line, or at a
+// point, in parts.
 void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
                    CurvedManifoldScratch &scratch, std::vector<ContactPoint> &points) {
   const std::size_t begin = points.size();
@@ -262,7 +263,7 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
 // rounding touches there alone, one a little greater all at once on every face about an edge or corner; between these
 // two the shortest way hands over.
 double shortest_part(double reach, double rounding, double depth) {
-  return depth < rounding ? faded(std::max(0.0, (reach - rounding) / (reach - depth))) : 0.0;
+  return depth < rounding ? falling_smoothstep(std::max(0.0, (reach - rounding) / (reach - depth))) : 0.0;
 }
 
 }  // namespace
@@ -272,26 +273,27 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
                     std::vector<ContactPoint> &points) {
   const double size = a.bound_radius + b.bound_radius, depth = -answer.distance;
   // No other way is near; the reach is no more than 1.5 depths, which takes no root.
-  if (answer.ball >= 1.5 * depth || answer.ball >= convex::surface_reach(depth, size)) {
+  if (answer.interior_ball >= 1.5 * depth || answer.interior_ball >= convex::averaging_radius(depth, size)) {
     contact_along(a, pose_a, b, pose_b, answer, scratch, points);
     return;
   }
   const convex::SignedDistance nearest = in_frame_of_a(answer, pose_a);
-  const convex::WaysOut ways = convex::ways_out(a.body, b.body, relative_pose(pose_a, pose_b), nearest, size, distance);
+  const convex::ContactDirections directions = convex::contact_directions(a.body, b.body, relative_pose(pose_a, pose_b),
+                                                                          nearest, size, distance);
   const std::size_t first = points.size();
   double rest = 1.0, scale = 1.0;  // the shares' part, and what makes the sum of share * normal a unit vector again
   const double shortest =
-      ways.count > 1 ? shortest_part(convex::surface_reach(depth, size), a.body.radius + b.body.radius, depth) : 0.0;
+      directions.count > 1 ? shortest_part(convex::averaging_radius(depth, size), a.body.radius + b.body.radius, depth) : 0.0;
   if (shortest > 0.0) {
     rest -= shortest;
     Vec3 sum = shortest * nearest.normal;
-    for (int k = 0; k < ways.count; ++k) sum = sum + (rest * ways.way[k].share) * ways.way[k].normal;
+    for (int k = 0; k < directions.count; ++k) sum = sum + (rest * directions.contact[k].share) * directions.contact[k].normal;
     scale = 1.0 / norm(sum);
     contact_along(a, pose_a, b, pose_b, answer, scratch, points);
     scale_weights(shortest * scale, first, points.size(), points);
   }
-  for (int k = 0; k < ways.count; ++k) {
-    const convex::WayOut &way = ways.way[k];
+  for (int k = 0; k < directions.count; ++k) {
+    const convex::ContactDirection &way = directions.contact[k];
     if (!(way.depth > 0.0)) continue;  // within rounding of touching
     ConvexAnswer along = answer;
     along.distance = -way.depth;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/axis_share.hpp"
+#include "manifold/rod_end_share.hpp"
 
 namespace cmb {
 
@@ -71,7 +71,7 @@ Vec3 middle_of_deepest(const Disc &disc, const convex::Polytope &polytope, const
     first = first + part * (place - witness);
   }
   const double whole = short_edges * band * depth * depth;
-  return witness + (1.0 / (sum + whole * faded(sum / whole))) * first;
+  return witness + (1.0 / (sum + whole * falling_smoothstep(sum / whole))) * first;
 }
 
 }  // namespace cmb

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/axis_share.hpp"
+#include "manifold/rod_end_share.hpp"
 
 namespace cmb {
 
@@ -18,7 +18,7 @@ struct Rim {
   Vec3 middle, middle_cosine, middle_sine;
 
   // Of the disc's rim, t counted from `u` to `v` in its plane (both its radius long); the other surface is the plane
-  // through `place` at right angles to `up`; the depth counts along `normal`.
+  // through `place` perpendicular to `up`; the depth counts along `normal`.
   Rim(const Vec3 &center, const Vec3 &u, const Vec3 &v, const Vec3 &place, const Vec3 &up, const Vec3 &normal) {
     const double facing = 1.0 / dot(up, normal);
     depth = facing * dot(up, place - center), cosine = -facing * dot(up, u), sine = -facing * dot(up, v);
@@ -127,7 +127,7 @@ double face_part(const Shape &box, const Pose &pose, const Vec3 &towards) {
   if (box.kind != ShapeKind::box) return 0.0;
   const Vec3 local = transposed_times(pose.rotation, towards);
   const double facing = std::max({std::fabs(local.x), std::fabs(local.y), std::fabs(local.z)});
-  return faded(std::sqrt(std::max(0.0, 1.0 - facing * facing)) / flat_sine);
+  return falling_smoothstep(std::sqrt(std::max(0.0, 1.0 - facing * facing)) / flat_sine);
 }
 
 double disc_on_disc(const Disc &a, const Disc &b, const Vec3 &normal, double sense, std::vector<ContactPoint> &points) {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "manifold/axis_share.hpp"
 #include "manifold/polytope/tessellation_load.hpp"
+#include "manifold/rod_end_share.hpp"
 
 namespace cmb {
 

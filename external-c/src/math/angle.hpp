@@ -11,7 +11,7 @@ namespace cmb::convex {
 inline double angle_from_x(double x, double y) {
   constexpr double tangent_of_eighth = 0.41421356237309503, pi = 3.14159265358979323846;
   const double ax = std::fabs(x), low = ax < y ? ax : y, high = ax < y ? y : ax;
-  // 1 or 0; without branches, none of which could be foretold.
+  // 1 or 0; without branches, all of which would be unpredictable.
   const double near_diagonal = 0.5 + std::copysign(0.5, low - tangent_of_eighth * high);
   const double flat = 0.5 + std::copysign(0.5, ax - y);
   const double t = (low - near_diagonal * high) / (high + near_diagonal * low), s = t * t, s2 = s * s, s4 = s2 * s2;

@@ -32,14 +32,14 @@ inline Vec3 normalized(const Vec3 &a, const Vec3 &otherwise = {0.0, 0.0, 1.0}) {
   return length > 0.0 ? (1.0 / length) * a : otherwise;
 }
 
-// A unit vector at right angles to the unit vector a.
+// A unit vector perpendicular to the unit vector a.
 inline Vec3 any_perpendicular(const Vec3 &a) {
   const double ax = std::fabs(a.x), ay = std::fabs(a.y), az = std::fabs(a.z);
   const Vec3 axis = (ax <= ay && ax <= az) ? Vec3{1, 0, 0} : (ay <= az ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
   return normalized(cross(a, axis));
 }
 
-// The direction at right angles to the unit vectors a and b, unit, accurate to rounding with respect
+// The direction perpendicular to the unit vectors a and b, unit, accurate to rounding with respect
 // to both even where they are nearly parallel. Returns false where they are parallel to rounding.
 inline bool common_perpendicular(const Vec3 &a, const Vec3 &b, Vec3 &result) {
   const Vec3 across = b - dot(a, b) * a;  // absolute error of rounding, whatever the angle

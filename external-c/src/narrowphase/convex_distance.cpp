@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "narrowphase/analytic/box_axes.hpp"
-#include "narrowphase/analytic/boxes_apart.hpp"
-#include "narrowphase/analytic/closed_distance.hpp"
+#include "narrowphase/analytic/box_distance.hpp"
+#include "narrowphase/analytic/box_separating_axes.hpp"
+#include "narrowphase/analytic/closed_form_distance.hpp"
 #include "narrowphase/gjk.hpp"
-#include "narrowphase/inner_ball.hpp"
+#include "narrowphase/interior_ball.hpp"
 #include "narrowphase/minkowski_difference.hpp"
 #include "narrowphase/polytope/feature_enumeration.hpp"
 #include "narrowphase/smooth/curved_distance.hpp"
-#include "narrowphase/smooth/touching_direction.hpp"
+#include "narrowphase/smooth/feature_direction.hpp"
 
 namespace cmb::convex {
 
@@ -64,7 +64,7 @@ CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const B
   CoreDistance result{axes.separation, axes.axis, axes.a, axes.b, DistanceMethod::separating_axes, true};
   if (with_mean) {
     result.mean_outward =
-        nearby_surface_of_boxes(boxes, axes.edges, std::max(0.0, -axes.separation), core_radius(a) + core_radius(b));
+        mean_normal_of_boxes(boxes, axes.edges, std::max(0.0, -axes.separation), core_radius(a) + core_radius(b));
   }
   const double scale = norm(a.half) + norm(b.half);
   const Vec3 b_local = transposed_times(pose.rotation, axes.b - pose.translation);
@@ -86,14 +86,15 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
   const double tolerance = polyhedral_tolerance * difference.scale;
   const double size = core_radius(body_a) + core_radius(body_b);
   if (has_facets(body_a.core) && has_facets(body_b.core) && norm2(pose.translation) <= size * size) {
-    SurfaceWalk::Result walked;
-    const SurfaceWalk::Outcome outcome = scratch.surface_walk.way_out(difference, -first, with_mean ? size : 0.0, walked);
-    if (outcome == SurfaceWalk::Outcome::found) {
+    FacetWalk::Result walked;
+    const FacetWalk::Outcome outcome = scratch.facet_walk.minimum_translation(difference, -first, with_mean ? size : 0.0,
+                                                                              walked);
+    if (outcome == FacetWalk::Outcome::found) {
       ++scratch.counters.walks;
       return with_checked_witness(difference, {-walked.depth, walked.direction, walked.a, walked.b,
-                                               DistanceMethod::surface_walk, true, walked.mean_outward});
+                                               DistanceMethod::facet_walk, true, walked.mean_outward});
     }
-    if (outcome == SurfaceWalk::Outcome::apart) first = -walked.direction;
+    if (outcome == FacetWalk::Outcome::apart) first = -walked.direction;
   }
   const GjkResult gjk = gjk_distance(difference, first, tolerance);
   if (gjk.status == GjkResult::Status::apart) {
@@ -134,7 +135,7 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
   if (is_box_like(a.core) && is_box_like(b.core)) {
     const double tolerance = polyhedral_tolerance * (reach + norm(pose.translation));
     CoreDistance apart;
-    if (distance_of_boxes_apart(a.half, b.half, pose, tolerance, apart)) return apart;
+    if (distance_of_disjoint_boxes(a.half, b.half, pose, tolerance, apart)) return apart;
   }
   if (norm2(first) == 0.0) first = {1, 0, 0};
   if (!is_polyhedral(a.core) || !is_polyhedral(b.core)) return curved_distance(a, b, pose, first, scratch);

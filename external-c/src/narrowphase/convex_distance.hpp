@@ -13,12 +13,12 @@
 
 #include "math/vector3.hpp"
 #include "narrowphase/polytope/expanding_polytope.hpp"
-#include "narrowphase/polytope/surface_walk.hpp"
+#include "narrowphase/polytope/facet_walk.hpp"
 #include "shape/convex_body.hpp"
 
 namespace cmb::convex {
 
-// Where a core touches its supporting plane at right angles to the normal. Numbers are those of the
+// Where a core touches its supporting plane perpendicular to the normal. Numbers are those of the
 // Polytope; a box counts as Polytope::box; a segment's ends are the vertices 0 (-z) and 1 (+z).
 enum class FeatureKind : std::uint8_t { vertex, edge, face, smooth };
 struct Feature {
@@ -31,7 +31,7 @@ enum class DistanceMethod : std::uint8_t {
   closed_form,
   separating_axes,
   gjk,
-  surface_walk,
+  facet_walk,
   expanding_polytope,
   refined,
   brute_force
@@ -43,18 +43,18 @@ struct SignedDistance {
   Vec3 point_a;           // witness points on both surfaces, in A's frame:
   Vec3 point_b;           // point_a - point_b = distance * normal
   DistanceMethod method = DistanceMethod::closed_form;
-  // Where asked for: the mean normal of the difference's surface near the origin (nearby_surface.hpp), unit, from B to A;
+  // Where asked for: the mean normal of the difference's surface near the origin (mean_normal.hpp), unit, from B to A;
   // else the normal.
   Vec3 mean_normal{0, 0, 1};
   // Where the bodies overlap: a ball of this radius in the difference is known to touch its surface there (m; 0: none known).
-  double ball = 0.0;
+  double interior_ball = 0.0;
   bool proven = true;  // the answer lies between bounds that agree to the tolerance; else the best found
 };
 
 // Room that queries work in and what they count; about 1 MB. One for each thread.
 struct DistanceScratch {
   ExpandingPolytope expanding_polytope;
-  SurfaceWalk surface_walk;
+  FacetWalk facet_walk;
   struct Counters {
     std::uint64_t queries = 0;
     std::uint64_t walks = 0;        // overlaps of polytopes that a walk over the facets answered

@@ -37,7 +37,7 @@ void find_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const S
   (holds ? scene.answered : scene.refused).fetch_add(1, std::memory_order_relaxed);
   if (!holds) return;
   who = scene.backend;
-  // The mean of the ways out hardly depends on who found the shortest one.
+  // The mean of the contact directions hardly depends on who found the shortest one.
   theirs.mean_normal = answer.mean_normal;
   answer = theirs;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "math/branch_free.hpp"
+#include "math/branchless.hpp"
 #include "math/solid_angle.hpp"
 #include "shape/convex_hull.hpp"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "shape/expanding_hull.hpp"
+#include "shape/incremental_hull.hpp"
 
 namespace cmb::convex {
 
@@ -14,7 +14,7 @@ using FaceList = std::vector<std::vector<std::int32_t>>;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-double plane_distance(const ExpandingHull::Face &face, const Vec3 &p) { return dot(face.normal, p) - face.offset; }
+double plane_distance(const IncrementalHull::Face &face, const Vec3 &p) { return dot(face.normal, p) - face.offset; }
 
 // Four points far apart: ends of the widest axis, farthest from their line, farthest from that plane.
 bool first_tetrahedron(const std::vector<Vec3> &points, double thickness, std::array<std::size_t, 4> &chosen) {
@@ -47,7 +47,7 @@ bool first_tetrahedron(const std::vector<Vec3> &points, double thickness, std::a
 }
 
 // Quickhull: every point waits at one face that it lies outside of; the farthest of a face goes first.
-bool grow(const std::vector<Vec3> &points, double thickness, ExpandingHull &hull,
+bool grow(const std::vector<Vec3> &points, double thickness, IncrementalHull &hull,
           std::vector<std::int32_t> &source, std::string &problem) {
   std::array<std::size_t, 4> first{};
   if (!first_tetrahedron(points, thickness, first) ||
@@ -81,11 +81,11 @@ bool grow(const std::vector<Vec3> &points, double thickness, ExpandingHull &hull
     const std::int32_t p = *farthest;
     queue.erase(farthest);
     const auto outcome = hull.expand(f, points[index(p)], 0.1 * thickness, 0.1 * thickness);
-    if (outcome == ExpandingHull::Outcome::full) {
+    if (outcome == IncrementalHull::Outcome::full) {
       problem = "too many faces";
       return false;
     }
-    if (outcome != ExpandingHull::Outcome::expanded) {
+    if (outcome != IncrementalHull::Outcome::expanded) {
       --f;  // the point is outside by rounding only: leave it out, look at the face again
       continue;
     }
@@ -104,9 +104,9 @@ bool grow(const std::vector<Vec3> &points, double thickness, ExpandingHull &hull
 }
 
 // Groups triangles by plane, largest first, and walks round each group's boundary.
-FaceList merge_coplanar(const ExpandingHull &hull, double thickness) {
+FaceList merge_coplanar(const IncrementalHull &hull, double thickness) {
   const auto area = [&](std::int32_t f) {
-    const ExpandingHull::Face &face = hull.face(f);
+    const IncrementalHull::Face &face = hull.face(f);
     if (face.sliver) return 0.0;
     const Vec3 &a = hull.point(face.vertex[0]);
     return norm(cross(hull.point(face.vertex[1]) - a, hull.point(face.vertex[2]) - a));
@@ -126,11 +126,11 @@ FaceList merge_coplanar(const ExpandingHull &hull, double thickness) {
     if (group[index(seed)] >= 0) continue;
     std::vector<std::int32_t> members{seed};
     group[index(seed)] = groups;
-    const ExpandingHull::Face plane = hull.face(seed);
+    const IncrementalHull::Face plane = hull.face(seed);
     for (std::size_t k = 0; k < members.size(); ++k) {
       for (std::int32_t g : hull.face(members[k]).neighbour) {
         if (group[index(g)] >= 0) continue;
-        const ExpandingHull::Face &other = hull.face(g);
+        const IncrementalHull::Face &other = hull.face(g);
         const bool flat = std::all_of(other.vertex, other.vertex + 3, [&](std::int32_t v) {
           return std::fabs(plane_distance(plane, hull.point(v))) <= thickness;
         });
@@ -144,7 +144,7 @@ FaceList merge_coplanar(const ExpandingHull &hull, double thickness) {
   FaceList polygons(index(groups));
   std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>> boundary(index(groups));
   for (std::int32_t f : order) {
-    const ExpandingHull::Face &face = hull.face(f);
+    const IncrementalHull::Face &face = hull.face(f);
     for (int i = 0; i < 3; ++i) {
       if (group[index(face.neighbour[i])] == group[index(f)]) continue;
       boundary[index(group[index(f)])].push_back({face.vertex[i], face.vertex[(i + 1) % 3]});
@@ -168,7 +168,7 @@ FaceList merge_coplanar(const ExpandingHull &hull, double thickness) {
 bool attempt(const std::vector<Vec3> &points, double extent, double tolerance, Polytope &result,
              std::vector<std::int32_t> *kept, std::string &problem) {
   const double thickness = tolerance * extent;
-  ExpandingHull hull(points.size() + 4, 64 * points.size() + 64);
+  IncrementalHull hull(points.size() + 4, 64 * points.size() + 64);
   std::vector<std::int32_t> source;
   if (!grow(points, thickness, hull, source, problem)) return false;
   const FaceList polygons = merge_coplanar(hull, thickness);

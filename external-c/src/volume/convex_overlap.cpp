@@ -213,7 +213,7 @@ Overlap OverlapScratch::measure(const Vec3 &n) const {
 
 Overlap convex_overlap(const Polytope &a, const Polytope &b, const Pose &b_in_a, const Vec3 &normal,
                        OverlapScratch &scratch) {
-  // The body of fewer faces is cut by the other, first by the plane most at right angles to the
+  // The body of fewer faces is cut by the other, first by the plane most perpendicular to the
   // normal: what is left is then small, and most of the other planes clear it at a glance.
   const bool cut_b = b.faces().size() < a.faces().size();
   const Polytope &knife = cut_b ? a : b;

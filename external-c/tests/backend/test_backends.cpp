@@ -167,7 +167,7 @@ TEST(AnswerCheck, TakesWhatIsTrueAlone) {
   for (const ConvexAnswer &answer : {longer, aside, nearer, elsewhere}) EXPECT_FALSE(holds(answer));
 }
 
-TEST(Boxes, DepthOnTheDiagonalIsTheShortestWayOut) {
+TEST(Boxes, DepthOnTheDiagonalIsTheMinimumTranslation) {
   // A cube stands on its diagonal, 0.2 deep in a wide table: other engines say 0.346.
   const Mat3 upright = rotation_about(normalized(Vec3{1, -1, 0}), std::acos(1 / std::sqrt(3.0)));
   const Vec3 top = upright * Vec3{-0.5, -0.5, -0.5};

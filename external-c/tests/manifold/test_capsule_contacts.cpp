@@ -1,8 +1,8 @@
 // Capsules in each other: closed forms from the deepest place on give what the stations along both axes do.
 #include <gtest/gtest.h>
 
-#include "manifold/axis_manifold.hpp"
 #include "manifold/capsule_manifold.hpp"
+#include "manifold/line_manifold.hpp"
 #include "support/poses.hpp"
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "manifold/polytope/depth_graph.hpp"
 #include "manifold/polytope/flush_boxes.hpp"
+#include "manifold/polytope/penetration_profile.hpp"
 #include "shape/contact_polytope.hpp"
 #include "support/poses.hpp"
 #include "support/random_bodies.hpp"
@@ -69,9 +69,9 @@ Sums sums_of(const FlushBoxes &boxes) {
   return sums;
 }
 
-Sums sums_of(const DepthGraph &graph) {
+Sums sums_of(const PenetrationProfile &graph) {
   Sums sums;
-  for (const DepthGraph::Corner &corner : graph.corners()) sums.add(corner.weight, corner.middle.x, corner.middle.y);
+  for (const PenetrationProfile::Corner &corner : graph.corners()) sums.add(corner.weight, corner.middle.x, corner.middle.y);
   return sums;
 }
 
@@ -114,7 +114,7 @@ class TwoBoxes {
     tilted.rotation = test::product(rotation_about({0.6, 0.8, 0}, tilt), a_.rotation);
     graph_.place(box_a_, tilted, box_b_, b_);
     graph_.find_corners(0.0);
-    for (const DepthGraph::Corner &corner : graph_.corners()) EXPECT_NEAR(corner.depth, depth, 2.0 * tilt + 1e-15);
+    for (const PenetrationProfile::Corner &corner : graph_.corners()) EXPECT_NEAR(corner.depth, depth, 2.0 * tilt + 1e-15);
     return sums_of(graph_);
   }
 
@@ -122,7 +122,7 @@ class TwoBoxes {
   static constexpr double depth = 0.01;
   ContactPolytope box_a_, box_b_;
   Pose a_, b_;
-  DepthGraph graph_;
+  PenetrationProfile graph_;
 };
 
 TEST(FlushBoxes, AreTheLimitOfTiltedOnes) {

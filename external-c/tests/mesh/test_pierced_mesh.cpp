@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/contact/convex_gap.hpp"
+#include "mesh/contact/triangle_convex_distance.hpp"
 #include "mesh/core/mesh_pair_distance.hpp"
 #include "mesh/intersection/triangle_crossing.hpp"
 #include "mesh/intersection/triangle_section.hpp"

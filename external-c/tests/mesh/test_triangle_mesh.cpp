@@ -170,9 +170,9 @@ TEST(TriangleMesh, InnerPlacesAreInsideAndApart) {
   const TriangleMesh solids[] = {mesh(box_mesh({1, 2, 3})), mesh(box_mesh({1, 0.2, 0.2}, 3)), mesh(sphere_mesh(0.7, 2)),
                                  mesh(angle_prism({-3, 3, 3, -1, -1, -3}, {-3, -3, -1, -1, 3, 3}, -1, 1))};
   for (const TriangleMesh &solid : solids) {
-    const std::vector<Vec3> &places = solid.inner_places();
+    const std::vector<Vec3> &places = solid.interior_points();
     ASSERT_GE(places.size(), 4u);  // triangles that face each other may share theirs
-    ASSERT_LE(places.size(), TriangleMesh::most_inner_places);
+    ASSERT_LE(places.size(), TriangleMesh::max_interior_points);
     const Vec3 size = solid.hierarchy().bounds().high - solid.hierarchy().bounds().low;
     const double least = std::fmin(size.x, std::fmin(size.y, size.z));
     // Half way through the thickest part, which is no thinner than the whole.
@@ -183,8 +183,8 @@ TEST(TriangleMesh, InnerPlacesAreInsideAndApart) {
     }
   }
   const TriangleMesh sheet = mesh(sheet_mesh(2.0, 3, [](double, double) { return 0.0; }));
-  ASSERT_EQ(sheet.inner_places().size(), 1u);
-  expect_near(sheet.inner_places()[0], sheet.vertices()[0], 0.0);
+  ASSERT_EQ(sheet.interior_points().size(), 1u);
+  expect_near(sheet.interior_points()[0], sheet.vertices()[0], 0.0);
 }
 
 TEST(TriangleMesh, NearestIsThatOfBruteForce) {

@@ -54,7 +54,7 @@ TEST(ClosedForm, AlignedCubes) {
 }
 
 TEST(ClosedForm, CubeOnACubesDiagonal) {
-  // Centres 0.8 apart along each axis: the shortest way out is 0.2 along an axis.
+  // Centres 0.8 apart along each axis: the minimum translation is 0.2 along an axis.
   DistanceScratch scratch;
   const SignedDistance d = signed_distance(make_box({1, 1, 1}), make_box({1, 1, 1}), at(0.8, 0.8, 0.8), scratch);
   EXPECT_NEAR(d.distance, -0.2, 1e-15);
@@ -327,7 +327,7 @@ TEST(ConvexDistance, BodiesOfRevolutionOnNearlyOneAxisAreAsDeepAsAlongAnyDirecti
 }
 
 // A ball's centre hardly beside a cone's axis: the side is almost equally near all round, and the search ends anywhere on it.
-// The shortest way out is through the ruling that the centre leans to (closed form).
+// The minimum translation is through the ruling that the centre leans to (closed form).
 TEST(ConvexDistance, BallsAsEllipsoidsHardlyBesideAConesAxis) {
   random_bodies::Random random(11);
   const double radius = 2.0, length = 2.0, slant = std::hypot(radius, length);

@@ -38,7 +38,7 @@ TEST(UnilateralSprings, BearTheLoadWithTheLeastEnergy) {
     const int count = random.integer(3, 9);
     const Case c = random_case(random, static_cast<std::size_t>(count));
     std::vector<double> force(static_cast<std::size_t>(count), -1.0);
-    ASSERT_TRUE(press_springs(c.load, c.direction.data(), c.stiffness.data(), count, force.data())) << sample;
+    ASSERT_TRUE(solve_unilateral_springs(c.load, c.direction.data(), c.stiffness.data(), count, force.data())) << sample;
     Vec3 sum;
     for (std::size_t k = 0; k < force.size(); ++k) {
       ASSERT_GE(force[k], 0.0);
@@ -69,7 +69,7 @@ TEST(UnilateralSprings, OneOppositeTheLoadTakesAll) {
   const Vec3 load{0, 0, 1}, directions[] = {{0, 0, 1}, {0.6, 0, 0.8}, {-0.6, 0, 0.8}, {0, 0.6, 0.8}, {0, -0.6, 0.8}};
   const double stiffness[] = {1e13, 1.0, 1.0, 1.0, 1.0};
   double force[5];
-  ASSERT_TRUE(press_springs(load, directions, stiffness, 5, force));
+  ASSERT_TRUE(solve_unilateral_springs(load, directions, stiffness, 5, force));
   EXPECT_NEAR(force[0], 1.0, 1e-12);
   for (int k = 1; k < 5; ++k) EXPECT_LT(force[k], 1e-12);
 }
@@ -79,16 +79,16 @@ TEST(UnilateralSprings, EqualSpringsShareALoadOnTheirAxisAlike) {
   const Vec3 load{0, 0, 1}, directions[] = {{0.6, 0, 0.8}, {-0.6, 0, 0.8}, {0, 0.6, 0.8}, {0, -0.6, 0.8}};
   const double stiffness[] = {2.0, 2.0, 2.0, 2.0};
   double force[4];
-  ASSERT_TRUE(press_springs(load, directions, stiffness, 4, force));
+  ASSERT_TRUE(solve_unilateral_springs(load, directions, stiffness, 4, force));
   for (const double f : force) EXPECT_NEAR(f, 0.25 / 0.8, 1e-9);
 }
 
-// In a plane: what is at right angles to it is not held, and nothing of the load is.
+// In a plane: what is perpendicular to it is not held, and nothing of the load is.
 TEST(UnilateralSprings, DirectionsInAPlane) {
   const Vec3 load{0, 0, 1}, directions[] = {{0.6, 0, 0.8}, {-0.6, 0, 0.8}, {0, 0, 1}};
   const double stiffness[] = {1.0, 1.0, 1.0};
   double force[3];
-  ASSERT_TRUE(press_springs(load, directions, stiffness, 3, force));
+  ASSERT_TRUE(solve_unilateral_springs(load, directions, stiffness, 3, force));
   EXPECT_NEAR(0.8 * (force[0] + force[1]) + force[2], 1.0, 1e-8);
   EXPECT_NEAR(force[0], force[1], 1e-8);
   EXPECT_NEAR(force[0], 0.8 * force[2], 1e-8);  // as the directions' parts along the motion

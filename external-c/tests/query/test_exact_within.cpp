@@ -47,7 +47,7 @@ class Within : public testing::TestWithParam<std::size_t> {};
 TEST_P(Within, IsALowerBoundOfTheSameSignAndExactNearby) {
   const double near = 0.4;
   random_bodies::Random random(3);
-  int exact = 0, faded = 0, far = 0;
+  int exact = 0, falling_smoothstep = 0, far = 0;
   for (const std::string &other : bodies) {
     if (GetParam() + 1 == bodies.size() && &other == &bodies.back()) continue;  // half-spaces never touch
     const PairScene scene(bodies[GetParam()], other);
@@ -67,12 +67,12 @@ TEST_P(Within, IsALowerBoundOfTheSameSignAndExactNearby) {
         ASSERT_TRUE(std::equal(full.point, full.point + 3 * capacity, within.point));
       } else {
         ASSERT_GE(within.distance, near) << other << " " << k;
-        (within.distance < 2.0 * near ? faded : far) += 1;
+        (within.distance < 2.0 * near ? falling_smoothstep : far) += 1;
       }
     }
   }
   EXPECT_GT(exact, 100);
-  EXPECT_GT(faded, 20);
+  EXPECT_GT(falling_smoothstep, 20);
   EXPECT_GT(far, 100);
 }
 

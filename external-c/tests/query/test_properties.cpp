@@ -55,7 +55,7 @@ BodyPose moved(const BodyPose &motion, const BodyPose &pose, double scale = 1.0)
 }
 
 // Places A so that the pair overlaps by about `depth`, in some steps along the normal; not exactly, as that would end
-// where two ways out are equally short, and either answer is right.
+// where two translations are equally short, and either answer is right.
 BodyPose nearly_touching(const PairScene &scene, Random &random, const BodyPose &b, double depth) {
   BodyPose a{b.position + 3.0 * random.direction(), random.rotation()};
   for (int i = 0; i < 4; ++i) {
@@ -157,7 +157,7 @@ TEST(Properties, PointsFitTheSignedDistance) {
           ASSERT_TRUE(contact.points.empty()) << all[i] << " | " << all[j] << " " << k;
         } else {
           ASSERT_FALSE(contact.points.empty()) << all[i] << " | " << all[j] << " " << k;
-          // Depth is the overlap's extent along the contact normal. Along the shortest way out that is the signed
+          // Depth is the overlap's extent along the contact normal. Along the minimum translation that is the signed
           // distance, but where thin parts of both meet, of which one ends within the other, it is less.
           ASSERT_GE(worst_depth(contact), -0.5 * contact.distance) << all[i] << " | " << all[j];
           // Nothing is deeper than the bodies allow.
@@ -265,7 +265,8 @@ TEST(Properties, BoxOnBoxEqualsBoxOnHalfspaceAwayFromTheBorder) {
   }
 }
 
-// The ways out on both sides of a plate in the middle of a round body nearly oppose each other. Ways deeper than 1.5 times the
+// The contact directions on both sides of a plate in the middle of a round body nearly oppose each other. Ways deeper than
+// 1.5 times the
 // shortest do not count, nor shares beyond 8.
 TEST(Properties, PlatesWithinRoundBodiesAreNotSqueezed) {
   Random random(23);

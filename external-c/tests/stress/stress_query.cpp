@@ -3,7 +3,7 @@
 //   stress_query [poses [seed [kinds]]]          `kinds`: part of a class's name, such as "box, cylinder"
 //   stress_query --replay seed kinds sample
 //
-// Checked at every pose: no error, no number that is not finite, points that fit the distance; at some, by turns:
+// Checked at every pose: no error, no number that is not finite, points that fit the distance; at some, in alternation:
 //  - apart, the distance is proven by how far the bodies reach along the normal: no contact is missed, no sign is wrong;
 //  - of boxes and hulls, the depth is that of the separating axes; of others, no direction leads out sooner;
 //  - on half-spaces, the distance is the lowest point's;

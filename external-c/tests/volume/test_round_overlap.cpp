@@ -206,7 +206,7 @@ TEST_P(RoundPair, IsTheSameTurnedExchangedAndScaled) {
     EXPECT_NEAR(other.volume, overlap.volume, 1e-8 * overlap.volume) << k;
     const Vec3 centroid = motion.position + motion.rotation * vector_of(overlap.centroid);
     EXPECT_NEAR(norm(vector_of(other.centroid) - centroid), 0.0, 1e-8) << k;
-    // The patch goes with the normal, which is less exact, and where two ways out are as short another one.
+    // The patch goes with the normal, which is less exact, and where two translations are as short another one.
     const Vec3 normal = motion.rotation * normal_of(scene, pose_a, pose_b);
     if (norm(normal + normal_of(exchanged, moved_b, moved_a)) > 1e-7) continue;
     EXPECT_NEAR(other.patch_area, overlap.patch_area, 1e-6 * overlap.patch_area) << k;

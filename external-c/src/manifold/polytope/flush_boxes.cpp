@@ -57,9 +57,9 @@ bool level_face(const Vec3 &half, const Pose &box, Rectangle &face) {
   return false;
 }
 
-Rectangle shaken(const Rectangle &face, const Shake &shake) {
-  const auto turned = [&](const Place &v) { return Place{v.x - shake.turn.z * v.y, v.y + shake.turn.z * v.x}; };
-  return {turned(face.middle) + Place{shake.shift.x, shake.shift.y}, turned(face.half[0]), turned(face.half[1])};
+Rectangle perturbed(const Rectangle &face, const Perturbation &perturbation) {
+  const auto turned = [&](const Place &v) { return Place{v.x - perturbation.turn.z * v.y, v.y + perturbation.turn.z * v.x}; };
+  return {turned(face.middle) + Place{perturbation.shift.x, perturbation.shift.y}, turned(face.half[0]), turned(face.half[1])};
 }
 
 // The angles between outward normals of A's and B's edges: all follow from one.
@@ -100,12 +100,12 @@ struct Stretch {
 
 }  // namespace
 
-bool FlushBoxes::find(const Vec3 &half_a, const Pose &a, const Vec3 &half_b, const Pose &b, const Shake &shake) {
+bool FlushBoxes::find(const Vec3 &half_a, const Pose &a, const Vec3 &half_b, const Pose &b, const Perturbation &perturbation) {
   constexpr double senses[2] = {-1.0, 1.0};
   count_ = 0;
   Rectangle face_a, face_b;
   if (!level_face(half_a, a, face_a) || !level_face(half_b, b, face_b)) return false;
-  const Rectangle seen_b = shaken(face_b, shake);
+  const Rectangle seen_b = perturbed(face_b, perturbation);
   const auto add = [&](const Place &p, double part) {
     Corner &corner = corners_[count_++];
     corner.x = p.x, corner.y = p.y, corner.part = part;

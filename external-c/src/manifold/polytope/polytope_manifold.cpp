@@ -17,9 +17,9 @@ struct CornerSums {
   double linear_x = 0.0, linear_y = 0.0, square_x = 0.0, square_y = 0.0;
 };
 
-CornerSums sums_of(const std::vector<DepthGraph::Corner> &corners, const TessellationLoad &shared) {
+CornerSums sums_of(const std::vector<PenetrationProfile::Corner> &corners, const TessellationLoad &shared) {
   CornerSums sums;
-  for (const DepthGraph::Corner &corner : corners) {
+  for (const PenetrationProfile::Corner &corner : corners) {
     const double carried = corner.depth * shared.part(corner.depth), half_square = 0.5 * corner.depth * carried;
     sums.load += corner.weight * carried;
     sums.squares += corner.weight * carried * corner.depth;
@@ -31,7 +31,7 @@ CornerSums sums_of(const std::vector<DepthGraph::Corner> &corners, const Tessell
 
 // Finds the corners that carry, and returns the greatest depth; 0 where there are none. Which carry is not known before that
 // depth: it is mostly what the bodies reach, or less by a part of the tessellation's step.
-double find_corners(double fineness, DepthGraph &graph) {
+double find_corners(double fineness, PenetrationProfile &graph) {
   const double reach = graph.reach();
   if (!(reach > 0.0)) return 0.0;
   const double slack = std::min(0.15 / fineness + 0.004 * reach, 1.0 / fineness);
@@ -54,7 +54,7 @@ Pose contact_axes(const Vec3 &normal, const Vec3 &witness) {
 }
 
 void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
-                      const Vec3 &normal, const Vec3 &witness, double shortest, DepthGraph &graph,
+                      const Vec3 &normal, const Vec3 &witness, double shortest, PenetrationProfile &graph,
                       std::vector<ContactPoint> &points) {
   const Pose axes = contact_axes(normal, witness);
   graph.place(a, relative_pose(axes, pose_a), b, relative_pose(axes, pose_b));
@@ -68,7 +68,7 @@ void polytope_contact(const ContactPolytope &a, const Pose &pose_a, const Contac
   const double inverse = 1.0 / (scale.weight * sums.load);
   const Vec3 shift{(scale.weight * sums.square_x - scale.level * sums.linear_x) * inverse,
                    (scale.weight * sums.square_y - scale.level * sums.linear_y) * inverse, 0.0};
-  for (const DepthGraph::Corner &corner : graph.corners()) {
+  for (const PenetrationProfile::Corner &corner : graph.corners()) {
     const double weight = scale.weight * corner.weight * shared.part(corner.depth);
     if (!(weight > 0.0)) continue;
     const Vec3 at = axes(corner.middle + shift);

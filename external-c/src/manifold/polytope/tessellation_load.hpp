@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "math/branch_free.hpp"
+#include "math/branchless.hpp"
 
 namespace cmb {
 
 // Few corners, or shallow ones, are springs: each carries its weight times its depth. A finely tessellated body would push
 // with ever more of them the deeper it goes, the harder the finer it is; its smooth body would push with one point at the
 // deepest place. So with the greatest depth D, counted in the tessellation's steps, contacts go over from springs to
-// that point: the load, the sum of weight * depth, becomes the depth of the shortest way out, and is carried by the corners
+// that point: the load, the sum of weight * depth, becomes the depth of the minimum translation, and is carried by the corners
 // less than a few steps above the deepest, the less the higher. A load of more than D is never kept.
 //
 // All is continuous in the depths and weights of the corners.
@@ -38,7 +38,7 @@ class TessellationLoad {
     double level;   // the depth at which a weight's change would not change the energy, m
   };
   // `load` (> 0) is the sum of weight * part * depth, `squares` that of weight * part * depth^2; `shortest` (m, > 0) the depth
-  // of the shortest way out: D where that is along the contact normal, less where the normal is a mean of several ways'.
+  // of the minimum translation: D where that is along the contact normal, less where the normal is a mean of several ways'.
   //
   // With the weights w, parts p and depths d the energy is E = weight * sum(w p d^2) / 2, and its derivative by one weight,
   // while depths stay, is p d (weight * d - level) / 2.

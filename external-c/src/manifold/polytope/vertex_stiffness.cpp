@@ -12,7 +12,7 @@ std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-bool visible_cone(const PolytopeSide &side, std::int32_t vertex, const convex::Mat3 &rotation, DirectionCone &cone) {
+bool visible_cone(const ContactSide &side, std::int32_t vertex, const convex::Mat3 &rotation, DirectionCone &cone) {
   cone.clear();
   const ContactPolytope &body = side.body();
   const ContactPolytope::FaceCorner *const corners = body.corners(vertex);
@@ -36,12 +36,12 @@ bool visible_cone(const PolytopeSide &side, std::int32_t vertex, const convex::M
   return whole && !cone.empty();
 }
 
-double visible_angle(const PolytopeSide &side, std::int32_t vertex, DirectionCone &cone) {
+double visible_angle(const ContactSide &side, std::int32_t vertex, DirectionCone &cone) {
   return visible_cone(side, vertex, side.to_side().rotation, cone) ? side.body().normal_cone(vertex)
                                                                    : cone.solid_angle();
 }
 
-void VertexStiffness::start(const PolytopeSide &side, double turning) {
+void VertexStiffness::start(const ContactSide &side, double turning) {
   side_ = &side;
   turning_ = turning;
   if (known_.size() < side.vertex_count()) known_.resize(side.vertex_count()), found_in_.resize(side.vertex_count());

@@ -14,7 +14,7 @@ bool edge_is_nearest(const TriangleMesh &mesh, std::uint32_t t, std::size_t side
 bool vertex_is_nearest(const TriangleMesh &mesh, std::uint32_t v, const Vec3 &off, double slack);
 
 // What an edge or vertex carries of a load along the unit `direction`: less than 1 beside the rim of a sheet only,
-// falling to 0 at right angles to the sheet's normal.
+// falling to 0 perpendicular to the sheet's normal.
 double edge_share(const TriangleMesh &mesh, std::uint32_t t, std::size_t side, const Vec3 &direction);
 double vertex_share(const TriangleMesh &mesh, std::uint32_t v, const Vec3 &direction);
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/axis_share.hpp"
+#include "manifold/rod_end_share.hpp"
 #include "math/pose_algebra.hpp"
 #include "mesh/contact/ball_contacts.hpp"
 #include "mesh/contact/mesh_contact.hpp"
@@ -14,7 +14,7 @@ namespace cmb::mesh {
 namespace {
 
 // The translation that frees a ball.
-Vec3 way_out(const SharedLoad &shared) {
+Vec3 escape_translation(const SharedLoad &shared) {
   Vec3 sum;
   for (std::size_t i = 0; i < shared.size(); ++i) sum = sum + shared[i].load * shared[i].normal;
   return sum;
@@ -88,7 +88,7 @@ class CapsuleQuery {
       const Vec3 across = axis_ - dot(axis_, normal) * normal;
       missing_ = missing_ + (0.25 * sense * end_share_slope(limited) * load * depth) * across;
     }
-    return way_out(shared_);
+    return escape_translation(shared_);
   }
 
   // Energy that changes with the direction alone asks for a torque; a shift of the points supplies it, as on a

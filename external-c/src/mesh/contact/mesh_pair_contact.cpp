@@ -5,8 +5,8 @@
 #include "mesh/contact/pair_patches.hpp"
 #include "mesh/contact/patch_load.hpp"
 #include "mesh/core/mesh_pair_distance.hpp"
+#include "mesh/intersection/interior_points.hpp"
 #include "mesh/intersection/pierced_load.hpp"
-#include "mesh/intersection/swallowed.hpp"
 
 namespace cmb::mesh {
 
@@ -64,7 +64,7 @@ double negligible(const TriangleMesh &a, const TriangleMesh &b) {
 
 // The contact of two meshes, not both sheets, of which `one` pushes; normals point out of it. Of what is behind a sheet it
 // carries least_load_part times what crosses at most. Where it carries too little of what crosses, or lies in the other, the other
-// one pushes too, unless `one` is a sheet, and if it cannot either, the crossing triangles and the inner places do. Returns
+// one pushes too, unless `one` is a sheet, and if it cannot either, the crossing triangles and the interior points do. Returns
 // whether the meshes touch.
 bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
   const std::size_t begin = result.points.size();
@@ -82,7 +82,7 @@ bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch 
   if (!one.mesh.closed() && load > 0.0 && crossing == 0.0) return true;
   // Places inside each may lie in the other; so it is where one has swallowed the other, whether or not they are flush.
   const Pose back = place.inverse();
-  const SwallowedPlaces in_one(one.mesh, other.mesh, place, enough), in_other(other.mesh, one.mesh, back, enough);
+  const InteriorPoints in_one(one.mesh, other.mesh, place, enough), in_other(other.mesh, one.mesh, back, enough);
   const double depth = std::fmax(crossing, std::fmax(in_one.depth(), in_other.depth()));
   if (load > 0.0 && !(depth > enough)) return true;
   if (!(depth > 0.0)) return false;
@@ -100,10 +100,10 @@ bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch 
   }
   const double part = lacking * lacking_part(total_load(result.points, begin), depth);
   pierced.finish(part, one.pose, result);
-  in_one.lead_out(crossing, part, one.pose, result);
+  in_one.push_out(crossing, part, one.pose, result);
   reaction.points.clear();
   reaction.distance = 0.0;
-  in_other.lead_out(std::fmax(crossing, in_one.depth()), part, other.pose, reaction);
+  in_other.push_out(std::fmax(crossing, in_one.depth()), part, other.pose, reaction);
   add_reversed(reaction, 1.0, result);
   return result.distance < 0.0;
 }

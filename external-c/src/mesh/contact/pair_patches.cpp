@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/core/pair_walk.hpp"
+#include "mesh/core/dual_traversal.hpp"
 #include "mesh/core/triangle_wedge.hpp"
 #include "mesh/intersection/sheet_crossing.hpp"
 #include "mesh/intersection/triangle_crossing.hpp"
@@ -43,7 +43,7 @@ class PairSearch {
   void leaves(std::uint32_t number, std::uint32_t body_number) {
     const TriangleHierarchy::Node &leaf = mesh_.hierarchy().nodes()[number];
     const TriangleHierarchy::Node &body_leaf = body_.hierarchy().nodes()[body_number];
-    const FlatBound &flat = mesh_.hierarchy().flat_bounds()[number];
+    const CylinderBound &flat = mesh_.hierarchy().flat_bounds()[number];
     for (std::uint32_t j = body_leaf.first; j < body_leaf.first + body_leaf.count; ++j) {
       const std::uint32_t facet = body_.hierarchy().order()[j];
       const Vec3 corners[3] = {placed(facet, 0), placed(facet, 1), placed(facet, 2)};
@@ -66,7 +66,7 @@ class PairSearch {
   }
 
   // Whether the triangle may come between the two planes of the bound.
-  static bool reaches(const FlatBound &flat, const Vec3 (&corners)[3]) {
+  static bool reaches(const CylinderBound &flat, const Vec3 (&corners)[3]) {
     const double first = dot(flat.axis, corners[0] - flat.center), second = dot(flat.axis, corners[1] - flat.center),
                  third = dot(flat.axis, corners[2] - flat.center);
     return std::min({first, second, third}) <= flat.half_thickness &&

@@ -1,11 +1,11 @@
 #include <cmath>
 
 #include "math/pose_algebra.hpp"
-#include "mesh/contact/convex_gap.hpp"
 #include "mesh/contact/mesh_contact.hpp"
 #include "mesh/contact/nearest_triangle.hpp"
 #include "mesh/contact/patch_load.hpp"
 #include "mesh/contact/smooth_facets.hpp"
+#include "mesh/contact/triangle_convex_distance.hpp"
 #include "mesh/core/triangle_wedge.hpp"
 #include "mesh/intersection/pierced_load.hpp"
 #include "mesh/intersection/triangle_section.hpp"

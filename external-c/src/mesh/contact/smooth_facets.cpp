@@ -41,7 +41,7 @@ class Builder {
   std::size_t first_ = 0;
 };
 
-// A pair at right angles to the unit vector d and to each other: two fixed vectors, turned by the shortest rotation that
+// A pair perpendicular to the unit vector d and to each other: two fixed vectors, turned by the shortest rotation that
 // takes a fixed axis to d. Continuous but where d is opposite to that axis, which is along none that bodies rest on.
 void across(const Vec3 &d, Vec3 &e1, Vec3 &e2) {
   static const Vec3 axis{0.36, 0.48, 0.8}, first{0.8, -0.6, 0.0}, second{0.48, 0.64, -0.6};

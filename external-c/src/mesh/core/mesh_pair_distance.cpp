@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "mesh/core/pair_walk.hpp"
+#include "mesh/core/dual_traversal.hpp"
 #include "mesh/core/segment_distance.hpp"
 
 namespace cmb::mesh {

@@ -14,15 +14,15 @@ Bounds bounds_of(const std::vector<Vec3> &points) {
 namespace {
 
 // Of the triangles named by `begin` to `end`, whose box is `box`; across the mean of their normals.
-FlatBound flat_bound(const std::vector<Vec3> &vertices, const std::vector<Triangle> &triangles,
-                     std::vector<std::uint32_t>::const_iterator begin,
-                     std::vector<std::uint32_t>::const_iterator end, const Bounds &box) {
+CylinderBound flat_bound(const std::vector<Vec3> &vertices, const std::vector<Triangle> &triangles,
+                         std::vector<std::uint32_t>::const_iterator begin,
+                         std::vector<std::uint32_t>::const_iterator end, const Bounds &box) {
   Vec3 sum;
   for (auto it = begin; it != end; ++it) {
     const Triangle &t = triangles[*it];
     sum = sum + cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]]);
   }
-  FlatBound bound;
+  CylinderBound bound;
   bound.axis = normalized(sum, {0.0, 0.0, 1.0});
   const Vec3 middle = 0.5 * (box.low + box.high);
   double low = 0.0, high = 0.0, radius2 = 0.0;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/core/flat_bound.hpp"
+#include "mesh/core/cylinder_bound.hpp"
 #include "mesh/core/mesh_data.hpp"
 
 namespace cmb::mesh {
@@ -117,14 +117,14 @@ class TriangleHierarchy {
   // The root is nodes()[0]; a walk needs a stack of at most 64 nodes.
   const std::vector<Node> &nodes() const { return nodes_; }
   // Of the node with the same number; wide enough for the rounding of moves by about the mesh's size.
-  const std::vector<FlatBound> &flat_bounds() const { return flat_bounds_; }
+  const std::vector<CylinderBound> &flat_bounds() const { return flat_bounds_; }
   const std::vector<std::uint32_t> &order() const { return order_; }
 
  private:
   static bool meets(const Bounds &box, const Vec3 &origin, const Vec3 &direction, double longest);
 
   std::vector<Node> nodes_;
-  std::vector<FlatBound> flat_bounds_;
+  std::vector<CylinderBound> flat_bounds_;
   std::vector<std::uint32_t> order_;
 };
 

@@ -67,7 +67,7 @@ TriangleMesh::TriangleMesh(MeshData data, MeshUse use, const std::string &source
   measure();
   build_depth_limits();
   build_clear_depths();
-  build_inner_places();
+  build_interior_points();
 }
 
 double TriangleMesh::triangle_size() const {
@@ -201,7 +201,7 @@ void TriangleMesh::build_clear_depths() {
 
 // Of the places half way through the mesh behind its triangles: that where it is thickest, then again and again the one farthest
 // from those before.
-void TriangleMesh::build_inner_places() {
+void TriangleMesh::build_interior_points() {
   std::vector<Vec3> halfway;
   Vec3 next = vertices()[0];
   double thickest = 0.0;
@@ -214,11 +214,11 @@ void TriangleMesh::build_inner_places() {
     next = halfway.back();
   }
   std::vector<double> apart(halfway.size(), std::numeric_limits<double>::infinity());
-  for (double farthest = 1.0; farthest > 0.0 && inner_places_.size() < most_inner_places;) {
-    inner_places_.push_back(next);
+  for (double farthest = 1.0; farthest > 0.0 && interior_points_.size() < max_interior_points;) {
+    interior_points_.push_back(next);
     farthest = 0.0;
     for (std::size_t k = 0; k < halfway.size(); ++k) {
-      apart[k] = std::fmin(apart[k], norm2(halfway[k] - inner_places_.back()));
+      apart[k] = std::fmin(apart[k], norm2(halfway[k] - interior_points_.back()));
       if (!(apart[k] > farthest)) continue;
       farthest = apart[k];
       next = halfway[k];

@@ -67,8 +67,8 @@ class TriangleMesh {
   double clear_depth(std::uint32_t t) const { return clear_depths_[t]; }
 
   // A few places well inside a closed mesh, far from each other; of a sheet, one of its vertices. Never empty.
-  const std::vector<Vec3> &inner_places() const { return inner_places_; }
-  static constexpr std::size_t most_inner_places = 8;
+  const std::vector<Vec3> &interior_points() const { return interior_points_; }
+  static constexpr std::size_t max_interior_points = 8;
 
   bool closed() const { return closed_; }
   const MassProperties &mass_properties() const { return mass_properties_; }  // all zero for open meshes
@@ -89,7 +89,7 @@ class TriangleMesh {
   void build_vertex_triangles();
   void build_depth_limits();
   void build_clear_depths();
-  void build_inner_places();
+  void build_interior_points();
   bool is_other_side(std::uint32_t t, std::uint32_t other) const;
   void measure();
 
@@ -99,7 +99,7 @@ class TriangleMesh {
   std::vector<std::uint32_t> vertex_triangles_, vertex_begin_;
   std::vector<Vec3> face_normals_, vertex_normals_;
   std::vector<double> depth_limits_, clear_depths_;
-  std::vector<Vec3> inner_places_;
+  std::vector<Vec3> interior_points_;
   MassProperties mass_properties_;
   double area_ = 0.0;
   bool closed_ = true;

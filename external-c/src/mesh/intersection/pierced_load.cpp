@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mesh/intersection/swallowed.hpp"
+#include "mesh/intersection/interior_points.hpp"
 
 namespace cmb::mesh {
 
@@ -84,7 +84,7 @@ bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const
   const Vec3 center = body.center();
   const Bounds box = body.bounds();
   const double enough = least_load_part * load;
-  const SwallowedPlace middle(mesh, center);
+  const InteriorPoint middle(mesh, center);
   if (load > 0.0 && middle.depth() <= enough) {
     bool lacks = false;
     visit_sections(body, box, mesh, lacks, [&](const Vec3 (&corner)[3], const Vec3 &, double, double) {
@@ -103,7 +103,7 @@ bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const
   });
   const double part = lacking_part(load, std::fmax(pierced.deepest(), middle.depth()));
   pierced.finish(part, pose, result);
-  middle.lead_out(pierced.deepest(), part, pose, result);
+  middle.push_out(pierced.deepest(), part, pose, result);
   return load > 0.0 || result.distance < 0.0;
 }
 

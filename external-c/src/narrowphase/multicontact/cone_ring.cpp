@@ -55,7 +55,7 @@ struct Gap {
   double low = 0.0, high = 0.0;
 };
 
-// The arcs that the surface about a corner cuts out of a ring.
+// The arcs that the surface about a corner removes of a ring.
 class Gaps {
  public:
   // Leaves the directions whose product with `way`, in the cone's frame, is at least `least`. False where there are none.
@@ -129,9 +129,10 @@ bool find_corner(const ConvexBody &body, const Vec3 &d, const Vec3 &place, doubl
 }
 
 // The cone is A's where `of_a`.
-bool hold_on_cone(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, bool of_a, double size, HeldBall &ball) {
+bool replace_by_ring_of(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, bool of_a, double size,
+                        ActiveSet &active) {
   const ConvexBody &cone = of_a ? a : b, &other = of_a ? b : a;
-  const double core_radius = ball.radius - a.radius - b.radius;
+  const double core_radius = active.radius - a.radius - b.radius;
   const bool has_corners = is_polyhedral(other.core) || other.core == CoreShape::cone;
   if (cone.core != CoreShape::cone || !has_corners || !(core_radius > 0.0)) return false;
   // Directions out of the cone are C's outward ones, or, where the cone is B's, against these.
@@ -140,15 +141,15 @@ bool hold_on_cone(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, 
   const Ring ring(cone.half);
   // Where the corner must be: the ball's centre is below the tip of C on the axis.
   const Vec3 apex = of_a ? Vec3{0, 0, cone.half.z} : b_in_a({0, 0, cone.half.z});
-  const Vec3 place = apex - sense * ball.centre - (core_radius / ring.rise) * from_cone.column(2);
+  const Vec3 place = apex - sense * active.centre - (core_radius / ring.rise) * from_cone.column(2);
   const Vec3 place_in_other = of_a ? b_in_a.inverse()(place) : place;
   SupportPoint corner;
   int meeting = 0;
-  while (meeting < ball.count && !find_corner(other, -sense * transposed_times(from_other, ball.cuts[meeting].direction),
-                                              place_in_other, on_axis * size, corner)) {
+  while (meeting < active.count && !find_corner(other, -sense * transposed_times(from_other, active.planes[meeting].direction),
+                                                place_in_other, on_axis * size, corner)) {
     ++meeting;
   }
-  if (meeting == ball.count) return false;
+  if (meeting == active.count) return false;
   Gaps gaps;
   bool some = true;
   for_each_neighbour(other, corner, [&](const SupportPoint &neighbour) {
@@ -159,37 +160,38 @@ bool hold_on_cone(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, 
   }
   if (!some) return false;
   // The pull, out of the cone, as the ring's places bear it: how much in all, and the middle of it.
-  const Vec3 pull = -sense * transposed_times(from_cone, ball.centre);
+  const Vec3 pull = -sense * transposed_times(from_cone, active.centre);
   const double total = pull.z / ring.rise, aside = std::sqrt(pull.x * pull.x + pull.y * pull.y);
   if (!(total > 0.0)) return false;
   const double middle = aside / (total * ring.across), angle = std::atan2(pull.y, pull.x);
   Rim near, far;
   if (!near.find(gaps, angle) || !far.find(gaps, angle + pi) || !(near.part + far.part > 0.0)) return false;
   const double of_near = std::clamp((middle + far.part) / (near.part + far.part), 0.0, 1.0);
-  ball.count = 0;
+  active.count = 0;
   const auto add = [&](const Rim &rim, double of_rim) {
     for (int end = 0; end < rim.count; ++end) {
       const double borne = total * of_rim * rim.share[end];
       if (!(borne > 0.0)) continue;
-      Cut &cut = ball.cuts[ball.count++];
-      cut.direction = sense * (from_cone * ring.direction(rim.angle[end]));
-      cut.height = dot(cut.direction, ball.centre) + ball.radius;
-      const Vec3 on_core = ball.centre + core_radius * cut.direction;
-      cut.a = (of_a ? place + on_core : place) + a.radius * cut.direction;
-      cut.b = (of_a ? place : place - on_core) - b.radius * cut.direction;
-      cut.pull = borne;
+      SupportingPlane &plane = active.planes[active.count++];
+      plane.direction = sense * (from_cone * ring.direction(rim.angle[end]));
+      plane.height = dot(plane.direction, active.centre) + active.radius;
+      const Vec3 on_core = active.centre + core_radius * plane.direction;
+      plane.a = (of_a ? place + on_core : place) + a.radius * plane.direction;
+      plane.b = (of_a ? place : place - on_core) - b.radius * plane.direction;
+      plane.multiplier = borne;
     }
   };
   add(near, of_near);
   add(far, 1.0 - of_near);
-  ball.all_round = true;
+  active.on_cone_ring = true;
   return true;
 }
 
 }  // namespace
 
-bool hold_all_round(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, HeldBall &ball) {
-  return ball.count > 1 && (hold_on_cone(a, b, b_in_a, true, size, ball) || hold_on_cone(a, b, b_in_a, false, size, ball));
+bool replace_by_cone_ring(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, ActiveSet &active) {
+  return active.count > 1 && (replace_by_ring_of(a, b, b_in_a, true, size, active) || replace_by_ring_of(a, b, b_in_a,
+                                                                                                         false, size, active));
 }
 
 }  // namespace cmb::convex

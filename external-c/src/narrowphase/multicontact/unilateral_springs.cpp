@@ -12,7 +12,7 @@ constexpr double loose = 1e-10;
 
 }  // namespace
 
-bool press_springs(const Vec3 &load, const Vec3 *directions, const double *stiffness, int count, double *force) {
+bool solve_unilateral_springs(const Vec3 &load, const Vec3 *directions, const double *stiffness, int count, double *force) {
   if (count > most_springs) return false;
   // Axes along and across the load, in which a matrix with a spring much stiffer than the others along it is graded.
   const Vec3 across = any_perpendicular(load), aside = cross(load, across);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "math/branch_free.hpp"
+#include "math/branchless.hpp"
 
 namespace cmb::convex {
 
@@ -72,7 +72,7 @@ bool DifferenceFacets::facet_of_face(const Corner &q, const Vec3 &q_end, std::in
   // Where the face's own turn has the side's edge; a mirrored body's corners come in the opposite turn.
   const std::int32_t *const edges = polytope.face_edges().data() + whole.first;
   const std::int32_t *const vertices = polytope.face_vertices().data() + whole.first;
-  // Which one it is cannot be foretold: no branch.
+  // Which one it is, is unpredictable: no branch.
   std::int32_t begin = 0;
   for (std::int32_t k = 1; k < whole.count; ++k) begin = edges[k] == q.edge ? k : begin;
   const std::int32_t begin_vertex = polytope.edges()[index(q.edge)].vertex[q.forward ? 1 : 0];

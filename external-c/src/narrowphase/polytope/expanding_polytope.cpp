@@ -72,9 +72,9 @@ void ExpandingPolytope::witness(PenetrationResult &result) const {
   const Vec3 &m = result.direction;
   double best_inside = -INFINITY;
   double weight[3] = {1, 0, 0};
-  const ExpandingHull::Face *best = nullptr;
+  const IncrementalHull::Face *best = nullptr;
   for (std::int32_t f = hull_.face_count(); f-- > 0;) {  // the latest faces are most likely the ones
-    const ExpandingHull::Face &face = hull_.face(f);
+    const IncrementalHull::Face &face = hull_.face(f);
     if (!face.alive || face.sliver || !(dot(face.normal, m) > 0.0)) continue;
     const Vec3 &a = hull_.point(face.vertex[0]), &b = hull_.point(face.vertex[1]), &c = hull_.point(face.vertex[2]);
     const double u = dot(m, cross(b, c)), v = dot(m, cross(c, a)), w = dot(m, cross(a, b));
@@ -117,11 +117,11 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
   double limit = INFINITY;
   const auto lower_depth = [&](double depth) {
     result.depth = depth;
-    limit = size > 0.0 ? std::max(depth - tolerance, surface_reach(depth, size)) : depth - tolerance;
+    limit = size > 0.0 ? std::max(depth - tolerance, averaging_radius(depth, size)) : depth - tolerance;
   };
   const auto enqueue = [&](std::int32_t begin) {
     for (std::int32_t f = begin; f < hull_.face_count(); ++f) {
-      const ExpandingHull::Face &face = hull_.face(f);
+      const IncrementalHull::Face &face = hull_.face(f);
       if (face.sliver || face.offset >= limit) continue;
       const double distance = hull_.distance(face);
       if (distance >= limit) continue;
@@ -136,7 +136,7 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
     const auto [distance, f] = queue_.back();
     queue_.pop_back();
-    const ExpandingHull::Face &face = hull_.face(f);
+    const IncrementalHull::Face &face = hull_.face(f);
     if (!face.alive) continue;
     if (distance >= limit) break;
     const bool decides = distance < result.depth - tolerance;
@@ -155,15 +155,15 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
     const bool repeated =
         std::any_of(points_.begin(), points_.end(), [&](const DifferencePoint &q) { return same_vertices(p, q); });
     if (repeated) continue;  // the face is thin and its normal off by rounding: its neighbours decide
-    const ExpandingHull::Outcome outcome = hull_.point_count() < most_points
+    const IncrementalHull::Outcome outcome = hull_.point_count() < most_points
                                                ? hull_.expand(f, p.w, visibility, thickness)
-                                               : ExpandingHull::Outcome::full;
-    if (outcome != ExpandingHull::Outcome::expanded) {
+                                               : IncrementalHull::Outcome::full;
+    if (outcome != IncrementalHull::Outcome::expanded) {
       if (decides) {
         result.proven = false;
         result.lower = std::min(result.lower, distance);
       }
-      if (outcome == ExpandingHull::Outcome::full) break;
+      if (outcome == IncrementalHull::Outcome::full) break;
       continue;
     }
     points_.push_back(p);
@@ -177,14 +177,14 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
 }
 
 void ExpandingPolytope::measure_surface(PenetrationResult &result, double size) const {
-  const double radius = surface_reach(std::max(result.depth, 0.0), size);
-  const auto is_near = [&](const ExpandingHull::Face &face) {
+  const double radius = averaging_radius(std::max(result.depth, 0.0), size);
+  const auto is_near = [&](const IncrementalHull::Face &face) {
     return face.alive && !face.sliver && face.offset < radius && hull_.distance(face) < radius;
   };
   // Of facets in one plane the mean is their normal.
   bool one_plane = true;
   for (std::int32_t f = 0; f < hull_.face_count() && one_plane; ++f) {
-    const ExpandingHull::Face &face = hull_.face(f);
+    const IncrementalHull::Face &face = hull_.face(f);
     one_plane = !is_near(face) || norm2(face.normal - result.direction) <= same_normal2;
   }
   if (one_plane) {
@@ -192,7 +192,7 @@ void ExpandingPolytope::measure_surface(PenetrationResult &result, double size) 
     return;
   }
   for (std::int32_t f = 0; f < hull_.face_count(); ++f) {
-    const ExpandingHull::Face &face = hull_.face(f);
+    const IncrementalHull::Face &face = hull_.face(f);
     if (!is_near(face)) continue;
     FacetIntegral integral(face.normal, std::max(face.offset, 0.0), radius);
     if (integral.empty()) continue;
@@ -218,7 +218,7 @@ void add_other(const Vec3 &normal, double same, PenetrationResult &result) {
 void ExpandingPolytope::other_directions(PenetrationResult &result) {
   while (!queue_.empty() && result.other_count < PenetrationResult::most_others) {
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
-    const ExpandingHull::Face &face = hull_.face(queue_.back().second);
+    const IncrementalHull::Face &face = hull_.face(queue_.back().second);
     queue_.pop_back();
     if (face.alive && face.offset < result.depth) add_other(face.normal, same_if_nearer, result);
   }
@@ -227,7 +227,7 @@ void ExpandingPolytope::other_directions(PenetrationResult &result) {
 void ExpandingPolytope::find_others(double depth, PenetrationResult &result) const {
   result.other_count = 0;
   for (std::int32_t f = 0; f < hull_.face_count() && result.other_count < PenetrationResult::most_others; ++f) {
-    const ExpandingHull::Face &face = hull_.face(f);
+    const IncrementalHull::Face &face = hull_.face(f);
     if (face.alive && !face.sliver && face.offset < depth && hull_.distance(face) < depth) {
       add_other(face.normal, same_if_as_near, result);
     }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "narrowphase/minkowski_difference.hpp"
-#include "narrowphase/polytope/nearby_surface.hpp"
-#include "shape/expanding_hull.hpp"
+#include "narrowphase/polytope/mean_normal.hpp"
+#include "shape/incremental_hull.hpp"
 
 namespace cmb::convex {
 
@@ -23,7 +23,7 @@ struct PenetrationResult {
   static constexpr int most_others = 24;
   Vec3 other[most_others];
   int other_count = 0;
-  Vec3 mean_outward;  // where asked for: of the surface nearby (nearby_surface.hpp), not unit
+  Vec3 mean_outward;  // where asked for: of the surface nearby (mean_normal.hpp), not unit
 };
 
 // Works in storage allocated by the constructor alone. Not for sharing between threads.
@@ -35,7 +35,7 @@ class ExpandingPolytope {
   // difference. `simplex` (count 1 to 4) are points to start from. Not proven where rounding broke the
   // surface, where the points did not suffice, or where the difference is flat (depth and direction are
   // then the best so far). Where the bodies' `size` is given (> 0), the surface is also made whole within
-  // surface_reach(depth, size), and `mean_outward` found.
+  // averaging_radius(depth, size), and `mean_outward` found.
   PenetrationResult depth(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count,
                           double tolerance, std::int32_t most_points, double size = 0.0);
 
@@ -49,7 +49,7 @@ class ExpandingPolytope {
   void witness(PenetrationResult &result) const;
   void measure_surface(PenetrationResult &result, double size) const;
 
-  ExpandingHull hull_;
+  IncrementalHull hull_;
   std::vector<DifferencePoint> points_;
   std::vector<std::pair<double, std::int32_t>> queue_;  // heap: faces by offset, least first
 };

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "narrowphase/gjk.hpp"
-#include "narrowphase/inner_ball.hpp"
+#include "narrowphase/interior_ball.hpp"
 #include "narrowphase/minkowski_difference.hpp"
+#include "narrowphase/smooth/alternating_projections.hpp"
 #include "narrowphase/smooth/direction_refinement.hpp"
-#include "narrowphase/smooth/facing_flats.hpp"
-#include "narrowphase/smooth/projections.hpp"
-#include "narrowphase/smooth/touching_direction.hpp"
-#include "shape/shrunk_body.hpp"
+#include "narrowphase/smooth/feature_direction.hpp"
+#include "narrowphase/smooth/flat_face_direction.hpp"
+#include "shape/inset_body.hpp"
 
 namespace cmb::convex {
 
@@ -31,7 +31,7 @@ constexpr double same_minimum = 1e-5;
 // One minus the cosine up to which a direction is that of a place known to be near, and that angle; how far places are from where
 // a search saw them (rad).
 constexpr double known_place = 1e-4, beside_known = 0.015, near_place = 0.05;
-// The ways out ask for balls of up to so many depths.
+// The contact directions ask for balls of up to so many depths.
 constexpr double ways_reach = 1.5;
 
 // Outward directions of a body's side and ends, in the half plane y = 0, x >= 0 of its frame; 0 where its profile is
@@ -52,9 +52,9 @@ int profile_normals(const ConvexBody &body, Vec3 normals[3]) {
 }
 
 // Bodies of revolution on one axis are equally deep all round, which no bound of a general search settles. But their
-// difference is a body of revolution too, with a polygon as its profile: its sides are all the ways out there are.
+// difference is a body of revolution too, with a polygon as its profile: its sides are all the contact directions there are.
 // Receives the direction of the shortest one; false where the bodies are not of that kind, or apart.
-bool coaxial_way_out(const MinkowskiDifference &difference, Vec3 &direction, double &depth) {
+bool coaxial_translation(const MinkowskiDifference &difference, Vec3 &direction, double &depth) {
   const Mat3 &r = difference.b_in_a.rotation;
   const Vec3 &t = difference.b_in_a.translation;
   constexpr double tilt = 1e-14;
@@ -95,7 +95,7 @@ bool proven(const MinkowskiDifference &difference, const RefinedDirection &r, Co
   double ball = 0.0;
   if (r.height > 0.0) {
     const double swept = a.radius + b.radius, enough = ways_reach * (r.height + swept) - swept;
-    ball = inner_ball(a, b, pose, r.direction, r.a, r.b, enough, tolerance);
+    ball = interior_ball_radius(a, b, pose, r.direction, r.a, r.b, enough, tolerance);
     if (!(ball >= r.height)) return false;
   } else {
     if (!(missing(difference, r) <= tolerance)) return false;
@@ -113,7 +113,7 @@ void nearest_points(const GjkResult &gjk, Vec3 &a, Vec3 &b) {
   }
 }
 
-// To what part of the cores, and how many times by turns.
+// To what part of the cores, and how many times in alternation.
 struct Projections {
   double part;
   int rounds;
@@ -122,23 +122,23 @@ constexpr Projections attempts[] = {{0.9, 4}, {1.0, 8}};
 
 enum class Quick { found, not_proven, too_deep };
 
-// Straight through a flat end, or where the bodies, shrunk until they are apart, are nearest: what is not much in each other
+// Straight through a flat end, or where the bodies, inset until they are apart, are nearest: what is not much in each other
 // most often touches there.
 Quick find_quickly(const MinkowskiDifference &difference, const Vec3 &first, CoreDistance &result) {
   RefinedDirection r;
   const Pose &pose = difference.b_in_a;
   const double reach = core_radius(difference.body_a) + core_radius(difference.body_b);
-  if (norm2(pose.translation) <= reach * reach && facing_flats(difference, r) && proven(difference, r, result)) {
+  if (norm2(pose.translation) <= reach * reach && flat_face_direction(difference, r) && proven(difference, r, result)) {
     return Quick::found;
   }
   if (has_projection(difference.body_a.core) && has_projection(difference.body_b.core)) {
     for (const Projections &attempt : attempts) {
-      if (!direction_by_projections(difference, attempt.part, attempt.rounds, r)) continue;
+      if (!direction_by_alternating_projections(difference, attempt.part, attempt.rounds, r)) continue;
       if (proven(difference, r, result)) return Quick::found;
       if (r.height > 0.0) break;
     }
   }
-  const ShrunkBody a = shrunk(difference.body_a, shrinkage), b = shrunk(difference.body_b, shrinkage);
+  const InsetBody a = inset(difference.body_a, shrinkage), b = inset(difference.body_b, shrinkage);
   const Pose b_in_a{pose.rotation, pose(b.origin) - a.origin};
   const MinkowskiDifference apart(a.body, b.body, b_in_a);
   const GjkResult gjk = gjk_distance(apart, first, 1e-6 * apart.scale, shrunk_gap);
@@ -147,7 +147,7 @@ Quick find_quickly(const MinkowskiDifference &difference, const Vec3 &first, Cor
   nearest_points(gjk, on_a, on_b);
   on_b = transposed_times(pose.rotation, on_b - b_in_a.translation);
   const bool found =
-      touching_direction(difference, gjk.direction, grown(a, on_a), grown(b, on_b), r) && proven(difference, r, result);
+      feature_direction(difference, gjk.direction, grown(a, on_a), grown(b, on_b), r) && proven(difference, r, result);
   return found ? Quick::found : Quick::not_proven;
 }
 
@@ -173,8 +173,8 @@ bool find_from_rough_bounds(const MinkowskiDifference &difference, const GjkResu
   const PenetrationResult rough =
       scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, rough_depth * difference.scale, rough_points);
   RefinedDirection r;
-  return touching_direction(difference, rough.direction, rough.a, transposed_times(pose.rotation, rough.b - pose.translation),
-                            r) &&
+  return feature_direction(difference, rough.direction, rough.a, transposed_times(pose.rotation, rough.b - pose.translation),
+                           r) &&
          r.height > 0.0 && proven(difference, r, result);
 }
 
@@ -192,11 +192,11 @@ CoreDistance sharpened(const MinkowskiDifference &difference, const PenetrationR
   // bodies, one just beside that has; or another one as near to the tolerance.
   RefinedDirection there;
   const Vec3 b_local = transposed_times(difference.b_in_a.rotation, inside.b - difference.b_in_a.translation);
-  if (inside.proven && touching_direction(difference, inside.direction, inside.a, b_local, there) &&
+  if (inside.proven && feature_direction(difference, inside.direction, inside.a, b_local, there) &&
       there.height <= inside.depth && there.height - inside.lower <= proof * difference.scale &&
       dot(there.direction, inside.direction) > 1.0 - same_minimum &&
       missing_of_planes(difference, there) <= relative_tolerance * difference.scale &&
-      !borders_nearby(difference, there.direction)) {
+      !creases_nearby(difference, there.direction)) {
     return {-there.height, there.direction, there.a, there.b, DistanceMethod::refined, true, {}};
   }
   // Surfaces of revolution on one axis are equally deep all round: no bound settles that, but the
@@ -209,7 +209,7 @@ CoreDistance sharpened(const MinkowskiDifference &difference, const PenetrationR
 }
 
 CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult &gjk, DistanceScratch &scratch,
-                         const EquallyNear *known) {
+                         const KnownMinima *known) {
   PenetrationResult inside =
       scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, searched * difference.scale, 160);
   CoreDistance best = sharpened(difference, inside, scratch);
@@ -221,7 +221,7 @@ CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult 
   };
   // Beside a known place a further one that the search does not tell from it can only be beyond a border.
   const bool at_known = is_known(best.direction);
-  if (!at_known || borders_nearby(difference, best.direction, beside_known)) {
+  if (!at_known || creases_nearby(difference, best.direction, beside_known)) {
     const double nearby = at_known ? beside_known : near_place;
     take_lower(difference, refine_direction(difference, best.direction, best.a, best.b, nearby), best);
   }
@@ -236,12 +236,12 @@ CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult 
 }  // namespace
 
 CoreDistance curved_distance(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &b_in_a, const Vec3 &first,
-                             DistanceScratch &scratch, const EquallyNear *known) {
+                             DistanceScratch &scratch, const KnownMinima *known) {
   const MinkowskiDifference difference(body_a, body_b, b_in_a);
   const double tolerance = relative_tolerance * difference.scale;
   Vec3 coaxial_direction;
   double coaxial_depth;
-  if (coaxial_way_out(difference, coaxial_direction, coaxial_depth)) {
+  if (coaxial_translation(difference, coaxial_direction, coaxial_depth)) {
     const DifferencePoint start = difference.support(coaxial_direction);
     const RefinedDirection r = refine_direction(difference, coaxial_direction, start.a, start.b);
     return {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, r.height >= coaxial_depth - tolerance, {}};

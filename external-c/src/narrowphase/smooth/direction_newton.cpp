@@ -11,7 +11,7 @@ struct Form {
   double uu = 0.0, uv = 0.0, vv = 0.0;
 };
 
-// The Hessian of a core's support function at the unit direction d, for u and v at right angles to it, in its frame.
+// The Hessian of a core's support function at the unit direction d, for u and v perpendicular to it, in its frame.
 Form core_curvature(const ConvexBody &body, const Vec3 &d, const Vec3 &u, const Vec3 &v) {
   const Vec3 &h = body.half;
   switch (body.core) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "narrowphase/analytic/closed_distance.hpp"
+#include "narrowphase/analytic/closed_form_distance.hpp"
+#include "narrowphase/smooth/crease_descent.hpp"
 #include "narrowphase/smooth/direction_newton.hpp"
-#include "narrowphase/smooth/leaving_borders.hpp"
 
 namespace cmb::convex {
 
@@ -132,7 +132,7 @@ void find_witness(const MinkowskiDifference &difference, RefinedDirection &resul
 
 }  // namespace
 
-bool borders_nearby(const MinkowskiDifference &difference, const Vec3 &direction, double nearby) {
+bool creases_nearby(const MinkowskiDifference &difference, const Vec3 &direction, double nearby) {
   constexpr double on_border = 1e-9;
   const auto among = [&direction](const Creases &creases) {
     for (int k = 0; k < creases.count; ++k) {
@@ -178,7 +178,7 @@ RefinedDirection refine_direction(const MinkowskiDifference &difference, const V
       lowest.attempt(difference, m, rounding, false, &all.crease[k], &all.crease[l]);
     }
   }
-  leave_borders(difference, rounding, lowest);
+  descend_from_creases(difference, rounding, lowest);
   RefinedDirection result{lowest.direction, dot(difference.support(lowest.direction).w, lowest.direction), a, b};
   find_witness(difference, result, a);
   return result;

@@ -25,6 +25,6 @@ RefinedDirection refine_direction(const MinkowskiDifference &difference, const V
 
 // Whether circles or points are nearer than `nearby` (radians) to a minimum `direction` (unit) that it is not on: another minimum
 // there may be lower.
-bool borders_nearby(const MinkowskiDifference &difference, const Vec3 &direction, double nearby = near_creases);
+bool creases_nearby(const MinkowskiDifference &difference, const Vec3 &direction, double nearby = near_creases);
 
 }  // namespace cmb::convex

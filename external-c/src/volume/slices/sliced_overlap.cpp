@@ -8,7 +8,7 @@ namespace cmb::overlap {
 
 namespace {
 
-constexpr int most_pieces = 600, most_cuts = 40;  // in all, of one piece
+constexpr int most_pieces = 600, max_planes_added = 40;  // in all, of one piece
 constexpr double apart = 1e-9;                    // of the whole length: shorter pieces are not cut
 
 }  // namespace
@@ -105,7 +105,7 @@ SlicedSums SlicedOverlap::measure(const CommonSolid &solid, const double *guess,
     const Piece piece = pieces_.back();
     pieces_.pop_back();
     const bool fine = piece.error_volume <= relative_error * volume && piece.error_area <= relative_error * area;
-    if (fine || piece.depth > most_cuts || refined == most_pieces || piece.end - piece.begin <= least) {
+    if (fine || piece.depth > max_planes_added || refined == most_pieces || piece.end - piece.begin <= least) {
       result.add(piece.sums, 1.0);
       continue;
     }

@@ -1,0 +1,34 @@
+// A ball inside the difference C = A - B that some of C's supporting planes hold, its centre the nearest to the origin.
+#pragma once
+
+#include "math/vector3.hpp"
+
+namespace cmb::convex {
+
+// A supporting plane of the difference: direction . c <= height on it.
+struct SupportingPlane {
+  Vec3 direction;  // unit, outward
+  double height = 0.0;
+  Vec3 a, b;          // points of both surfaces on it, in A's frame
+  double multiplier = 0.0;  // of its constraint's centre
+};
+
+// The ball's centre is the point nearest to the origin with direction . p <= height - radius for all planes: minus the sum of
+// pull * direction.
+struct ActiveSet {
+  double radius = 0.0, slack = 0.0;  // m
+  Vec3 centre;
+  static constexpr int most = 4;
+  SupportingPlane planes[most];
+  int count = 0;
+  bool on_cone_ring = false;  // the planes are those that stand for places all about an axis (cone_ring.hpp)
+
+  // Finds the centre and the pulls for the planes as they are, at most four, and drops planes without pull, so
+  // that three stay at most. False, and nothing changed, where there is no centre.
+  bool project_origin();
+
+  // The point where the planes direction . p = first, second and third of three planes meet. False where they do not.
+  bool intersection(double first, double second, double third, Vec3 &p) const;
+};
+
+}  // namespace cmb::convex
