@@ -71,7 +71,7 @@ def test_motion_before_the_impact(result: SimulationResult) -> None:
 def test_energy_never_rises(scene: Scene, result: SimulationResult) -> None:
     balance = energy_balance(scene, result)
     assert balance.elastic is not None
-    # Bevelled hulls press on each other by shares that are not quite a gradient (docs/engine.md, Passivity): while the
+    # Bevelled hulls press on each other by shares that are not quite a gradient (docs/engine/limits.md): while the
     # head settles on the anvil the sum rises by 1.0e-6 of the start, at any tolerance of the integrator.
     assert balance.largest_rise <= 2e-6 * abs(balance.total[0])
 

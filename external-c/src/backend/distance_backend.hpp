@@ -16,7 +16,7 @@ struct ConvexAnswer {
   // jump (narrowphase/polytope/mean_normal.hpp). Else the normal.
   Vec3 mean_normal;
   // From the exact path, where the shapes overlap: a ball of this radius in A - B touches its surface there (m; 0: none known).
-  double ball = 0.0;
+  double interior_ball = 0.0;
 };
 
 // Room that back ends work in; one for each thread.

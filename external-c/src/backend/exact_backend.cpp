@@ -37,7 +37,7 @@ void set_answer(const convex::SignedDistance &found, const Pose &frame, ConvexAn
   answer.point_a = frame(found.point_a);
   answer.point_b = frame(found.point_b);
   answer.proven = found.proven;
-  answer.interior_ball = found.ball;
+  answer.interior_ball = found.interior_ball;
   answer.mean_normal = answer.normal;
 }
 

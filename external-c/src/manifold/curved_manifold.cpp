@@ -111,13 +111,13 @@ convex::SignedDistance in_frame_of_a(const ConvexAnswer &answer, const Pose &pos
   result.normal = transposed_times(pose_a.rotation, answer.normal);
   result.point_a = transposed_times(pose_a.rotation, answer.point_a - pose_a.translation);
   result.point_b = transposed_times(pose_a.rotation, answer.point_b - pose_a.translation);
-  result.ball = answer.interior_ball;
+  result.interior_ball = answer.interior_ball;
   return result;
 }
 
 // What the line of one shape carries on the flat end, or the faces, of the other.
 void line_on_faces(const Shape &shape, const Pose &pose, const Shape &other, const Pose &other_pose, const Vec3 &deepest,
-                   double depth, const Vec3 &normal, double sense, AxisManifoldScratch &scratch,
+                   double depth, const Vec3 &normal, double sense, LineManifoldScratch &scratch,
                    std::vector<ContactPoint> &points) {
   const ContactLine line(shape, pose, -normal);
   if (other.polytope) {
@@ -161,7 +161,7 @@ double flat_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
 
 // What the lines of two shapes carry on each other: half of it each.
 void line_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
-                  AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+                  LineManifoldScratch &scratch, std::vector<ContactPoint> &points) {
   const std::size_t begin = points.size();
   const ContactLine line_a(a, pose_a, -answer.normal), line_b(b, pose_b, answer.normal);
   line_on_line(line_a, line_b, answer.point_a, answer.normal, 1.0, scratch, points);

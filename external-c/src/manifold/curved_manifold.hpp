@@ -13,7 +13,7 @@ namespace cmb {
 // Room that contacts are made in; one for each thread.
 struct CurvedManifoldScratch {
   PenetrationProfile polytope;
-  AxisManifoldScratch axis;
+  LineManifoldScratch axis;
 };
 
 // Appends the contact of shapes A and B that overlap; `answer` is their signed distance (< 0). The contact is the sum of

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "manifold/rod_end_share.hpp"
+#include "math/pi.hpp"
 
 namespace cmb {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // A rim, as far as another surface lies over it: by the angle t the depth is depth + cosine cos t + sine sin t, and the
 // middle between both surfaces likewise.

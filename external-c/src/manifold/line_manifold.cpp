@@ -10,15 +10,13 @@ namespace cmb {
 
 namespace {
 
-using Station = AxisManifoldScratch::Station;
+using Station = LineManifoldScratch::Station;
 
 constexpr double rounding = 1e-13;
-// Faces perpendicular to the contact plane to this cosine are walls.
-constexpr double wall_cosine = 1e-12;
 // A polytope is thin at a line where it is thinner than this part of the depth.
 constexpr double sharp_part = 0.1;
 
-using Slope = AxisManifoldScratch::Slope;
+using Slope = LineManifoldScratch::Slope;
 
 const Slope &lowest(const std::vector<Slope> &roofs, double along) {
   return *std::min_element(roofs.begin(), roofs.end(),
@@ -181,7 +179,7 @@ double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
 }
 
 void line_on_polytope(const ContactLine &line, const convex::Polytope &other, const Pose &other_pose, const Vec3 &deepest,
-                      double depth, const Vec3 &normal, double sense, AxisManifoldScratch &scratch,
+                      double depth, const Vec3 &normal, double sense, LineManifoldScratch &scratch,
                       std::vector<ContactPoint> &points) {
   // All is counted from the deepest place, which is known to lie `depth` below the polytope's surface: there, the steepest
   // of faces make no error.
@@ -232,7 +230,7 @@ void line_on_polytope(const ContactLine &line, const convex::Polytope &other, co
 }
 
 void line_on_disc(const ContactLine &line, const Vec3 &center, const Vec3 &axis, double radius, const Vec3 &deepest,
-                  const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+                  const Vec3 &normal, double sense, LineManifoldScratch &scratch, std::vector<ContactPoint> &points) {
   // Height of the disc's plane above the line, and the line's shadow on it from the disc's middle.
   const double cosine = dot(axis, normal);
   const Slope plane{dot(axis, center - line(0.0)) / cosine, dot(axis, line.step()) / cosine};
@@ -248,7 +246,7 @@ void line_on_disc(const ContactLine &line, const Vec3 &center, const Vec3 &axis,
 }
 
 void line_on_line(const ContactLine &line, const ContactLine &other, const Vec3 &deepest, const Vec3 &normal, double sense,
-                  AxisManifoldScratch &scratch, std::vector<ContactPoint> &points) {
+                  LineManifoldScratch &scratch, std::vector<ContactPoint> &points) {
   const Vec3 inward = line.radius() * normal, other_inward = -other.radius() * normal;
   const double reach = line.radius() + other.radius();
   // Feet are those of the middles of the spheres.

@@ -29,7 +29,7 @@ class ContactLine {
 };
 
 // Room that lines' contacts are made in; one for each thread.
-struct AxisManifoldScratch {
+struct LineManifoldScratch {
   // A corner of the depth's graph over the line.
   struct Station {
     double along = 0.0;  // m
@@ -62,15 +62,15 @@ double line_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient);
 
 // There the line is `depth` (m) below the polytope's surface.
 void line_on_polytope(const ContactLine &line, const convex::Polytope &other, const Pose &other_pose, const Vec3 &deepest,
-                      double depth, const Vec3 &normal, double sense, AxisManifoldScratch &scratch,
+                      double depth, const Vec3 &normal, double sense, LineManifoldScratch &scratch,
                       std::vector<ContactPoint> &points);
 
 // `center`, `axis` (unit, outward) and `radius` are those of the other shape's flat end.
 void line_on_disc(const ContactLine &line, const Vec3 &center, const Vec3 &axis, double radius, const Vec3 &deepest,
-                  const Vec3 &normal, double sense, AxisManifoldScratch &scratch, std::vector<ContactPoint> &points);
+                  const Vec3 &normal, double sense, LineManifoldScratch &scratch, std::vector<ContactPoint> &points);
 
 // Depths are those of spheres along the line in a capsule along the other: both of the shapes' radii.
 void line_on_line(const ContactLine &line, const ContactLine &other, const Vec3 &deepest, const Vec3 &normal, double sense,
-                  AxisManifoldScratch &scratch, std::vector<ContactPoint> &points);
+                  LineManifoldScratch &scratch, std::vector<ContactPoint> &points);
 
 }  // namespace cmb

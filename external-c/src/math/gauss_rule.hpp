@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "math/pi.hpp"
+
 namespace cmb::overlap {
 
 // Nodes and weights on [0, 1]; exact for polynomials of degree 2 n - 1.
@@ -12,7 +14,6 @@ template <int n>
 struct GaussRule {
   std::array<double, n> node, weight;
   GaussRule() {
-    constexpr double pi = 3.14159265358979323846;
     for (int k = 0; k < n; ++k) {
       // Newton's method on Legendre's polynomial.
       double x = std::cos(pi * (k + 0.75) / (n + 0.5)), slope = 1.0;

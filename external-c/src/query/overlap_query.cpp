@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "backend/distance_backend.hpp"
+#include "math/pi.hpp"
 #include "math/pose_algebra.hpp"
 #include "mesh/core/triangle_mesh.hpp"
 #include "query/mesh_halfspace.hpp"
@@ -15,8 +16,6 @@
 namespace cmb {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 using overlap::ShapeOverlap;
 using overlap::turned;

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "math/branchless.hpp"
+#include "math/index.hpp"
+#include "math/pi.hpp"
 #include "math/solid_angle.hpp"
 #include "shape/convex_hull.hpp"
 
@@ -13,11 +15,8 @@ namespace cmb {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 // Keeps the blend finite where the load comes exactly along a face's normal.
 constexpr double smallest_angle_term = 1e-14;
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 struct Neighbourhood {
   std::int32_t face;

@@ -11,6 +11,9 @@ namespace cmb {
 
 using convex::Vec3;
 
+// Faces whose normals have no greater cosine to the contact normal than this are walls.
+constexpr double wall_cosine = 1e-9;
+
 // Immutable; shared by threads.
 //
 // In a face that rests wholly, corner v carries the share theta / (2 pi), theta being the exterior

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "math/index.hpp"
 #include "shape/incremental_hull.hpp"
 
 namespace cmb::convex {
@@ -11,8 +12,6 @@ namespace cmb::convex {
 namespace {
 
 using FaceList = std::vector<std::vector<std::int32_t>>;
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double plane_distance(const IncrementalHull::Face &face, const Vec3 &p) { return dot(face.normal, p) - face.offset; }
 

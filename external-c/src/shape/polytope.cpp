@@ -5,14 +5,14 @@
 #include <map>
 #include <utility>
 
+#include "math/index.hpp"
+
 namespace cmb::convex {
 
 namespace {
 
 // Candidates of a cell of the support table come in groups of so many.
 constexpr std::size_t compared_at_once = 4;
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool fail(std::string *problem, std::string reason) {
   if (problem != nullptr) *problem = std::move(reason);

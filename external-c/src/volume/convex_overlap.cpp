@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "math/index.hpp"
+
 namespace cmb::convex {
 
 namespace {
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void add_outer_product(Mat3 &m, double factor, const Vec3 &v) {
   m.row[0] = m.row[0] + (factor * v.x) * v;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/index.hpp"
+
 namespace cmb::overlap {
 
 namespace {
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 // Cells of a grid over the columns.
 struct Grid {

@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "math/gauss_rule.hpp"
+#include "math/pi.hpp"
 
 namespace cmb {
 
 namespace {
 
 using overlap::gauss_rule;
-
-constexpr double pi = 3.14159265358979323846;
 
 // Calls visit(x, weight) at the nodes of a rule on each of the stretches that the places in between cut [begin, end] into.
 // Towards the ends of a stretch nodes crowd, so that roots there do no harm.

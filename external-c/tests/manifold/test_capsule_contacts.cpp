@@ -38,7 +38,7 @@ Shape capsule(Random &random) {
 TEST(CapsuleOnCapsule, CarriesAsTheStationsAlongBothAxesDo) {
   Random random(3);
   BackendScratch backend;
-  AxisManifoldScratch scratch;
+  LineManifoldScratch scratch;
   int alone = 0, several = 0;
   for (int sample = 0; sample < 20000; ++sample) {
     const Shape a = capsule(random), b = capsule(random);

@@ -266,8 +266,7 @@ TEST(Properties, BoxOnBoxEqualsBoxOnHalfspaceAwayFromTheBorder) {
 }
 
 // The contact directions on both sides of a plate in the middle of a round body nearly oppose each other. Ways deeper than
-// 1.5 times the
-// shortest do not count, nor shares beyond 8.
+// 1.5 times the shortest do not count, nor shares beyond 8.
 TEST(Properties, PlatesWithinRoundBodiesAreNotSqueezed) {
   Random random(23);
   int squeezed = 0;

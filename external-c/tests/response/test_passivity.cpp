@@ -114,7 +114,7 @@ struct Loop {
   std::string a, b;
   BodyPose (*pose)(double);
   double exponent;
-  double bound;  // of the work, as a part of the largest elastic energy: what docs/engine.md states
+  double bound;  // of the work, as a part of the largest elastic energy: what docs/engine/limits.md states
 };
 
 void PrintTo(const Loop &loop, std::ostream *stream) { *stream << loop.name << " n=" << loop.exponent; }
@@ -240,7 +240,7 @@ TEST(Tumbling, ElasticBoxOnHalfspaceGainsNoEnergy) {
   }
 }
 
-// With direction-dependent shares the contact is a gradient for the exponent 1 only; docs/engine.md states what is
+// With direction-dependent shares the contact is a gradient for the exponent 1 only; docs/engine/limits.md states what is
 // left for others.
 TEST(Tumbling, ElasticPrismGainsLittleWithAnotherExponent) {
   const State start{{0, 0, 1.6}, {0.3, 0.1, 0}, {1.0, 2.0, 0.5}, rotation_about(normalized(Vec3{1, 2, 3}), 0.8)};

@@ -5,12 +5,11 @@
 #include <numeric>
 
 #include "math/branchless.hpp"
+#include "math/index.hpp"
 
 namespace cmb {
 
 namespace {
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 // Takes the lowest member out of a set that has any.
 inline std::int32_t take_lowest(std::uint64_t &set) {

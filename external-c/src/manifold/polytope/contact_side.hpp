@@ -19,9 +19,6 @@ struct Perturbation {
   bool is_none() const { return turn.x == 0.0; }
 };
 
-// Faces perpendicular to the contact plane to this cosine are walls.
-constexpr double wall_cosine = 1e-9;
-
 // A rectangle in the contact plane.
 struct Extent {
   double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "math/angle.hpp"
+#include "math/pi.hpp"
 
 namespace cmb {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 // Up to this slope a face is in the contact plane: what rotation matrices are off by rounding.
 constexpr double rounding_slope = 1e-14;
 // Edges at a smaller angle (its sine) do not cross: such a crossing's part is as small.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/branchless.hpp"
+#include "math/index.hpp"
 
 namespace cmb {
 
@@ -22,11 +23,9 @@ constexpr double level_slope = 1e-15;
 // Up to so many pairs of edges sorting takes longer than comparing all.
 constexpr std::size_t few_pairs = 1000;
 // How far beyond the other body's extent, in sizes, edges and corners are still looked at: the perturbation moves the
-// crossing of
-// edges at the angle e by perturbation_size / e, and what is so nearly parallel that it moves farther weighs nothing.
+// crossing of edges at the angle e by perturbation_size / e, and what is so nearly parallel that it moves farther weighs
+// nothing.
 constexpr double margin = 1e-3;
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 Perturbation perturbation_of(double size) {
   return {{0.53 * perturbation_size, -0.31 * perturbation_size, 0.79 * perturbation_size},

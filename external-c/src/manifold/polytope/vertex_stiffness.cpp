@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/index.hpp"
+#include "math/pi.hpp"
+
 namespace cmb {
-
-namespace {
-
-constexpr double pi = 3.14159265358979323846;
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 bool visible_cone(const ContactSide &side, std::int32_t vertex, const convex::Mat3 &rotation, DirectionCone &cone) {
   cone.clear();

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/pi.hpp"
+
 namespace cmb::mesh {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int rings = 4, sectors = 16;     // of an ellipsoid's cap
 constexpr int fixed_angles = 12;           // round a cylinder or cone
 constexpr int fine_angles = 5;             // on each side of the lowest line of each rim

@@ -26,25 +26,25 @@ class Centre {
 
   double excess() const { return best_excess_; }
   const Vec3 &value() const { return best_; }
-  double pull(int k) const { return best_pull_[k]; }
+  double multiplier(int k) const { return best_multiplier_[k]; }
 
  private:
   double lack(int k) const { return radius_ - planes_[k].height; }
 
   // The centre that is determined by these planes alone.
-  void consider(const int *which, const double *pull, int pulling) {
+  void consider(const int *which, const double *multiplier, int active) {
     Vec3 p;
-    for (int k = 0; k < pulling; ++k) {
-      if (pull[k] < 0.0) return;
-      p = p - pull[k] * planes_[which[k]].direction;
+    for (int k = 0; k < active; ++k) {
+      if (multiplier[k] < 0.0) return;
+      p = p - multiplier[k] * planes_[which[k]].direction;
     }
     double excess = 0.0;
     for (int k = 0; k < count_; ++k) excess = std::max(excess, dot(planes_[k].direction, p) + lack(k));
     if (excess >= best_excess_) return;
     best_excess_ = excess;
     best_ = p;
-    std::fill_n(best_pull_, ActiveSet::most, 0.0);
-    for (int k = 0; k < pulling; ++k) best_pull_[which[k]] = pull[k];
+    std::fill_n(best_multiplier_, ActiveSet::most, 0.0);
+    for (int k = 0; k < active; ++k) best_multiplier_[which[k]] = multiplier[k];
   }
 
   void consider_two(int i, int j) {
@@ -53,8 +53,8 @@ class Centre {
     const double apart = 0.5 * norm2(v - u), sine2 = norm2(cross(u, v));  // 1 less the cosine
     if (!(sine2 > 1e-20)) return;
     const int which[] = {i, j};
-    const double more = lack(i) - lack(j), pull[] = {(more + apart * lack(j)) / sine2, (apart * lack(i) - more) / sine2};
-    consider(which, pull, 2);
+    const double more = lack(i) - lack(j), multiplier[] = {(more + apart * lack(j)) / sine2, (apart * lack(i) - more) / sine2};
+    consider(which, multiplier, 2);
   }
 
   void consider_three(int i, int j, int k) {
@@ -64,15 +64,15 @@ class Centre {
     if (!(std::fabs(volume) > independent)) return;
     const Vec3 p = (-1.0 / volume) * (lack(i) * vm + lack(j) * mu + lack(k) * uv);
     const int which[] = {i, j, k};
-    const double pull[] = {-dot(p, vm) / volume, -dot(p, mu) / volume, -dot(p, uv) / volume};
-    consider(which, pull, 3);
+    const double multiplier[] = {-dot(p, vm) / volume, -dot(p, mu) / volume, -dot(p, uv) / volume};
+    consider(which, multiplier, 3);
   }
 
   const SupportingPlane *planes_;
   int count_;
   double radius_, best_excess_ = INFINITY;
   Vec3 best_;
-  double best_pull_[ActiveSet::most] = {0, 0, 0, 0};
+  double best_multiplier_[ActiveSet::most] = {0, 0, 0, 0};
 };
 
 }  // namespace
@@ -83,9 +83,9 @@ bool ActiveSet::project_origin() {
   centre = found.value();
   int kept = 0;
   for (int k = 0; k < count; ++k) {
-    if (!(found.pull(k) > 0.0)) continue;
+    if (!(found.multiplier(k) > 0.0)) continue;
     planes[kept] = planes[k];
-    planes[kept++].multiplier = found.pull(k);
+    planes[kept++].multiplier = found.multiplier(k);
   }
   count = kept;
   return count > 0;

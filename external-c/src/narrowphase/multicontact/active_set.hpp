@@ -1,4 +1,5 @@
-// A ball inside the difference C = A - B that some of C's supporting planes hold, its centre the nearest to the origin.
+// The projection of the origin onto the inner parallel body of the difference C = A - B, as far as it is bounded by a few of C's
+// supporting planes.
 #pragma once
 
 #include "math/vector3.hpp"
@@ -9,12 +10,12 @@ namespace cmb::convex {
 struct SupportingPlane {
   Vec3 direction;  // unit, outward
   double height = 0.0;
-  Vec3 a, b;          // points of both surfaces on it, in A's frame
-  double multiplier = 0.0;  // of its constraint's centre
+  Vec3 a, b;                // points of both surfaces on it, in A's frame
+  double multiplier = 0.0;  // of its constraint in the projection, m
 };
 
-// The ball's centre is the point nearest to the origin with direction . p <= height - radius for all planes: minus the sum of
-// pull * direction.
+// The centre is the point p nearest to the origin with direction . p <= height - radius for all planes: minus the sum of
+// multiplier * direction.
 struct ActiveSet {
   double radius = 0.0, slack = 0.0;  // m
   Vec3 centre;
@@ -23,8 +24,8 @@ struct ActiveSet {
   int count = 0;
   bool on_cone_ring = false;  // the planes are those that stand for places all about an axis (cone_ring.hpp)
 
-  // Finds the centre and the pulls for the planes as they are, at most four, and drops planes without pull, so
-  // that three stay at most. False, and nothing changed, where there is no centre.
+  // Solves for the centre and the multipliers, of four planes at most, and drops inactive planes, so that three stay at most.
+  // False, and nothing changed, where the constraints have no solution.
   bool project_origin();
 
   // The point where the planes direction . p = first, second and third of three planes meet. False where they do not.

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "math/pi.hpp"
+
 namespace cmb::convex {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 // How far a ball's centre is from its place on the axis at most, relative to the size.
 constexpr double on_axis = 1e-10;
 // The cosine of the angle between a gap's middle and a direction in it, from which on its chord is not in that direction.
@@ -159,11 +160,11 @@ bool replace_by_ring_of(const ConvexBody &a, const ConvexBody &b, const Pose &b_
     some = gaps.add(ring, transposed_times(from_cone, -from_other.column(2)), Ring(other.half).rise);
   }
   if (!some) return false;
-  // The pull, out of the cone, as the ring's places bear it: how much in all, and the middle of it.
-  const Vec3 pull = -sense * transposed_times(from_cone, active.centre);
-  const double total = pull.z / ring.rise, aside = std::sqrt(pull.x * pull.x + pull.y * pull.y);
+  // The load, out of the cone, as the ring's places bear it: how much in all, and the middle of it.
+  const Vec3 load = -sense * transposed_times(from_cone, active.centre);
+  const double total = load.z / ring.rise, aside = std::sqrt(load.x * load.x + load.y * load.y);
   if (!(total > 0.0)) return false;
-  const double middle = aside / (total * ring.across), angle = std::atan2(pull.y, pull.x);
+  const double middle = aside / (total * ring.across), angle = std::atan2(load.y, load.x);
   Rim near, far;
   if (!near.find(gaps, angle) || !far.find(gaps, angle + pi) || !(near.part + far.part > 0.0)) return false;
   const double of_near = std::clamp((middle + far.part) / (near.part + far.part), 0.0, 1.0);

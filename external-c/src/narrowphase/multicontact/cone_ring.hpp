@@ -11,8 +11,8 @@
 
 namespace cmb::convex {
 
-// Where a ball at rest is so held, its planes are made those that follow from the ring of places and the pull alone, and
-// change continuously with both: in the plane of axis and pull the two places of the ring, or, where a direction is not
+// Where a ball at rest is so held, its planes are made those that follow from the ring of places and the load alone, and
+// change continuously with both: in the plane of axis and load the two places of the ring, or, where a direction is not
 // the corner's, as an edge of the other body lies there, both ends of that gap in the ring instead. Bodies of `size` (m).
 // False, and nothing changed, where the ball is held otherwise.
 bool replace_by_cone_ring(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, ActiveSet &active);

@@ -1,11 +1,8 @@
-// The contact directions of an overlap: where a ball inside the difference C = A - B touches its surface.
+// The contact directions of an overlap: the active supporting planes in the projection of the origin onto an inner parallel body of
+// the Minkowski difference C = A - B.
 //
-// The minimum translation of C jumps where two places of its surface become equally near. Take instead the ball inside C of a
-// given radius, a little greater than the depth, whose centre is the nearest to the origin. The centres of all such balls
-// form a convex set (C worn off by the radius), and the nearest point of a convex set moves continuously with it. Where
-// one place alone is near, the ball touches there, and the way is the shortest one, exactly. Else the ball rests
-// on up to three places, in passing or in a regular tip on more, and the pull of the origin on its centre divides among them
-// as among the supports of a load.
+// The minimum translation jumps where two places of C's surface become equally near; the projection onto the convex set of the
+// centres of all balls of a given radius in C does not. Derivation: narrowphase/README.md, "Contact directions".
 #pragma once
 
 #include "narrowphase/convex_distance.hpp"
@@ -17,8 +14,8 @@ struct ContactDirection {
   double depth = 0.0;     // m: how far B reaches beyond A's support along it
   Vec3 point_a, point_b;  // of both surfaces, in A's frame
   Vec3 aside;             // perpendicular to the normal: B moved by it, the points face each other
-  double share = 1.0;     // >= 0; the sum of share * normal over all ways is a unit vector, their own sum at most 8: where
-                          // ways nearly oppose each other, as of a thin plate, the shortest takes over
+  double share = 1.0;     // >= 0, the normalised multiplier; the sum of share * normal is a unit vector, that of the shares at most
+                          // 8: where directions nearly oppose each other, as of a thin plate, the shortest takes over
 };
 
 struct ContactDirections {
@@ -28,8 +25,7 @@ struct ContactDirections {
 };
 
 // The contact directions of an overlap whose shortest way is `nearest` (distance < 0), for bodies of `size`. Where the
-// bodies are
-// so deep in each other that no such ball fits, the shortest alone.
+// bodies are so deep in each other that no such ball fits, the shortest alone.
 ContactDirections contact_directions(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a,
                                      const SignedDistance &nearest, double size,
                                      DistanceScratch &scratch);

@@ -15,9 +15,9 @@ constexpr int max_planes_added = 40, most_rounds = 60;
 // As far as an extrapolated way may turn at once (rad).
 constexpr double most_turn = 0.5;
 // A part of the change before that tells of a slow approach; the cosine of directions that may be of one place.
-constexpr double slow = 0.5, same_place = 0.995;
+constexpr double slow = 0.5, nearby_cosine = 0.995;
 
-// What the planes' places are seen from: the centre as it would be without the plane's own pull. As the nearest to that the
+// What the planes' places are seen from: the centre as it would be without the plane's own multiplier. As the nearest to that the
 // place is well defined however nearly the surface there is as curved as the ball, from whose centre a whole arc is as near.
 void find_views(const ActiveSet &active, Vec3 *views) {
   for (int k = 0; k < active.count; ++k) views[k] = active.centre + active.planes[k].multiplier * active.planes[k].direction;
@@ -120,7 +120,7 @@ bool cutting_plane_projection(const ConvexBody &a, const ConvexBody &b, const Po
     }
     const SupportingPlane added = supporting_plane_at(there, active.centre);
     for (int k = 0; k < active.count; ++k) {
-      if (!(dot(added.direction, active.planes[k].direction) > same_place)) continue;
+      if (!(dot(added.direction, active.planes[k].direction) > nearby_cosine)) continue;
       accelerate = true;
       // Where the surface is nearly as curved as the ball, the place that holds it may have moved as far.
       ActiveSet moved = active;

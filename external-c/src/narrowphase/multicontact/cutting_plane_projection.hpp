@@ -1,4 +1,4 @@
-// A ball inside the difference C = A - B whose centre is the nearest to the origin, and the places that it rests on.
+// Projection of the origin onto an inner parallel body of the difference C = A - B by cutting planes.
 #pragma once
 
 #include "narrowphase/convex_distance.hpp"
@@ -6,9 +6,9 @@
 
 namespace cmb::convex {
 
-// Brings a ball that has been projected to the solution: no place of C's surface is nearer to its centre than the radius, to
-// the slack,
-// and the planes are where it touches. False where no such ball fits. Bodies of `size` (m).
+// Adds supporting planes to an active set that has been solved, and moves them on curved surfaces, until the ball of its radius
+// about its centre fits in C to the slack; the planes are then where it touches. False where no such ball fits. Bodies of
+// `size` (m).
 bool cutting_plane_projection(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, ActiveSet &active,
                               DistanceScratch &scratch);
 

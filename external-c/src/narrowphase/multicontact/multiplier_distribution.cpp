@@ -15,7 +15,7 @@ constexpr double window = 0.05;
 // The ball is at rest where it moves less than this, relative to the size.
 constexpr double at_rest = 1e-11;
 constexpr int most_rounds = 60;
-// The part of the pull below which a place that is no face goes over to the faces nearby.
+// The part of the load below which a place that is no face goes over to the faces nearby.
 constexpr double leaving = 0.02;
 // Where directions differ by less a place passes into a face (rad).
 constexpr double like_direction = 0.1;
@@ -60,7 +60,7 @@ bool find_near_place(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_
   return part > 0.0;
 }
 
-// The springs at the places that share the pull.
+// The springs at the places that share the load.
 class Springs {
  public:
   explicit Springs(SupportingPlane *places) : places_(places) {}
@@ -72,7 +72,7 @@ class Springs {
     part_[count_++] = part;
   }
 
-  // Sets the pulls that bear the load, which is no unit vector, and drops places without one; false where nothing is found.
+  // Sets the multipliers that bear the load, which is no unit vector, and drops places without one; false where nothing is found.
   bool divide(const Vec3 &load) {
     const double length = norm(load);
     const Vec3 unit = (1.0 / length) * load;

@@ -1,4 +1,4 @@
-// The faces of boxes and polytopes that a ball inside the difference C = A - B nearly touches.
+// Faces of boxes and polytopes whose constraints are nearly active in the projection onto an inner parallel body.
 #pragma once
 
 #include "narrowphase/multicontact/active_set.hpp"

@@ -10,8 +10,7 @@ namespace cmb::convex {
 SupportingPlane supporting_plane_at(const SignedDistance &there, const Vec3 &centre);
 
 // The distance of bodies, B moved by the ball's centre, whose difference's surface is about equally near at the ball's
-// planes, and
-// may be as near elsewhere.
+// planes, and may be as near elsewhere.
 SignedDistance distance_from_centre(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, const ActiveSet &active,
                                     DistanceScratch &scratch);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "math/branchless.hpp"
+#include "math/index.hpp"
 
 namespace cmb::convex {
 
@@ -11,8 +12,6 @@ namespace {
 
 // Edges at a smaller angle (its sine) count as parallel.
 constexpr double parallel_sine = 1e-5;
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 const Polytope &unit_box() {
   static const Polytope box = Polytope::box({2, 2, 2});

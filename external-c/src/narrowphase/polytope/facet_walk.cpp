@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "math/index.hpp"
 #include "narrowphase/polytope/mean_normal.hpp"
 
 namespace cmb::convex {
@@ -19,8 +20,6 @@ constexpr double ring_reach = 0.75;
 constexpr int most_descents = 200;
 // Bodies less deep in each other than this, times the scale, are left to others.
 constexpr double touching = 1e-10;
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "math/index.hpp"
+
 namespace cmb::convex {
 
 namespace {
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 const Polytope &unit_box() {
   static const Polytope box = Polytope::box({1, 1, 1});

@@ -4,13 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "math/index.hpp"
+
 namespace cmb::overlap {
-
-namespace {
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 void EdgeCrossings::find(const CommonSolid &solid) {
   kinks_.clear(), inside_.clear();

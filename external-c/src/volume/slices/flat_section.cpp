@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "math/index.hpp"
+
 namespace cmb::overlap {
-
-namespace {
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 bool FlatSection::cut(const convex::OverlapScratch &polytope, double y, std::int32_t marked_face) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
