@@ -13,7 +13,7 @@ from fmu_regression.report.simulation_report import write_report
 from fmu_regression.report.summarise import summarise
 from fmu_regression.results.result import write_csv
 from fmu_regression.scene.scene_file import load_scene
-from fmu_regression.scene.signals import signals_for
+from fmu_regression.scene.signals import require_signals, signals_for
 from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import build_fmu
 
@@ -44,6 +44,9 @@ def carry_out(arguments: Namespace, assembly: Path, experiment: Experiment, fold
     build_fmu(model, sources, fmu, build_options(arguments), progress)
     scene = load_scene(package.scene)
     description = read_description(fmu)
+    require_signals(
+        scene, description.variables, Place(file=fmu), "Does the experiment's model extend the generated one?"
+    )
     experiment.figures.require(description.variables, Place(file=experiment.file))
     result = simulate(
         fmu,
@@ -52,6 +55,7 @@ def carry_out(arguments: Namespace, assembly: Path, experiment: Experiment, fold
         tolerance=arguments.tolerance,
         interval=arguments.interval,
         mode=arguments.mode,
+        time_limit=arguments.time_limit,
         progress=progress,
     )
     write_csv(result, folder / RESULT)

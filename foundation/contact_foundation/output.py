@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import errno
+import fcntl
 import os
 import secrets
 import shutil
 import tempfile
+import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from contact_foundation.errors import InputError, Place
 
 MARKER = ".written-by-cmb"
+_PREFIX = ".cmb-"
+_RANDOM_BYTES = 8
+_NEW = 60.0  # s; what is younger may not be locked yet
 
 
 @contextmanager
@@ -35,7 +40,8 @@ def whole_folder(target: Path) -> Iterator[Path]:
     with _errors_about(target):
         staging = _made_beside(real, Path.mkdir)
         try:
-            yield staging
+            with _owned(staging):
+                yield staging
             (staging / MARKER).touch()
             _put_in_place(staging, real)
         finally:
@@ -91,7 +97,8 @@ def whole_file(target: Path) -> Iterator[Path]:
             return
         staging = _made_beside(real, Path.touch)
         try:
-            yield staging
+            with _owned(staging):
+                yield staging
             if real.exists():
                 staging.chmod(real.stat().st_mode & 0o777)
             os.replace(staging, real)
@@ -144,6 +151,7 @@ def _made_beside(target: Path, make: Callable[[Path], None]) -> Path:
     staging = _name_beside(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
+        _clear_abandoned(target.parent)
         make(staging)
     except (FileNotFoundError, PermissionError) as error:  # file systems whose permissions do not say it
         raise _no_place(target.parent, target) from error
@@ -152,7 +160,37 @@ def _made_beside(target: Path, make: Callable[[Path], None]) -> Path:
 
 def _name_beside(target: Path) -> Path:
     """A new hidden name in the folder of ``target``, short whatever that is called."""
-    return target.with_name(f".cmb-{secrets.token_hex(8)}")
+    return target.with_name(f"{_PREFIX}{secrets.token_hex(_RANDOM_BYTES)}")
+
+
+@contextmanager
+def _owned(staging: Path) -> Iterator[None]:
+    """Holds a lock on what is being written; it ends with the process, however that ends."""
+    descriptor = os.open(staging, os.O_RDONLY)
+    try:
+        with suppress(OSError):  # a file system without locks: what is left behind there stays
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield
+    finally:
+        os.close(descriptor)
+
+
+def _clear_abandoned(folder: Path) -> None:
+    """Removes what killed processes left behind: of the names that are used here, not new, locked by nobody.
+
+    A whole folder, which carries the marker, is never removed: it may be an earlier output that was being replaced.
+    """
+    with suppress(OSError):
+        for entry in folder.glob(f"{_PREFIX}{'[0-9a-f]' * 2 * _RANDOM_BYTES}"):
+            with suppress(OSError):
+                if time.time() - entry.lstat().st_ctime < _NEW or entry.is_symlink() or (entry / MARKER).exists():
+                    continue
+                descriptor = os.open(entry, os.O_RDONLY)
+                try:
+                    fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                    shutil.rmtree(entry) if entry.is_dir() else entry.unlink()
+                finally:
+                    os.close(descriptor)
 
 
 @contextmanager

@@ -178,3 +178,69 @@ def test_a_full_disk_is_told_about_the_target(tmp_path: Path) -> None:
         staging.write_text("1")
     assert caught.value.filename == str(target)
     assert entries(tmp_path) == ["link"]
+
+
+# ----- what killed processes leave behind -----
+
+KILLED = """
+import os, signal, sys
+from pathlib import Path
+from contact_foundation.output import whole_file, whole_folder
+with {block}(Path(sys.argv[1])) as staging:
+    print(staging, flush=True)
+    {write}
+    {end}
+"""
+
+
+def run_until_written(block: str, target: Path, end: str) -> tuple[subprocess.Popen[str], Path]:
+    write = "(staging / 'a').write_text('half')" if block == "whole_folder" else "staging.write_text('half')"
+    program = KILLED.format(block=block, write=write, end=end)
+    words = [sys.executable, "-c", program, str(target)]
+    process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    assert process.stdout is not None
+    return process, Path(process.stdout.readline().strip())
+
+
+def aged(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("contact_foundation.output._NEW", -1.0)
+
+
+@pytest.mark.parametrize("block", ["whole_folder", "whole_file"])
+def test_next_run_clears_what_a_killed_one_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, block: str) -> None:
+    process, staging = run_until_written(block, tmp_path / "out", "os.kill(os.getpid(), signal.SIGKILL)")
+    process.wait(timeout=60)
+    assert staging.exists()
+    with whole_file(tmp_path / "young"):
+        assert staging.exists()  # of its age another process may be about to lock it
+    aged(monkeypatch)
+    with whole_file(tmp_path / "next"):
+        assert not staging.exists()
+    assert entries(tmp_path) == ["next", "young"]
+
+
+@pytest.mark.parametrize("block", ["whole_folder", "whole_file"])
+def test_what_a_running_process_writes_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, block: str) -> None:
+    process, staging = run_until_written(block, tmp_path / "out", "sys.stdin.read()")
+    try:
+        aged(monkeypatch)
+        with whole_folder(tmp_path / "next"):
+            assert staging.exists()
+    finally:
+        process.kill()
+        process.wait(timeout=60)
+
+
+def test_nothing_else_is_cleared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither what others named alike nor a whole output."""
+    aged(monkeypatch)
+    whole = tmp_path / ".cmb-0123456789abcdef"
+    whole.mkdir()
+    (whole / ".written-by-cmb").touch()
+    (tmp_path / ".cmb-settings").write_text("mine")
+    (tmp_path / "kept").write_text("mine")
+    (tmp_path / ".cmb-0123456789abcde0").symlink_to(tmp_path / "kept")
+    before = entries(tmp_path)
+    with whole_folder(tmp_path / "next"):
+        pass
+    assert entries(tmp_path) == sorted([*before, "next"])

@@ -25,6 +25,7 @@ from cad2modelica.kinematics.kinematic_graph import kinematic_tree
 from cad2modelica.kinematics.loops import analyse_loops
 from cad2modelica.kinematics.spherical_axes import with_spherical_axes
 from cad2modelica.mechanism.assembly_choices import with_grounded, with_pairs, with_stops
+from cad2modelica.mechanism.extent_check import require_tractable
 from cad2modelica.mechanism.joint_distance import distance_notes
 from cad2modelica.mechanism.model import Assembly, Decomposer, DecompositionLimits
 from cad2modelica.modelica.names import NamePool
@@ -148,6 +149,7 @@ def generate(
     if options.assemble:
         assembly = assembled(assembly, kinematic_tree(assembly))
     require_closed(assembly)
+    require_tractable(assembly)
     assembly = with_spherical_axes(assembly)
     name = _package_name(assembly, options)
     progress("build model", 0.0, name)
@@ -282,6 +284,18 @@ def _actuator_file(assembly_path: Path, options: GenerateOptions) -> Path | None
 
 
 def _package_name(assembly: Assembly, options: GenerateOptions) -> str:
-    return NamePool(("Modelica", "ContactMultiBody", "Complex", "ModelicaServices")).class_name(
+    """The package's name: the one asked for, which must be possible, or one made of the assembly's.
+
+    Raises:
+        InputError: the name that was asked for is none, or is taken.
+    """
+    name = NamePool(("Modelica", "ContactMultiBody", "Complex", "ModelicaServices")).class_name(
         options.package or assembly.name
     )
+    if options.package is not None and name != options.package:
+        raise InputError(
+            f"{options.package!r} cannot be the package's name: it is no Modelica name, or is taken by the language or "
+            "a library",
+            remedy=f"Choose another one, such as {name}.",
+        )
+    return name

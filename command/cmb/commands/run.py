@@ -42,6 +42,9 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--stop", type=float, metavar="S", help="stop time in s (the assembly's own if left out)")
     parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the solver")
     parser.add_argument("--interval", type=float, metavar="S", help="output interval in s")
+    parser.add_argument(
+        "--time-limit", type=float, metavar="S", help="wall time in s after which to give up the simulation"
+    )
     parser.add_argument("--mode", choices=("me", "cs"), default="me", help="model exchange or co-simulation")
     add_build_arguments(parser)
     add_generation_arguments(parser)

@@ -6,6 +6,7 @@ from argparse import ArgumentParser, Namespace
 from dataclasses import asdict
 from pathlib import Path
 
+from contact_foundation.errors import Place
 from contact_foundation.output import check_file
 
 from cmb.assignments import parse_assignments
@@ -23,6 +24,7 @@ EXAMPLES = """examples:
   cmb simulate ball.fmu --output ball.csv --stop 3 --tolerance 1e-8 --mode cs
   cmb simulate ball.fmu --output ball.csv \\
     --signal 'ball.r_0[3]' --set ball.m=2
+  cmb simulate hammer.fmu --output hammer.csv --scene model/scene.json
 """
 
 
@@ -40,6 +42,12 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--signal", action="append", metavar="NAME", help="variable to record, repeatable (outputs and states if none)"
     )
     parser.add_argument(
+        "--scene",
+        type=Path,
+        metavar="JSON",
+        help="scene file of the generated package: what `cmb report --scene` needs is recorded too",
+    )
+    parser.add_argument(
         "--set", action="append", default=[], metavar="NAME=VALUE", help="start value of a parameter, repeatable"
     )
 
@@ -47,15 +55,26 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> int:
     """Simulates and says what was written."""
     check_file(arguments.output)
-    check_input(arguments.fmu)
+    check_input(arguments.fmu, arguments.scene)
     parameters = parse_assignments(arguments.set)
+    from fmu_regression.fmi.fmu import read_description
     from fmu_regression.results.result import write_csv
-    from fmu_regression.simulate.simulation import simulate
+    from fmu_regression.scene.scene_file import load_scene
+    from fmu_regression.scene.signals import require_signals, signals_for
+    from fmu_regression.simulate.simulation import default_signals, simulate
 
+    signals = arguments.signal
+    if arguments.scene is not None:
+        scene, description = load_scene(arguments.scene), read_description(arguments.fmu)
+        require_signals(
+            scene, description.variables, Place(file=arguments.fmu), f"Is {arguments.scene} the scene of this FMU?"
+        )
+        chosen = signals if signals is not None else default_signals(description)
+        signals = list(dict.fromkeys([*chosen, *signals_for(scene, description)]))
     with progress_bars() as progress:
         result = simulate(
             arguments.fmu,
-            signals=arguments.signal,
+            signals=signals,
             stop=arguments.stop,
             tolerance=arguments.tolerance,
             interval=arguments.interval,

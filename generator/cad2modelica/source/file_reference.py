@@ -30,6 +30,8 @@ def resolve_inside(folder: Path, reference: str, place: Place) -> Path:
     if ".." in path.parts:
         raise InputError(f"{reference!r} leaves the assembly's folder", place=place, remedy=remedy)
     target = folder / path
+    if os.path.isdir(target):
+        raise InputError(f"{reference!r} is a folder, not a file", place=place, remedy="Name the file in it.")
     if not os.path.isfile(target):  # a name that is too long for any file is none, too
         raise InputError(
             f"names the file {reference!r}, which does not exist in {folder}",

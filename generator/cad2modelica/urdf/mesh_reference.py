@@ -61,7 +61,7 @@ class MeshReferences:
         return self._relative(path, place)
 
     def _relative(self, path: str, place: Place) -> Path:
-        if ".." not in PurePosixPath(path).parts and os.path.isfile(self._folder / path):
+        if ".." not in PurePosixPath(path).parts and os.path.exists(self._folder / path):
             return resolve_inside(self._folder, path, place)
         target = Path(os.path.normpath(self._description.parent / path))
         for folder in (*self._own_package(), *self._opened):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import shutil
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
@@ -38,6 +39,9 @@ __all__ = [
 StartValue = float | int | bool | str
 
 _MAX_LOG_LINES = 200
+MOST_KINDS = 4
+_FOLDERS = re.compile(r"(?<![\w/])/(?:[^\s/:]+/)+(?=[^\s/:])")
+_NUMBER = re.compile(r"[-+]?\d[\d.]*(?:[eE][-+]?\d+)?")
 _STATUS_NAMES = ("ok", "warning", "discard", "error", "fatal", "pending")
 
 _BINDINGS: Mapping[str, type[Fmi2Binding] | type[Fmi3Binding]] = {"2.0": Fmi2Binding, "3.0": Fmi3Binding}
@@ -57,6 +61,7 @@ class Variable:
         unit: unit symbol or "".
         settable: whether a start value may be given before the simulation.
         start: start value in the description, as text, or None.
+        least, largest: bounds of the value; None where there are none.
     """
 
     name: str
@@ -68,6 +73,8 @@ class Variable:
     unit: str
     settable: bool
     start: str | None = None
+    least: float | None = None
+    largest: float | None = None
 
 
 @dataclass(frozen=True)
@@ -127,8 +134,9 @@ class Instance:
             text = f"{what}: {cause.function} returned {_status_name(cause.status)}"
         elif cause is not None:
             text = f"{what}: {cause}"
-        if self.messages:
-            text += "\n" + "\n".join(f"  {line}" for line in self.messages[-10:])
+        lines = _told_once(self.messages)
+        if lines:
+            text += "\n" + "\n".join(f"  {line}" for line in lines)
         return SimulationError(text, place=Place(component=self.description.name))
 
     def set_start_values(self, values: Mapping[str, StartValue]) -> None:
@@ -173,7 +181,7 @@ class Fmu:
         try:
             functions: Binding = _BINDINGS[description.fmi](identity, mode)
         except Exception as error:
-            raise SimulationError(f"cannot load the FMU's binary: {error}", place=Place(file=self.path)) from error
+            raise InputError(f"cannot load the FMU's binary: {error}", place=Place(file=self.path)) from error
         instance = Instance(functions, description, messages)
 
         def log(status: int, category: str, text: str) -> None:
@@ -191,6 +199,18 @@ class Fmu:
             yield instance
         finally:
             functions.free()
+
+
+def _told_once(messages: Sequence[str]) -> list[str]:
+    """The last messages of each kind, those that differ in numbers alone as one, without folders of the builder."""
+    kinds: dict[str, list[str]] = {}
+    for message in messages:
+        line = _FOLDERS.sub("", " ".join(message.split()))
+        kinds.setdefault(_NUMBER.sub("#", line), []).append(line)
+    return [
+        lines[-1] + (f" (and {len(lines) - 1} more of this kind)" if len(lines) > 1 else "")
+        for lines in list(kinds.values())[-MOST_KINDS:]
+    ]
 
 
 @contextmanager
@@ -286,7 +306,7 @@ def check_start_values(description: ModelDescription, values: Mapping[str, Start
     """Checks names, types and settability of start values and converts texts to the variables' types.
 
     Raises:
-        InputError: a name is unknown, a variable cannot be set, or a value has the wrong type.
+        InputError: a name is unknown, a variable cannot be set, or a value has the wrong type or is out of bounds.
     """
     checked: dict[str, StartValue] = {}
     for name, value in values.items():
@@ -304,8 +324,17 @@ def check_start_values(description: ModelDescription, values: Mapping[str, Start
                 place=place,
                 remedy="it is computed by the model or was fixed when the FMU was built",
             )
-        checked[name] = _converted(variable, value, place)
+        checked[name] = _within_bounds(variable, _converted(variable, value, place), place)
     return MappingProxyType(checked)
+
+
+def _within_bounds(variable: Variable, value: StartValue, place: Place) -> StartValue:
+    if variable.kind in ("Real", "Integer") and not isinstance(value, str):
+        below = variable.least is not None and value < variable.least
+        if below or (variable.largest is not None and value > variable.largest):
+            bound = f"less than its least value {variable.least:g}" if below else f"more than {variable.largest:g}"
+            raise InputError(f"{value:g} is {bound}", place=place, remedy="Give a value within the bounds.")
+    return value
 
 
 def _converted(variable: Variable, value: StartValue, place: Place) -> StartValue:
@@ -359,7 +388,16 @@ def _variable(raw: Any) -> Variable | None:
         unit=unit,
         settable=settable,
         start=raw.start,
+        least=_bound(raw, "min"),
+        largest=_bound(raw, "max"),
     )
+
+
+def _bound(raw: Any, name: str) -> float | None:
+    text = getattr(raw, name, None)
+    if text is None and raw.declaredType is not None:
+        text = getattr(raw.declaredType, name, None)
+    return _number(text)
 
 
 def _number(text: str | float | None) -> float | None:

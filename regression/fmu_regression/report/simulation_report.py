@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from pathlib import Path
 
+from contact_foundation.errors import Place
 from contact_foundation.output import whole_file
 
 from fmu_regression.report.animation import make_animation
@@ -16,6 +17,7 @@ from fmu_regression.results.result import SimulationResult
 from fmu_regression.scene.energy import EnergyBalance, energy_balance
 from fmu_regression.scene.impacts import Impact, find_impacts
 from fmu_regression.scene.scene_file import Scene, load_scene
+from fmu_regression.scene.signals import require_signals
 
 _MAX_PLOTS = 40
 
@@ -32,9 +34,16 @@ def write_report(
         figures: plots and numbers of the modeller's choice.
 
     Raises:
-        InputError: the scene file is wrong.
+        InputError: the scene file is wrong, or the result lacks what the report would otherwise deny.
     """
     scene = load_scene(scene_file) if scene_file is not None else None
+    if scene is not None:
+        require_signals(
+            scene,
+            result.signals,
+            Place(component=f"the result {result.model}".rstrip()),
+            f"Record them: cmb simulate FMU --scene {scene_file}.",
+        )
     text = report_html(result, scene, figures)
     with whole_file(target) as staging:
         staging.write_text(text, encoding="utf-8", newline="\n")

@@ -194,10 +194,14 @@ def _parse_row(row: list[str], width: int, path: Path, line: int) -> list[float]
     if len(row) != width:
         raise InputError(f"the row has {len(row)} values, the header {width} names", place=Place(file=path, line=line))
     try:
-        return [float(value) for value in row]
+        values = [float(value) for value in row]
     except ValueError:
         wrong = next(value for value in row if not _is_number(value))
         raise InputError(f"{wrong!r} is not a number", place=Place(file=path, line=line)) from None
+    undefined = next((text for text, value in zip(row, values, strict=True) if math.isnan(value)), None)
+    if undefined is not None:
+        raise InputError(f"{undefined!r} stands where a number belongs", place=Place(file=path, line=line))
+    return values
 
 
 def _is_number(text: str) -> bool:

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Container, Sequence
 
+from contact_foundation.errors import InputError, Place
+
 from fmu_regression.fmi.fmu import ModelDescription
 from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody
 
 _AXES = (1, 2, 3)
+_LISTED = 4  # signals named in a message
 
 
 def position_names(body: SceneBody) -> list[str]:
@@ -58,6 +61,55 @@ def point_force_names(scene: Scene, pair: ContactPair, slot: int) -> list[str]:
 def elastic_energy_name(scene: Scene) -> str:
     """Name of the energy stored in all contacts."""
     return f"{scene.manager}.elasticEnergy"
+
+
+def missing_signals(scene: Scene, known: Container[str]) -> list[str]:
+    """What a report cannot do without: the poses of bodies that move, and force or distance of each pair.
+
+    Args:
+        scene: the scene.
+        known: names of a result's signals or an FMU's variables.
+    """
+    missing: list[str] = []
+    for body in scene.bodies:
+        if not body.fixed:
+            missing += [name for name in position_names(body) + rotation_names(body) if name not in known]
+    for pair in scene.pairs:
+        names = [pair_signal(scene, pair, quantity) for quantity in ("normalForce", "distance")]
+        missing += names[:1] if not any(name in known for name in names) else []
+    return missing
+
+
+def require_signals(scene: Scene, known: Container[str], place: Place, remedy: str) -> None:
+    """Refuses a result or an FMU that says nothing about parts of a scene, or that knows more of it.
+
+    Args:
+        scene: the scene.
+        known: names of the result's signals or the FMU's variables.
+        place: the result or the FMU.
+        remedy: what the user can do if the scene is the right one.
+
+    Raises:
+        InputError: signals are missing, which are named; or there are contact pairs that the scene does not have.
+    """
+    missing = missing_signals(scene, known)
+    if missing:
+        listed = ", ".join(missing[:_LISTED]) + (
+            f", and {len(missing) - _LISTED} more" if len(missing) > _LISTED else ""
+        )
+        raise InputError(
+            f"has no {listed}, which the report on the scene {scene.name!r} needs; without them it would deny motion "
+            "and contacts",
+            place=place,
+            remedy=f"{remedy} If they are there, the scene belongs to another model.",
+        )
+    beyond = f"{scene.manager}.normalForce[{max((pair.index for pair in scene.pairs), default=0) + 1}]"
+    if scene.pairs and beyond in known:
+        raise InputError(
+            f"has {beyond}, a contact pair that the scene {scene.name!r} does not have: it belongs to another model",
+            place=place,
+            remedy="Name the scene.json beside the package that the FMU was built from.",
+        )
 
 
 def signals_for(scene: Scene, description: ModelDescription) -> list[str]:

@@ -62,7 +62,8 @@ def test_values_cannot_be_changed() -> None:
         ("time,a\n0,1\n1,2,3\n", r"wrong\.csv:3: the row has 3 values"),
         ("time,a\n0,1\n1,x\n", r"wrong\.csv:3: 'x' is not a number"),
         ("time,a\n1,1\n0,1\n", "not increasing"),
-        ("time,a\nnan,1\n", "not increasing"),
+        ("time,a\nnan,1\n", r"wrong\.csv:2: 'nan' stands"),
+        ("time,a\ninf,1\n", "not increasing"),
     ],
 )
 def test_wrong_files_are_named(tmp_path: Path, text: str, message: str) -> None:
