@@ -8,9 +8,11 @@ import pytest
 from program import CaseCheck, cases_of
 
 QUICK = {
+    "backspin_ball",
     "ball_against_wall_100",
     "bouncing_ball",
     "box_on_edge",
+    "falling_domino",
     "free_impact_without_events",
     "heavy_on_light",
     "incline_slides",

@@ -17,6 +17,7 @@ pure function springDecelerations "How fast the springs of each pair slow its po
   input SI.Mass effectiveMass[size(depth, 1)] "Effective mass of each pair; 0: from the bodies";
   output SI.Acceleration deceleration[size(depth, 1), size(depth, 2)] "Decelerations along the normals";
 protected
+  constant Real leastShare(unit="1")=0.1 "Least deceleration by that of the point's own spring";
   Integer body "A body of the pair";
   Real R[3, 3](each unit="1") "Rotation from the world to its frame";
   Real J[3, 3](each unit="1/(kg.m2)") "Its inverse tensor of inertia";
@@ -25,8 +26,10 @@ protected
   SI.Force spring "Force of a spring";
   SI.Force force[3] "Resultant of the springs of a pair, in the body's frame";
   SI.Torque torque[3] "Their torque about the centre of mass, in the body's frame";
+  SI.Acceleration alone[size(depth, 1), size(depth, 2)] "Decelerations of each point by its own spring";
 algorithm
   deceleration := zeros(size(depth, 1), size(depth, 2));
+  alone := zeros(size(depth, 1), size(depth, 2));
   for i in 1:size(depth, 1) loop
     for side in 1:2 loop
       body := pairs[i, side];
@@ -44,19 +47,23 @@ algorithm
       for k in 1:size(depth, 2) loop
         e := R*normal[i, k, :];
         arm := R*(point[i, k, :] - r_0[body, :]) - r_CM[body, :];
+        spring := weight[i, k]*NormalForce.normalForce(depth[i, k], 0, stiffness[i], exponent, 0);
         deceleration[i, k] := deceleration[i, k] + (if mass[body] > 0 then force*e/mass[body] else 0) + (J*torque)*cross(arm, e);
+        alone[i, k] := alone[i, k] + spring*((if mass[body] > 0 then 1/mass[body] else 0) + (J*cross(arm, e))*cross(arm, e));
       end for;
     end for;
     for k in 1:size(depth, 2) loop
       deceleration[i, k] := if effectiveMass[i] > 0 then NormalForce.normalForce(depth[i, k], 0, stiffness[i], exponent, 0)/
-        effectiveMass[i] else max(deceleration[i, k], 0);
+        effectiveMass[i] else max(deceleration[i, k], leastShare*alone[i, k]);
     end for;
   end for;
   annotation (Inline=false, Documentation(info="<html>
 <p>
 Newton's and Euler's equations of both bodies under the elastic forces of the pair: for one point K x<sup>n</sup>/m with the
 effective mass 1/m = 1/m<sub>1</sub> + 1/m<sub>2</sub> + (r<sub>1</sub>&times;n) I<sub>1</sub><sup>-1</sup> (r<sub>1</sub>&times;n) +
-(r<sub>2</sub>&times;n) I<sub>2</sub><sup>-1</sup> (r<sub>2</sub>&times;n); where several points carry, each counts with its share.
+(r<sub>2</sub>&times;n) I<sub>2</sub><sup>-1</sup> (r<sub>2</sub>&times;n); where several points carry, each counts with its share. The springs of
+other points may lever a point into its contact, so that nothing would slow it down; it then counts at least a tenth of what its own spring would
+do alone. Without that bound the force would jump where the speed of such a point passes zero.
 </p>
 </html>"));
 end springDecelerations;

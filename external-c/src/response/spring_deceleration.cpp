@@ -24,17 +24,37 @@ Vec3 angular_acceleration(const double *tensor, const Vec3 &t) {
   return {(x - l10 * b - l20 * c) / l00, b, c};
 }
 
+// The least deceleration of a point by the one its own spring would cause. Springs of other points may lever a point
+// into its contact; without this bound the force would jump where the speed of such a point passes zero.
+constexpr double least_share = 0.1;
+
+Vec3 spring_force(const ContactPoint &point, double stiffness, double exponent) {
+  return (point.weight * stiffness * depth_power(point.depth, exponent)) * point.normal;
+}
+
+// Of a body under a torque about its centre of mass, world axes.
+Vec3 turning_under(const Vec3 &torque, const Inertia &body) {
+  const convex::Mat3 &to_world = *body.to_world;
+  return to_world * angular_acceleration(body.tensor, transposed_times(to_world, torque));
+}
+
+// Of a body's point under the spring of that point alone.
+double deceleration_alone(const ContactPoint &point, double stiffness, double exponent, const Inertia &body) {
+  if (body.fixed) return 0.0;
+  const Vec3 spring = spring_force(point, stiffness, exponent), arm = point.position - body.center;
+  return dot((1.0 / body.mass) * spring + cross(turning_under(cross(arm, spring), body), arm), point.normal);
+}
+
 void add_body(const std::vector<ContactPoint> &points, double stiffness, double exponent, const Inertia &body,
               std::vector<double> &deceleration) {
   if (body.fixed) return;
   Vec3 force, torque;
   for (const ContactPoint &p : points) {
-    const Vec3 spring = (p.weight * stiffness * depth_power(p.depth, exponent)) * p.normal;
+    const Vec3 spring = spring_force(p, stiffness, exponent);
     force = force + spring;
     torque = torque + cross(p.position - body.center, spring);
   }
-  const convex::Mat3 &to_world = *body.to_world;
-  const Vec3 turning = to_world * angular_acceleration(body.tensor, transposed_times(to_world, torque));
+  const Vec3 turning = turning_under(torque, body);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Vec3 acceleration = (1.0 / body.mass) * force + cross(turning, points[k].position - body.center);
     deceleration[k] += dot(acceleration, points[k].normal);
@@ -48,7 +68,12 @@ void spring_decelerations(const std::vector<ContactPoint> &points, double stiffn
   deceleration.assign(points.size(), 0.0);
   add_body(points, stiffness, exponent, a, deceleration);
   add_body(points, stiffness, exponent, b, deceleration);
-  for (double &value : deceleration) value = std::fmax(value, 0.0);
+  if (points.size() == 1) return;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double alone =
+        deceleration_alone(points[k], stiffness, exponent, a) + deceleration_alone(points[k], stiffness, exponent, b);
+    deceleration[k] = std::fmax(deceleration[k], least_share * alone);
+  }
 }
 
 }  // namespace cmb

@@ -19,8 +19,9 @@ struct Inertia {
 };
 
 // The deceleration (m/s2) along its normal of each point under the forces weight * stiffness * depth^exponent of all of
-// them, by Newton's and Euler's equations of both bodies; never negative. For one point it is K x^n / m with the
-// effective mass 1/m = 1/m_a + 1/m_b + (r_a x n) . I_a^-1 (r_a x n) + (r_b x n) . I_b^-1 (r_b x n).
+// them, by Newton's and Euler's equations of both bodies, at least a tenth of that by its own force alone: so forces do
+// not jump where others lever a point into its contact. For one point it is K x^n / m with the effective mass
+// 1/m = 1/m_a + 1/m_b + (r_a x n) . I_a^-1 (r_a x n) + (r_b x n) . I_b^-1 (r_b x n).
 void spring_decelerations(const std::vector<ContactPoint> &points, double stiffness, double exponent, const Inertia &a,
                           const Inertia &b, std::vector<double> &deceleration);
 

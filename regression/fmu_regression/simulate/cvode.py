@@ -35,6 +35,7 @@ from fmpy.sundials.sunlinsol_dense import SUNLinSol_Dense
 from fmpy.sundials.sunmatrix_dense import SUNDenseMatrix
 
 from fmu_regression.results.result import FloatArray, SolverCounters
+from fmu_regression.simulate.newton import Newton
 
 _CV_ONE_STEP = 2
 # How far Newton's iteration goes, as a share of what the error test permits: CVODE's own share, and the one for where
@@ -166,6 +167,7 @@ class Cvode:
         self._steps_alike = 0
         self._totals = np.zeros(len(_counter), dtype=np.int64)
         self._memory: int | None = None
+        self._newton: Newton | None = None
         self._matrix: int | None = None
         self._linear: int | None = None
         self._vectors: list[Any] = []
@@ -189,6 +191,9 @@ class Cvode:
         self._linear = SUNLinSol_Dense(self._x, self._matrix, self._context)
         self._check(CVodeSetLinearSolver(self._memory, self._linear, self._matrix))
         self._check(_set_jacobian(self._memory, self._jacobian))
+        work = self._vector(np.zeros(states.size))
+        self._newton = Newton(self._context, self._memory, states.size, work, self._keep_error)
+        self._check(self._newton.status)
         self._check(CVodeSetMaxStep(self._memory, max_step))
         self._check(CVodeSetNoInactiveRootWarn(self._memory))
 
@@ -203,6 +208,9 @@ class Cvode:
         if self._memory is not None:
             _free_cvode(ctypes.byref(ctypes.c_void_p(self._memory)))
             self._memory = None
+        if self._newton is not None:
+            self._newton.close()
+            self._newton = None
         if self._linear is not None:
             _free_solver(self._linear)
             self._linear = None
@@ -340,6 +348,9 @@ class Cvode:
             return 0
 
         return root
+
+    def _keep_error(self, error: BaseException) -> None:
+        self._error = error
 
     def _remember(self, _line: int, _function: Any, _file: Any, message: bytes | None, *_: Any) -> None:
         self._message = " ".join((message or b"").decode("utf-8", "replace").split())

@@ -25,22 +25,23 @@ static fmurt_result compute_indicators(fmurt_instance *instance) {
   return FMURT_RESULT_OK;
 }
 
-static double hysteresis(size_t indicator) {
-  return FMURT_HYSTERESIS * (fmurt_model.indicator_nominal != NULL ? fmurt_model.indicator_nominal[indicator] : 1.0);
+static double hysteresis(const fmurt_instance *instance, size_t indicator) {
+  const double share = fmax(FMURT_HYSTERESIS, FMURT_HYSTERESIS_BY_TOLERANCE * instance->situation.settings.tolerance);
+  return share * (fmurt_model.indicator_nominal != NULL ? fmurt_model.indicator_nominal[indicator] : 1.0);
 }
 
 fmurt_result fmurt_event_indicators(fmurt_instance *instance, double *shifted) {
   const fmurt_result result = compute_indicators(instance);
   if (result != FMURT_RESULT_OK) return result;
   for (size_t i = 0; i < fmurt_model.indicator_count; ++i) {
-    const double shift = hysteresis(i);
+    const double shift = hysteresis(instance, i);
     shifted[i] = instance->indicator[i] + (instance->values.relation[i] ? shift : -shift);
   }
   return FMURT_RESULT_OK;
 }
 
 static int follows(const fmurt_instance *instance, size_t i) {
-  const double shift = hysteresis(i);
+  const double shift = hysteresis(instance, i);
   return instance->values.relation[i] ? instance->indicator[i] > -shift : instance->indicator[i] >= shift;
 }
 

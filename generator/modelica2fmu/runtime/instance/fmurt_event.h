@@ -8,13 +8,16 @@
  * so z is never zero after an event: a relation that was true becomes false at g = -e, one that was false
  * becomes true at g = +e, and right after the change z is 2 e away from its next zero. At events the
  * relation changes where z has reached or passed zero. Hence a root is never found twice, and noise smaller
- * than e does not chatter. e is FMURT_HYSTERESIS times the indicator's nominal value. */
+ * than e does not chatter. e is the indicator's nominal value times FMURT_HYSTERESIS or, if that is more,
+ * FMURT_HYSTERESIS_BY_TOLERANCE of the importer's tolerance: where steps are allowed errors of 1e-5, the first one after
+ * a slow parting may lead back by more than 1e-10. */
 #ifndef FMURT_EVENT_H
 #define FMURT_EVENT_H
 
 #include "fmurt_instance.h"
 
 #define FMURT_HYSTERESIS 1e-10
+#define FMURT_HYSTERESIS_BY_TOLERANCE 1e-6
 
 /* The shifted indicators z, [indicator_count], of up-to-date values. */
 fmurt_result fmurt_event_indicators(fmurt_instance *instance, double *shifted);

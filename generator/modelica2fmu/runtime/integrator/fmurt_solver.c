@@ -15,6 +15,7 @@
 #include "fmurt_dense.h"
 #include "fmurt_evaluate.h"
 #include "fmurt_event.h"
+#include "fmurt_newton.h"
 #include "fmurt_vector.h"
 
 enum { MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
@@ -40,6 +41,8 @@ struct fmurt_solver {
   N_Vector state, tolerance;
   SUNMatrix matrix; /* NULL with GMRES */
   SUNLinearSolver linear;
+  SUNNonlinearSolver newton;
+  int quotients; /* how many of the next Jacobians are computed by difference quotients */
   double *entry; /* [state_count] states at the start of an advance */
   size_t state_count;
   int initialized, restart;
@@ -114,13 +117,17 @@ static int all_finite(const double *numbers, size_t count) {
 }
 
 /* The model's own Jacobian; where it has none, since a part of the model cannot be differentiated there (the root of
- * zero, a call that fails beside the point), difference quotients. */
+ * zero, a call that fails beside the point), or where it was found wrong, difference quotients. */
 static int jacobian(realtype time, N_Vector state, N_Vector derivative, SUNMatrix matrix, void *data, N_Vector first,
                     N_Vector second, N_Vector third) {
   fmurt_solver *solver = data;
   fmurt_set_point(solver->instance, time, NV_DATA_S(state));
   fmurt_result result = fmurt_update_continuous(solver->instance);
   if (result != FMURT_RESULT_OK) return to_cvode(solver, result);
+  if (solver->quotients > 0) {
+    --solver->quotients;
+    return difference_quotients(time, state, derivative, matrix, data, first, second, third);
+  }
   result = fmurt_call_model(solver->instance, FMURT_CALL_JACOBIAN, SUNDenseMatrix_Data(matrix));
   if (result == FMURT_RESULT_ERROR) return to_cvode(solver, result);
   if (result == FMURT_RESULT_OK && all_finite(SUNDenseMatrix_Data(matrix), solver->state_count * solver->state_count)) {
@@ -148,6 +155,10 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
     fmurt_speed_up_vector(solver->state);
     N_VConst(0.0, solver->state);
   }
+  const int has_jacobian = fmurt_model.jacobian != NULL && solver->state_count < KRYLOV_STATES;
+  if (solver->state != NULL) {
+    solver->newton = fmurt_newton_create(solver->state, has_jacobian ? &solver->quotients : NULL, solver->context);
+  }
   if (solver->state_count < KRYLOV_STATES) {
     solver->matrix = SUNDenseMatrix(size, size, solver->context);
     if (solver->matrix != NULL) {
@@ -158,7 +169,8 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
     solver->linear = SUNLinSol_SPGMR(solver->state, SUN_PREC_NONE, 0, solver->context);
   }
   if (solver->entry == NULL || solver->state == NULL || solver->tolerance == NULL || solver->memory == NULL ||
-      solver->linear == NULL || CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
+      solver->linear == NULL || solver->newton == NULL ||
+      CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
     fmurt_solver_destroy(solver);
     return NULL;
   }
@@ -168,6 +180,7 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
 void fmurt_solver_destroy(fmurt_solver *solver) {
   if (solver == NULL) return;
   if (solver->memory != NULL) CVodeFree(&solver->memory);
+  if (solver->newton != NULL) SUNNonlinSolFree(solver->newton);
   if (solver->linear != NULL) SUNLinSolFree(solver->linear);
   if (solver->matrix != NULL) SUNMatDestroy(solver->matrix);
   if (solver->state != NULL) N_VDestroy(solver->state);
@@ -219,6 +232,7 @@ static int first_start(fmurt_solver *solver) {
   if (flag == CV_SUCCESS && solver->state_count > 0 && solver->matrix != NULL) {
     flag = CVodeSetJacFn(solver->memory, fmurt_model.jacobian != NULL ? jacobian : difference_quotients);
   }
+  if (flag == CV_SUCCESS) flag = CVodeSetNonlinearSolver(solver->memory, solver->newton);
   if (flag == CV_SUCCESS) flag = CVodeSetMaxHnilWarns(solver->memory, -1);
   if (flag == CV_SUCCESS && fmurt_model.indicator_count > 0) {
     flag = CVodeRootInit(solver->memory, (int)fmurt_model.indicator_count, roots);
@@ -239,6 +253,7 @@ static int start(fmurt_solver *solver) {
   }
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinConvCoef(solver->memory, usual_newton_share);
   memset(solver->counted, 0, sizeof solver->counted);
+  solver->quotients = 0;
   solver->restart = flag != CV_SUCCESS;
   return flag;
 }
