@@ -24,8 +24,15 @@ shape, and set <code>animateGround=true</code> in the world to see a floor at z 
 <li><code>make test-omc</code> checks and simulates all examples with <code>omc</code>, where it is installed.</li>
 <li>Its FMUs for co-simulation integrate by explicit Euler at the communication step unless told otherwise, which diverges on stiff contact: export with
 <code>--fmiFlags=s:cvode</code>.</li>
-<li>Up to and including version 1.27, FMUs of free bodies with quaternions as states can fail in initialization, as the homotopy solver keeps a stale start point. Use a later version, or
-<code>useQuaternions=false</code>.</li>
+<li>For FMUs take <a href=\"modelica://ContactMultiBody.Parts.FreeBody\">FreeBody</a> instead of Body for bodies that no joint holds; simulation in the tool takes either. Its FMUs do not choose
+the states among a quaternion's components anew while they run, as Body asks for: they end with <code>Solving non-linear system failed</code> (4 unknowns), and up to version 1.27 they can fail
+in initialization. <code>useQuaternions=false</code> of Body also avoids that, but its angles have an attitude in which they fail.</li>
+<li>Variables that users read are results of functions, as <a href=\"modelica://ContactMultiBody.Internal.Unaliased\">Unaliased</a> explains; follow its rules in models of your own that call
+functions of arrays. Impact speeds of version 1.28 are right with this library; earlier states of it gave the speed of the first impact for all.</li>
+<li>A scene of 100 bodies in one array, as <a href=\"modelica://ContactMultiBody.Examples.SpheresOnFloor\">SpheresOnFloor</a>, takes minutes to translate:
+<a href=\"modelica://ContactMultiBody.Examples.SpheresInBox\">SpheresInBox</a> with <code>edge=2</code> shows the same with 8.</li>
+<li>It warns that <code>loadResource</code>, which generated models call for files of hulls, contains an impure call. The file's name is a parameter that is evaluated once, at translation or
+initialization; nothing has to be done. The function is that of the ModelicaServices that come with the tool: another one does not resolve <code>modelica://</code>.</li>
 <li>Static libraries export into FMUs more reliably than shared ones.</li>
 </ul>
 <h4>rumoca and the built-in FMU builder</h4>
