@@ -5,7 +5,7 @@ class ToolNotes "Notes on Modelica tools"
 <h4>All tools</h4>
 <p>
 The ContactManager calls the contact engine by <code>external \"C\"</code>. Header and library have to lie in the package's folders Resources/Include and
-Resources/Library/&lt;platform&gt;, where the build of the project installs them; a release brings them along for linux64, and the engine's sources with a note how to build them in Resources/Source. Models of
+Resources/Library/&lt;platform&gt;, where the build of the project installs them; a release brings them along for linux64, win64 (for GCC, that is MinGW-w64) and aarch64-linux-gnu, and the engine's sources with a note how to build them in Resources/Source. Models of
 <a href=\"modelica://ContactMultiBody.PureModelica\">PureModelica</a> need neither.
 </p>
 <p>

@@ -13,7 +13,7 @@ set(library_folder "${CMB_PACKAGE_RESOURCES}/Library/${platform}")
 install(FILES include/contact_multibody.h include/contact_multibody_modelica.h include/contact_multibody_scene.h
         include/contact_multibody_scene_modelica.h
         DESTINATION "${CMB_PACKAGE_RESOURCES}/Include")
-install(FILES $<TARGET_FILE:ContactMultiBody> DESTINATION "${library_folder}")
+install(FILES $<TARGET_FILE:ContactMultiBody> DESTINATION "${library_folder}" COMPONENT archive)
 if(TARGET contactmultibody_shared)
   install(TARGETS contactmultibody_shared LIBRARY DESTINATION "${library_folder}")
 endif()

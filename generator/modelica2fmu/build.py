@@ -15,6 +15,7 @@ from modelica2fmu.fmu_cache import FmuCache
 from modelica2fmu.library.standard_library import StandardLibrary, find_standard_library
 from modelica2fmu.options import BuildOptions
 from modelica2fmu.packaging import package_fmu
+from modelica2fmu.packaging.platforms import find_platforms
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.report import BuildReport, SolvedBlock
 from modelica2fmu.translation import Translation, check_model_name, translate
@@ -73,6 +74,7 @@ def _build(
         translation.generated.sources,
         output,
         version=options.fmi,
+        platforms=find_platforms(options.platforms),
         options=options.solver,
         objects_folder=options.cache / "objects" if options.cache is not None else None,
         progress=clock,

@@ -14,7 +14,8 @@ from modelica2fmu.library.sources import locate
 from modelica2fmu.library.standard_library import StandardLibrary, other_libraries
 from modelica2fmu.options import BuildOptions
 from modelica2fmu.packaging.dependencies import find_sundials
-from modelica2fmu.packaging.toolchain import compiler, run_tool
+from modelica2fmu.packaging.platforms import Platform, find_platforms
+from modelica2fmu.packaging.toolchain import run_tool
 
 _BUILDER: Final = Path(__file__).resolve().parent
 _BUILDER_SUFFIXES: Final = (".py", ".c", ".h")
@@ -43,7 +44,9 @@ def fingerprint(model: str, sources: Sequence[Path], library: StandardLibrary, o
             digest.update(len(data).to_bytes(8, "little"))
             digest.update(data)
 
-    add(model, options.fmi.value, repr(options.solver), _builder(), _toolchain())
+    add(model, options.fmi.value, repr(options.solver), _builder())
+    for platform in find_platforms(options.platforms):
+        add(platform.name, _toolchain(platform))
     file, roots = locate(model, sources)
     places = dict.fromkeys(path.resolve() for path in (*roots, library.folder, *other_libraries(), *sources, file))
     for root in places:
@@ -88,7 +91,7 @@ def _builder() -> str:
 
 
 @cache
-def _toolchain() -> str:
-    program = compiler()
+def _toolchain(platform: Platform) -> str:
+    program = platform.compiler()
     version = run_tool([program, "--version"], "asking the compiler for its version").splitlines()[0]
-    return f"{program} {version} {_digest(find_sundials().archive)}"
+    return f"{program} {version} {_digest(find_sundials(platform).archive)}"

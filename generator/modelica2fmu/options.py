@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from modelica2fmu.packaging import FmiVersion, SolverOptions
+from modelica2fmu.packaging.platforms import LINUX64
 
 
 @dataclass(frozen=True)
@@ -15,6 +16,7 @@ class BuildOptions:
     Attributes:
         msl: folder of the Modelica Standard Library; ``None`` to look for it.
         fmi: version of the FMI standard.
+        platforms: names of the platforms that the FMU holds binaries for (packaging/platforms.py).
         solver: defaults of the co-simulation integrator.
         cache: folder where FMUs, and the objects that all of them have, are kept by what they are made from; ``None``
             to build afresh.
@@ -22,5 +24,6 @@ class BuildOptions:
 
     msl: Path | None = None
     fmi: FmiVersion = FmiVersion.FMI2
+    platforms: tuple[str, ...] = (LINUX64.name,)
     solver: SolverOptions = field(default_factory=SolverOptions)
     cache: Path | None = None

@@ -29,6 +29,7 @@ from modelica2fmu.library.library_repairs import repaired_library, views_folder
 from modelica2fmu.library.source_map import SourceMap
 from modelica2fmu.library.sources import locate
 from modelica2fmu.library.standard_library import StandardLibrary, other_libraries
+from modelica2fmu.packaging.platforms import LINUX64
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.symbolic import expression as ex
 
@@ -76,7 +77,7 @@ def translate(
             external = _with_real_paths(find_external_code(scalar.external_annotations, roots, model.split(".")[0]))
             external = replace(external, modules=chosen_modules(scalar.calls))
             icon = icon_png(model, [*sources, *roots])
-            scalar.calls[:] = write_out_geometry(scalar.calls, external.library_directories, roots)
+            scalar.calls[:] = write_out_geometry(scalar.calls, LINUX64.searched(external.library_directories), roots)
         clock.begin("reduce")
         reduced = eliminate_aliases(scalar, source_map)
         clock.begin("sort")

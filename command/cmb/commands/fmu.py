@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from argparse import ArgumentParser, Namespace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -32,6 +33,7 @@ EXAMPLES = """examples:
   cmb fmu Robot.Mechatronics --source ./Robot \\
     --tolerance 1e-5 --max-step 0.001 --log build.log
   cmb fmu Robot.Mechatronics --source ./Robot --tool omc
+  cmb fmu Robot.Mechatronics --source ./Robot --platform linux64,win64
   cmb fmu ReferenceModels.DoublePendulum \\
     --source ReferenceModels.mo --msl /opt/ModelicaStandardLibrary
 """
@@ -46,6 +48,13 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--source", type=Path, action="append", default=[], metavar="PATH", help="Modelica file or package folder"
     )
     parser.add_argument("--output", type=Path, metavar="FMU", help="file to write (the model's last name if left out)")
+    parser.add_argument(
+        "--platform",
+        default="linux64",
+        metavar="NAMES",
+        help="platforms to build for, separated by commas: linux64 (if left out), win64, aarch64-linux; the last two "
+        "need scripts/setup cross",
+    )
     parser.add_argument(
         "--tool",
         choices=("builtin", "omc"),
@@ -97,18 +106,23 @@ def _by_translator(arguments: Namespace, output: Path, progress: Progress) -> Bu
     sources = find_sources(arguments.model, arguments.source)
     from modelica2fmu.build import build_fmu
     from modelica2fmu.packaging import SolverOptions
+    from modelica2fmu.packaging.platforms import find_platforms
 
+    platforms = tuple(arguments.platform.split(","))
+    find_platforms(platforms)
     given = {
         "relative_tolerance": arguments.tolerance,
         "maximum_step": arguments.max_step,
         "maximum_steps": arguments.max_steps,
     }
     solver = SolverOptions(**{name: value for name, value in given.items() if value is not None})
-    options = build_options(arguments, solver)
+    options = replace(build_options(arguments, solver), platforms=platforms)
     return build_fmu(arguments.model, sources, output, options, progress)
 
 
 def _by_openmodelica(arguments: Namespace, output: Path, progress: Progress) -> OpenModelicaReport:
+    if arguments.platform != "linux64":
+        raise InputError("--platform is for the built-in translator", remedy="leave it out, or --tool omc")
     for option in ("tolerance", "max_step", "max_steps"):
         if getattr(arguments, option) is not None:
             name = option.replace("_", "-")

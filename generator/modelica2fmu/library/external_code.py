@@ -10,8 +10,6 @@ from typing import Final
 from contact_foundation.errors import InputError
 
 _SCHEME: Final = "modelica://"
-# Modelica 3.6, 12.9.4: the folder of the platform comes before the library folder itself.
-_PLATFORM_FOLDERS: Final = ("linux64", "x86_64-linux-gnu", "")
 
 
 @dataclass(frozen=True)
@@ -22,7 +20,8 @@ class ExternalCode:
         includes: texts of Include annotations, in order, each once; the generated C has them already.
         include_directories: existing folders for ``#include``.
         libraries: names as in the Library annotation (``m``, ``contact_multibody``), in link order.
-        library_directories: existing folders searched for them, most specific (platform) first.
+        library_directories: existing folders that hold them, or whose sub-folders for platforms do (Modelica 3.6,
+            section 12.9.4).
         modules: file names of shared objects in these folders that the libraries load while the model runs.
     """
 
@@ -59,24 +58,19 @@ def find_external_code(
             elif name == "IncludeDirectory":
                 include_directories[_folder(text, roots)] = None
             elif name == "LibraryDirectory":
-                library_directories.update(dict.fromkeys(_platform_folders(_folder(text, roots))))
+                library_directories[_folder(text, roots)] = None
     for root in roots:
         resources = root / package / "Resources"
         if (resources / "Include").is_dir():
             include_directories.setdefault(resources / "Include")
         if (resources / "Library").is_dir():
-            for folder in _platform_folders(resources / "Library"):
-                library_directories.setdefault(folder)
+            library_directories.setdefault(resources / "Library")
     return ExternalCode(
         includes=tuple(includes),
         include_directories=tuple(include_directories),
         libraries=tuple(libraries),
         library_directories=tuple(library_directories),
     )
-
-
-def _platform_folders(folder: Path) -> list[Path]:
-    return [path for name in _PLATFORM_FOLDERS if (path := folder / name).is_dir()]
 
 
 def _folder(uri: str, roots: Sequence[Path]) -> Path:

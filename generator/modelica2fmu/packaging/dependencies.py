@@ -9,6 +9,8 @@ from pathlib import Path
 
 from contact_foundation.errors import BuildError
 
+from modelica2fmu.packaging.platforms import LINUX64, Platform
+
 _ENVIRONMENT = "CMB_SUNDIALS"
 _REPOSITORY = Path(__file__).resolve().parents[3]
 _ARCHIVE = "libsundials_cvode.a"  # Debian's has vectors, matrices and dense solver inside
@@ -29,14 +31,22 @@ class Sundials:
     licence: Path | None
 
 
-def find_sundials() -> Sundials:
-    """Finds CVODE: ``CMB_SUNDIALS``, the project's unpacked Debian package, the system.
+def find_sundials(platform: Platform = LINUX64) -> Sundials:
+    """Finds CVODE: ``CMB_SUNDIALS``, what scripts/setup made, the system.
+
+    For other platforms than this one the environment variable's name ends in the platform's (``CMB_SUNDIALS_WIN64``).
 
     Raises:
         BuildError: none of them has it.
     """
-    named = os.environ.get(_ENVIRONMENT)
-    prefixes = [Path(named)] if named else [_REPOSITORY / ".deps" / "sundials" / "usr", Path("/usr")]
+    made = _REPOSITORY / ".deps"
+    if platform.is_host:
+        variable, setup, others = _ENVIRONMENT, "scripts/setup", [made / "sundials" / "usr", Path("/usr")]
+    else:
+        variable = f"{_ENVIRONMENT}_{platform.name.upper().replace('-', '_')}"
+        setup, others = "scripts/setup cross", [made / "cross" / platform.name]
+    named = os.environ.get(variable)
+    prefixes = [Path(named)] if named else others
     for prefix in prefixes:
         include = prefix / "include"
         if not (include / "cvode" / "cvode.h").is_file():
@@ -46,8 +56,8 @@ def find_sundials() -> Sundials:
                 licence = prefix / "share" / "doc" / "libsundials-dev" / "copyright"
                 return Sundials(include, archive, licence if licence.is_file() else None)
     raise BuildError(
-        "SUNDIALS (CVODE) is not installed; looked in " + ", ".join(str(prefix) for prefix in prefixes),
-        remedy=f"Run scripts/setup, or point {_ENVIRONMENT} at an installation of SUNDIALS 6 with static libraries.",
+        f"SUNDIALS (CVODE) for {platform.name} is not installed; looked in {', '.join(map(str, prefixes))}",
+        remedy=f"Run {setup}, or point {variable} at an installation of SUNDIALS 6 with static libraries.",
     )
 
 

@@ -11,6 +11,7 @@ from modelica2fmu.description.icon import model_icon
 from modelica2fmu.description.model_description import ModelDescription
 from modelica2fmu.packaging.fmi2_description import fmi2_description
 from modelica2fmu.packaging.fmi3_description import build_description, fmi3_description, terminals_and_icons
+from modelica2fmu.packaging.platforms import Platform
 from modelica2fmu.packaging.toolchain import COMPILE_OPTIONS
 
 
@@ -26,13 +27,13 @@ class Layout:
     """Files of one version of the standard.
 
     Attributes:
-        platform: folder of the binaries.
+        platform: the folder of a platform's binaries.
         functions: the C file of the runtime with this version's functions.
         describe: writes modelDescription.xml.
         complete: writes, into the FMU's folder with all its sources, the other files that the version has.
     """
 
-    platform: str
+    platform: Callable[[Platform], str]
     functions: str
     describe: Callable[[ModelDescription], bytes]
     complete: Callable[[ModelDescription, Path], None]
@@ -53,6 +54,6 @@ def _complete_fmi3(description: ModelDescription, folder: Path) -> None:
 
 
 LAYOUTS = {
-    FmiVersion.FMI2: Layout("linux64", "fmi2_functions.c", fmi2_description, _complete_fmi2),
-    FmiVersion.FMI3: Layout("x86_64-linux", "fmi3_functions.c", fmi3_description, _complete_fmi3),
+    FmiVersion.FMI2: Layout(lambda platform: platform.name, "fmi2_functions.c", fmi2_description, _complete_fmi2),
+    FmiVersion.FMI3: Layout(lambda platform: platform.fmi3, "fmi3_functions.c", fmi3_description, _complete_fmi3),
 }

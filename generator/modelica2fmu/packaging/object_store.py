@@ -10,7 +10,8 @@ from typing import Final
 from contact_foundation.output import whole_file
 
 from modelica2fmu.library.cache_pruning import mark_used, prune_unused
-from modelica2fmu.packaging.toolchain import COMPILE_OPTIONS, DEPENDENCIES, Compilation, compiler, run_tool
+from modelica2fmu.packaging.platforms import LINUX64, Platform
+from modelica2fmu.packaging.toolchain import COMPILE_OPTIONS, DEPENDENCIES, Compilation, run_tool
 
 _DIGEST_BYTES: Final = 32
 _SIZE_BYTES: Final = 8
@@ -25,11 +26,13 @@ class ObjectStore:
     Args:
         folder: need not exist.
         headers: all that the sources may include: folders, and files whose names stand for installations.
+        platform: what the objects are compiled for.
     """
 
-    def __init__(self, folder: Path, headers: Sequence[Path]) -> None:
-        digest = hashlib.sha256(repr((compiler(), COMPILE_OPTIONS)).encode())
-        digest.update(run_tool([compiler(), "--version"], "asking the compiler for its version").encode())
+    def __init__(self, folder: Path, headers: Sequence[Path], platform: Platform = LINUX64) -> None:
+        program = platform.compiler()
+        digest = hashlib.sha256(repr((program, COMPILE_OPTIONS, platform.compile_options)).encode())
+        digest.update(run_tool([program, "--version"], "asking the compiler for its version").encode())
         for place in headers:
             for path in sorted(place.glob("*.h")) if place.is_dir() else [place]:
                 digest.update(path.name.encode())

@@ -15,21 +15,17 @@ from contact_foundation.progress import Progress, silent
 from modelica2fmu.codegen.generated_source import GeneratedSource
 from modelica2fmu.description.model_description import ModelDescription
 from modelica2fmu.packaging.archive import write_archive
-from modelica2fmu.packaging.dependencies import Sundials, find_fmi_headers, find_sundials
+from modelica2fmu.packaging.binary import BinarySources, build_binary, copy_licences
+from modelica2fmu.packaging.dependencies import find_fmi_headers, find_sundials
 from modelica2fmu.packaging.documentation import documentation_page
 from modelica2fmu.packaging.interface_tables import interface_source
 from modelica2fmu.packaging.layout import LAYOUTS, FmiVersion, Layout
-from modelica2fmu.packaging.object_store import ObjectStore
-from modelica2fmu.packaging.runtime_sources import runtime_files, runtime_folders
-from modelica2fmu.packaging.shared_libraries import bundle_libraries, copy_modules, licence_of
+from modelica2fmu.packaging.platforms import LINUX64, Platform
+from modelica2fmu.packaging.runtime_sources import runtime_files
 from modelica2fmu.packaging.solver_variables import SolverOptions, with_solver_variables
 from modelica2fmu.packaging.source_folder import EXTERNAL_HEADERS, cmake_project, copy_headers
-from modelica2fmu.packaging.toolchain import DEPENDENCIES, Compilation, Libraries, compile_objects, link_shared
 
 INTERFACE_FILE = "fmurt_interface.c"
-
-_RUNTIME_FLAGS = ("-Wall", "-Wextra")
-_GENERATED_FLAGS = ("-O1",)  # long straight-line code gains nothing from -O2 and takes twice as long to compile
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")
 
@@ -71,36 +67,6 @@ def _write_sources(
     (folder / "CMakeLists.txt").write_text(cmake_project(description), encoding="utf-8")
 
 
-def _compilations(
-    folder: Path, description: ModelDescription, sources: Sequence[GeneratedSource], sundials: Sundials
-) -> list[Compilation]:
-    generated = {source.name for source in sources}
-    headers = (folder, find_fmi_headers())
-    external = description.external.include_directories
-    return [
-        Compilation(path, (folder, *external), _GENERATED_FLAGS)
-        if path.name in generated
-        else Compilation(path, (*headers, sundials.include), _RUNTIME_FLAGS, common=path.name != INTERFACE_FILE)
-        for path in sorted(folder.glob("*.c"))
-    ]
-
-
-def _kept_objects(folder: Path | None, sundials: Sundials) -> ObjectStore | None:
-    if folder is None:
-        return None
-    return ObjectStore(
-        folder, (*runtime_folders(), find_fmi_headers(), sundials.include / "sundials" / "sundials_config.h")
-    )
-
-
-def _copy_licences(folder: Path, sundials: Sundials, bundled: dict[str, Path]) -> None:
-    licences = {"sundials": sundials.licence} | {name: licence_of(name, origin) for name, origin in bundled.items()}
-    for name, licence in licences.items():
-        if licence is not None:
-            folder.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(licence, folder / f"{name}.txt")
-
-
 def _copy_resources(folder: Path, description: ModelDescription) -> None:
     folder.mkdir()
     for resource in description.resources:
@@ -109,12 +75,39 @@ def _copy_resources(folder: Path, description: ModelDescription) -> None:
         shutil.copyfile(resource.source, target)
 
 
+def _build_binaries(
+    root: Path,
+    scratch: Path,
+    platforms: Sequence[Platform],
+    description: ModelDescription,
+    generated: frozenset[str],
+    objects_folder: Path | None,
+    layout: Layout,
+    progress: Progress,
+) -> None:
+    folder = root / "sources"
+    external = description.external
+    sources = BinarySources(folder, generated, INTERFACE_FILE, external, objects_folder)
+    for number, platform in enumerate(platforms):
+        progress("compile", 0.1 + 0.8 * number / len(platforms))
+        target = root / "binaries" / layout.platform(platform) / f"{description.identifier}{platform.suffix}"
+        target.parent.mkdir(parents=True)
+        objects = scratch / platform.name
+        objects.mkdir()
+        sundials = find_sundials(platform)
+        binary = build_binary(platform, sources, sundials, target, objects)
+        copy_licences(binary.licences, root / "documentation" / "licenses")
+        headers = (find_fmi_headers(), *external.include_directories)
+        copy_headers(binary.dependencies, headers, sundials.include, folder / EXTERNAL_HEADERS)
+
+
 def package_fmu(
     description: ModelDescription,
     sources: Sequence[GeneratedSource],
     output: Path,
     *,
     version: FmiVersion = FmiVersion.FMI2,
+    platforms: Sequence[Platform] = (LINUX64,),
     options: SolverOptions | None = None,
     objects_folder: Path | None = None,
     progress: Progress = silent,
@@ -126,6 +119,7 @@ def package_fmu(
         sources: generated C; one of the files defines ``fmurt_model`` with ``description.guid`` in it.
         output: the FMU file to write, replaced if it exists; on errors it stays as it is.
         version: of the FMI standard.
+        platforms: what it holds binaries for, each once.
         options: defaults of the co-simulation integrator.
         objects_folder: where objects of the runtime are kept between builds; None to compile them.
         progress: told about the phases.
@@ -141,7 +135,7 @@ def package_fmu(
     _check_names(description, sources)
     layout = LAYOUTS[version]
     described = with_solver_variables(description, options)
-    sundials = find_sundials()
+    generated = frozenset(source.name for source in sources)
     with tempfile.TemporaryDirectory(prefix="cmb-fmu-") as name:
         scratch = Path(name)
         root = scratch / "fmu"
@@ -155,29 +149,7 @@ def package_fmu(
         (documentation / "index.html").write_text(documentation_page(described), encoding="utf-8")
         _copy_resources(root / "resources", description)
 
-        progress("compile", 0.1)
-        objects = scratch / "objects"
-        objects.mkdir()
-        kept = _kept_objects(objects_folder, sundials)
-        compiled = compile_objects(_compilations(root / "sources", description, sources, sundials), objects, kept)
-        copy_headers(
-            (path.with_suffix(DEPENDENCIES) for path in compiled),
-            (find_fmi_headers(), *description.external.include_directories),
-            sundials.include,
-            root / "sources" / EXTERNAL_HEADERS,
-        )
-
-        progress("link", 0.8)
-        binaries = root / "binaries" / layout.platform
-        binaries.mkdir(parents=True)
-        library = binaries / f"{description.identifier}.so"
-        external = description.external
-        link_shared(
-            compiled, Libraries((sundials.archive,), external.libraries, external.library_directories), library, scratch
-        )
-        modules = copy_modules(external.modules, external.library_directories, binaries)
-        bundled = bundle_libraries([library, *modules], external.library_directories)
-        _copy_licences(documentation / "licenses", sundials, bundled)
+        _build_binaries(root, scratch, platforms, description, generated, objects_folder, layout, progress)
 
         progress("pack", 0.9)
         with whole_file(output) as staging:

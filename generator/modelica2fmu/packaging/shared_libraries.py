@@ -11,14 +11,9 @@ from pathlib import Path
 
 from contact_foundation.errors import BuildError
 
+from modelica2fmu.packaging.platforms import LINUX64, Platform
 from modelica2fmu.packaging.toolchain import run_tool
 
-# glibc, and the runtime libraries of gcc: every Linux system with programs of its own has them, and two copies
-# in one process do not work.
-_SYSTEM = re.compile(
-    r"(ld-linux.*|linux-vdso|linux-gate|libc|libm|libmvec|libdl|libpthread|librt|libutil|libresolv|libnsl|libanl"
-    r"|libgcc_s|libstdc\+\+)\.so(\.\d+)*"
-)
 _RESOLVED = re.compile(r"^\s*(?P<name>\S+) => (?P<path>/.*?)(?: \(0x[0-9a-f]+\))?$")
 _MISSING = re.compile(r"^\s*(?P<name>\S+) => not found$")
 
@@ -49,7 +44,7 @@ def needed_libraries(library: Path, directories: Sequence[Path] = ()) -> dict[st
                 remedy="Install the package that has it, or add its folder to the library directories.",
             )
         resolved = _RESOLVED.match(line)
-        if resolved and not _SYSTEM.fullmatch(resolved["name"]):
+        if resolved and not LINUX64.system.fullmatch(resolved["name"]):
             needed[resolved["name"]] = Path(resolved["path"])
     return dict(sorted(needed.items()))
 
@@ -109,6 +104,21 @@ def bundle_libraries(libraries: Sequence[Path], directories: Sequence[Path]) -> 
                     remedy="A library that it needs has a run path of its own (DT_RUNPATH); use one without.",
                 )
     return needed
+
+
+def refuse_other_libraries(library: Path, platform: Platform) -> None:
+    """Of other platforms than this one nothing is known but the system's own libraries.
+
+    Raises:
+        BuildError: another one is needed.
+    """
+    listed = run_tool([*platform.lists_headers, str(library)], f"listing what {library.name} needs")
+    for name in platform.needs.findall(listed):
+        if not platform.system.fullmatch(name):
+            raise BuildError(
+                f"{library.name} needs {name}, which not every {platform.name} system has",
+                remedy="Link it statically: offer a static library (.a) for the platform.",
+            )
 
 
 @cache

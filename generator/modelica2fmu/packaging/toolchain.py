@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 import subprocess
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -13,6 +12,8 @@ from pathlib import Path
 from typing import Protocol
 
 from contact_foundation.errors import BuildError
+
+from modelica2fmu.packaging.platforms import LINUX64, Platform
 
 # No contraction of a*b+c and no time or path in the output: the same source gives the same numbers and bytes.
 COMPILE_OPTIONS = (
@@ -30,10 +31,6 @@ _LINK = (
     "-shared",
     "-Wl,--no-undefined",
     "-Wl,--gc-sections",
-    "-Wl,--exclude-libs,ALL",
-    "-Wl,--disable-new-dtags",  # DT_RPATH: also found for libraries that bundled libraries need
-    "-Wl,-rpath,$ORIGIN",
-    "-Wl,--as-needed",
     "-s",
 )
 _VERSION_SCRIPT = "{ global: fmi2*; fmi3*; local: *; };\n"
@@ -85,19 +82,6 @@ class KeptObjects(Protocol):
         """Keeps an object that was compiled."""
 
 
-def compiler() -> str:
-    """The C compiler: ``CC``, else ``gcc``.
-
-    Raises:
-        BuildError: it is not installed.
-    """
-    name = os.environ.get("CC", "gcc")
-    path = shutil.which(name)
-    if path is None:
-        raise BuildError(f"the C compiler {name} is not installed", remedy="Install it: apt-get install gcc")
-    return path
-
-
 def first_errors(output: str, count: int = _ERROR_LINES) -> str:
     """The lines of a compiler's or linker's output that say what went wrong; its end if none does."""
     lines = [line.rstrip() for line in output.splitlines() if line.strip()]
@@ -125,7 +109,9 @@ def run_tool(command: Sequence[str], purpose: str, *, environment: dict[str, str
     return done.stdout
 
 
-def compile_objects(compilations: Sequence[Compilation], folder: Path, kept: KeptObjects | None = None) -> list[Path]:
+def compile_objects(
+    compilations: Sequence[Compilation], folder: Path, kept: KeptObjects | None = None, platform: Platform = LINUX64
+) -> list[Path]:
     """Compiles C files into ``folder``, several at a time; the objects come in the order of the sources.
 
     Beside each object lies a file with the suffix ``DEPENDENCIES`` that names what its source includes.
@@ -134,11 +120,12 @@ def compile_objects(compilations: Sequence[Compilation], folder: Path, kept: Kep
         compilations: what to compile.
         folder: to write to.
         kept: objects of common sources from earlier builds.
+        platform: what to compile for.
 
     Raises:
         BuildError: with the first error lines.
     """
-    program = compiler()
+    program = platform.compiler()
 
     def compile_one(compilation: Compilation, target: Path) -> None:
         if compilation.common and kept is not None and kept.fetch(compilation, target):
@@ -147,6 +134,7 @@ def compile_objects(compilations: Sequence[Compilation], folder: Path, kept: Kep
         command = [
             program,
             *COMPILE_OPTIONS,
+            *platform.compile_options,
             *compilation.flags,
             *includes,
             "-MD",
@@ -175,19 +163,22 @@ def compile_objects(compilations: Sequence[Compilation], folder: Path, kept: Kep
     return targets
 
 
-def link_shared(objects: Sequence[Path], libraries: Libraries, target: Path, scratch: Path) -> None:
+def link_shared(
+    objects: Sequence[Path], libraries: Libraries, target: Path, scratch: Path, platform: Platform = LINUX64
+) -> None:
     """Links objects and libraries into a shared library that shows the FMI functions only.
 
     Raises:
         BuildError: with the first error lines.
     """
-    script = scratch / "exports.map"
-    script.write_text(_VERSION_SCRIPT, encoding="ascii")
+    options = [*_LINK, *platform.link_options]
+    if platform.suffix == ".so":  # a DLL shows what its sources declare as exported
+        script = scratch / "exports.map"
+        script.write_text(_VERSION_SCRIPT, encoding="ascii")
+        options += [f"-Wl,--version-script={script}", f"-Wl,-soname,{target.name}"]
     command = [
-        compiler(),
-        *_LINK,
-        f"-Wl,--version-script={script}",
-        f"-Wl,-soname,{target.name}",
+        platform.compiler(),
+        *options,
         "-o",
         str(target),
         *(str(path) for path in objects),

@@ -261,7 +261,7 @@ def test_the_sources_build_the_same_binary_again(ball_on_floor: Path, unpacked: 
     identifier = unpacked.description.coSimulation.modelIdentifier
     (binary,) = folder.glob(f"binaries/*/{identifier}.so")
     binary.unlink()
-    libraries = [find_sundials().archive.parent, *(LIBRARY / "Resources" / "Library").iterdir()]
+    libraries = [find_sundials().archive.parent, LIBRARY / "Resources" / "Library" / "linux64"]
     environment = {name: value for name, value in os.environ.items() if name not in ("CPATH", "C_INCLUDE_PATH")}
     for command in (
         ["cmake", "-S", folder / "sources", "-B", tmp_path / "build",
@@ -291,7 +291,7 @@ def test_fmpy_builds_the_sources_of_fmi_3(ball_on_floor: Path, unpacked: Unpacke
     binary.unlink()
     listed = etree.parse(str(folder / "sources" / "buildDescription.xml"))
     names = [str(library.get("name")) for library in listed.iter("Library")]
-    folders = [find_sundials().archive.parent, *(LIBRARY / "Resources" / "Library").iterdir()]
+    folders = [find_sundials().archive.parent, LIBRARY / "Resources" / "Library" / "linux64"]
     libraries = [*(f"-L{path}" for path in folders), *(f"-l{name}" for name in names), "-lm", "-Wl,-rpath,$ORIGIN"]
     build_platform_binary(
         folder,

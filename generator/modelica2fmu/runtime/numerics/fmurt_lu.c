@@ -77,7 +77,8 @@ IN_LINE void solve(int n, const double *a, const int *pivot, double *b) {
   }
 }
 
-#if defined(__x86_64__) && !defined(__AVX2__)
+/* On Windows GCC keeps wide registers on a stack that is not aligned for them. */
+#if defined(__x86_64__) && !defined(__AVX2__) && !defined(_WIN32)
 
 /* Without fused multiply-add, which rounds differently. */
 __attribute__((target("avx2,no-fma"))) static int factorize_wide(int n, double *a, int *pivot, double least) {
