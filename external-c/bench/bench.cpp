@@ -103,7 +103,7 @@ PosedPair place(const Row &row, std::size_t poses) {
     b.rotation = random_bodies::random_rotation(random);
     a.translation = random.direction();
     for (int k = 0; k < 3; ++k) {
-      const ConvexAnswer answer = exact_distance(pair.a, a, pair.b, b, scratch);
+      const SignedDistance answer = exact_distance(pair.a, a, pair.b, b, scratch);
       a.translation = a.translation + (row.distance - answer.distance) * answer.normal;
     }
     if (std::fabs(exact_distance(pair.a, a, pair.b, b, scratch).distance - row.distance) <

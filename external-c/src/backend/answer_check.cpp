@@ -14,7 +14,7 @@ double extent(const Shape &shape, const Pose &pose, const Vec3 &d) {
 
 }  // namespace
 
-bool answer_holds(const ConvexAnswer &answer, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+bool answer_holds(const SignedDistance &answer, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                   double tolerance) {
   if (!std::isfinite(answer.distance) || !is_finite(answer.normal) || !is_finite(answer.point_a) ||
       !is_finite(answer.point_b)) {

@@ -10,7 +10,7 @@
 
 namespace {
 
-using cmb::ConvexAnswer;
+using cmb::SignedDistance;
 using cmb::LibraryShape;
 using cmb::Pose;
 using cmb::Shape;
@@ -36,7 +36,7 @@ LibraryShape *make_shape(const Shape &shape) {
   }
 }
 
-bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer) {
+bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, SignedDistance &answer) {
   if (!a.in_library || !b.in_library) return false;
   try {
     const coal::DistanceRequest request(true, true);
@@ -56,4 +56,4 @@ bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &po
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const cmb::DistanceLibrary cmb_distance_library = {
-    CMB_VERSION, sizeof(cmb::Shape), sizeof(cmb::ConvexAnswer), make_shape, distance};
+    CMB_VERSION, sizeof(cmb::Shape), sizeof(cmb::SignedDistance), make_shape, distance};

@@ -28,7 +28,7 @@ const DistanceLibrary *load(const Named &named) {
     const ModuleFile module(named.module, named.symbols);
     const auto *library = static_cast<const DistanceLibrary *>(module.symbol(distance_library_symbol));
     if (std::strcmp(library->engine_version, CMB_VERSION) != 0 || library->shape_size != sizeof(Shape) ||
-        library->answer_size != sizeof(ConvexAnswer)) {
+        library->answer_size != sizeof(SignedDistance)) {
       throw LibraryMissing(module.path() + " belongs to another build of the engine (" + library->engine_version +
                            ", this is " + CMB_VERSION + ")" + remedy);
     }

@@ -21,7 +21,7 @@ struct DistanceLibrary {
   // The signed distance of shapes that are no half-spaces and no meshes; false where the library has no answer that it
   // vouches for. Poses map the shapes' frames to the world. A library that keeps shapes (Shape::in_library) answers for
   // these only.
-  bool (*distance)(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer);
+  bool (*distance)(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, SignedDistance &answer);
 };
 
 // The name of the module's DistanceLibrary.

@@ -4,6 +4,7 @@
 #include "backend/distance_backend.hpp"
 #include "math/pose_algebra.hpp"
 #include "narrowphase/analytic/closed_form_distance.hpp"
+#include "shape/pair_table.hpp"
 
 namespace cmb {
 
@@ -11,7 +12,7 @@ namespace {
 
 // `if_together` is the normal where the centres coincide.
 void between_spheres(double radius_a, const Vec3 &center_a, double radius_b, const Vec3 &center_b,
-                     const Vec3 &if_together, ConvexAnswer &answer) {
+                     const Vec3 &if_together, SignedDistance &answer) {
   const Vec3 apart = center_a - center_b;
   const double length = norm(apart);
   answer.distance = length - radius_a - radius_b;
@@ -31,7 +32,7 @@ Vec3 nearest_on_axis(const Shape &capsule, const Pose &pose, const Vec3 &p) {
 }
 
 // What was found in the frame of A, which is at `frame`.
-void set_answer(const convex::SignedDistance &found, const Pose &frame, ConvexAnswer &answer) {
+void set_answer(const convex::SignedDistance &found, const Pose &frame, SignedDistance &answer) {
   answer.distance = found.distance;
   answer.normal = frame.rotation * found.normal;
   answer.point_a = frame(found.point_a);
@@ -41,7 +42,7 @@ void set_answer(const convex::SignedDistance &found, const Pose &frame, ConvexAn
   answer.mean_normal = answer.normal;
 }
 
-void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer) {
+void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, SignedDistance &answer) {
   const convex::CoreDistance axes =
       convex::distance_of_segments(pose_a.rotation.column(2), a.body.half.z, pose_b.rotation.column(2), b.body.half.z,
                                    pose_b.translation - pose_a.translation);
@@ -55,7 +56,7 @@ void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const 
 }
 
 // Of a shape that has_point_formula, A, and a ball, B; or of the ball and that shape, where `reversed`.
-void to_ball(const Shape &a, const Pose &pose_a, double radius_b, const Vec3 &center_b, bool reversed, ConvexAnswer &answer) {
+void to_ball(const Shape &a, const Pose &pose_a, double radius_b, const Vec3 &center_b, bool reversed, SignedDistance &answer) {
   const Vec3 center = transposed_times(pose_a.rotation, center_b - pose_a.translation);
   Vec3 direction;
   double distance;
@@ -79,44 +80,42 @@ void to_ball(const Shape &a, const Pose &pose_a, double radius_b, const Vec3 &ce
 }  // namespace
 
 void find_exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, BackendScratch &scratch,
-                         ConvexAnswer &answer) {
+                         SignedDistance &answer) {
+  const PairEntry pair = pair_entry(a, b);
   const Vec3 &center_a = pose_a.translation, &center_b = pose_b.translation;
-  if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::sphere) {
-    between_spheres(a.body.radius, center_a, b.body.radius, center_b, {0, 0, 1}, answer);
-    return;
+  switch (pair.method) {
+    case PairMethod::sphere_sphere:
+      between_spheres(a.body.radius, center_a, b.body.radius, center_b, {0, 0, 1}, answer);
+      return;
+    case PairMethod::sphere_capsule:
+      if (pair.exchanged) {
+        between_spheres(a.body.radius, nearest_on_axis(a, pose_a, center_b), b.body.radius, center_b,
+                        pose_a.rotation.column(0), answer);
+      } else {
+        between_spheres(a.body.radius, center_a, b.body.radius, nearest_on_axis(b, pose_b, center_a),
+                        pose_b.rotation.column(0), answer);
+      }
+      return;
+    case PairMethod::capsule_capsule: between_capsules(a, pose_a, b, pose_b, answer); return;
+    case PairMethod::sphere_core:
+      if (pair.exchanged) {
+        to_ball(a, pose_a, b.body.radius, center_b, false, answer);
+      } else {
+        to_ball(b, pose_b, a.body.radius, center_a, true, answer);
+      }
+      return;
+    default: break;
   }
-  if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::capsule) {
-    between_spheres(a.body.radius, center_a, b.body.radius, nearest_on_axis(b, pose_b, center_a),
-                    pose_b.rotation.column(0), answer);
-    return;
-  }
-  if (a.kind == ShapeKind::capsule && b.kind == ShapeKind::sphere) {
-    between_spheres(a.body.radius, nearest_on_axis(a, pose_a, center_b), b.body.radius, center_b,
-                    pose_a.rotation.column(0), answer);
-    return;
-  }
-  if (a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule) {
-    between_capsules(a, pose_a, b, pose_b, answer);
-    return;
-  }
-  if (b.kind == ShapeKind::sphere && convex::has_point_formula(a.body.core)) {
-    to_ball(a, pose_a, b.body.radius, center_b, false, answer);
-    return;
-  }
-  if (a.kind == ShapeKind::sphere && convex::has_point_formula(b.body.core)) {
-    to_ball(b, pose_b, a.body.radius, center_a, true, answer);
-    return;
-  }
-  const bool polytopes = a.polytope && b.polytope;
+  const bool polytopes = pair.method == PairMethod::polytope_polytope;
   const convex::SignedDistance found =
       convex::signed_distance(a.body, b.body, relative_pose(pose_a, pose_b), scratch.distance, polytopes);
   set_answer(found, pose_a, answer);
   if (polytopes) answer.mean_normal = pose_a.rotation * found.mean_normal;
 }
 
-ConvexAnswer exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+SignedDistance exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                             BackendScratch &scratch) {
-  ConvexAnswer answer;
+  SignedDistance answer;
   find_exact_distance(a, pose_a, b, pose_b, scratch, answer);
   return answer;
 }

@@ -36,7 +36,7 @@ struct Placed {
 
 Vec3 vector(const fcl::Vector3d &v) { return {v.x(), v.y(), v.z()}; }
 
-std::optional<ConvexAnswer> overlap(const Placed &a, const Placed &b) {
+std::optional<SignedDistance> overlap(const Placed &a, const Placed &b) {
   fcl::CollisionRequestd request(most_contacts, true);
   request.gjk_solver_type = solver;
   request.gjk_tolerance = solver_tolerance;
@@ -48,7 +48,7 @@ std::optional<ConvexAnswer> overlap(const Placed &a, const Placed &b) {
     if (result.getContact(i).penetration_depth > deepest->penetration_depth) deepest = &result.getContact(i);
   }
   if (!(deepest->penetration_depth > 0.0)) return std::nullopt;  // its solver gives some depths with the wrong sign
-  ConvexAnswer answer;
+  SignedDistance answer;
   answer.distance = -deepest->penetration_depth;
   answer.normal = -vector(deepest->normal);  // FCL's points from the first object to the second
   const Vec3 position = vector(deepest->pos);
@@ -57,14 +57,14 @@ std::optional<ConvexAnswer> overlap(const Placed &a, const Placed &b) {
   return answer;
 }
 
-std::optional<ConvexAnswer> gap(const Placed &a, const Placed &b) {
+std::optional<SignedDistance> gap(const Placed &a, const Placed &b) {
   fcl::DistanceRequestd request(true);
   request.gjk_solver_type = solver;
   request.distance_tolerance = solver_tolerance;
   fcl::DistanceResultd result;
   const double distance = fcl::distance(a.geometry, a.pose, b.geometry, b.pose, request, result);
   if (!(distance > 0.0)) return std::nullopt;
-  ConvexAnswer answer;
+  SignedDistance answer;
   answer.distance = distance;
   answer.point_a = vector(result.nearest_points[0]);
   answer.point_b = vector(result.nearest_points[1]);
@@ -83,7 +83,7 @@ LibraryShape *make_shape(const Shape &shape) {
   }
 }
 
-bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer) {
+bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, SignedDistance &answer) {
   if (!a.in_library || !b.in_library) return false;
   try {
     const Placed placed_a{static_cast<const FclShape &>(*a.in_library).geometry(), fcl_transform(pose_a)};
@@ -100,4 +100,4 @@ bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &po
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const cmb::DistanceLibrary cmb_distance_library = {
-    CMB_VERSION, sizeof(cmb::Shape), sizeof(cmb::ConvexAnswer), make_shape, distance};
+    CMB_VERSION, sizeof(cmb::Shape), sizeof(cmb::SignedDistance), make_shape, distance};

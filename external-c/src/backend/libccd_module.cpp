@@ -33,7 +33,7 @@ void center(const void *object, ccd_vec3_t *result) {
 
 Vec3 vector(const ccd_vec3_t &v) { return {v.v[0], v.v[1], v.v[2]}; }
 
-bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, ConvexAnswer &answer) {
+bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, SignedDistance &answer) {
   ccd_t options;
   CCD_INIT(&options);
   options.support1 = support;
@@ -56,4 +56,4 @@ bool distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &po
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const cmb::DistanceLibrary cmb_distance_library = {
-    CMB_VERSION, sizeof(cmb::Shape), sizeof(cmb::ConvexAnswer), nullptr, distance};
+    CMB_VERSION, sizeof(cmb::Shape), sizeof(cmb::SignedDistance), nullptr, distance};

@@ -146,7 +146,7 @@ inline void carry(const NearestPlaces &nearest, double reach, double depth, std:
 
 }  // namespace
 
-bool capsule_on_capsule(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+bool capsule_on_capsule(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
                         std::vector<ContactPoint> &points) {
   const double radius_a = a.body.radius, radius_b = b.body.radius, reach = radius_a + radius_b;
   const double depth = -answer.distance, apart = reach - depth;

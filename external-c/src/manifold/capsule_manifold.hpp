@@ -11,7 +11,7 @@ namespace cmb {
 
 // Appends what the lines of two capsules carry, half of it each: the same sums as line_on_line's to rounding, in closed form
 // from the deepest place on, so that what does not carry costs little. False, and nothing appended, where the axes meet.
-bool capsule_on_capsule(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+bool capsule_on_capsule(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
                         std::vector<ContactPoint> &points);
 
 // The contact of capsules A and B, from their poses at once: writes distance, normal and witness of `result` and appends to its

@@ -1,13 +1,14 @@
 #include "manifold/convex_manifold.hpp"
 
 #include "narrowphase/polytope/mean_normal.hpp"
+#include "shape/pair_table.hpp"
 
 namespace cmb {
 
 namespace {
 
 // What a ball touches in one point alone: another ball, or any body no second way out of which is near.
-bool touches_at_its_witness(const Shape &a, const Shape &b, const ConvexAnswer &answer) {
+bool touches_at_its_witness(const Shape &a, const Shape &b, const SignedDistance &answer) {
   const bool ball_a = a.kind == ShapeKind::sphere, ball_b = b.kind == ShapeKind::sphere;
   if (ball_a && ball_b) return true;
   if (!ball_a && !ball_b) return false;
@@ -18,7 +19,7 @@ bool touches_at_its_witness(const Shape &a, const Shape &b, const ConvexAnswer &
 
 }  // namespace
 
-void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
                     convex::DistanceScratch &distance, ManifoldScratch &scratch, ContactSet &result) {
   result.distance = answer.distance;
   result.normal = answer.normal;
@@ -33,7 +34,7 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     point.position = result.witness;
     return;
   }
-  if (!a.polytope || !b.polytope) {
+  if (pair_entry(a, b).method != PairMethod::polytope_polytope) {
     curved_contact(a, pose_a, b, pose_b, answer, distance, scratch.curved, result.points);
     return;
   }

@@ -16,7 +16,7 @@ struct ManifoldScratch {
 
 // Appends the contact of shapes A and B (no half-spaces), whose signed distance is `answer`; further distances are found
 // in `distance`. distance, normal and witness of `result` are set.
-void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
                     convex::DistanceScratch &distance, ManifoldScratch &scratch, ContactSet &result);
 
 }  // namespace cmb

@@ -10,6 +10,7 @@
 #include "math/pose_algebra.hpp"
 #include "narrowphase/multicontact/contact_directions.hpp"
 #include "narrowphase/polytope/mean_normal.hpp"
+#include "shape/pair_table.hpp"
 #include "shape/rim_polytope.hpp"
 
 namespace cmb {
@@ -105,7 +106,7 @@ void scale_weights(double part, std::size_t begin, std::size_t end, std::vector<
 }
 
 // The answer in A's frame.
-convex::SignedDistance in_frame_of_a(const ConvexAnswer &answer, const Pose &pose_a) {
+SignedDistance in_frame_of_a(const SignedDistance &answer, const Pose &pose_a) {
   convex::SignedDistance result;
   result.distance = answer.distance;
   result.normal = transposed_times(pose_a.rotation, answer.normal);
@@ -160,7 +161,7 @@ double flat_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
 }
 
 // What the lines of two shapes carry on each other: half of it each.
-void line_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+void line_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
                   LineManifoldScratch &scratch, std::vector<ContactPoint> &points) {
   const std::size_t begin = points.size();
   const ContactLine line_a(a, pose_a, -answer.normal), line_b(b, pose_b, answer.normal);
@@ -170,7 +171,7 @@ void line_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose
 }
 
 // Where the point acts that stands in for flat contact of which nothing is told by polygons.
-Vec3 middle_of_flats(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+Vec3 middle_of_flats(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
                      const Vec3 &witness) {
   if (a.rim && b.polytope) {
     const Disc disc(a, pose_a, -answer.normal);
@@ -185,7 +186,7 @@ Vec3 middle_of_flats(const Shape &a, const Pose &pose_a, const Shape &b, const P
 
 // Appends the contact along one contact direction: each shape touches with a flat end or its faces, on a line, or at a
 // point, in parts.
-void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
                    CurvedManifoldScratch &scratch, std::vector<ContactPoint> &points) {
   const std::size_t begin = points.size();
   const double depth = -answer.distance;
@@ -194,7 +195,7 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     points.push_back({depth, 1.0, normal, witness});
     return;
   }
-  if (a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule) {
+  if (pair_entry(a, b).method == PairMethod::capsule_capsule) {
     if (!capsule_on_capsule(a, pose_a, b, pose_b, answer, points)) line_contact(a, pose_a, b, pose_b, answer, scratch.axis, points);
     if (points.size() == begin) points.push_back({depth, 1.0, normal, witness});
     return;
@@ -268,7 +269,7 @@ double shortest_part(double reach, double rounding, double depth) {
 
 }  // namespace
 
-void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
                     convex::DistanceScratch &distance, CurvedManifoldScratch &scratch,
                     std::vector<ContactPoint> &points) {
   const double size = a.bound_radius + b.bound_radius, depth = -answer.distance;
@@ -295,7 +296,7 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   for (int k = 0; k < directions.count; ++k) {
     const convex::ContactDirection &way = directions.contact[k];
     if (!(way.depth > 0.0)) continue;  // within rounding of touching
-    ConvexAnswer along = answer;
+    SignedDistance along = answer;
     along.distance = -way.depth;
     along.normal = along.mean_normal = pose_a.rotation * way.normal;
     along.point_a = pose_a(way.point_a);

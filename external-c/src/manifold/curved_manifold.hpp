@@ -19,7 +19,7 @@ struct CurvedManifoldScratch {
 // Appends the contact of shapes A and B that overlap; `answer` is their signed distance (< 0). The contact is the sum of
 // those along all contact directions (narrowphase/multicontact/contact_directions.hpp), each by its share. Further distances
 // are found in `distance`.
-void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const ConvexAnswer &answer,
+void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
                     convex::DistanceScratch &distance, CurvedManifoldScratch &scratch,
                     std::vector<ContactPoint> &points);
 

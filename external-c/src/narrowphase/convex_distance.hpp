@@ -39,7 +39,7 @@ enum class DistanceMethod : std::uint8_t {
 
 struct SignedDistance {
   double distance = 0.0;  // m; positive apart, negative inside
-  Vec3 normal{0, 0, 1};   // unit, from B to A, in A's frame
+  Vec3 normal{0, 0, 1};   // unit, from B to A, in A's frame (of shapes: in world axes)
   Vec3 point_a;           // witness points on both surfaces, in A's frame:
   Vec3 point_b;           // point_a - point_b = distance * normal
   DistanceMethod method = DistanceMethod::closed_form;

@@ -9,6 +9,7 @@
 #include "mesh/core/triangle_mesh.hpp"
 #include "query/mesh_halfspace.hpp"
 #include "query/mesh_query.hpp"
+#include "shape/pair_table.hpp"
 #include "volume/convex_overlap.hpp"
 #include "volume/halfspace_overlap.hpp"
 #include "volume/mesh_overlap.hpp"
@@ -176,25 +177,26 @@ std::optional<ShapeOverlap> with_mesh(const Shape &a, const Pose &pose_a, const 
 
 // Nothing where the overlap of these shapes is not known.
 std::optional<ShapeOverlap> shapes(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
-  if (a.kind == ShapeKind::halfspace) {
-    if (b.kind == ShapeKind::halfspace) return ShapeOverlap{};
-    return shapes(b, pose_b, a, pose_a);
+  const PairEntry pair = pair_entry(a, b);
+  if (pair.exchanged && !is_bounded_convex(pair.method)) return shapes(b, pose_b, a, pose_a);
+  switch (pair.method) {
+    case PairMethod::none: return ShapeOverlap{};
+    case PairMethod::sphere_halfspace: return sphere_and_halfspace(a.body.radius, pose_a.translation, pose_b);
+    case PairMethod::polytope_halfspace: return polytope_and_halfspace(a.polytope->geometry(), pose_a, pose_b);
+    case PairMethod::round_halfspace: return curved_and_halfspace(a, pose_a, pose_b);
+    case PairMethod::mesh_halfspace: return mesh_with_halfspace(a, pose_a, pose_b);
+    case PairMethod::sphere_mesh:
+    case PairMethod::capsule_mesh:
+    case PairMethod::polytope_mesh:
+    case PairMethod::round_mesh:
+    case PairMethod::mesh_mesh: return with_mesh(a, pose_a, b, pose_b);
+    case PairMethod::sphere_sphere: return spheres(a.body.radius, pose_a.translation, b.body.radius, pose_b.translation);
+    default: break;
   }
-  if (b.kind == ShapeKind::halfspace) {
-    if (a.polytope) return polytope_and_halfspace(a.polytope->geometry(), pose_a, pose_b);
-    if (a.kind == ShapeKind::sphere) return sphere_and_halfspace(a.body.radius, pose_a.translation, pose_b);
-    if (a.mesh) return mesh_with_halfspace(a, pose_a, pose_b);
-    return curved_and_halfspace(a, pose_a, pose_b);
-  }
-  if (b.mesh) return with_mesh(a, pose_a, b, pose_b);
-  if (a.mesh) return with_mesh(b, pose_b, a, pose_a);
-  if (a.kind == ShapeKind::sphere && b.kind == ShapeKind::sphere) {
-    return spheres(a.body.radius, pose_a.translation, b.body.radius, pose_b.translation);
-  }
-  ConvexAnswer answer;
+  SignedDistance answer;
   find_exact_distance(a, pose_a, b, pose_b, room().distance, answer);
   if (answer.distance >= 0.0) return ShapeOverlap{};
-  if (!a.polytope || !b.polytope) {
+  if (pair.method != PairMethod::polytope_polytope) {
     return overlap::curved_overlap(a, pose_a, b, pose_b, {answer.normal, answer.point_a, answer.point_b}, room().curved);
   }
   return polytopes(a.polytope->geometry(), pose_a, b.polytope->geometry(), pose_b, answer.normal);

@@ -9,6 +9,7 @@
 #include "math/pose_algebra.hpp"
 #include "query/mesh_halfspace.hpp"
 #include "query/mesh_query.hpp"
+#include "shape/pair_table.hpp"
 
 namespace cmb {
 
@@ -24,11 +25,11 @@ constexpr double library_tolerance = 1e-4;
 
 // Asks the scene's back end; the exact path answers where that has no answer, or one that does not hold.
 void find_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
-                 BackendScratch &scratch, ConvexAnswer &answer, cmb_backend &who) {
+                 BackendScratch &scratch, SignedDistance &answer, cmb_backend &who) {
   find_exact_distance(a, pose_a, b, pose_b, scratch, answer);
   who = CMB_BACKEND_ANALYTIC;
   if (scene.library == nullptr) return;
-  ConvexAnswer theirs;
+  SignedDistance theirs;
   const double slack = library_tolerance * (a.bound_radius + b.bound_radius);
   const bool holds = scene.library->distance(a, pose_a, b, pose_b, theirs) &&
                      answer_holds(theirs, a, pose_a, b, pose_b, library_tolerance) &&
@@ -79,9 +80,6 @@ void fade_to_gap(const BoundGap &gap, double exact_within, ContactSet &result) {
   result.witness = (1.0 - part) * result.witness + part * gap.witness;
 }
 
-// Of two shapes, the one with the higher rank is the second body.
-int rank(const Shape &shape) { return shape.kind == ShapeKind::halfspace ? 2 : shape.kind == ShapeKind::mesh ? 1 : 0; }
-
 // Of an orthonormal rotation the diagonal tells. One comparison, for a branch each costs more.
 bool is_identity(const Pose &pose) {
   const Mat3 &r = pose.rotation;
@@ -101,27 +99,30 @@ const Pose &shape_pose(const Pose &body, const Shape &shape, Pose &placed) {
 
 void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                   QueryScratch &scratch, ContactSet &result, cmb_backend &who) {
-  if (rank(a) > rank(b)) {
+  const PairEntry pair = pair_entry(a, b);
+  if (pair.exchanged && !is_bounded_convex(pair.method)) {
     query_shapes(scene, b, pose_b, a, pose_a, scratch, result, who);
     reverse(result);
     return;
   }
   who = CMB_BACKEND_ANALYTIC;
-  if (b.kind == ShapeKind::halfspace) {
-    if (a.kind == ShapeKind::mesh) {
-      mesh_halfspace_contact(a, pose_a, world_plane(pose_b), result);
-    } else {
-      halfspace_contact(a, pose_a, world_plane(pose_b), result);
-    }
-    return;
+  switch (pair.method) {
+    case PairMethod::none: return;
+    case PairMethod::sphere_halfspace:
+    case PairMethod::polytope_halfspace:
+    case PairMethod::round_halfspace: halfspace_contact(a, pose_a, world_plane(pose_b), result); return;
+    case PairMethod::mesh_halfspace: mesh_halfspace_contact(a, pose_a, world_plane(pose_b), result); return;
+    case PairMethod::sphere_mesh:
+    case PairMethod::capsule_mesh:
+    case PairMethod::polytope_mesh:
+    case PairMethod::round_mesh:
+    case PairMethod::mesh_mesh: mesh_contact(a, pose_a, b, pose_b, scratch.mesh, result); return;
+    case PairMethod::capsule_capsule:
+      if (scene.library == nullptr && capsule_contact(a, pose_a, b, pose_b, result)) return;
+      break;
+    default: break;
   }
-  if (b.kind == ShapeKind::mesh) {
-    mesh_contact(a, pose_a, b, pose_b, scratch.mesh, result);
-    return;
-  }
-  const bool capsules = a.kind == ShapeKind::capsule && b.kind == ShapeKind::capsule;
-  if (capsules && scene.library == nullptr && capsule_contact(a, pose_a, b, pose_b, result)) return;
-  ConvexAnswer &answer = scratch.answer;
+  SignedDistance &answer = scratch.answer;
   find_answer(scene, a, pose_a, b, pose_b, scratch.backend, answer, who);
   convex_contact(a, pose_a, b, pose_b, answer, scratch.backend.distance, scratch.manifold, result);
 }
@@ -158,8 +159,7 @@ void query_compounds(const Scene &scene, const BodyShapes &a, const Pose &pose_a
   for (const Shape &shape : b) scratch.poses_b.push_back(shape_pose(pose_b, shape, placed));
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const bool halfspace_a = a[i].kind == ShapeKind::halfspace, halfspace_b = b[j].kind == ShapeKind::halfspace;
-      if (halfspace_a && halfspace_b) continue;
+      if (pair_entry(a[i], b[j]).method == PairMethod::none) continue;
       // Shapes apart that cannot be the nearest have nothing to tell.
       const double bound = bound_gap(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]).distance;
       if (bound > 0.0 && bound >= result.distance) continue;
@@ -185,7 +185,7 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
   result.points.clear();
   report = {};
   const bool single = a.size() == 1 && b.size() == 1;
-  if (single && !(a[0].kind == ShapeKind::halfspace && b[0].kind == ShapeKind::halfspace)) {
+  if (single && pair_entry(a[0], b[0]).method != PairMethod::none) {
     const Pose &at_a = shape_pose(pose_a, a[0], scratch.placed_a), &at_b = shape_pose(pose_b, b[0], scratch.placed_b);
     if (exact_within == std::numeric_limits<double>::infinity()) {
       query_shapes(scene, a[0], at_a, b[0], at_b, scratch, result, report.backend);

@@ -24,7 +24,7 @@ struct QueryScratch {
   std::vector<Pose> body_poses;        // of a scene
   std::vector<Pose> poses_a, poses_b;  // of the shapes of two compounds
   Pose placed_a, placed_b;             // of two single shapes that are not where their bodies are
-  ConvexAnswer answer;                 // kept here, where it need not be cleared for each pair
+  SignedDistance answer;                 // kept here, where it need not be cleared for each pair
 };
 
 // This thread's scratch.

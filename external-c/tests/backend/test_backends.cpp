@@ -133,7 +133,7 @@ TEST_P(Libraries, AnswerForShapesThatTheyHoldAlone) {
   held.in_library.reset(library.make_shape(cube));
   ASSERT_NE(held.in_library, nullptr);
   const Pose apart{Mat3{}, {1.5, 0, 0}};
-  ConvexAnswer answer;
+  SignedDistance answer;
   ASSERT_TRUE(library.distance(held, apart, held, {}, answer));
   EXPECT_NEAR(answer.distance, 0.5, 1e-6);
   EXPECT_FALSE(library.distance(cube, apart, cube, {}, answer));
@@ -153,18 +153,18 @@ TEST(AnswerCheck, TakesWhatIsTrueAlone) {
   using namespace cmb;
   const Shape ball = parse_descriptor("cmb/1 sphere radius=1").front();
   const Pose right{Mat3{}, {2.5, 0, 0}};
-  ConvexAnswer truth;
+  SignedDistance truth;
   truth.distance = 0.5, truth.normal = {1, 0, 0}, truth.point_a = {1.5, 0, 0}, truth.point_b = {1, 0, 0};
-  const auto holds = [&](const ConvexAnswer &answer) { return answer_holds(answer, ball, right, ball, {}, 1e-6); };
+  const auto holds = [&](const SignedDistance &answer) { return answer_holds(answer, ball, right, ball, {}, 1e-6); };
   EXPECT_TRUE(holds(truth));
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-    ConvexAnswer distance = truth, normal = truth, point_a = truth, point_b = truth;
+    SignedDistance distance = truth, normal = truth, point_a = truth, point_b = truth;
     distance.distance = bad, normal.normal.y = bad, point_a.point_a.z = bad, point_b.point_b.x = bad;
-    for (const ConvexAnswer &answer : {distance, normal, point_a, point_b}) EXPECT_FALSE(holds(answer)) << bad;
+    for (const SignedDistance &answer : {distance, normal, point_a, point_b}) EXPECT_FALSE(holds(answer)) << bad;
   }
-  ConvexAnswer longer = truth, aside = truth, nearer = truth, elsewhere = truth;
+  SignedDistance longer = truth, aside = truth, nearer = truth, elsewhere = truth;
   longer.normal.x = 1.0 + 1e-6, aside.normal = {0.8, 0.6, 0}, nearer.distance = 0.49, elsewhere.point_a.y = 0.01;
-  for (const ConvexAnswer &answer : {longer, aside, nearer, elsewhere}) EXPECT_FALSE(holds(answer));
+  for (const SignedDistance &answer : {longer, aside, nearer, elsewhere}) EXPECT_FALSE(holds(answer));
 }
 
 TEST(Boxes, DepthOnTheDiagonalIsTheMinimumTranslation) {

@@ -47,7 +47,7 @@ TEST(CapsuleOnCapsule, CarriesAsTheStationsAlongBothAxesDo) {
       pose_b.rotation =
           test::product(random_bodies::rotation_about(random.direction(), random.log_uniform(1e-6, 0.3)), pose_a.rotation);
     }
-    ConvexAnswer answer;
+    SignedDistance answer;
     find_exact_distance(a, pose_a, b, pose_b, backend, answer);
     pose_a.translation = pose_a.translation - (answer.distance + random.log_uniform(1e-4, 0.1)) * answer.normal;
     find_exact_distance(a, pose_a, b, pose_b, backend, answer);
@@ -84,7 +84,7 @@ TEST(CapsuleOnCapsule, HasNoPointsApart) {
   const Shape a = capsule(random), b = capsule(random);
   const Pose pose_a{random_bodies::random_rotation(random), {0, 0, 3}}, pose_b{random_bodies::random_rotation(random), {}};
   BackendScratch backend;
-  ConvexAnswer answer;
+  SignedDistance answer;
   find_exact_distance(a, pose_a, b, pose_b, backend, answer);
   ContactSet found;
   ASSERT_TRUE(capsule_contact(a, pose_a, b, pose_b, found));
@@ -104,7 +104,7 @@ TEST(CapsuleOnCapsule, NormalsAreUnitVectorsWhereAxesNearlyMeet) {
     const Pose pose_a{
         test::product(random_bodies::rotation_about(random.direction(), random.log_uniform(1e-12, 1e-3)), pose_b.rotation),
         random.log_uniform(1e-7, 1e-3) * random.direction()};
-    ConvexAnswer answer;
+    SignedDistance answer;
     find_exact_distance(a, pose_a, b, pose_b, backend, answer);
     std::vector<ContactPoint> points;
     capsule_on_capsule(a, pose_a, b, pose_b, answer, points);
@@ -117,7 +117,7 @@ TEST(CapsuleOnCapsule, DoesNotAnswerWhereTheAxesMeet) {
   const Shape a = capsule(random), b = capsule(random);
   const Pose pose_a{}, pose_b{test::rotation_about({1, 0, 0}, 1.0), {}};
   BackendScratch backend;
-  ConvexAnswer answer;
+  SignedDistance answer;
   find_exact_distance(a, pose_a, b, pose_b, backend, answer);
   std::vector<ContactPoint> points;
   EXPECT_FALSE(capsule_on_capsule(a, pose_a, b, pose_b, answer, points));
