@@ -13,3 +13,12 @@ QUICK = {"BouncingBall", "DoublePendulum", "PlanarFourBar", "SlidingBlock"}
 @pytest.mark.parametrize("path", cases_of("reference", QUICK))
 def test_case(path: Path, check_case: CaseCheck) -> None:
     check_case(path)
+
+
+QUICK_OF_THE_LIBRARY = {"HammerOnAnvil", "RollingSphereCoSimulation"}
+
+
+@pytest.mark.parametrize("path", cases_of("openmodelica", QUICK_OF_THE_LIBRARY))
+def test_case_of_the_library(path: Path, check_case: CaseCheck) -> None:
+    """The library's own models, with contacts: co-simulation cases end on CoSimulation."""
+    check_case(path)

@@ -1,0 +1,88 @@
+"""What `make test-omc` holds against the references: right trajectories pass, wrong ones are named."""
+
+from __future__ import annotations
+
+import csv
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from fmu_regression.cases.case import find_cases, load_case
+from library_compiler import REPOSITORY
+
+CASES = [load_case(path) for path in find_cases(REPOSITORY / "regression" / "cases" / "openmodelica")]
+MODEL = "ContactMultiBody.Examples.HammerOnAnvil"
+Row = dict[str, str]
+
+
+def compare(model: str, result: Path) -> subprocess.CompletedProcess[str]:
+    script = REPOSITORY / "scripts" / "compare-trajectory"
+    return subprocess.run([sys.executable, script, model, result], capture_output=True, text=True, check=False)
+
+
+def changed(folder: Path, model: str, change: Callable[[Row], Row]) -> Path:
+    """The reference with every row changed."""
+    with (REPOSITORY / "Resources" / "reference" / "openmodelica" / f"{model}.csv").open(newline="") as stream:
+        rows = [change(row) for row in csv.DictReader(stream)]
+    path = folder / "result.csv"
+    with path.open("w", newline="") as stream:
+        writer = csv.DictWriter(stream, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+    return path
+
+
+def test_every_reference_has_a_case_for_each_way_to_simulate() -> None:
+    files = {path.stem for path in (REPOSITORY / "Resources" / "reference" / "openmodelica").glob("*.csv")}
+    assert len(files) > 15
+    for mode in ("me", "cs"):
+        cases = [case for case in CASES if case.modes == (mode,)]
+        assert {case.model for case in cases} == files
+        for case in cases:
+            assert case.reference is not None
+            assert case.reference.stem == case.model
+
+
+@pytest.mark.parametrize("case", [case for case in CASES if case.modes == ("me",)], ids=lambda case: case.name)
+def test_a_reference_agrees_with_itself(tmp_path: Path, case: object) -> None:
+    model = case.model  # type: ignore[attr-defined]
+    found = compare(model, changed(tmp_path, model, lambda row: row))
+    assert (found.returncode, found.stderr) == (0, "")
+    assert "checks hold" in found.stdout
+
+
+def test_a_trajectory_that_is_off_is_named(tmp_path: Path) -> None:
+    def off(row: Row) -> Row:
+        return {**row, "wrist.phi": str(float(row["wrist.phi"]) + (1e-3 if float(row["time"]) > 0.5 else 0.0))}
+
+    found = compare(MODEL, changed(tmp_path, MODEL, off))
+    assert found.returncode == 1
+    assert "wrist.phi" in found.stdout
+    assert "shoulder.phi" not in found.stdout
+
+
+def test_an_impact_that_comes_late_is_named(tmp_path: Path) -> None:
+    model = "ContactMultiBody.Examples.BoxOnEdge"
+
+    def late(row: Row) -> Row:
+        return {**row, "time": str(float(row["time"]) * (1 + 1e-4))}
+
+    found = compare(model, changed(tmp_path, model, late))
+    assert found.returncode == 1
+    assert re.search(r"contacts\.distance\[1\] falls through 0: event \d+ at", found.stdout)
+
+
+def test_a_trajectory_that_lacks_a_variable_or_ends_early_fails(tmp_path: Path) -> None:
+    found = compare(MODEL, changed(tmp_path, MODEL, lambda row: {k: v for k, v in row.items() if k != "wrist.w"}))
+    assert found.returncode == 1
+    assert "wrist.w" in found.stdout
+    early = changed(tmp_path, MODEL, lambda row: {**row, "time": str(float(row["time"]) / 2)})
+    assert compare(MODEL, early).returncode == 1
+
+
+def test_models_without_a_reference_and_files_that_are_not_there_are_told_apart(tmp_path: Path) -> None:
+    assert compare("ContactMultiBody.Examples.SpheresOnFloor", tmp_path / "none.csv").returncode == 0
+    assert compare(MODEL, tmp_path / "none.csv").returncode == 2
