@@ -1,7 +1,10 @@
 /* contact_multibody.h - the contact engine's C interface.
  *
  * Scenes are immutable once interned and shared by all threads; queries keep no state.
- * Every function may be called from any thread at any time. */
+ * Every function may be called from any thread at any time.
+ * SI units. All arrays belong to the caller and are row-major; no pointer is kept after a call, and none may be NULL unless a
+ * function says so. Bodies are numbered from 1, as the Modelica library numbers them; the pairs of a scene, being rows of an array,
+ * are counted from 0. */
 #ifndef CONTACT_MULTIBODY_H
 #define CONTACT_MULTIBODY_H
 
