@@ -23,7 +23,7 @@ constexpr std::array<Named, 3> libraries{{{CMB_BACKEND_LIBCCD, "libccd", "Contac
                                           {CMB_BACKEND_COAL, "coal", "ContactMultiBodyCoal", ModuleSymbols::own_first}}};
 
 const DistanceLibrary *load(const Named &named) {
-  const std::string remedy = std::string("; install it there, or choose another back end than ") + named.library;
+  const std::string remedy = std::string("; choose another back end than ") + named.library + ", or install the module";
   try {
     const ModuleFile module(named.module, named.symbols);
     const auto *library = static_cast<const DistanceLibrary *>(module.symbol(distance_library_symbol));

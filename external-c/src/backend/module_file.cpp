@@ -76,7 +76,7 @@ const void *ModuleFile::symbol(const char *name) const {
 #else
 
 ModuleFile::ModuleFile(const std::string &name, ModuleSymbols) {
-  throw ModuleError("modules such as " + name + " are not offered on this platform");
+  throw ModuleError("the module " + name + " is not offered on this platform");
 }
 
 const void *ModuleFile::symbol(const char *) const { return nullptr; }

@@ -22,7 +22,7 @@ TEST(Threads, InternAndQueryTogether) {
         // Every thread interns the same scenes in its own order.
         const int number = (round * 7 + t * 13) % rounds;
         const PairScene scene("cmb/1 sphere radius=" + digits(0.5 + 0.001 * number), "cmb/1 halfspace",
-                              number % 2 == 0 ? CMB_BACKEND_AUTO : CMB_BACKEND_FCL);
+                              number % 2 == 0 ? CMB_BACKEND_AUTO : CMB_BACKEND_ANALYTIC);
         handle[static_cast<std::size_t>(t * rounds + number)] = scene.handle();
         const Contact contact = known.query(pose, {}, 16);
         if (contact.points.size() != expected.points.size() || contact.distance != expected.distance) ++wrong[t];
@@ -51,7 +51,7 @@ TEST(Threads, LibrariesShareTheShapesTheyKeep) {
   const std::string hull = "cmb/1 hull vertices=0.4,0.1,0.1,-0.3,0.4,0.2,0,-0.5,0.1,0.1,0.2,0.6,-0.2,-0.1,-0.4";
   for (const cmb_backend backend : {CMB_BACKEND_LIBCCD, CMB_BACKEND_FCL, CMB_BACKEND_COAL}) {
     cmb_scene none = 0;
-    if (cmb_intern(nullptr, 0, nullptr, 0, backend, &none) != CMB_OK) continue;  // built without coal
+    if (cmb_intern(nullptr, 0, nullptr, 0, backend, &none) != CMB_OK) continue;  // no such module
     const PairScene scene(hull, hull, backend);
     const auto pose = [](int k) {
       return BodyPose{{0.4 * std::sin(0.1 * k), 0.3, 0.4 * std::cos(0.13 * k)}, rotation_about({0, 0, 1}, 0.05 * k)};
