@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "math/anderson_mixing.hpp"
 #include "narrowphase/multicontact/supporting_planes.hpp"
 
 namespace cmb::convex {
@@ -12,8 +11,6 @@ namespace {
 // The ball is at rest where what its places are seen from moves less than this, relative to the size.
 constexpr double at_rest = 1e-11;
 constexpr int max_planes_added = 40, most_rounds = 60;
-// As far as an extrapolated way may turn at once (rad).
-constexpr double most_turn = 0.5;
 // A part of the change before that tells of a slow approach; the cosine of directions that may be of one place.
 constexpr double slow = 0.5, nearby_cosine = 0.995;
 
@@ -64,39 +61,16 @@ bool iterate_planes(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a
   return false;
 }
 
-// The same, extrapolated. False where there is no centre.
-bool iterate_planes_accelerated(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, ActiveSet &active) {
-  AndersonMixing<ActiveSet::most> mixing;
+// The same, however slowly they approach each other. False where there is no centre.
+bool iterate_planes_to_end(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, double size, ActiveSet &active) {
   Vec3 views[ActiveSet::most], next[ActiveSet::most];
   find_views(active, views);
-  ActiveSet before;
-  bool mixed = false;
   for (int round = 0; round < most_rounds; ++round) {
     const int count = active.count;
-    const bool projected = update_planes(a, b, b_in_a, active, views, next);
-    const bool too_far = mixed && !(projected && active.count == count);
-    if (too_far) {
-      active = before;
-      find_views(active, next);
-    } else if (!projected) {
-      return false;
-    }
-    if (too_far || active.count != count) {
-      mixing.restart();
-      mixed = false;
-      std::copy_n(next, active.count, views);
-      continue;
-    }
-    if (farthest2(views, next, count) <= at_rest * at_rest * size * size) return true;
-    before = active;
-    mixing.mix(views, next, count);
-    mixed = true;
-    double part = 1.0;
-    for (int k = 0; k < count; ++k) {
-      const double step = norm(views[k] - next[k]), most_step = most_turn * active.planes[k].multiplier;
-      if (step > part * most_step) part = std::min(part, most_step / step);
-    }
-    for (int k = 0; part < 1.0 && k < count; ++k) views[k] = next[k] + part * (views[k] - next[k]);
+    if (!update_planes(a, b, b_in_a, active, views, next)) return false;
+    const bool same_planes = active.count == count;
+    if (same_planes && farthest2(views, next, count) <= at_rest * at_rest * size * size) return true;
+    std::copy_n(next, active.count, views);
   }
   return true;
 }
@@ -108,24 +82,24 @@ bool cutting_plane_projection(const ConvexBody &a, const ConvexBody &b, const Po
   const auto lacks_nothing = [](const SignedDistance &there, const ActiveSet &held) {
     return -there.distance >= held.radius - held.slack;
   };
-  bool at_rest_there = true, accelerate = false;
+  bool at_rest_there = true, to_end = false;
   for (int step = 0; step < max_planes_added; ++step) {
-    if (step > 0 && !accelerate) at_rest_there = iterate_planes(a, b, b_in_a, size, active);
-    if (accelerate && !iterate_planes_accelerated(a, b, b_in_a, size, active)) return false;
+    if (step > 0 && !to_end) at_rest_there = iterate_planes(a, b, b_in_a, size, active);
+    if (to_end && !iterate_planes_to_end(a, b, b_in_a, size, active)) return false;
     const SignedDistance there = distance_from_centre(a, b, b_in_a, active, scratch);
     if (lacks_nothing(there, active)) {
-      if (at_rest_there || accelerate) break;
-      accelerate = true;
+      if (at_rest_there || to_end) break;
+      to_end = true;
       continue;
     }
     const SupportingPlane added = supporting_plane_at(there, active.centre);
     for (int k = 0; k < active.count; ++k) {
       if (!(dot(added.direction, active.planes[k].direction) > nearby_cosine)) continue;
-      accelerate = true;
+      to_end = true;
       // Where the surface is nearly as curved as the ball, the place that holds it may have moved as far.
       ActiveSet moved = active;
       moved.planes[k] = added;
-      if (!moved.project_origin() || !iterate_planes_accelerated(a, b, b_in_a, size, moved)) continue;
+      if (!moved.project_origin() || !iterate_planes_to_end(a, b, b_in_a, size, moved)) continue;
       if (!lacks_nothing(distance_from_centre(a, b, b_in_a, moved, scratch), moved)) continue;
       active = moved;
       return true;
