@@ -1,8 +1,12 @@
 within ContactMultiBody;
 model CompiledContactManager "Lets many bodies collide; the engine finds the contacts and computes their forces"
-  extends Interfaces.PartialCompiledContacts;
+  extends Interfaces.PartialCompiledContacts(
+    geometry=collider.geometry,
+    material=collider.material,
+    inertia=collider.inertia);
   import Modelica.Mechanics.MultiBody.Frames;
 
+  parameter Parts.Collider collider[n] "Geometry, material and inertia of each body, usually {body1.collider, ...}";
   Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame[n] "Frames of the bodies"
     annotation (Placement(transformation(extent={{-116,-80},{-84,80}})));
 
@@ -16,6 +20,10 @@ equation
     w_0[i, :] = Frames.resolve1(frame[i].R, frame[i].R.w);
   end for;
   v_0 = der(origin);
+  for i in 1:n loop
+    assert(not collider[i].isFixed or max(abs(frame[i].r_0 - collider[i].r_0)) < 1e-6,
+      "frame[" + String(i) + "] is not where collider[" + String(i) + "] says its Ground or Fixed is: give colliders in the order of the frames.");
+  end for;
   r_0 = Internal.Unaliased.vectors({frame[i].r_0 for i in 1:n});
   T = Internal.Unaliased.rotations({frame[i].R.T for i in 1:n});
   force = Internal.Unaliased.vectors(responseForce);

@@ -2,7 +2,7 @@ within ContactMultiBody;
 model ContactManager "Lets all bodies it is connected to collide"
   extends Interfaces.PartialContacts;
 
-  parameter String geometry[n] "Descriptor of each body's geometry, usually {body1.geometry, ...}";
+  parameter String geometry[n]=collider.geometry "Descriptor of each body's geometry, if not given by collider";
   parameter Types.Backend backend=Types.Backend.Automatic "Algorithm that finds the contacts"
     annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Modelica.Units.SI.Length exactWithin(min=Modelica.Constants.small)=Modelica.Constants.inf
@@ -26,20 +26,23 @@ equation
         Text(extent={{-100,-60},{100,-90}}, textString="n=%n")}),
     Documentation(info="<html>
 <p>
-Connect a frame of each body that may collide to an element of <code>frame</code>, and give the bodies' geometries and
-materials in the same order:
+Connect a frame of each body that may collide to an element of <code>frame</code>, and give what the manager has to know about the bodies, their
+<a href=\"modelica://ContactMultiBody.Parts.Collider\">colliders</a>, in the same order:
 </p>
 <blockquote><pre>
 ContactMultiBody.Parts.Body ball(geometry=ContactMultiBody.Shapes.sphere(0.1), ...);
 ContactMultiBody.Parts.Ground floor;
 ContactMultiBody.ContactManager contacts(
   n=2,
-  geometry={ball.geometry, floor.geometry},
-  material={ball.material, floor.material});
+  collider={ball.collider, floor.collider});
 equation
 connect(ball.frame_a, contacts.frame[1]);
 connect(floor.frame_a, contacts.frame[2]);
 </pre></blockquote>
+<p>
+<code>geometry</code>, <code>material</code> and <code>inertia</code> can be given instead, one list each. A connector that carries these along with the frame is not possible: parameters of a connector belong to each of its two sides,
+and Modelica passes none of them through a connection.
+</p>
 <p>
 The geometry of a body is described in the frame that is connected. By default all pairs of bodies may touch;
 <code>pairs={{1,3},{2,3}}</code> names those that are to be looked at, which saves time.

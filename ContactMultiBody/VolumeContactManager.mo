@@ -6,7 +6,7 @@ model VolumeContactManager "Lets bodies collide that touch with faces, by forces
     final exponent=1,
     stiffness=foundationModulus);
 
-  parameter String geometry[n] "Descriptor of each body's geometry, usually {body1.geometry, ...}";
+  parameter String geometry[n]=collider.geometry "Descriptor of each body's geometry, if not given by collider";
   parameter Real foundationModulus[m](each unit="N/m3")=fill(1e8, m) "Pressure by depth of each pair, E/h of a layer of thickness h"
     annotation (Dialog(group="Normal force"));
   parameter Modelica.Units.SI.Length exactWithin(min=Modelica.Constants.small)=Modelica.Constants.inf

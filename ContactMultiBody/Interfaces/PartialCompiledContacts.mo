@@ -3,9 +3,9 @@ partial model PartialCompiledContacts "Parameters of contacts that the engine co
   import SI = Modelica.Units.SI;
 
   parameter Integer n(min=2)=2 "Number of bodies" annotation (Evaluate=true);
-  parameter String geometry[n] "Descriptor of each body's geometry, usually {body1.geometry, ...}";
-  parameter Materials.Material material[n] "Material of each body, usually {body1.material, ...}";
-  parameter Parts.Inertia inertia[n] "Inertia of each body, usually {body1.inertia, ...}; bodies of mass 0 are immovable";
+  parameter String geometry[n] "Descriptor of each body's geometry";
+  parameter Materials.Material material[n] "Material of each body";
+  parameter Parts.Inertia inertia[n] "Inertia of each body; bodies of mass 0 are immovable";
 
   parameter Integer group[n]=fill(1, n) "Groups each body belongs to, one bit each"
     annotation (Evaluate=true, Dialog(group="Pairs that never touch"));

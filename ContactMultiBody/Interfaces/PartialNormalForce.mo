@@ -18,7 +18,7 @@ partial model PartialNormalForce "Stiffness and damping along the normal"
     "Depth from which dampers act fully, for SpringDamper only"
     annotation (Dialog(group="Normal force", enable=normalLaw == Types.NormalLaw.SpringDamper));
 
-  parameter Parts.Inertia inertia[n] "Inertia of each body, usually {body1.inertia, ...}, for Memoryless only"
+  parameter Parts.Inertia inertia[n]=collider.inertia "Inertia of each body, if not given by collider, for Memoryless only"
     annotation (Dialog(group="Restitution", enable=restitutionMethod == Types.RestitutionMethod.Memoryless));
   parameter SI.Mass effectiveMass[m](each min=0)=fill(0, m)
     "Effective mass of each pair; 0: computed from the bodies' inertia where they touch, for Memoryless only"

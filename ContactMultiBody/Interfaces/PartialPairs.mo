@@ -4,7 +4,8 @@ partial model PartialPairs "Bodies, the pairs of them that may touch, and how th
   import Modelica.Mechanics.MultiBody.Frames;
 
   parameter Integer n(min=2)=2 "Number of bodies" annotation (Evaluate=true);
-  parameter Materials.Material material[n] "Material of each body, usually {body1.material, ...}";
+  parameter Parts.Collider collider[n] "Geometry, material and inertia of each body, usually {body1.collider, ...}";
+  parameter Materials.Material material[n]=collider.material "Material of each body, if not given by collider";
   parameter Integer pairs[:, 2]=fill(0, 0, 2) "Pairs of bodies that may touch; empty: all pairs" annotation (Evaluate=true);
   final parameter Integer m=if size(pairs, 1) > 0 then size(pairs, 1) else div(n*(n - 1), 2) "Number of pairs"
     annotation (Evaluate=true);
@@ -34,6 +35,10 @@ equation
     w_0[i, :] = Frames.resolve1(frame[i].R, frame[i].R.w);
   end for;
   v_0 = der(r_0);
+  for i in 1:n loop
+    assert(not collider[i].isFixed or max(abs(frame[i].r_0 - collider[i].r_0)) < 1e-6,
+      "frame[" + String(i) + "] is not where collider[" + String(i) + "] says its Ground or Fixed is: give colliders in the order of the frames.");
+  end for;
 
   distance = Internal.Unaliased.vector(pairDistance);
   pointVelocity = Internal.Kinematics.pointVelocities(point, {frame[i].r_0 for i in 1:n}, v_0, w_0, pair);

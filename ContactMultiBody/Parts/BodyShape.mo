@@ -5,6 +5,7 @@ model BodyShape "Rigid body with two frames that can collide"
     annotation (Dialog(group="Contact"));
   parameter Materials.Material material "Material of the surface" annotation (Dialog(group="Contact"), choicesAllMatching=true);
   final parameter Inertia inertia(m=m, r_CM=r_CM, I={{I_11,I_21,I_31},{I_21,I_22,I_32},{I_31,I_32,I_33}}) "Inertia, for contacts without events";
+  final parameter Collider collider(geometry=geometry, material=material, inertia=inertia) "All of these, for the contact manager";
   annotation (Documentation(info="<html>
 <p>
 Modelica.Mechanics.MultiBody.Parts.BodyShape with a geometry and a material. Neither adds an equation; contacts are computed by the

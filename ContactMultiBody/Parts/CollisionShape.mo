@@ -5,6 +5,7 @@ model CollisionShape "Gives any frame a shape that collides"
   parameter String geometry "Descriptor of the geometry in frame_a, see Shapes" annotation (Dialog(group="Contact"));
   parameter Materials.Material material "Material of the surface" annotation (Dialog(group="Contact"), choicesAllMatching=true);
   parameter Inertia inertia "Inertia of what the frame belongs to, for contacts without events" annotation (Dialog(group="Contact"));
+  final parameter Collider collider(geometry=geometry, material=material, inertia=inertia) "All of these, for the contact manager";
 equation
   frame_a.f = zeros(3);
   frame_a.t = zeros(3);

@@ -29,6 +29,7 @@ model FreeBody "Rigid body that moves freely and can collide; its orientation is
   final parameter SI.Inertia I[3, 3]={{I_11,I_21,I_31},{I_21,I_22,I_32},{I_31,I_32,I_33}}
     "Inertia tensor about the centre of mass, in coordinates of frame_a";
   final parameter Inertia inertia(m=m, r_CM=r_CM, I=I) "Inertia, for contacts without events";
+  final parameter Collider collider(geometry=geometry, material=material, inertia=inertia) "All of these, for the contact manager";
   final parameter Frames.Orientation R_start=Frames.axesRotations(sequence_start, angles_start, zeros(3))
     "Orientation of frame_a that angles_start mean";
   final parameter Real Q_start[4](each unit="1")=Frames.to_Q(R_start) "Quaternion that angles_start mean";

@@ -7,6 +7,12 @@ model Ground "Immovable half-space or shape"
     annotation (Dialog(group="Contact"));
   parameter Materials.Material material "Material of the surface" annotation (Dialog(group="Contact"), choicesAllMatching=true);
   final parameter Inertia inertia "Inertia, for contacts without events";
+  final parameter Collider collider(
+    geometry=geometry,
+    material=material,
+    inertia=inertia,
+    isFixed=true,
+    r_0=r) "All of these, for the contact manager";
   Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame_a "Frame of the ground, parallel to the world frame"
     annotation (Placement(transformation(extent={{-16,84},{16,116}})));
 equation
