@@ -46,6 +46,10 @@ _CAREFUL_NEWTON_SHARE = 0.01
 # So many steps of one length, shorter than this share of the longest, are creeping.
 _STEPS_WATCHED = 200
 _CREEPING_SHARE = 0.1
+# How much longer the second step after a start may be than the first. CVODE's own 10 000 makes a step of a millisecond out
+# of one of a microsecond, at order one: between its ends the interpolated distance of bodies that part slowly leads back
+# into contact, and the events found there go on and on.
+_GROWTH_AFTER_START = 10.0
 _ROOT_OF_ROUNDING = float(np.sqrt(np.finfo(float).eps))
 
 _FAILURES = {
@@ -73,6 +77,7 @@ def _declare(library: Any, name: str, *arguments: Any, result: Any = ctypes.c_in
 
 _set_stop_time = _declare(sundials_cvode, "CVodeSetStopTime", ctypes.c_void_p, ctypes.c_double)
 _set_newton_share = _declare(sundials_cvode, "CVodeSetNonlinConvCoef", ctypes.c_void_p, ctypes.c_double)
+_set_growth_after_start = _declare(sundials_cvode, "CVodeSetEtaMaxFirstStep", ctypes.c_void_p, ctypes.c_double)
 _get_last_step = _declare(sundials_cvode, "CVodeGetLastStep", ctypes.c_void_p, ctypes.POINTER(ctypes.c_double))
 _get_dky = _declare(
     sundials_cvode, "CVodeGetDky", ctypes.c_void_p, ctypes.c_double, ctypes.c_int, CVRhsFn._argtypes_[1]
@@ -195,6 +200,7 @@ class Cvode:
         self._newton = Newton(self._context, self._memory, states.size, work, self._keep_error)
         self._check(self._newton.status)
         self._check(CVodeSetMaxStep(self._memory, max_step))
+        self._check(_set_growth_after_start(self._memory, _GROWTH_AFTER_START))
         self._check(CVodeSetNoInactiveRootWarn(self._memory))
 
     def __enter__(self) -> Cvode:

@@ -34,6 +34,11 @@ static const double usual_newton_share = 0.1, careful_newton_share = 0.01;
 enum { STEPS_WATCHED = 200 };
 static const double creeping_share = 0.1;
 
+/* How much longer the second step after a start may be than the first. CVODE's own 10 000 makes a step of a millisecond
+ * out of one of a microsecond, at order one: between its ends the interpolated distance of bodies that part slowly leads
+ * back into contact, and the events found there go on and on. */
+static const double growth_after_start = 10.0;
+
 struct fmurt_solver {
   fmurt_instance *instance;
   SUNContext context;
@@ -233,6 +238,7 @@ static int first_start(fmurt_solver *solver) {
     flag = CVodeSetJacFn(solver->memory, fmurt_model.jacobian != NULL ? jacobian : difference_quotients);
   }
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinearSolver(solver->memory, solver->newton);
+  if (flag == CV_SUCCESS) flag = CVodeSetEtaMaxFirstStep(solver->memory, growth_after_start);
   if (flag == CV_SUCCESS) flag = CVodeSetMaxHnilWarns(solver->memory, -1);
   if (flag == CV_SUCCESS && fmurt_model.indicator_count > 0) {
     flag = CVodeRootInit(solver->memory, (int)fmurt_model.indicator_count, roots);
