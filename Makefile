@@ -9,11 +9,13 @@
 # make stress    ten million random and adversarial poses of all pairs of bodies (POSES=...)
 # make contact-quality  work, jumps and frames of the contact forces of all pairs of bodies, as tables (PATHS=40)
 # make promises  measures what the library promises into docs/promises.md
+# make response measures contact response at all tolerances into docs/response.md
+# make soak     200 random scenes at all tolerances, modes and importers into out/soak; hours, resumes (SCENES=...)
 # make large     lets a thousand spheres fill a box: builds and runs regression/cases/large, some minutes
 # make test-msl  passes the tests with the Standard Library's examples (MODELICAPATH; about fifteen minutes)
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release promises large test-omc icons
+.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release promises response soak large test-omc icons
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -35,6 +37,12 @@ release: setup
 
 promises: setup
 	.venv/bin/python scripts/promises
+
+response: setup
+	.venv/bin/python scripts/response
+
+soak: setup
+	.venv/bin/python scripts/soak --scenes $(or $(SCENES),200)
 
 large: setup
 	.venv/bin/cmb regress regression/cases/large

@@ -46,9 +46,9 @@ _CAREFUL_NEWTON_SHARE = 0.01
 # So many steps of one length, shorter than this share of the longest, are creeping.
 _STEPS_WATCHED = 200
 _CREEPING_SHARE = 0.1
-# How much longer the second step after a start may be than the first. CVODE's own 10 000 makes a step of a millisecond out
-# of one of a microsecond, at order one: between its ends the interpolated distance of bodies that part slowly leads back
-# into contact, and the events found there go on and on.
+# How much longer the second step after a start may be than the first. CVODE's own 10 000 makes a step of a millisecond
+# out of one of a microsecond, at order one: between its ends the interpolated distance of bodies that part slowly leads
+# back into contact, and the events found there go on and on.
 _GROWTH_AFTER_START = 10.0
 _ROOT_OF_ROUNDING = float(np.sqrt(np.finfo(float).eps))
 

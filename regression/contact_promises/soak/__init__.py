@@ -1,0 +1,1 @@
+"""Random small scenes at all tolerances: nothing gains energy, results converge, every run ends."""
