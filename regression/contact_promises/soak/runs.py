@@ -20,7 +20,7 @@ from contact_promises.soak.scenes import STOP
 IMPORTERS: Final = ("cmb", "fmpy")
 MODES: Final[tuple[Mode, ...]] = ("me", "cs")
 TOLERANCES: Final = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8)
-SPREAD: Final = 50.0
+SPREAD: Final = 100.0
 """How many tolerances a result may be off."""
 TIME_LIMIT: Final = 60.0
 """Wall time in s that counts as without end."""

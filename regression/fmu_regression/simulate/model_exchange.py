@@ -25,10 +25,11 @@ def absolute_tolerance(relative: float) -> float:
     """Absolute tolerance for states of nominal value 1.
 
     Positions have the nominal value 1 m as a rule, and penetrations of a micrometre carry the load: with the relative
-    tolerance itself they, and the fast modes of stiff contacts, would be left undetermined. Below a nanometre the
-    rounding of contact geometry times the contact's stiffness would keep Newton's iteration from converging.
+    tolerance itself they, and the fast modes of stiff contacts, would be left undetermined; from a tenth of a
+    micrometre on static friction's springs are. Below a nanometre the rounding of contact geometry times the contact's
+    stiffness would keep Newton's iteration from converging.
     """
-    return min(relative, max(1e-3 * relative, 1e-9))
+    return min(relative, max(1e-3 * relative, 1e-9), 1e-7)
 
 
 def integrate(

@@ -211,9 +211,10 @@ static double relative_tolerance(const fmurt_situation *situation) {
 
 /* The absolute tolerance, divided by a state's nominal value, where the importer gives none. Positions have the nominal
  * value 1 m as a rule and penetrations of a micrometre matter, so the usual share 1 of the relative tolerance would
- * leave them undetermined; below a nanometre the rounding errors of contact geometry, multiplied by the stiffness of
- * the contact, keep Newton from converging (tried on stacks and on a box that lands on its edge). */
-static double default_absolute(double relative) { return fmin(relative, fmax(1e-3 * relative, 1e-9)); }
+ * leave them undetermined; more than a tenth of a micrometre leaves the springs of static friction so. Below a nanometre
+ * the rounding errors of contact geometry, multiplied by the stiffness of the contact, keep Newton from converging
+ * (tried on stacks and on a box that lands on its edge). */
+static double default_absolute(double relative) { return fmin(relative, fmin(fmax(1e-3 * relative, 1e-9), 1e-7)); }
 
 static int set_tolerances(fmurt_solver *solver) {
   const fmurt_situation *situation = &solver->instance->situation;
