@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -42,6 +44,16 @@ def rules_broken(*texts: str) -> set[str]:
 def test_the_library_holds_the_rules() -> None:
     classes = classes_below(*(REPOSITORY / package for package in ("ContactMultiBody", "ContactMultiBodyTest")))
     assert len(classes) == len(class_files())
+    assert [str(finding) for finding in findings(classes)] == []
+
+
+def test_generated_models_hold_the_rules(tmp_path: Path) -> None:
+    cad = REPOSITORY / "Resources" / "cad"
+    program = Path(sys.executable).with_name("cmb")
+    subprocess.run([program, "generate", cad / "hammer" / "hammer.xml", "--output", tmp_path], check=True)
+    folders = (REPOSITORY / "ContactMultiBody", tmp_path / "Hammer")
+    classes = classes_below(*folders)
+    assert {"Hammer.Mechanics", "Hammer.Mechatronics"} <= classes.keys()
     assert [str(finding) for finding in findings(classes)] == []
 
 
