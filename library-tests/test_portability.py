@@ -51,7 +51,7 @@ def test_generated_models_hold_the_rules(tmp_path: Path) -> None:
     cad = REPOSITORY / "Resources" / "cad"
     program = Path(sys.executable).with_name("cmb")
     subprocess.run([program, "generate", cad / "hammer" / "hammer.xml", "--output", tmp_path], check=True)
-    folders = (REPOSITORY / "ContactMultiBody", tmp_path / "Hammer")
+    folders = (REPOSITORY / "ContactMultiBody", tmp_path / "Hammer", cad / "anton" / "AntonWalk")
     classes = classes_below(*folders)
     assert {"Hammer.Mechanics", "Hammer.Mechatronics"} <= classes.keys()
     assert [str(finding) for finding in findings(classes)] == []

@@ -36,7 +36,6 @@ protected
   SI.Position rolled[3] "Foot with the distance it rolled";
   SI.Velocity rolledVelocity[3] "Derivative of rolled";
   SI.Angle phi[3] "Wanted angles";
-  SI.AngularVelocity w[3] "Wanted speeds";
 equation
   path = footPosition(cycle + offset, gait.dutyFactor, gait.stride, gait.lift);
   slope = footSlope(cycle + offset, gait.dutyFactor, gait.stride, gait.lift);
@@ -47,9 +46,8 @@ equation
   rolled = rolledFoot(foot, straight, middle, footRadius);
   rolledVelocity = velocity + rollingVelocity(straight, straightSpeed, middle, footRadius);
   phi = jointAngles(rolled, coxa, femur, tibia);
-  w = jointSpeeds(rolled, rolledVelocity, phi, femur, tibia);
-  servo.phi_ref = phi;
-  servo.w_ref = w;
+  servo.phi_ref = jointAngles(rolled, coxa, femur, tibia);
+  servo.w_ref = jointSpeeds(rolled, rolledVelocity, phi, femur, tibia);
   connect(servo[1].flange, hip) annotation (Line(points={{40,0},{70,0},{70,60},{100,60}}));
   connect(servo[2].flange, lift) annotation (Line(points={{40,0},{100,0}}));
   connect(servo[3].flange, knee) annotation (Line(points={{40,0},{70,0},{70,-60},{100,-60}}));

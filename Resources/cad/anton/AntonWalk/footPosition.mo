@@ -14,7 +14,7 @@ algorithm
   u := cycle - floor(cycle);
   s := max(0, u - dutyFactor)/(1 - dutyFactor);
   position := {stride/2 + stride/dutyFactor*(s - sin(2*pi*s)/(2*pi) - u),64*lift*(s*(1 - s))^3};
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 A standing foot goes backwards under the torso at constant speed. A swinging one covers the torso's distance of a whole cycle over the floor
 as a cycloid, <code>stride/dutyFactor*(s - sin(2*pi*s)/(2*pi))</code>, and rises by <code>64*lift*(s*(1 - s))^3</code>. At lifting and

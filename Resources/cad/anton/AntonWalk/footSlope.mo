@@ -12,7 +12,7 @@ protected
 algorithm
   s := max(0, cycle - floor(cycle) - dutyFactor)/(1 - dutyFactor);
   slope := {stride/dutyFactor*((1 - cos(2*pi*s))/(1 - dutyFactor) - 1),192*lift*(s*(1 - s))^2*(1 - 2*s)/(1 - dutyFactor)};
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>See <a href=\"modelica://AntonWalk.footPosition\">footPosition</a>.</p>
 </html>"));
 end footSlope;

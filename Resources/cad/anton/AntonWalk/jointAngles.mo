@@ -13,7 +13,7 @@ algorithm
   reach := sqrt(foot[1]^2 + foot[2]^2) - coxa;
   cosKnee := max(-1, min(1, (reach^2 + foot[3]^2 - femur^2 - tibia^2)/(2*femur*tibia)));
   phi := {atan2(foot[2], foot[1]),atan2(foot[3], reach) + atan2(tibia*sqrt(1 - cosKnee^2), femur + tibia*cosKnee),-acos(cosKnee)};
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 The hip turns the leg's plane towards the foot; in that plane femur and tibia form a triangle whose third side is known. A foot out of reach
 is approached with the leg stretched.

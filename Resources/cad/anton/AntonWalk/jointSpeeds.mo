@@ -17,7 +17,7 @@ algorithm
   lift := (reachSpeed*cos(phi[2] + phi[3]) + velocity[3]*sin(phi[2] + phi[3]))/(femur*sin(phi[3]));
   w := {(foot[1]*velocity[2] - foot[2]*velocity[1])/radius^2,lift,-lift - (reachSpeed*cos(phi[2]) + velocity[3]*sin(phi[2]))/(tibia*sin(
     phi[3]))};
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>The inverse of the leg's Jacobian, which is regular unless the leg is stretched or folded.</p>
 </html>"));
 end jointSpeeds;

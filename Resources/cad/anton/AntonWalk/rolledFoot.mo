@@ -8,7 +8,7 @@ pure function rolledFoot "Where the centre of a foot is that rolls on the floor 
   output Modelica.Units.SI.Position rolled[3] "Centre of the foot";
 algorithm
   rolled := foot - radius*(phi[2] + phi[3] - middle[2] - middle[3])*{cos(phi[1]),sin(phi[1]),0};
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>
 A ball that rolls without slipping moves by its radius times the angle. The angle is that of a shank whose foot does not roll, which
 leaves out the small share radius/tibia of the distance.

@@ -8,7 +8,7 @@ pure function rollingVelocity "Derivative of the distance rolled in rolledFoot"
   output Modelica.Units.SI.Velocity velocity[3] "Outward, sideways, up, against the hip";
 algorithm
   velocity := -radius*((w[2] + w[3])*{cos(phi[1]),sin(phi[1]),0} + (phi[2] + phi[3] - middle[2] - middle[3])*w[1]*{-sin(phi[1]),cos(phi[1]),0});
-  annotation (Documentation(info="<html>
+  annotation (Inline=false, Documentation(info="<html>
 <p>See <a href=\"modelica://AntonWalk.rolledFoot\">rolledFoot</a>.</p>
 </html>"));
 end rollingVelocity;
