@@ -99,8 +99,8 @@ WIN64: Final = Platform(
     suffix=".dll",
     compilers=("x86_64-w64-mingw32-gcc-posix", "x86_64-w64-mingw32-gcc"),
     compile_options=("-D_USE_MATH_DEFINES", "-D__USE_MINGW_ANSI_STDIO=1"),
-    # All but the system's libraries is linked statically; no time in the header.
-    link_options=("-static", "-Wl,--no-insert-timestamp"),
+    # All but the system's libraries is linked statically; no time in the header, and no base made from the file's path.
+    link_options=("-static", "-Wl,--no-insert-timestamp", "-Wl,--image-base,0x180000000"),
     lists_headers=("x86_64-w64-mingw32-objdump", "-p"),
     needs=re.compile(r"DLL Name: (\S+)"),
     system=re.compile(r"(kernel32|msvcrt|user32|advapi32|ntdll|api-ms-win-.*)\.dll", re.IGNORECASE),
