@@ -39,6 +39,7 @@ EXAMPLES = """examples:
 """
 
 _PRINT = Path("-")
+_WARNINGS = 5  # that are shown; --log has all
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -93,6 +94,10 @@ def run(arguments: Namespace) -> int:
     build = _by_openmodelica if arguments.tool == "omc" else _by_translator
     with progress_bars() as progress:
         report = build(arguments, output, progress)
+    for warning in report.warnings[:_WARNINGS]:
+        print(f"cmb: warning: {warning}", file=sys.stderr)
+    if len(report.warnings) > _WARNINGS:
+        print(f"cmb: {len(report.warnings) - _WARNINGS} more warnings: see --log", file=sys.stderr)
     print(report.summary())
     if arguments.log == _PRINT:
         sys.stdout.write(report.text() + "\n")

@@ -16,6 +16,7 @@ from typing import Any, Final
 from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, Names, Role, UnknownError, Value
+from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Modifier
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.flat_expression_check import ExpressionCheck, Site
@@ -67,6 +68,22 @@ def check_flat_model(flat: Mapping[str, Any], model: str, reading: FlatReading) 
     except (UnknownError, UnreadableError):
         return ()
     return _FlatCheck(flat, root, reading).run()
+
+
+def added_components(flat: Mapping[str, Any], model: str, library: ClassLibrary) -> list[str]:
+    """Components that a model does not declare, but that outer ones in it need (Modelica 3.6, section 5.4).
+
+    Args:
+        flat: the flattened model.
+        model: full name.
+        library: the sources.
+    """
+    try:
+        declared = set(Names(library).find(tuple(model.split("."))).component_names())
+    except (UnknownError, UnreadableError):
+        return []
+    heads = (variable["component_ref"]["parts"][0]["ident"] for variable in flat["variables"].values())
+    return [head for head in dict.fromkeys(heads) if head not in declared]
 
 
 class _FlatCheck:

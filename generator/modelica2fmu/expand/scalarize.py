@@ -44,7 +44,7 @@ class _Scalarizer:
     def __init__(self, model: ir.FlatModel, source_map: SourceMap, files: Callable[[str], Path]) -> None:
         self._model = model
         self._source_map = source_map
-        self._result = ScalarModel(model.name, model.description)
+        self._result = ScalarModel(model.name, model.description, warnings=list(model.warnings))
         self._enumerations = EnumerationTypes(model)
         self._interpreter = Interpreter(model, self, source_map)
         self._values = VariableValues(model, self._result, self._interpreter, source_map)

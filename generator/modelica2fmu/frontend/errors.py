@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
@@ -19,6 +20,9 @@ _CRASH: Final = (
     "leave out parts of it to find what the front end does not take; known are `redeclare ... extends` in a model, in"
     " place of a package, and classes that stand for themselves"
 )
+# One of several errors: what is said, the file and the line.
+_LOCATED: Final = re.compile(r"(?:^|; )((?:(?!\.mo:\d+:\d+\]; ).)*?) \[([^\[\]]+\.mo):(\d+):\d+\]", re.DOTALL)
+
 _PROBLEMS_SHOWN: Final = 3
 
 
@@ -44,6 +48,9 @@ def front_end_error(answer: Answer, model: str, file: Path) -> InputError:
     layout = LAYOUT.search(message)
     if layout:
         return _layout_error(Path(layout[1]), layout[2].split("; "))
+    own = _own_mistake(message, model, file)
+    if own is not None:
+        return own
     place = Place(file=file, component=model)
     text = "\n".join((*answer.diagnostics, message))
     located = re.search(r"\[([^\[\]\s]+\.mo):(\d+):\d+\]", text)
@@ -61,6 +68,32 @@ def front_end_error(answer: Answer, model: str, file: Path) -> InputError:
         )
     first = message.strip().split("\nRelated failures")[0]
     return InputError(first or "the model cannot be compiled", place=place)
+
+
+def _own_mistake(message: str, model: str, file: Path) -> InputError | None:
+    """The first of several errors that lies in the model's own file or package; None if the message locates none there.
+
+    One mistake in a model lets rumoca find fault with places of libraries, which it puts first.
+    """
+    root = file.parent if file.name == "package.mo" else file
+    _, _, errors = message.partition(" failed in Typecheck: ")
+    for said, name, line in _LOCATED.findall(errors):
+        if Path(name).is_relative_to(root):
+            return InputError(said, place=Place(file=Path(name), line=int(line), component=model))
+    return None
+
+
+def unconnected_error(frames: Sequence[str], model: str, file: Path) -> InputError:
+    """Frames are connected to nothing, so nothing says where they are."""
+    component = re.split(r"[.\[]", frames[0], maxsplit=1)[0]
+    line = _line_of(re.compile(rf"(?<![\w.]){re.escape(component)}(?!\w)"), file)
+    several = len(frames) > 1
+    return InputError(
+        f"{', '.join(frames)} {'are' if several else 'is'} connected to nothing: no equation says where "
+        f"{'they are' if several else 'it is'}",
+        place=Place(file=file, line=line, component=model),
+        remedy=f"connect {'them' if several else 'it'}: connect(body.frame_a, {frames[0]});",
+    )
 
 
 def _layout_error(package: Path, problems: list[str]) -> InputError:

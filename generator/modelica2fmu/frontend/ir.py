@@ -452,3 +452,4 @@ class FlatModel:
     functions: dict[str, Function]
     enumeration_literals: dict[str, int]
     record_types: dict[str, RecordType] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()  # assumptions the user should know of

@@ -11,13 +11,15 @@ from contact_foundation.errors import InputError, Place
 
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
-from modelica2fmu.crosscheck.flat_check import check_flat_model
+from modelica2fmu.crosscheck.flat_check import added_components, check_flat_model
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.frontend import ir
-from modelica2fmu.frontend.errors import FrontEndError, front_end_error
+from modelica2fmu.frontend.balance import lacks_equations, unbalanced_form, unplaced_frames
+from modelica2fmu.frontend.concatenation import have_values, with_arrays_written_out
+from modelica2fmu.frontend.errors import FrontEndError, front_end_error, unconnected_error
 from modelica2fmu.frontend.flat_reader import read_flat_model
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
-from modelica2fmu.frontend.runner import Request, ask
+from modelica2fmu.frontend.runner import Answer, Request, ask
 from modelica2fmu.library.source_map import SourceMap, Span, source_number
 
 # What a folder with the Modelica Standard Library holds.
@@ -45,7 +47,11 @@ def load_flat_model(
     resolved = {root.resolve() for root in roots}
     roots = [root for root in roots if root.resolve().parent not in resolved]
     with apart(file, roots, source_map) as given:
-        answer = ask(_request(model, file, given), remark)
+        request = _request(model, file, given)
+        answer = ask(request, remark)
+        if answer.flat is None:
+            _check_connections(answer.error, request, file, remark)
+            answer = _with_arrays_written_out(answer, request, file, source_map, remark)
         if answer.flat is None:
             words = replace(
                 answer,
@@ -53,17 +59,44 @@ def load_flat_model(
                 diagnostics=tuple(given.restored(each) for each in answer.diagnostics),
             )
             raise front_end_error(words, model, file) from FrontEndError(words.error)
-        _check(answer.flat, model, file, given, source_map)
-        return read_flat_model(answer.flat, model, source_map)
+        library = ClassLibrary(given.file, source_map.text(file), given.roots)
+        _check(answer.flat, model, source_map, library)
+        warnings = tuple(
+            f"no component {name} is declared as inner, so one with its default values is added: declare it in {model}"
+            for name in added_components(answer.flat, model, library)
+        )
+        return replace(read_flat_model(answer.flat, model, source_map), warnings=warnings)
 
 
-def _check(flat: dict[str, Any], model: str, file: Path, given: LoneFiles, source_map: SourceMap) -> None:
+def _check_connections(error: str, request: Request, file: Path, remark: Callable[[str], None]) -> None:
+    """Raises InputError if frames that are connected to nothing are why the model lacks equations."""
+    unbalanced = unbalanced_form(request) if lacks_equations(error) else None
+    flat = None if unbalanced is None else ask(unbalanced, remark).flat
+    frames = [] if flat is None else unplaced_frames(flat)
+    if frames:
+        raise unconnected_error(frames, request.model, file)
+
+
+def _with_arrays_written_out(
+    answer: Answer, request: Request, file: Path, source_map: SourceMap, remark: Callable[[str], None]
+) -> Answer:
+    """The answer about the same model with arrays written out; the error as it was where that does not help."""
+    written = None if request.text is None else with_arrays_written_out(request.text)
+    if written is None or written.text == request.text:
+        return answer
+    other = ask(replace(request, text=written.text), remark)
+    if other.flat is None or not have_values(other.flat, written.numbers):
+        return answer
+    source_map.add_text(file, written.text)
+    return other
+
+
+def _check(flat: dict[str, Any], model: str, source_map: SourceMap, library: ClassLibrary) -> None:
     """Restores what is fixed; raises UnsupportedModelError if the front end left out anything else."""
 
     def place(extent: Extent) -> Place:
         return source_map.place(Span(source_number(str(extent.file)), extent.start, extent.end))
 
-    library = ClassLibrary(given.file, file.read_bytes(), given.roots)
     for name in check_flat_model(flat, model, FlatReading(library, place)):
         flat["variables"][name]["fixed"] = [True]
 

@@ -42,12 +42,21 @@ class SourceMap:
         self._roots = tuple(roots)
         self._copies: dict[int, Path] = {}
         self._views: dict[Path, Path] = {}
+        self._texts: dict[Path, bytes] = {}
         self._files: dict[int, Path] | None = None
 
     def add_copy(self, given: Path, original: Path) -> None:
         """Tells that the front end was given ``given`` in place of ``original``."""
         self._copies[source_number(str(given))] = original
         self._files = None
+
+    def add_text(self, original: Path, text: str) -> None:
+        """Tells that the front end was given another text of the same lines in place of a file's."""
+        self._texts[original] = text.encode()
+
+    def text(self, path: Path) -> bytes:
+        """What the front end was given as the text of a file."""
+        return self._texts[path] if path in self._texts else path.read_bytes()
 
     def add_view(self, given: Path, original: Path) -> None:
         """Tells that the front end was given a folder ``given`` that shows the files of ``original``."""
@@ -61,7 +70,7 @@ class SourceMap:
         path = self._known_files().get(span.source)
         if path is None:
             return Place(component=component)
-        line = path.read_bytes().count(b"\n", 0, span.start) + 1
+        line = self.text(path).count(b"\n", 0, span.start) + 1
         return Place(file=path, line=line, component=component)
 
     def _known_files(self) -> dict[int, Path]:

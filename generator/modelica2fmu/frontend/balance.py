@@ -1,0 +1,53 @@
+"""What a model lacks that has fewer equations than unknowns."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any, Final
+
+from modelica2fmu.frontend.runner import Request
+
+_PARTIAL: Final = "cmb partial model"
+_UNBALANCED: Final = re.compile(r"unbalanced model: (\d+) equations, (\d+) unknowns")
+
+
+def lacks_equations(error: str) -> bool:
+    """= true, if an error says that a model has fewer equations than unknowns."""
+    found = _UNBALANCED.search(error)
+    return found is not None and int(found[1]) < int(found[2])
+
+
+def unbalanced_form(request: Request) -> Request | None:
+    """Asks for the flattened form in spite of that; None for a model whose text rumoca finds itself.
+
+    A partial model may lack equations: an empty one that extends the model is flattened in its place.
+    """
+    if request.text is None:
+        return None
+    partial = f"partial model '{_PARTIAL}'\n  extends {request.model};\nend '{_PARTIAL}';\n"
+    return replace(request, text=request.text + partial, model=f"'{_PARTIAL}'")
+
+
+def unplaced_frames(flat: Mapping[str, Any]) -> list[str]:
+    """Connectors with an orientation that nothing decides: they are connected to nothing that has a place.
+
+    Args:
+        flat: the flattened model; its graph of orientations is that of Modelica 3.6, section 9.4.
+    """
+    placed = set(flat["definite_roots"]) | {root for root, _ in flat["potential_roots"]}
+    edges = [*flat["branches"], *flat["optional_edges"]]
+    reached = -1
+    while reached != len(placed):
+        reached = len(placed)
+        placed.update(end for edge in edges if not placed.isdisjoint(edge) for end in edge)
+    orientations = flat["record_instances"].keys() - placed
+    return [name for name in _unconnected(flat) if f"{name}.R" in orientations]
+
+
+def _unconnected(flat: Mapping[str, Any]) -> Iterator[str]:
+    """Connectors whose flows are zero, for they are connected to nothing; each once, in order."""
+    origins = (equation["origin"] for equation in flat["equations"])
+    flows = (origin["UnconnectedFlow"]["variable"] for origin in origins if "UnconnectedFlow" in origin)
+    yield from dict.fromkeys(flow.rpartition(".")[0] for flow in flows)

@@ -1,0 +1,206 @@
+"""Writes arrays of a few elements out, where the front end does not take them otherwise.
+
+rumoca 0.10 refuses ``cat(1, a, b)`` of Strings and records, whose type it takes to be that of the first argument, and
+``{ball[i].geometry for i in 1:n}``, an array made of members of components. Written out, ``{ball[1].geometry,
+ball[2].geometry, floor.geometry}``, it takes both. The numbers that ranges and sizes depend on are read from the same
+text; whether they hold in the model is for the caller to check.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+_OPENING: Final = {"(": ")", "{": "}", "[": "]"}
+_MASKED: Final = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+_CALL: Final = re.compile(r"(?<![\w.])cat\s*\(")
+_ITERATION: Final = re.compile(r"\bfor\s+(\w+)\s+in\s+(.+)$", re.DOTALL)
+_REFERENCE: Final = re.compile(r"(\w+)((?:\.\w+)*)")
+_NUMBER: Final = r"\bInteger\s+{name}\s*=\s*([^;\"()\[\]{{}},]+)"
+_DECLARED: Final = r"(?<![\w.]){name}\s*\[([^\[\],:]+)\]\s*[(;\"]"
+_MOST_ELEMENTS: Final = 1000
+
+
+class _UnknownError(Exception):
+    """Something is not written as it would have to be."""
+
+
+@dataclass(frozen=True)
+class WrittenOut:
+    """A text with its arrays written out.
+
+    Attributes:
+        text: of the same lines.
+        numbers: what was taken for the values of Integers.
+    """
+
+    text: str
+    numbers: dict[str, int] = field(default_factory=dict)
+
+
+def with_arrays_written_out(text: str) -> WrittenOut:
+    """The same Modelica with concatenations, and arrays over members of components, written out where that is possible.
+
+    Args:
+        text: of a Modelica file.
+    """
+    writer = _Writer(text)
+    return WrittenOut(writer.written(), writer.numbers)
+
+
+def have_values(flat: Mapping[str, Any], numbers: Mapping[str, int]) -> bool:
+    """= true, if each Integer of these names has this value, wherever in a flattened model it occurs."""
+    values: dict[str, list[Any]] = {}
+    for name, variable in flat["variables"].items():
+        values.setdefault(name.rpartition(".")[2], []).append(variable["binding"])
+    return all(
+        name in values and all(_is_number(binding, number) for binding in values[name])
+        for name, number in numbers.items()
+    )
+
+
+def _is_number(binding: Any, number: int) -> bool:
+    literal = binding.get("Literal") if isinstance(binding, dict) else None
+    return literal is not None and literal["value"] == {"Integer": number}
+
+
+def _masked(text: str, letter: str) -> str:
+    return re.sub(r"[^\n]", lambda _found: letter, text)
+
+
+class _Writer:
+    def __init__(self, text: str) -> None:
+        self._text = text
+        # The same length and lines, with blanks for comments; and with nothing of what Strings say.
+        self._plain = _MASKED.sub(lambda found: found[0] if found[0][0] == '"' else _masked(found[0], " "), text)
+        self._code = _MASKED.sub(lambda found: _masked(found[0], "\0"), self._plain)
+        self.numbers: dict[str, int] = {}
+
+    def written(self) -> str:
+        """The text with what can be written out."""
+        result, done = [], 0
+        for start, end in self._places():
+            if start < done:
+                continue  # within what is written out already
+            try:
+                elements = self._elements(start, end)
+            except _UnknownError:
+                continue
+            if not elements:
+                continue
+            lines = "\n" * self._text.count("\n", start, end)
+            result += [self._text[done:start], "{", ", ".join(elements), "}", lines]
+            done = end
+        return "".join((*result, self._text[done:]))
+
+    def _places(self) -> Iterator[tuple[int, int]]:
+        """Calls of cat, and array constructors with an iterator that subscripts a component, in order."""
+        for found in re.finditer(r"(?<![\w.])cat\s*\(|\{", self._code):
+            end = self._end(found.end() - 1)
+            if found[0] != "{" or re.search(r"\]\s*\.\s*\w", self._code[found.start() : end]):
+                yield found.start(), end
+
+    def _end(self, start: int) -> int:
+        """Where the bracket that opens at ``start`` is closed."""
+        depth: list[str] = []
+        for position in range(start, len(self._code)):
+            letter = self._code[position]
+            if letter in _OPENING:
+                depth.append(_OPENING[letter])
+            elif depth and letter == depth[-1]:
+                depth.pop()
+                if not depth:
+                    return position + 1
+        return len(self._code)
+
+    def _parts(self, start: int, end: int) -> list[tuple[int, int]]:
+        """Ranges between commas."""
+        parts, first, position = [], start, start
+        while position < end:
+            if self._code[position] in _OPENING:
+                position = self._end(position)
+                continue
+            if self._code[position] == ",":
+                parts.append((first, position))
+                first = position + 1
+            position += 1
+        return [*parts, (first, end)]
+
+    def _elements(self, start: int, end: int) -> list[str]:
+        """Elements of an array expression; raises _UnknownError where they are not plain."""
+        while self._code[start].isspace():
+            start += 1
+        while self._code[end - 1].isspace():
+            end -= 1
+        code = self._code[start:end]
+        call = _CALL.match(code)
+        if call and self._end(start + call.end() - 1) == end:
+            dimension, *arrays = self._parts(start + call.end(), end - 1)
+            if self._code[slice(*dimension)].strip() != "1":
+                raise _UnknownError
+            elements = [element for array in arrays for element in self._elements(*array)]
+        elif code.startswith("{") and self._end(start) == end:
+            elements = self._constructed(start + 1, end - 1)
+        else:
+            elements = self._members(code)
+        if len(elements) > _MOST_ELEMENTS:
+            raise _UnknownError
+        return elements
+
+    def _constructed(self, start: int, end: int) -> list[str]:
+        iteration = _ITERATION.search(self._code, start, end)
+        if iteration is None:
+            return [self._element(first, last) for first, last in self._parts(start, end)]
+        name, limits = iteration[1], iteration[2].split(":")
+        if len(limits) != 2 or any(letter in iteration[2] for letter in ",[{"):
+            raise _UnknownError
+        first, last = (self._number(limit) for limit in limits)
+        if last - first >= _MOST_ELEMENTS:
+            raise _UnknownError
+        body = self._element(start, iteration.start())
+        own = re.compile(rf"(?<![\w.]){name}(?![\w(])(?!\s*=[^=])")
+        return [own.sub(str(number), body) for number in range(first, last + 1)]
+
+    def _element(self, start: int, end: int) -> str:
+        """An expression in one line."""
+        if any("\n" in found[0] for found in _MASKED.finditer(self._plain, start, end)):
+            raise _UnknownError  # a String of several lines
+        return self._plain[start:end].replace("\n", " ").strip()
+
+    def _members(self, code: str) -> list[str]:
+        """Elements of ``ball.geometry`` where ``ball`` is declared as an array."""
+        reference = _REFERENCE.fullmatch(code)
+        declared = reference and re.findall(_DECLARED.format(name=reference[1]), self._code)
+        if not reference or not declared or len(declared) != 1:
+            raise _UnknownError
+        return [f"{reference[1]}[{number}]{reference[2]}" for number in range(1, self._number(declared[0]) + 1)]
+
+    def _number(self, text: str) -> int:
+        try:
+            return self._value(ast.parse(text.strip(), mode="eval").body)
+        except (SyntaxError, ValueError, RecursionError) as error:
+            raise _UnknownError from error
+
+    def _value(self, tree: ast.expr) -> int:
+        """Value of an Integer expression of numbers and of names that the text gives one number each."""
+        match tree:
+            case ast.Constant(value=int(number)):
+                return number
+            case ast.Name(id=name):
+                declared: Sequence[str] = re.findall(_NUMBER.format(name=name), self._code)
+                if len(declared) != 1:
+                    raise _UnknownError
+                self.numbers[name] = self._number(declared[0])
+                return self.numbers[name]
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return -self._value(operand)
+            case ast.BinOp(left=left, op=ast.Add(), right=right):
+                return self._value(left) + self._value(right)
+            case ast.BinOp(left=left, op=ast.Sub(), right=right):
+                return self._value(left) - self._value(right)
+            case ast.BinOp(left=left, op=ast.Mult(), right=right):
+                return self._value(left) * self._value(right)
+        raise _UnknownError

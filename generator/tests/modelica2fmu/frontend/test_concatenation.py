@@ -1,0 +1,133 @@
+"""Arrays that the front end takes only when they are written out."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+from contact_foundation.errors import InputError
+from modelica2fmu.frontend.concatenation import with_arrays_written_out
+from modelica2fmu.library.standard_library import StandardLibrary, core_subset
+from modelica2fmu.symbolic.expression import Node
+from modelica2fmu.translation import Translation, translate
+
+MODEL = """model M
+  record Material
+    Real mu = 0.1;
+  end Material;
+  model Body
+    parameter String shape;
+    parameter Material material;
+  end Body;
+  model Manager
+    parameter Integer n;
+    parameter String shape[n];
+    parameter Material material[n];
+    Real mu = sum(material.mu)*time;
+    Real first = material[1].mu*time;
+  end Manager;
+  constant Integer N = {count};
+  Body ball[N](each shape = "ball", material(mu = {{0.1*i for i in 1:N}}));
+  Body floor(shape = "floor", material(mu = 0.7));
+  Manager contacts(n = N + 1, shape = {shape}, material = {material});
+end M;
+"""
+
+
+def translated(folder: Path, text: str) -> Translation:
+    (folder / "M.mo").write_text(text)
+    return translate("M", [folder / "M.mo"], StandardLibrary(core_subset(), "", "core subset"))
+
+
+def value(translation: Translation, name: str) -> object:
+    """The value of a parameter; of one that is another, that one's."""
+    found = translation.scalar.variables[name].value
+    return value(translation, found.name) if isinstance(found, Node) and found.op == "symbol" else found
+
+
+@pytest.mark.parametrize("count", [1, 3])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "cat(1, {ball[i].X for i in 1:N}, {floor.X})",
+        "cat( 1 ,{ ball[k].X for k in 1 : N },\n    {floor.X} )",
+        "cat(1, ball.X, {floor.X})",
+        "cat(1, cat(1, ball.X), {floor.X}) /* {ball[i].X for i in 1:2} */",
+    ],
+)
+def test_bodies_of_an_array_and_others(tmp_path, text, count):
+    model = MODEL.format(count=count, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
+    translation = translated(tmp_path, model)
+    shapes = [value(translation, f"contacts.shape[{number}]") for number in range(1, count + 2)]
+    assert shapes == [*["ball"] * count, "floor"]
+    friction = [value(translation, f"contacts.material[{number}].mu") for number in range(1, count + 2)]
+    assert friction == pytest.approx([*(0.1 * number for number in range(1, count + 1)), 0.7])
+
+
+def test_places_in_messages_stay_right(tmp_path):
+    text = "cat(1, {ball[i].X for i in 1:N},\n   {floor.X})"
+    model = MODEL.format(count=2, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
+    model = model.replace("end M;", "  Real x, y;\nequation\n  x + y = 1;\n  2*x + 2*y = 2;\nend M;")
+    with pytest.raises(InputError, match="linearly dependent") as caught:
+        translated(tmp_path, model)
+    line = model[: model.index("  x + y")].count("\n") + 1
+    assert caught.value.place is not None
+    assert caught.value.place.line in (line, line + 1)
+
+
+def test_a_number_that_a_modifier_changes_is_not_taken(tmp_path):
+    """In the text it is 2, in the model 3."""
+    text = "cat(1, {ball[i].X for i in 1:N}, {floor.X})"
+    model = MODEL.format(count=2, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
+    inner = model.replace("model M\n", "model Inner\n").replace("end M;", "end Inner;")
+    inner = inner.replace("constant Integer N", "parameter Integer N")
+    with pytest.raises(InputError):
+        translated(tmp_path, f"model M\n{inner}  Inner inner(N = 3);\nend M;\n")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x = cat(2, [1], [2]);",
+        "x = cat(1, a, {b});",
+        "x = cat(1, {a[i].b for i in 1:M}, {c}); Integer M = f(3);",
+        "x = {a[i].b for i in r};",
+        "x = {a[i].b for i in 1:2, j in 1:2};",
+        "x = {2*i for i in 1:3};",
+        "// cat(1, {a[i].b for i in 1:2})",
+        'y = "cat(1, {a[i].b for i in 1:2})";',
+        "x = {a[i].b for i in 1:100000};",
+    ],
+)
+def test_what_is_not_plain_stays_as_it_is(text):
+    assert with_arrays_written_out(text).text == text
+
+
+def test_iterators_are_replaced_by_their_numbers_alone():
+    written = with_arrays_written_out("x = {a[i].i + f(i = i, n = i*pi) for i in 2:3};").text
+    assert written == "x = {a[2].i + f(i = 2, n = 2*pi), a[3].i + f(i = 3, n = 3*pi)};"
+
+
+def test_lines_and_elements_of_random_concatenations():
+    choose = random.Random(23)
+    for _ in range(200):
+        parts, expected = [], []
+        for _ in range(choose.randint(1, 4)):
+            blank = choose.choice(["", " ", "\n", " // {\n"])
+            if choose.random() < 0.5:
+                first, last = choose.randint(-2, 2), choose.randint(0, 4)
+                parts.append(f"{{{blank}b[i].m for i in {first}:{last}}}{blank}")
+                expected += [f"b[{number}].m" for number in range(first, last + 1)]
+            else:
+                names = [choose.choice("xyz") for _ in range(choose.randint(1, 3))]
+                parts.append(f"{{{', '.join(names)}}}{blank}")
+                expected += names
+        text = f"a = cat(1, {', '.join(parts)}) + c;"
+        written = with_arrays_written_out(text).text
+        assert written.count("\n") == text.count("\n")
+        if expected:
+            code = written.replace("\n", "")
+            assert code == f"a = {{{', '.join(expected)}}} + c;"
+        else:
+            assert written == text
