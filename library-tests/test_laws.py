@@ -104,8 +104,6 @@ def test_scalar_laws(core: Compiler) -> None:
     assert final(values, "slow") == pytest.approx(2000)
     assert final(values, "hertz") == pytest.approx(4 / 3 * math.sqrt(0.01) / (2 * 0.91 / 210e9))
     assert [final(values, f"sliding[{i}]") for i in (1, 2, 3)] == pytest.approx([-3, -4, 0])
-    assert [final(values, f"stuck[{i}]") for i in (1, 2, 3)] == pytest.approx([-10, 0, 0])
-    assert [final(values, f"slipping[{i}]") for i in (1, 2, 3)] == pytest.approx([0, -50, 0])
     assert final(values, "muSlow") == pytest.approx(0.6)
     assert final(values, "muFast") == pytest.approx(0.4)
     assert [final(values, f"spin[{i}]") for i in (1, 2, 3)] == pytest.approx([0, 0, -0.3])

@@ -29,14 +29,10 @@ partial model PartialFriction "Friction against sliding, and the force of each p
     annotation (Dialog(group="Friction", enable=friction == Types.Friction.Anchored));
 
   SI.Energy elasticEnergy "Energy stored in the compliance of all contacts";
-  SI.Position anchorStretch[if friction == Types.Friction.Anchored then m else 0, 3](each start=0, each fixed=true)
-    "Way each pair slid since its anchor was set, in world axes";
+  SI.Position anchorStretch[if friction == Types.Friction.Anchored then m else 0, 6](each start=0, each fixed=true)
+    "Stretch of each pair's static springs: translation (1:3), turning times radius of gyration (4:6), in world axes";
 
 protected
-  Real meanNormal[if friction == Types.Friction.Anchored then m else 0, 3](each unit="1") "Normal of each pair as a whole";
-  SI.Velocity sliding[if friction == Types.Friction.Anchored then m else 0, 3] "Tangential velocity of each pair as a whole";
-  SI.AngularVelocity spin[if friction == Types.Friction.Anchored then m else 0] "Mean angular velocity about the normal";
-  Real mu[if friction == Types.Friction.Anchored then m else 0](each unit="1") "Coefficient of friction at the present speed";
   SI.Force pointForce[m, pointCapacity, 3] "Force of each point on the first body";
 equation
   if friction == Types.Friction.None then
@@ -52,32 +48,33 @@ equation
       regularisationSpeed);
     elasticEnergy = Internal.NormalForces.springEnergy(depth, weight, stiffness, exponent);
   else
-    (meanNormal,sliding,spin,mu) = Internal.FrictionForces.contactMeans(
-      pointNormalForce,
-      normal,
-      pointVelocity,
-      w_0,
-      pair,
-      muStatic,
-      muDynamic,
-      limitSpeed);
     pointForce = Internal.FrictionForces.anchoredForces(
       pointNormalForce,
       normal,
-      meanNormal,
-      sliding,
+      point,
+      pointVelocity,
       anchorStretch,
+      w_0,
+      pair,
       frictionStiffness,
+      muStatic,
+      muDynamic,
+      limitSpeed,
       frictionDampingTime,
-      mu);
+      relaxationTime);
     der(anchorStretch) = Internal.FrictionForces.anchorRates(
       pointNormalForce,
+      normal,
+      point,
+      pointVelocity,
       anchorStretch,
-      sliding,
-      meanNormal,
-      spin,
+      w_0,
+      pair,
       frictionStiffness,
-      mu,
+      muStatic,
+      muDynamic,
+      limitSpeed,
+      frictionDampingTime,
       relaxationTime);
     elasticEnergy = Internal.NormalForces.springEnergy(depth, weight, stiffness, exponent) +
       Internal.FrictionForces.anchorEnergy(anchorStretch, frictionStiffness);

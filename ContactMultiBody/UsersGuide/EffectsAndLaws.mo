@@ -9,7 +9,7 @@ class EffectsAndLaws "Which effects and laws to choose"
 <tr><td>Do bodies only rest, push and slide?</td><td><code>useRestitution=false</code> with <code>steadyRate</code></td><td>nothing</td></tr>
 <tr><td>Are stiffness and damping given, as of a buffer?</td><td><code>normalLaw=SpringDamper</code></td><td>nothing</td></tr>
 <tr><td>Does friction only brake or drive?</td><td><code>friction=Regularised</code></td><td>nothing; creeps under load</td></tr>
-<tr><td>Must friction hold?</td><td><code>friction=Anchored</code></td><td>three states a pair</td></tr>
+<tr><td>Must friction hold?</td><td><code>friction=Anchored</code></td><td>six states a pair</td></tr>
 <tr><td>Is friction without interest?</td><td><code>friction=None</code></td><td>saves its equations</td></tr>
 <tr><td>Do balls spin or roll to rest?</td><td><code>useTurningFriction=true</code> with <code>spinRadius</code>, <code>rollingLever</code></td><td>a torque a point</td></tr>
 </table>

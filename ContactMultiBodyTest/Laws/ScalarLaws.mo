@@ -8,8 +8,6 @@ model ScalarLaws "Force laws, rest damping, friction and stiffness have the valu
   Real slow "Damping rate of a contact that starts at rest";
   Real hertz "Stiffness of steel on steel, radius 10 mm";
   Real sliding[3] "Regularised friction at high speed";
-  Real stuck[3] "Anchored friction below its limit";
-  Real slipping[3] "Anchored friction above its limit";
   Real muSlow "Coefficient of friction at rest";
   Real muFast "Coefficient of friction while sliding";
   Real spin[3] "Torque against spin";
@@ -22,8 +20,6 @@ equation
   slow = ContactMultiBody.NormalForce.dampingRate(0.6, 0, 0.01);
   hertz = ContactMultiBody.NormalForce.hertzStiffness(210e9, 0.3, 210e9, 0.3, 0.01);
   sliding = ContactMultiBody.Friction.regularised(10, {3,4,0}, 0.5, 1e-6);
-  stuck = ContactMultiBody.Friction.anchoredForce(100, {1e-3,0,0}, {0,0,0}, 1e4, 0, 0.5);
-  slipping = ContactMultiBody.Friction.anchoredForce(100, {0,2e-2,0}, {0,0,0}, 1e4, 0, 0.5);
   muSlow = ContactMultiBody.Friction.stribeck(0, 0.6, 0.4, 0.01);
   muFast = ContactMultiBody.Friction.stribeck(1, 0.6, 0.4, 0.01);
   spin = ContactMultiBody.Friction.spinTorque(9, {0,0,1}, {5,0,7}, 0.5, 0.1, 1e-9);

@@ -39,8 +39,8 @@ def test_table_of_the_incline(cmb: Cmb, tmp_path: Path) -> None:
     rows = {line[:22].strip(): line[22:].split() for line in done.stdout.splitlines()[1:]}
     heading = ["equations", "states", "indicators", "systems", "lines", "evaluations", "steps", "events"]
     assert rows["variant"][: len(heading)] == heading
-    # Anchored friction has three states a pair, the other laws none.
-    assert int(rows["everything on"][1]) - int(rows["friction none"][1]) == 3
+    # Anchored friction has six states a pair, the other laws none.
+    assert int(rows["everything on"][1]) - int(rows["friction none"][1]) == 6
     assert rows["friction regularised"][1] == rows["friction none"][1]
     # The box slides; friction mu = 0.3 at 17.4 degrees keeps it back by mu g cos(angle) t^2/2.
     behind = 0.5 * 0.3 * 9.81 * math.cos(math.radians(17.4))

@@ -3,31 +3,41 @@ pure function anchoredForces "Forces of all points with anchored friction"
   extends Modelica.Icons.Function;
   input Modelica.Units.SI.Force normalForce[:, :] "Normal forces";
   input Real normal[size(normalForce, 1), size(normalForce, 2), 3](each unit="1") "Normals";
-  input Real meanNormal[size(normalForce, 1), 3](each unit="1") "Unit normal of each pair";
-  input Modelica.Units.SI.Velocity sliding[size(normalForce, 1), 3] "Tangential velocity of each pair";
-  input Modelica.Units.SI.Position stretch[size(normalForce, 1), 3] "Way of each pair since its anchor was set";
+  input Modelica.Units.SI.Position point[size(normalForce, 1), size(normalForce, 2), 3] "Contact points";
+  input Modelica.Units.SI.Velocity velocity[size(normalForce, 1), size(normalForce, 2), 3] "Relative velocities";
+  input Modelica.Units.SI.Position anchor[size(normalForce, 1), 6] "Stretch of the patch of each pair";
+  input Modelica.Units.SI.AngularVelocity w_0[:, 3] "Angular velocities of the bodies, in world axes";
+  input Integer pairs[size(normalForce, 1), 2] "Bodies of each pair";
   input Modelica.Units.SI.TranslationalSpringConstant stiffness[size(normalForce, 1)] "Stiffness of each static spring";
+  input Real muStatic[size(normalForce, 1)](each unit="1") "Coefficients of static friction";
+  input Real muDynamic[size(normalForce, 1)](each unit="1") "Coefficients of sliding friction";
+  input Modelica.Units.SI.Velocity limitSpeed "Speed that separates static from sliding friction";
   input Modelica.Units.SI.Time dampingTime "Damping of the static springs by their stiffness";
-  input Real mu[size(normalForce, 1)](each unit="1") "Coefficient of friction of each pair";
+  input Modelica.Units.SI.Time relaxationTime "Time in which an anchor that holds nothing is forgotten";
   output Modelica.Units.SI.Force force[size(normalForce, 1), size(normalForce, 2), 3] "Forces on the first bodies";
 protected
-  Modelica.Units.SI.Force total "Sum of the normal forces of a pair";
-  Modelica.Units.SI.Force tangential[3] "Friction force of a pair";
+  Modelica.Units.SI.Force tangential[size(normalForce, 2), 3] "Friction forces of a pair";
 algorithm
+  tangential := zeros(size(normalForce, 2), 3);
   for i in 1:size(normalForce, 1) loop
-    total := sum(normalForce[i, k] for k in 1:size(normalForce, 2));
-    tangential := Friction.anchoredForce(
-      total,
-      stretch[i, :] - (stretch[i, :]*meanNormal[i, :])*meanNormal[i, :],
-      sliding[i, :],
+    tangential := Friction.anchoredPatch(
+      normalForce[i, :],
+      normal[i, :, :],
+      point[i, :, :],
+      velocity[i, :, :],
+      anchor[i, :],
+      (w_0[pairs[i, 1], :] + w_0[pairs[i, 2], :])/2,
       stiffness[i],
-      stiffness[i]*dampingTime,
-      mu[i]);
+      muStatic[i],
+      muDynamic[i],
+      limitSpeed,
+      dampingTime,
+      relaxationTime);
     for k in 1:size(normalForce, 2) loop
-      force[i, k, :] := normalForce[i, k]*normal[i, k, :] + (if total > 0 then normalForce[i, k]/total else 0)*tangential;
+      force[i, k, :] := normalForce[i, k]*normal[i, k, :] + tangential[k, :];
     end for;
   end for;
   annotation (Inline=false, Documentation(info="<html>
-<p>The friction force of a pair acts at its points in proportion to their normal forces.</p>
+<p>Adds the forces of <a href=\"modelica://ContactMultiBody.Friction.anchoredPatch\">Friction.anchoredPatch</a> of each pair.</p>
 </html>"));
 end anchoredForces;
