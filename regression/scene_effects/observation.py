@@ -68,8 +68,9 @@ def pair_signals(manager: Manager, description: ModelDescription) -> list[str]:
     for i in range(1, len(manager.pairs) + 1):
         wanted += [f"{name}.{quantity}[{i}]" for quantity in ("distance", "normalForce", "approachSpeed", "touches")]
         for k in (1, 2, 3):
-            wanted += [f"{name}.{quantity}[{i},{k}]" for quantity in ("force", "meanNormal", "sliding")]
-        wanted += _in_order(description, f"{name}.pointNormalForce[{i},")
+            wanted += [f"{name}.{quantity}[{i},{k}]" for quantity in ("force",)]
+        for quantity in ("pointNormalForce", "normal", "pointVelocity"):
+            wanted += _in_order(description, f"{name}.{quantity}[{i},")
     wanted += [f"{name}.w_0[{b},{k}]" for b in range(1, len(manager.bodies) + 1) for k in (1, 2, 3)]
     return [signal for signal in dict.fromkeys(wanted) if signal in description.variables]
 
@@ -108,9 +109,10 @@ def _observe(manager: Manager, parameters: Parameters, result: SimulationResult,
     if (flag := f"{name}.touches[{number}]") in result:
         # A contact shorter than the output interval shows at its two events only, where the force is zero.
         touching |= result[flag] > 0
-    tangential = np.sqrt(np.maximum(0.0, (force**2).sum(axis=1) - _along_normal(name, number, result, force) ** 2))
-    sliding = np.linalg.norm(result.vector([f"{name}.sliding[{number},{k}]" for k in (1, 2, 3)]), axis=1)
-    sticks = touching & (sliding < _SLIDING * parameters.regularisation_speed)
+    points = result.vector([s for s in result.signals if s.startswith(f"{name}.pointNormalForce[{number},")])
+    normal, sliding_speed = _patch_means(name, number, result, points)
+    tangential = np.sqrt(np.maximum(0.0, (force**2).sum(axis=1) - (force * normal).sum(axis=1) ** 2))
+    sticks = touching & (sliding_speed < _SLIDING * parameters.regularisation_speed)
     mu = parameters.pair["muDynamic"][pair]
     holding = np.zeros(time.size)
     if mu > 0:
@@ -121,7 +123,6 @@ def _observe(manager: Manager, parameters: Parameters, result: SimulationResult,
     starts = np.flatnonzero(~touching[:-1] & touching[1:])
     speeds = result[f"{name}.approachSpeed[{number}]"]
     impact_speeds = np.maximum(speeds[starts], speeds[starts + 1])
-    points = result.vector([s for s in result.signals if s.startswith(f"{name}.pointNormalForce[{number},")])
     a, b = manager.pairs[pair]
     turning = result.vector([f"{name}.w_0[{a},{k}]" for k in (1, 2, 3)]) - result.vector(
         [f"{name}.w_0[{b},{k}]" for k in (1, 2, 3)]
@@ -142,11 +143,33 @@ def _observe(manager: Manager, parameters: Parameters, result: SimulationResult,
     )
 
 
-def _along_normal(name: str, number: int, result: SimulationResult, force: FloatArray) -> FloatArray:
-    """The part of the force along the pair's mean normal, shape (n,), N."""
-    normal = result.vector([f"{name}.meanNormal[{number},{k}]" for k in (1, 2, 3)])
-    along: FloatArray = (force * normal).sum(axis=1)
-    return along
+def _patch_means(name: str, number: int, result: SimulationResult, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Unit normal, shape (n, 3), and sliding speed, shape (n,), m/s, of a pair as a whole.
+
+    Args:
+        name: of the manager.
+        number: of the pair, from 1.
+        result: with the signals of ``pair_signals``.
+        points: normal force of each point, shape (n, capacity), N, which weighs it; the first slot counts while nothing
+            presses.
+    """
+    total = points.sum(axis=1, keepdims=True)
+    share = np.divide(points, total, out=np.zeros_like(points), where=total > 0)
+    share[total[:, 0] <= 0, 0] = 1.0
+    normal, velocity = (
+        sum(
+            (
+                share[:, slot, np.newaxis]
+                * result.vector([f"{name}.{quantity}[{number},{slot + 1},{k}]" for k in (1, 2, 3)])
+                for slot in range(points.shape[1])
+            ),
+            start=np.zeros((points.shape[0], 3)),
+        )
+        for quantity in ("normal", "pointVelocity")
+    )
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), np.finfo(float).tiny)
+    sliding = velocity - (velocity * normal).sum(axis=1, keepdims=True) * normal
+    return normal, np.linalg.norm(sliding, axis=1)
 
 
 def _time_of(true: NDArray[np.bool_], time: FloatArray) -> float:

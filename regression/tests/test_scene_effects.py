@@ -216,8 +216,9 @@ def contact(**changed: FloatArray) -> SimulationResult:
     for i in (1, 2, 3):
         for k in (1, 2, 3):
             signals[f"contacts.force[{i},{k}]"] = {1: 0.6 * 0.3 * load, 2: 0 * load, 3: load}[k]
-            signals[f"contacts.meanNormal[{i},{k}]"] = np.full(201, float(k == 3))
-            signals[f"contacts.sliding[{i},{k}]"] = np.zeros(201)
+            for slot in (1, 2, 3, 4):
+                signals[f"contacts.normal[{i},{slot},{k}]"] = np.full(201, float(k == 3))
+                signals[f"contacts.pointVelocity[{i},{slot},{k}]"] = np.zeros(201)
         signals[f"contacts.distance[{i}]"] = np.where(time >= 1, -1e-4, 0.5 * (1 - time))
         signals[f"contacts.normalForce[{i}]"] = load
         signals[f"contacts.approachSpeed[{i}]"] = np.where(time >= 1, 0.0, 0.5)
@@ -240,7 +241,8 @@ def test_observation_of_a_contact_that_sticks() -> None:
 
 
 def test_sliding_does_not_stick() -> None:
-    pair = observe(MANAGER, parameters(), contact(**{"contacts.sliding[1,1]": np.full(201, 0.5)}))[0]
+    slides = {f"contacts.pointVelocity[1,{slot},1]": np.full(201, 0.5) for slot in (1, 2, 3, 4)}
+    pair = observe(MANAGER, parameters(), contact(**slides))[0]
     assert (pair.sticking_time, pair.creep) == (0, 0)
 
 
