@@ -57,7 +57,7 @@ def descendants(parent: int) -> list[int]:
 def test_a_build_leaves_nothing(cache_home: Path, tmp_path: Path) -> None:
     (tmp_path / "Slow.mo").write_text(MODEL)
     program = start(tmp_path, cache_home, "fmu", "Slow", "--no-cache")
-    wait_for(tmp_path, "tmp/cmb-fmu-*/objects/*.o")
+    wait_for(tmp_path, "tmp/cmb-fmu-*/linux64/*.o")
     program.send_signal(signal.SIGTERM)
     _, said = program.communicate(timeout=60)
     assert program.returncode == 128 + signal.SIGTERM, said

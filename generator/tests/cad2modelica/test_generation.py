@@ -377,9 +377,16 @@ def test_names_are_legal_unique_and_described(pendulum: Path, tmp_path: Path) ->
 
 
 def test_package_name_can_be_chosen(hammer: Path, tmp_path: Path) -> None:
-    package = generate(hammer, tmp_path / "out", GenerateOptions(package="my press"))
+    package = generate(hammer, tmp_path / "out", GenerateOptions(package="MyPress"))
     assert package.name == "MyPress"
     load(tmp_path / "out", package.mechatronics)
+
+
+@pytest.mark.parametrize("name", ["my press", "Modelica", "end"])
+def test_impossible_package_names_are_refused(hammer: Path, tmp_path: Path, name: str) -> None:
+    with pytest.raises(InputError, match="cannot be the package's name"):
+        generate(hammer, tmp_path / "out", GenerateOptions(package=name))
+    assert not (tmp_path / "out").exists()
 
 
 def test_unmatched_geometry_and_bodies_without_geometry_are_reported(pendulum: Path, tmp_path: Path) -> None:
