@@ -152,7 +152,10 @@ class Newton:
         while True:
             is_new = ctypes.c_int(0)
             flag: int = self._residual(vector, self._step, memory)
-            if flag == _SUCCESS and setup_wanted:
+            if flag != _SUCCESS:  # the predicted states cannot be evaluated: no matrix helps
+                self._failures += 1
+                return flag
+            if setup_wanted:
                 flag = self._set_up(jacobian_is_bad, ctypes.byref(is_new), memory)
                 self._rate = 1.0
             if flag == _SUCCESS:

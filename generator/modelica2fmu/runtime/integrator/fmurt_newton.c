@@ -138,7 +138,11 @@ static int solve(SUNNonlinearSolver solver, N_Vector predicted, N_Vector correct
   for (;;) {
     booleantype is_new = self->setup == NULL;
     int flag = self->residual(correction, self->step, integrator);
-    if (flag == SUN_NLS_SUCCESS && setup_wanted && self->setup != NULL) {
+    if (flag != SUN_NLS_SUCCESS) { /* the predicted states cannot be evaluated: no matrix helps */
+      ++self->failures;
+      return flag;
+    }
+    if (setup_wanted && self->setup != NULL) {
       flag = self->setup(jacobian_is_bad, &is_new, integrator);
       self->rate = 1.0;
     }
