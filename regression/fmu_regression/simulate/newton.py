@@ -26,8 +26,8 @@ _SUCCESS = 0
 _NOT_CONVERGED = 902
 _UNRECOVERABLE = -1
 
-SMALL_RESIDUAL: Final = 0.3
-"""Residuals up to so many times a correction's tolerance are small: three hundredths of what the error test allows."""
+SMALL_RESIDUAL: Final = 0.1
+"""Residuals up to so many times a correction's tolerance are small: a hundredth of what the error test allows."""
 LARGEST_REMAINDER: Final = 0.5
 """A correction by the right matrix leaves at most this share of the residual."""
 _SLOWEST_FALL_OF_RATE = 0.3

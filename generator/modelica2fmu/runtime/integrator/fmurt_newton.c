@@ -18,8 +18,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Residuals up to so many times the tolerance of the correction are small; three hundredths of what the error test permits. */
-static const double small_residual = 0.3;
+/* Residuals up to so many times the tolerance of the correction are small; a hundredth of what the error test permits. */
+static const double small_residual = 0.1;
 /* A correction by the right matrix leaves at most this share of the residual. */
 static const double largest_remainder = 0.5;
 /* CVODE's own: how fast the rate of convergence may fall from one iteration to the next, and what counts as divergence. */
