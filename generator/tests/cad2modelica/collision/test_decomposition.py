@@ -258,11 +258,11 @@ def test_the_number_of_threads_does_not_matter(tmp_path: Path) -> None:
 
 def test_too_fine_meshes_and_failures_keep_the_hull(monkeypatch: pytest.MonkeyPatch) -> None:
     vertices, triangles = prism(L_OUTLINE, 1.0)
-    monkeypatch.setattr("cad2modelica.collision.convex_decomposition.MAXIMUM_TRIANGLES", 10)
-    geometry = shapes_of(vertices, triangles)
+    with monkeypatch.context() as few:  # undone alone: the cache stays the test's own
+        few.setattr("cad2modelica.collision.convex_decomposition.MAXIMUM_TRIANGLES", 10)
+        geometry = shapes_of(vertices, triangles)
     assert [shape.kind for shape in geometry.shapes] == ["hull"]
     assert "export it coarser" in geometry.notes[0]
-    monkeypatch.undo()
     monkeypatch.setattr(sys, "executable", "/bin/false")
     assert "CoACD failed with status 1: no message; V-HACD failed" in shapes_of(vertices, triangles).notes[0]
 
