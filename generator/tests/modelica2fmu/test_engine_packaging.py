@@ -50,7 +50,7 @@ def test_the_engine_of_an_fmu_needs_the_c_library_alone(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(not (ENGINE / "libContactMultiBodyFcl.so").is_file(), reason="the engine was built without FCL")
-def test_a_back_end_travels_where_the_model_chooses_it(tmp_path: Path) -> None:
+def test_a_back_end_travels_where_the_model_chooses_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     fmu = build(tmp_path, "Fcl")
     files = binaries(fmu)
     assert {"linux64/Chosen.so", "linux64/libContactMultiBodyFcl.so"} < files
@@ -63,10 +63,10 @@ def test_a_back_end_travels_where_the_model_chooses_it(tmp_path: Path) -> None:
         for name in whole.namelist():
             if "libContactMultiBodyFcl" not in name:
                 rest.writestr(name, whole.read(name))
-    messages: list[str] = []
+    # By FMPy's own logger: it keeps the last one for the whole process, which would call this one after its end.
     with pytest.raises(Exception, match="fmi2"):
-        simulate_fmu(str(bare), stop_time=0.05, logger=lambda *values: messages.append(str(values[-1])))
-    assert any("libContactMultiBodyFcl.so is not in" in message for message in messages)
+        simulate_fmu(str(bare), stop_time=0.05)
+    assert "libContactMultiBodyFcl.so is not in" in capsys.readouterr().out
 
 
 def test_a_module_that_is_not_installed_is_missed(tmp_path: Path) -> None:
