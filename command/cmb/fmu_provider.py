@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from contact_data import modelica_library
 from contact_foundation.progress import Progress
 from fmu_regression.cases.case import Case
 from fmu_regression.cases.runner import Skip
 from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.library.standard_library import CORE_SUBSET, find_standard_library
-
-from cmb.project import LIBRARY
 
 
 class FmuProvider:
@@ -38,7 +37,7 @@ class FmuProvider:
         key = (case.model, case.package)
         if key not in self._built:
             output = self._folder / f"{len(self._built):03d}-{case.model}.fmu"
-            sources = tuple(dict.fromkeys([case.package, *case.sources, LIBRARY]))
+            sources = tuple(dict.fromkeys([case.package, *case.sources, modelica_library()]))
             build_fmu(case.model, sources, output, self._options, self._progress)
             self._built[key] = output
         return self._built[key]

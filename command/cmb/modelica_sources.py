@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from contact_data import modelica_library
+
 from cmb.input_file import check_input
-from cmb.project import LIBRARY
 
 
 def find_sources(model: str, given: Sequence[Path]) -> tuple[Path, ...]:
@@ -22,4 +23,4 @@ def find_sources(model: str, given: Sequence[Path]) -> tuple[Path, ...]:
     check_input(*given)
     package = model.split(".")[0]
     here = (path for path in (Path(package), Path(f"{package}.mo")) if path.exists())
-    return tuple(dict.fromkeys(path.resolve() for path in (*given, *here, LIBRARY)))
+    return tuple(dict.fromkeys(path.resolve() for path in (*given, *here, modelica_library())))

@@ -6,6 +6,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from cad2modelica import generate
+from contact_data import modelica_library
 from contact_foundation.errors import Place
 from contact_foundation.progress import Progress
 from fmu_regression.fmi.fmu import read_description
@@ -20,7 +21,6 @@ from modelica2fmu.build import build_fmu
 from cmb.build_arguments import build_options
 from cmb.experiment import Experiment
 from cmb.generation_arguments import generation_options
-from cmb.project import LIBRARY
 from cmb.run_folder import PACKAGE_FOLDER, REPORT, RESULT
 
 
@@ -40,7 +40,7 @@ def carry_out(arguments: Namespace, assembly: Path, experiment: Experiment, fold
     package = generate(assembly, folder / PACKAGE_FOLDER, generation_options(arguments), progress)
     fmu = folder / f"{assembly.stem}.fmu"
     model = experiment.model or package.mechatronics
-    sources = (*experiment.sources, package.root, LIBRARY)
+    sources = (*experiment.sources, package.root, modelica_library())
     build_fmu(model, sources, fmu, build_options(arguments), progress)
     scene = load_scene(package.scene)
     description = read_description(fmu)

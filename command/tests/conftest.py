@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from cmb.fmu_provider import FmuProvider
 from cmb.main import main
-from cmb.project import LIBRARY
+from contact_data import modelica_library
 from contact_foundation.progress import silent
 from fmu_regression.cases.case import load_case
 from fmu_regression.cases.runner import Skip, Verdict, run_case
@@ -61,7 +61,7 @@ def cmb_here(cache_home: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.Ca
 @pytest.fixture(scope="session")
 def engine() -> None:
     """Skips where the contact engine is not installed into the library."""
-    if not any((LIBRARY / "Resources" / "Library").glob("*/libContactMultiBody.a")):
+    if not any((modelica_library() / "Resources" / "Library").glob("*/libContactMultiBody.a")):
         pytest.skip("the contact engine is not built; run scripts/setup")
 
 

@@ -7,8 +7,10 @@ from collections.abc import Callable, Collection
 from pathlib import Path
 
 import pytest
-from cmb.project import CASES, ROOT
 from fmu_regression.cases.case import find_cases
+
+ROOT = Path(__file__).resolve().parents[2]
+CASES = ROOT / "regression" / "cases"
 
 Cmb = Callable[..., "subprocess.CompletedProcess[str]"]
 

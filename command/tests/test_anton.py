@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cmb.project import ROOT
 from fmu_regression.fmi.fmu import read_description
 from fmu_regression.results.result import FloatArray, SimulationResult
 from fmu_regression.scene.loads import mean_over_time, pair_loads
@@ -17,6 +16,8 @@ from fmu_regression.scene.scene_file import Scene, load_scene
 from fmu_regression.scene.signals import signals_for
 from fmu_regression.simulate.simulation import simulate
 from program import Cmb
+
+ROOT = Path(__file__).resolve().parents[2]
 
 ANTON = ROOT / "Resources" / "cad" / "anton"
 WEIGHT = 7.8 * 9.81

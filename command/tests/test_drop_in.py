@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cmb.project import LIBRARY
+from contact_data import modelica_library
 from fmu_regression.fmi.fmu import ModelDescription, open_fmu
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.simulate.simulation import simulate
@@ -87,7 +87,7 @@ end {name};
     home.mkdir()
     source = home / f"{name}.mo"
     source.write_text(text.replace(PARTS, parts), encoding="utf-8")
-    build_fmu(name, (source, LIBRARY), home / f"{name}.fmu", options)
+    build_fmu(name, (source, modelica_library()), home / f"{name}.fmu", options)
     return home / f"{name}.fmu"
 
 

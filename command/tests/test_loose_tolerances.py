@@ -8,11 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cmb.fmu_provider import FmuProvider
-from cmb.project import CASES
 from fmu_regression.cases.case import load_case
 from fmu_regression.fmi.fmu import Mode
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.simulate.simulation import simulate
+
+CASES = Path(__file__).resolve().parents[2] / "regression" / "cases"
 
 GRAVITY, FRICTION, SPEED = 9.81, 0.3, 2.0
 DISTANCE = SPEED**2 / (2.0 * FRICTION * GRAVITY)

@@ -9,9 +9,11 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from cmb.project import LIBRARY, ROOT
+from contact_data import modelica_library
 from fmu_regression.simulate.simulation import simulate
 from program import Cmb
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +35,7 @@ def test_holds_the_package_and_no_tests(unpacked: Path) -> None:
     def modelica(folder: Path) -> set[str]:
         return {path.relative_to(folder).as_posix() for path in folder.rglob("*.mo")}
 
-    assert modelica(unpacked) == modelica(LIBRARY)
+    assert modelica(unpacked) == modelica(modelica_library())
     assert not list(unpacked.rglob("*.py"))
     assert (unpacked / "LICENSE").is_file()
 

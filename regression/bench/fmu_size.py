@@ -18,9 +18,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from contact_data import core_subset
 from fmpy import extract, simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
-from modelica2fmu.library.standard_library import core_subset
 
 PROJECT: Final = Path(__file__).resolve().parents[2]
 SIZES: Final = (1, 2, 4, 8, 16, 32, 64)

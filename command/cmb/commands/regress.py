@@ -6,12 +6,12 @@ import tempfile
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from contact_foundation.errors import EXIT_FAILURE
+from contact_data import regression_cases
+from contact_foundation.errors import EXIT_FAILURE, InputError
 from contact_foundation.output import check_file
 
 from cmb.build_arguments import add_build_arguments, build_options
 from cmb.input_file import check_input
-from cmb.project import CASES
 from cmb.terminal import progress_bars
 
 NAME = "regress"
@@ -31,7 +31,7 @@ EXAMPLES = """examples:
 def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
     parser.add_argument(
-        "folder", type=Path, nargs="?", default=CASES, metavar="FOLDER", help="folder with cases (the project's own)"
+        "folder", type=Path, nargs="?", metavar="FOLDER", help="folder with cases (in a checkout: the project's own)"
     )
     parser.add_argument("--output", type=Path, metavar="HTML", help="also write a page with plots")
     parser.add_argument("--junit", type=Path, metavar="XML", help="also write JUnit XML")
@@ -44,7 +44,10 @@ def run(arguments: Namespace) -> int:
     for output in (arguments.output, arguments.junit):
         if output is not None:
             check_file(output)
-    check_input(arguments.folder)
+    folder_of_cases = arguments.folder or regression_cases()
+    if folder_of_cases is None:
+        raise InputError("this installation has no cases of its own", remedy="name a folder with cases")
+    check_input(folder_of_cases)
     from fmu_regression.cases.runner import Verdict, run_cases
     from fmu_regression.report.case_summary import text_table, write_junit, write_summary
 
@@ -52,7 +55,7 @@ def run(arguments: Namespace) -> int:
 
     with tempfile.TemporaryDirectory(prefix="cmb-regress-") as folder, progress_bars() as progress:
         provider = FmuProvider(Path(folder), build_options(arguments), progress)
-        results = run_cases(arguments.folder, provider, time_limit=arguments.time_limit, progress=progress)
+        results = run_cases(folder_of_cases, provider, time_limit=arguments.time_limit, progress=progress)
     print(text_table(results))
     if arguments.output is not None:
         write_summary(results, arguments.output)

@@ -12,9 +12,10 @@ from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
+from contact_data import modelica_library
+
 from cad2modelica.mechanism.model import JointType
 
-LIBRARY = Path(__file__).resolve().parents[3] / "ContactMultiBody" / "Actuators"
 PACKAGE = "ContactMultiBody.Actuators"
 DOMAINS = {JointType.REVOLUTE: "Rotational", JointType.SCREW: "Rotational", JointType.PRISMATIC: "Translational"}
 SENSOR = "Sensor"
@@ -89,7 +90,7 @@ def components_for(joint: JointType) -> tuple[ComponentClass, ...]:
 
 @cache
 def _domain(domain: str) -> tuple[ComponentClass, ...]:
-    folder = LIBRARY / domain
+    folder = modelica_library() / "Actuators" / domain
     return tuple(_read(folder / f"{name}.mo", domain) for name in (folder / "package.order").read_text("utf-8").split())
 
 
@@ -113,7 +114,7 @@ def _members(file: Path) -> tuple[dict[str, Parameter], list[tuple[str, Signal]]
     for statement in _statements(file.read_text(encoding="utf-8")):
         if statement.startswith("extends "):
             base = statement.split("(")[0].removeprefix("extends ").strip()
-            path = LIBRARY / f"{base.replace('.', '/')}.mo"
+            path = modelica_library() / "Actuators" / f"{base.replace('.', '/')}.mo"
             if not path.is_file():
                 continue  # icons
             inherited, more = _members(path)

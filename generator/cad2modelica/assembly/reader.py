@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from contact_data import assembly_schema
 from contact_foundation.errors import CmbError, InputError, Place
 from contact_foundation.progress import Progress, silent
 from lxml import etree
@@ -32,8 +33,6 @@ from cad2modelica.source.problems import Problems
 from cad2modelica.source.units import ANGLE, LENGTH, MASS, UnitSystem, to_si
 from cad2modelica.source.xml_document import line_of, validate
 
-SCHEMA = Path(__file__).resolve().parents[3] / "Resources" / "schema" / "assembly.xsd"
-
 DEFAULT_GRAVITY = (0.0, 0.0, -9.81)
 DEFAULT_STOP_TIME = 1.0
 DEFAULT_TOLERANCE = 1e-6
@@ -59,7 +58,7 @@ def read_assembly_xml(root: etree._Element, path: Path, progress: Progress = sil
             place=Place(file=path, line=line_of(root)),
             remedy=f"The root element must be 'assembly' in the namespace {NAMESPACE!r}, or URDF's 'robot'.",
         )
-    validate(root, SCHEMA, path)
+    validate(root, assembly_schema(), path)
     return _Reader(path, root, progress).read()
 
 

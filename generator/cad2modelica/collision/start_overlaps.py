@@ -9,19 +9,12 @@ from pathlib import Path
 
 import networkx as nx
 import numpy as np
+from contact_data import contact_engine
 
 from cad2modelica.collision.collision_shapes import CollisionGeometry
 from cad2modelica.geometry.spatial import Array, Pose, perpendicular
 from cad2modelica.mechanism.model import GROUND, Assembly, JointType, Plane
 
-LIBRARY = (
-    Path(__file__).resolve().parents[3]
-    / "ContactMultiBody"
-    / "Resources"
-    / "Library"
-    / "linux64"
-    / "libcontactmultibody.so"
-)
 TOLERANCE = 1e-6  # of the smaller body's size: what lies on another body touches, and does not overlap
 RESTING = 0.02  # share up to which an overlap may be that of bodies at rest
 _OWN_BACKEND = 1  # CMB_BACKEND_ANALYTIC
@@ -60,7 +53,7 @@ def start_overlaps(
     assembly: Assembly,
     geometries: Mapping[str, CollisionGeometry],
     pairs: Sequence[tuple[str, str]],
-    library: Path = LIBRARY,
+    library: Path | None = None,
 ) -> StartCheck:
     """Checks the pairs that may touch in the start configuration.
 
@@ -68,8 +61,9 @@ def start_overlaps(
         assembly: the mechanism.
         geometries: collision shapes by part.
         pairs: names of parts and planes.
-        library: the contact engine, as installed in the Modelica library.
+        library: the contact engine; as a rule the one in the Modelica library.
     """
+    library = library or contact_engine()
     near = _near(assembly, geometries, pairs)
     if not near:
         return StartCheck((), len(pairs))

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from contact_data import core_subset
 from contact_foundation.cache import user_cache
 from contact_foundation.errors import InputError, Place
 
@@ -73,11 +74,6 @@ class StandardLibrary:
 def cache_folder(environment: Mapping[str, str] = os.environ) -> Path:
     """Where official releases are kept."""
     return user_cache("msl", environment)
-
-
-def core_subset() -> Path:
-    """The project's own MultiBody core subset."""
-    return Path(__file__).resolve().parents[3] / "Resources" / "MultiBodyCore"
 
 
 def find_standard_library(explicit: Path | None = None, environment: Mapping[str, str] = os.environ) -> StandardLibrary:

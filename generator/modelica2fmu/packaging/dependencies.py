@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from importlib import util
 from pathlib import Path
 
+from contact_data import dependencies
 from contact_foundation.errors import BuildError
 
 from modelica2fmu.packaging.platforms import LINUX64, Platform
 
 _ENVIRONMENT = "CMB_SUNDIALS"
-_REPOSITORY = Path(__file__).resolve().parents[3]
 _ARCHIVE = "libsundials_cvode.a"  # Debian's has vectors, matrices and dense solver inside
 
 
@@ -39,7 +39,7 @@ def find_sundials(platform: Platform = LINUX64) -> Sundials:
     Raises:
         BuildError: none of them has it.
     """
-    made = _REPOSITORY / ".deps"
+    made = dependencies()
     if platform.is_host:
         variable, setup, others = _ENVIRONMENT, "scripts/setup", [made / "sundials" / "usr", Path("/usr")]
     else:

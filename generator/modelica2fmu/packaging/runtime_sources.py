@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from importlib.resources import files
 from pathlib import Path
 from typing import Final
 
-_RUNTIME: Final = Path(__file__).resolve().parents[1] / "runtime"
+_RUNTIME: Final = Path(str(files("modelica2fmu") / "runtime"))
 
 
 def runtime_folders() -> tuple[Path, ...]:

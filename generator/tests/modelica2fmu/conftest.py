@@ -8,9 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from contact_data import core_subset
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, BuildReport, Translation, build_fmu, translate
-from modelica2fmu.library.standard_library import StandardLibrary, core_subset
+from modelica2fmu.library.standard_library import StandardLibrary
 
 Builder = Callable[[str], BuildReport]
 Simulator = Callable[..., Any]

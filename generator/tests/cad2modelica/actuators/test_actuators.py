@@ -10,8 +10,9 @@ import pytest
 import rumoca
 from assembly_text import joint, part, write_assembly
 from cad2modelica import GenerateOptions, generate
-from cad2modelica.actuators.catalogue import LIBRARY, components_for
+from cad2modelica.actuators.catalogue import components_for
 from cad2modelica.mechanism.model import JointType
+from contact_data import modelica_library
 from contact_foundation.errors import InputError
 from mechanics_simulation import CORE, ROOT, simulate
 
@@ -146,7 +147,7 @@ def test_catalogue_agrees_with_the_compiler(tmp_path: Path, kind: JointType) -> 
         assert {parameter.name for parameter in item.parameters} <= own, item.name
         assert {signal.name for signal in item.outputs} <= own
         assert {signal.name for signal in item.inputs if signal.condition is None} <= own
-        source = (LIBRARY / item.domain / f"{item.name}.mo").read_text()
+        source = (modelica_library() / "Actuators" / item.domain / f"{item.name}.mo").read_text()
         assert item.description in source
 
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from cad2modelica import generate
 from cad2modelica.collision.collision_shapes import MOST_SHAPES, CollisionGeometry, collision_geometry
-from cad2modelica.collision.start_overlaps import LIBRARY
 from cad2modelica.geometry.hull_thinning import MOST_CORNERS, MOST_TOGETHER, thinned
 from cad2modelica.geometry.mesh import Indices, Mesh, bodies, weld
 from cad2modelica.geometry.primitive_meshes import box_surface
 from cad2modelica.geometry.spatial import IDENTITY
 from cad2modelica.mechanism.model import CollisionChoice, MassProperties, Part
+from contact_data import contact_engine
 from contact_foundation.errors import Place
 from scipy.spatial import ConvexHull
 
@@ -146,7 +146,7 @@ def test_few_corners_stay_as_they_are() -> None:
     np.testing.assert_array_equal(left, hull.points[hull.vertices])
 
 
-@pytest.mark.skipif(not LIBRARY.is_file(), reason="the contact engine is not installed")
+@pytest.mark.skipif(not contact_engine().is_file(), reason="the contact engine is not installed")
 def test_the_contact_engine_takes_both(tmp_path: Path) -> None:
     """An egg of 30 000 corners, 0.1 m deep in one house of a row of 1100; both reach the engine through the package."""
     vertices, triangles = houses(np.full(MOST_SHAPES + 76, 2.0))

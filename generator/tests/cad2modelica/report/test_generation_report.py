@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 from cad2modelica import generate, read_assembly
 from cad2modelica.collision.collision_shapes import collision_geometry
-from cad2modelica.collision.start_overlaps import LIBRARY, start_overlaps
+from cad2modelica.collision.start_overlaps import start_overlaps
+from contact_data import contact_engine
 from lxml import html
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
@@ -40,7 +41,7 @@ def boxes(folder: Path, second: str, plane: str = "") -> Path:
     return file
 
 
-needs_engine = pytest.mark.skipif(not LIBRARY.is_file(), reason="the contact engine is not installed")
+needs_engine = pytest.mark.skipif(not contact_engine().is_file(), reason="the contact engine is not installed")
 
 
 @needs_engine

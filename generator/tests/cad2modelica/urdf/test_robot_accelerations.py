@@ -12,11 +12,11 @@ from cad2modelica import GenerateOptions, generate, read_assembly
 from cad2modelica.kinematics.joint_twists import joint_twists
 from cad2modelica.mechanism.model import Assembly, JointType
 from cad2modelica.modelica.names import NamePool
+from contact_data import core_subset
 from fmpy import simulate_fmu
 from lxml import etree
 from mechanics_simulation import ROOT
 from modelica2fmu.build import BuildOptions, build_fmu
-from modelica2fmu.library.standard_library import core_subset
 
 ROBOTS = ("ur5_robot.urdf", "panda.urdf", "kinova.urdf", "z1.urdf", "allegro_left_hand.urdf")
 STOP = 0.2

@@ -12,11 +12,12 @@ from typing import Any
 import casadi
 import numpy as np
 import pytest
+from contact_data import core_subset
 from fmpy import extract, instantiate_fmu, read_model_description
 from modelica2fmu.build import BuildOptions, Translation, build_fmu, translate
 from modelica2fmu.codegen.slots import Store
 from modelica2fmu.equations.blocks import Assignment, Block, LinearBlock, needed_blocks
-from modelica2fmu.library.standard_library import StandardLibrary, core_subset
+from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.symbolic import expression as ex
 from numpy.typing import NDArray
 

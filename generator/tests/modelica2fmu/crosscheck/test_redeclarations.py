@@ -11,12 +11,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from contact_data import core_subset
 from contact_foundation.errors import UnsupportedModelError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu, translate
 from modelica2fmu.frontend.loading import load_flat_model
 from modelica2fmu.library.source_map import SourceMap
-from modelica2fmu.library.standard_library import StandardLibrary, core_subset
+from modelica2fmu.library.standard_library import StandardLibrary
 
 CLASSES = """
   partial model Law

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from contact_data import core_subset
 from contact_foundation.errors import InputError
-from modelica2fmu.library.standard_library import StandardLibrary, core_subset
+from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.translation import Translation, translate
 
 LIBRARY = Path(__file__).parents[4] / "ContactMultiBody"

@@ -6,9 +6,10 @@ import random
 from pathlib import Path
 
 import pytest
+from contact_data import core_subset
 from contact_foundation.errors import InputError
 from modelica2fmu.build import build_fmu, translate
-from modelica2fmu.library.standard_library import StandardLibrary, core_subset
+from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.phases import PhaseClock
 
 LIBRARY = StandardLibrary(core_subset(), "", "core subset")

@@ -9,10 +9,11 @@ import time
 from pathlib import Path
 
 import pytest
+from contact_data import core_subset
 from modelica2fmu.build import translate
 from modelica2fmu.library.cache_pruning import mark_used, prune_front_end_cache, prune_unused, pruned_after_use
 from modelica2fmu.library.library_repairs import views_folder
-from modelica2fmu.library.standard_library import StandardLibrary, core_subset
+from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.packaging.object_store import ObjectStore
 from modelica2fmu.packaging.toolchain import DEPENDENCIES, Compilation
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from contact_data import core_subset
 from contact_foundation.errors import InputError
-from modelica2fmu.library.standard_library import cache_folder, core_subset, find_standard_library
+from modelica2fmu.library.standard_library import cache_folder, find_standard_library
 from modelica2fmu.translation import translate
 
 
