@@ -163,7 +163,38 @@ def test_chattering_is_reported(switching: Path, tmp_path: Path) -> None:
     instance.setInteger([importer.references["kind"]], [1])
     importer.initialize(instance)
     expect(ERROR, instance.doStep, 0.0, 1.0)
-    assert "The model chatters: 1000 state events between time 0.25" in importer.errors()[-1]
+    said = importer.errors()[-1]
+    assert "The model chatters at time 0.25" in said
+    assert "1000 events within" in said
+    assert "The relation of event indicator 1 undoes the condition" in said
+    instance.freeInstance()
+
+
+def test_chattering_is_a_warning_in_model_exchange(switching: Path, tmp_path: Path) -> None:
+    importer = Importer(switching, tmp_path)
+    instance = importer.make(FMU2Model)
+    instance.setInteger([importer.references["kind"]], [1])
+    importer.initialize(instance, x=0.0)
+    instance.newDiscreteStates()
+    for event in range(1, 1500):
+        instance.enterContinuousTimeMode()
+        instance.setTime(1e-9 * event)
+        instance.setContinuousStates((ctypes.c_double * 1)(1e-9 if event % 2 else -1e-9), 1)
+        instance.enterEventMode()
+        instance.newDiscreteStates()
+    warnings = [text for status, _, text in importer.messages if status == WARNING]
+    assert len(warnings) == 1
+    assert "The model chatters at time" in warnings[0]
+    assert "event indicator 1 undoes" in warnings[0]
+    # Events that come seldom are none.
+    importer.messages.clear()
+    for event in range(1, 1500):
+        instance.enterContinuousTimeMode()
+        instance.setTime(1.0 + 1e-6 * event)
+        instance.setContinuousStates((ctypes.c_double * 1)(1e-9 if event % 2 else -1e-9), 1)
+        instance.enterEventMode()
+        instance.newDiscreteStates()
+    assert not importer.messages
     instance.freeInstance()
 
 

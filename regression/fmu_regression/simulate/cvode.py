@@ -82,6 +82,7 @@ _get_last_step = _declare(sundials_cvode, "CVodeGetLastStep", ctypes.c_void_p, c
 _get_dky = _declare(
     sundials_cvode, "CVodeGetDky", ctypes.c_void_p, ctypes.c_double, ctypes.c_int, CVRhsFn._argtypes_[1]
 )
+_get_roots = _declare(sundials_cvode, "CVodeGetRootInfo", ctypes.c_void_p, ctypes.POINTER(ctypes.c_int))
 _counter = {
     name: _declare(sundials_cvode, f"CVodeGetNum{name}", ctypes.c_void_p, _GetLong)
     for name in (
@@ -167,6 +168,7 @@ class Cvode:
         self._error: BaseException | None = None
         self._message = ""
         self._tolerance = tolerance
+        self._indicator_count = indicator_count
         self._max_step = max_step
         self._last_step = ctypes.c_double(0.0)
         self._steps_alike = 0
@@ -266,6 +268,12 @@ class Cvode:
         """Pointer to the states at a time within the last step, to the order of the method."""
         self._check(_get_dky(self._memory, time, 0, self._interpolated))
         return NV_DATA_S(self._interpolated)
+
+    def roots(self) -> list[int]:
+        """Numbers, from 0, of the event indicators that crossed zero where the last step ended."""
+        found = (ctypes.c_int * max(self._indicator_count, 1))()
+        self._check(_get_roots(self._memory, found))
+        return [number for number in range(self._indicator_count) if found[number]]
 
     def restart(self, time: float, states: FloatArray, nominal: FloatArray) -> None:
         """Starts anew after an event; states and nominal values have shape (n,)."""

@@ -17,6 +17,10 @@ _FMI_DISCARD = 2
 _MAX_EVENT_ITERATIONS = 1000
 _MAX_EVENTS_AT_A_TIME = 500
 _MAX_STEPS_AT_A_TIME = 200
+# So many state events within so short a time, s, are no physics but relations that undo themselves. FMUs of
+# ContactMultiBody notice 1000 and say which relation it is.
+_CHATTER_EVENTS = 1200
+_CHATTER_TIME = 1e-4
 
 Watch = Callable[[float], None]
 
@@ -89,6 +93,8 @@ class _Master:
         self.next_time_event = np.inf
         self.state_events = 0
         self.time_events = 0
+        self.chatter_begin = -np.inf
+        self.chatter_events = 0
         self.time = float(grid[0])
 
     def run(self, start_values: Mapping[str, StartValue]) -> tuple[Recorder, SolverCounters]:
@@ -157,11 +163,26 @@ class _Master:
                 crowd_time = reached
                 if crowd > _MAX_EVENTS_AT_A_TIME:
                     raise IntegrationError(f"more than {_MAX_EVENTS_AT_A_TIME} events at one time (chattering)")
+                if end is StepEnd.ROOT:
+                    self._watch_for_chatter(solver)
                 self.functions.enter_event_mode()
                 self._iterate_events(f"the event at t = {reached:.9g}")
                 self.recorder.sample(reached)
                 solver.restart(reached, self._states(), self._nominal())
             self.watch(reached)
+
+    def _watch_for_chatter(self, solver: Cvode) -> None:
+        if self.time - self.chatter_begin >= _CHATTER_TIME:
+            self.chatter_begin, self.chatter_events = self.time, 0
+        self.chatter_events += 1
+        if self.chatter_events < _CHATTER_EVENTS:
+            return
+        numbers = ", ".join(str(number + 1) for number in solver.roots())
+        raise self.instance.failure(
+            f"the model chatters at t = {self.time:.9g}: {_CHATTER_EVENTS} state events within "
+            f"{self.time - self.chatter_begin:.3g} s, the last of event indicator {numbers}. A relation undoes the "
+            "condition under which it became true: give it a hysteresis or make the change continuous"
+        )
 
     def _iterate_events(self, where: str) -> None:
         for _ in range(_MAX_EVENT_ITERATIONS):

@@ -97,6 +97,12 @@ def test_chattering_is_an_error_not_an_endless_run(bouncing_mass: Path) -> None:
         simulate(bouncing_mass, parameters={"beat": 0})
 
 
+def test_chatter_is_told_within_seconds(bouncing_mass: Path) -> None:
+    # Bounces without loss, 25 million a second.
+    with pytest.raises(SimulationError, match=r"(?s)the model chatters at t = .*event indicator 1\b.*hysteresis"):
+        simulate(bouncing_mass, parameters={"h": 0.0, "v": 0.02, "g": 1e6, "e": 1.0}, time_limit=60)
+
+
 @pytest.mark.parametrize(
     "numbers",
     [{"stop": np.inf}, {"stop": np.nan}, {"start": -np.inf}, {"interval": np.nan}, {"time_limit": 0.0},

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fmurt_chatter.h"
 #include "fmurt_derivative.h"
 #include "fmurt_evaluate.h"
 #include "fmurt_event.h"
@@ -322,8 +323,13 @@ fmurt_fmu_status fmurt_fmu_enter_event_mode(fmurt_fmu *fmu, const char *call) {
 fmurt_fmu_status fmurt_fmu_update_discrete_states(fmurt_fmu *fmu, const char *call, fmurt_event_report *report) {
   memset(report, 0, sizeof *report);
   if (!fmurt_fmu_permits(fmu, call, FMURT_PHASE_EVENT)) return FMURT_FMU_ERROR;
+  const int time_event = fmu->instance->values.time >= fmu->instance->values.next_time_event;
   const fmurt_result result = fmurt_iterate_events(fmu->instance, &report->states_changed);
   fmurt_solver_restart(fmu->instance->solver);
+  const int happened = time_event || fmu->instance->chatter.changed; /* importers may ask at every step */
+  if (result == FMURT_RESULT_OK && happened && fmurt_chatter_found(fmu->instance)) { /* for the importer to decide */
+    fmurt_log(fmu->instance, FMURT_LOG_WARNING, FMURT_LOG_STATUS_WARNING, "%s: %s", call, fmu->instance->message);
+  }
   report->terminate = fmu->instance->situation.terminate_requested;
   report->next_time_defined = isfinite(fmu->instance->values.next_time_event);
   report->next_time = report->next_time_defined ? fmu->instance->values.next_time_event : 0.0;

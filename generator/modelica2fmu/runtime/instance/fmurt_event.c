@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "fmurt_call.h"
+#include "fmurt_chatter.h"
 #include "fmurt_delay.h"
 #include "fmurt_evaluate.h"
 
@@ -52,6 +53,7 @@ static void change_relation(fmurt_instance *instance, size_t i) {
             fmurt_model.indicator_text != NULL ? fmurt_model.indicator_text[i] : "",
             relation ? "positive" : "negative");
   instance->values.relation[i] = relation;
+  fmurt_chatter_count(instance, i);
   instance->situation.continuous_stale = 1;
 }
 

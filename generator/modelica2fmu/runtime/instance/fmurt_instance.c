@@ -45,9 +45,10 @@ static int allocate_arrays(fmurt_instance *instance) {
   instance->values.string = calloc(fmurt_model.string_count + 1, sizeof(char *));
   instance->indicator = calloc(fmurt_model.indicator_count + 1, sizeof(double));
   instance->scratch = calloc(reals + 1, sizeof(double));
+  instance->chatter.changes = calloc(fmurt_model.indicator_count + 1, sizeof(int));
   if (instance->double_block == NULL || instance->int_block == NULL || instance->string == NULL ||
       instance->start_string == NULL || instance->values.string == NULL || instance->indicator == NULL ||
-      instance->scratch == NULL) {
+      instance->scratch == NULL || instance->chatter.changes == NULL) {
     return 0;
   }
 
@@ -110,6 +111,7 @@ void fmurt_instance_destroy(fmurt_instance *instance) {
   free(instance->int_block);
   free(instance->indicator);
   free(instance->scratch);
+  free(instance->chatter.changes);
   free(instance->name);
   free(instance);
 }
@@ -159,6 +161,7 @@ fmurt_result fmurt_instance_reset(fmurt_instance *instance) {
   instance->values.initial = 0;
   instance->values.terminal = 0;
   instance->values.terminate = 0;
+  instance->chatter.events = 0;
   instance->message[0] = '\0';
   return FMURT_RESULT_OK;
 }

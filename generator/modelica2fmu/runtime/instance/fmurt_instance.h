@@ -73,6 +73,14 @@ typedef struct fmurt_situation {
 
 typedef struct fmurt_solver fmurt_solver;
 
+/* Events of a short time, see fmurt_chatter.h. */
+typedef struct fmurt_chatter {
+  double begin; /* time of the first of them */
+  int events;
+  int changed;  /* a relation has, since the last event was counted */
+  int *changes; /* [indicator_count] of the relations */
+} fmurt_chatter;
+
 typedef struct fmurt_instance {
   char *name;
   fmurt_values values;
@@ -98,6 +106,7 @@ typedef struct fmurt_instance {
 
   double *indicator;    /* [indicator_count] scratch */
   double *scratch;      /* [real_count] scratch for values that `parameters` must not change */
+  fmurt_chatter chatter;
 
   fmurt_solver *solver; /* co-simulation; NULL until the first step */
   void (*destroy_solver)(fmurt_solver *solver); /* set with it: the instance owns what a layer above has made */

@@ -5,13 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "fmurt_chatter.h"
 #include "fmurt_evaluate.h"
 #include "fmurt_event.h"
 #include "fmurt_solver.h"
-
-/* So many state events within so short a time, s, are no physics but a relation that undoes itself. */
-enum { CHATTER_EVENTS = 1000 };
-static const double chatter_time = 1e-4;
 
 /* Always a fresh start, even if the derivatives do not jump: an event marks at least a kink, which costs the running
  * integrator more rejected steps than starting anew (tried on bouncing bodies). */
@@ -20,14 +17,6 @@ static fmurt_result carry_out_event(fmurt_instance *instance) {
   const fmurt_result result = fmurt_iterate_events(instance, &states_changed);
   fmurt_solver_restart(instance->solver);
   return result;
-}
-
-static fmurt_result report_chatter(fmurt_instance *instance, double since) {
-  snprintf(instance->message, sizeof instance->message,
-           "The model chatters: %d state events between time %.15g and %.15g. A relation undoes the condition under "
-           "which it became true; give it a hysteresis or make the change continuous",
-           CHATTER_EVENTS, since, instance->values.time);
-  return FMURT_RESULT_ERROR;
 }
 
 /* After a discarded step the other variables belong to some trial point; they can be read, so they shall fit the
@@ -57,8 +46,6 @@ fmurt_result fmurt_do_step(fmurt_instance *instance, double target, int stop_at_
 
   const double option = situation->solver_real[FMURT_SOLVER_MAXIMUM_STEP];
   const double maximum_step = option > 0.0 ? option : target - values->time;
-  int events = 0;
-  double chatter_begin = values->time;
   while (result == FMURT_RESULT_OK && values->time < target && !situation->terminate_requested) {
     const double stop_time = fmin(target, values->next_time_event);
     fmurt_stop stop = FMURT_STOP_TARGET;
@@ -75,11 +62,7 @@ fmurt_result fmurt_do_step(fmurt_instance *instance, double target, int stop_at_
       break;
     }
     result = carry_out_event(instance);
-    if (result != FMURT_RESULT_OK) break;
-    if (++events < CHATTER_EVENTS) continue;
-    if (values->time - chatter_begin < chatter_time) return report_chatter(instance, chatter_begin);
-    events = 0;
-    chatter_begin = values->time;
+    if (result == FMURT_RESULT_OK && fmurt_chatter_found(instance)) result = FMURT_RESULT_ERROR;
   }
   if (result == FMURT_RESULT_OK) return fmurt_update_values(instance);
   if (result == FMURT_RESULT_DISCARD) refresh_last_point(instance);
