@@ -45,6 +45,7 @@ def test_model_flattens_with_the_standard_library(
     assert compilers(version).flatten(name)["equations"]
 
 
+@pytest.mark.full
 def test_every_function_is_used_by_a_model(core: Compiler) -> None:
     unused = {f.full_name for f in class_files() if f.kind == "function" and "partial" not in f.prefix}
     models = runnable_models()

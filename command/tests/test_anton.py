@@ -19,6 +19,8 @@ from program import Cmb
 
 ROOT = Path(__file__).resolve().parents[2]
 
+pytestmark = pytest.mark.full
+
 ANTON = ROOT / "Resources" / "cad" / "anton"
 WEIGHT = 7.8 * 9.81
 STOP = 4.0

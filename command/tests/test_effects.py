@@ -50,6 +50,7 @@ def test_table_of_the_incline(cmb: Cmb, tmp_path: Path) -> None:
     assert "friction=ContactMultiBody.Types.Friction.None" in (tmp_path / "effects.html").read_text()
 
 
+@pytest.mark.full
 @pytest.mark.usefixtures("engine")
 def test_advice_on_a_users_model(cmb: Cmb, tmp_path: Path) -> None:
     (tmp_path / "Drop.mo").write_text(SCENE)

@@ -99,6 +99,7 @@ def test_the_report_is_one_file_that_works_offline(hammer: Path) -> None:
     assert "restitution" in (hammer / "summary.txt").read_text()
 
 
+@pytest.mark.full
 def test_the_fmu_is_valid(hammer: Path) -> None:
     assert validate_fmu(str(hammer / "hammer.fmu")) == []
 

@@ -8,16 +8,13 @@ import pytest
 from program import CaseCheck, cases_of
 
 QUICK = {
-    "AllFormulaContacts",
     "BallOnFloor",
     "BallWithoutEngine",
-    "BallWithoutEvents",
     "EngineAgreesWithFormula",
     "HammerOnAnvil",
     "RollingSphere",
     "ServoStep",
     "ShapesFromFiles",
-    "SpheresOnFloor",
     "TumblingShapes",
 }
 

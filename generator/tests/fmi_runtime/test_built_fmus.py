@@ -252,6 +252,7 @@ def test_it_runs_from_any_folder(ball_on_floor: Path, tmp_path: Path) -> None:
         assert 0.09 < float(done.stdout.split()[-1]) < RADIUS
 
 
+@pytest.mark.full
 def test_the_sources_build_the_same_binary_again(ball_on_floor: Path, unpacked: Unpacked, tmp_path: Path) -> None:
     """With nothing but the folder, a compiler, CVODE and the contact engine's library."""
     if shutil.which("cmake") is None:
@@ -279,6 +280,7 @@ def test_the_sources_build_the_same_binary_again(ball_on_floor: Path, unpacked: 
     assert np.allclose(heights(folder), heights(ball_on_floor), rtol=0.0, atol=1e-9)
 
 
+@pytest.mark.full
 def test_fmpy_builds_the_sources_of_fmi_3(ball_on_floor: Path, unpacked: Unpacked, tmp_path: Path) -> None:
     """As docs/fmu.md says: FMPy reads the files from buildDescription.xml, folders and libraries must be named."""
     if unpacked.two:

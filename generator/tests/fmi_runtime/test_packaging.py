@@ -80,6 +80,7 @@ def test_the_same_model_gives_the_same_bytes(oscillator: Path, tmp_path: Path) -
     assert again.read_bytes() == oscillator.read_bytes()
 
 
+@pytest.mark.full
 def test_kept_objects_change_nothing(oscillator: Path, ball: Path, tmp_path: Path) -> None:
     folder = tmp_path / "objects"
     for _ in range(2):

@@ -122,6 +122,7 @@ def test_a_hull_that_is_a_box_does_not_hide_what_is_cut_out() -> None:
     assert "collides as a box, 1" in filled.notes[0]
 
 
+@pytest.mark.full
 def test_limits() -> None:
     """A comb of five teeth: the part's own limits count before the given ones, the count before the error."""
     # Every tooth and gap at a height of its own: no three corners lie on a line.
@@ -199,6 +200,7 @@ def test_cache_folder() -> None:
         assert user_cache("x", environment) == Path("/h/.cache/contactmultibody/x")
 
 
+@pytest.mark.full
 def test_vhacd_keeps_the_error_and_the_number() -> None:
     """The Hausdorff distance is within the error where the number allows it; the same input gives the same pieces."""
     vertices, triangles = prism(L_OUTLINE, 1.0)
@@ -235,6 +237,7 @@ def test_without_a_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     assert len(decompose(vertices, triangles, 0.2, 8).pieces) >= 2
 
 
+@pytest.mark.full
 def test_the_number_of_threads_does_not_matter(tmp_path: Path) -> None:
     script = (
         "import numpy as np, sys; from cad2modelica.collision.convex_decomposition import decompose;"

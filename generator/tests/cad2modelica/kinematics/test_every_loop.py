@@ -85,10 +85,8 @@ def groups(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Simulat
     return SimulatedGroups(tmp_path_factory, fmu_cache)
 
 
-@pytest.mark.parametrize(
-    ("group", "name"),
-    [pytest.param(*kind, marks=() if kind[0] == "spatial" else pytest.mark.full) for kind in KINDS],
-)
+@pytest.mark.full
+@pytest.mark.parametrize(("group", "name"), KINDS)
 def test_loop_moves_as_free_bodies_with_constraint_forces_do(
     groups: SimulatedGroups, group: str, name: str, tmp_path: Path
 ) -> None:

@@ -144,6 +144,7 @@ def test_loop_with_two_spherical_joints_stays_closed_and_keeps_its_energy(tmp_pa
     assert np.abs(energy - energy[0]).max() < 1e-5
 
 
+@pytest.mark.full
 def test_planar_loop_beside_a_spatial_one(tmp_path: Path, fmu_cache: Path) -> None:
     """A four-bar linkage whose rocker moves a lever in another plane: one planar constraint, one cut in space."""
     parts = [
@@ -174,6 +175,7 @@ def test_planar_loop_beside_a_spatial_one(tmp_path: Path, fmu_cache: Path) -> No
     assert np.ptp(motion.point("lever", (0, 0, 0.3)), axis=0).max() > 0.005
 
 
+@pytest.mark.full
 def test_loops_planar_through_fixed_rotations_and_parallelogram(tmp_path: Path, fmu_cache: Path) -> None:
     """A slider-crank whose rod is welded from two turned parts, and a parallelogram; both in one model."""
     parts = [

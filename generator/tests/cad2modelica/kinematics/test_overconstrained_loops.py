@@ -377,6 +377,7 @@ def simulated(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Simu
     return Simulated(result)
 
 
+@pytest.mark.full
 def test_bennetts_linkage_keeps_its_relation_of_angles(simulated: Simulated) -> None:
     first, second, third, fourth = (simulated.rows[f"bennettj{k}.phi"] for k in (1, 2, 3, 4))
     product = np.tan((FIRST + first) / 2) * np.tan((SECOND + second) / 2)
@@ -387,6 +388,7 @@ def test_bennetts_linkage_keeps_its_relation_of_angles(simulated: Simulated) -> 
     assert np.ptp(first) > 0.2
 
 
+@pytest.mark.full
 def test_sarrus_platform_moves_on_a_straight_line(simulated: Simulated) -> None:
     platform = simulated.vector("platform.frame_a.r_0")
     assert np.abs(platform[:, :2]).max() < 1e-9
@@ -398,6 +400,7 @@ def test_sarrus_platform_moves_on_a_straight_line(simulated: Simulated) -> None:
     np.testing.assert_allclose(knee[:, 0], 1 + np.sqrt(LEG**2 - platform[:, 2] ** 2 / 4), atol=1e-9)
 
 
+@pytest.mark.full
 def test_three_cranks_fall_as_two_would_with_the_mass_of_three(simulated: Simulated) -> None:
     length = CRANK @ CRANK
     inertia = 3 * (0.01 + length / 4) + length
@@ -408,6 +411,7 @@ def test_three_cranks_fall_as_two_would_with_the_mass_of_three(simulated: Simula
         assert np.abs(head - [x - 1, 0, 0]).max() < 1e-9
 
 
+@pytest.mark.full
 def test_nut_in_a_guide_drives_its_spindle(simulated: Simulated) -> None:
     lead = 0.5 / (2 * np.pi)
     # The nut turns against the shaft as it sinks; it cannot turn in the guide, so the shaft does.
@@ -418,17 +422,20 @@ def test_nut_in_a_guide_drives_its_spindle(simulated: Simulated) -> None:
     np.testing.assert_allclose(sunk, -lead * turned, atol=1e-9)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("hinge", ["nearHinge", "lidHinge"])
 def test_flap_on_two_bearings_is_a_pendulum(simulated: Simulated, hinge: str) -> None:
     assert simulated.rows[f"{hinge}.a"][0] == pytest.approx(GRAVITY * 0.5 / (0.01 + 0.25), rel=1e-7)
 
 
+@pytest.mark.full
 def test_ball_between_two_sliders_takes_both_along(simulated: Simulated) -> None:
     fallen = [simulated.rows[f"{body}.frame_a.r_0[3]"] - 1 for body in ("lead", "follower")]
     for way in fallen:
         np.testing.assert_allclose(way, -0.5 * GRAVITY * simulated.rows["time"] ** 2, atol=1e-8)
 
 
+@pytest.mark.full
 def test_bricards_ring_stays_closed(simulated: Simulated) -> None:
     first = 0.9
     second = np.arccos(-np.cos(first) / (1 + np.cos(first)))
@@ -444,6 +451,7 @@ def test_bricards_ring_stays_closed(simulated: Simulated) -> None:
     assert np.ptp(simulated.vector("bricard3.frame_a.r_0"), axis=0).max() > 0.1
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("mechanism", BODIES)
 def test_energy_stays(simulated: Simulated, mechanism: str) -> None:
     """Whatever conditions were left out: ideal constraints do no work."""
