@@ -130,8 +130,9 @@ void ModelicaFormatError(const char *format, ...) { (void)format; }
 int main(void) {
   const char *geometry[] = {"cmb/1 box size=1,1,1", "cmb/1 sphere radius=1"};
   const int pairs[] = {1, 2};
+  const cmb_scene_source source = {geometry, 2, pairs, 1, CMB_BACKEND_FCL, NULL};
   cmb_scene scene;
-  const cmb_status status = cmb_intern(geometry, 2, pairs, 1, CMB_BACKEND_FCL, &scene);
+  const cmb_status status = cmb_intern(&source, &scene);
   puts(status == CMB_OK ? "found" : cmb_last_error());
   return 0;
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact_multibody.h"
+#include "support/engine_calls.hpp"
 #include "support/random_bodies.hpp"
 
 namespace {
@@ -31,8 +32,8 @@ void run(const char *name, const std::string &body, std::size_t bodies, std::siz
     for (int j = i + 1; j <= static_cast<int>(bodies); ++j) pairs.insert(pairs.end(), {i, j});
   }
   const std::size_t pair_count = pairs.size() / 2;
-  cmb_scene scene = 0;
-  if (cmb_intern(geometry.data(), bodies, pairs.data(), pair_count, CMB_BACKEND_AUTO, &scene) != CMB_OK) {
+  cmb_scene scene{};
+  if (cmb::test::intern_scene(geometry.data(), bodies, pairs.data(), pair_count, CMB_BACKEND_AUTO, &scene) != CMB_OK) {
     std::fprintf(stderr, "%s\n", cmb_last_error());
     std::exit(1);
   }
@@ -51,8 +52,8 @@ void run(const char *name, const std::string &body, std::size_t bodies, std::siz
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (const bool bounded : {false, true}) {
       const double begin = processor_microseconds();
-      cmb_query_scene_within(scene, bounded ? 0.1 : HUGE_VAL, position.data(), rotation.data(), bodies, pair_count, capacity,
-                             distance.data(), depth.data(), weight.data(), normal.data(), point.data());
+      query_scene(scene, position.data(), rotation.data(), bodies, pair_count, capacity, distance.data(), depth.data(),
+                  weight.data(), normal.data(), point.data(), bounded ? 0.1 : HUGE_VAL);
       times[bounded].push_back((processor_microseconds() - begin) / static_cast<double>(pair_count));
     }
   }

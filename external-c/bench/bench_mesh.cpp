@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "contact_multibody.h"
+#include "support/engine_calls.hpp"
 #include "support/mesh_text.hpp"
 #include "support/random_bodies.hpp"
 
@@ -83,8 +84,8 @@ void run(const char *name, const MeshData &data, int poses) {
   const std::string text = mesh_samples::mesh_text(data);
   const char *geometry[] = {text.c_str(), text.c_str()};
   const int pairs[] = {1, 2};
-  cmb_scene scene = 0;
-  if (cmb_intern(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene) != CMB_OK) {
+  cmb_scene scene{};
+  if (cmb::test::intern_scene(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene) != CMB_OK) {
     std::printf("%s: %s\n", name, cmb_last_error());
     std::exit(1);
   }
@@ -100,7 +101,7 @@ void run(const char *name, const MeshData &data, int poses) {
     }
     double distance, depths[8], weight[8], normal[24], point[24];
     const auto ask = [&] {
-      cmb_query_scene(scene, position, rotation, 2, 1, 8, &distance, depths, weight, normal, point);
+      cmb::test::query_scene(scene, position, rotation, 2, 1, 8, &distance, depths, weight, normal, point);
     };
     // From afar towards the other body: as far as the distance allows until they touch, then the depth.
     double along = 3.0;

@@ -17,6 +17,7 @@
 #include <random>
 
 #include "broadphase/broad_phase.hpp"
+#include "support/engine_calls.hpp"
 #include "support/rigid_bodies.hpp"
 
 namespace {
@@ -84,7 +85,7 @@ void search() {
     const auto ours = [&] {
       for (int r = 0; r < repetitions; ++r) {
         const Motion &motion = cloud.moved[turn++ % cloud.moved.size()];
-        cmb_query_candidates(cloud.bodies.broadphase, motion.position.data(), motion.rotation.data(),
+        query_candidates(cloud.bodies.broadphase, motion.position.data(), motion.rotation.data(),
                              cloud.bodies.count(), 0, nullptr, &found);
       }
     };
@@ -146,7 +147,7 @@ void forces() {
     cloud.bodies.law.use_restitution = 0;
     const double constant = per_body(evaluate);
     const double search_alone = per_body([&](const Motion &motion) {
-      cmb_query_candidates(cloud.bodies.broadphase, motion.position.data(), motion.rotation.data(),
+      query_candidates(cloud.bodies.broadphase, motion.position.data(), motion.rotation.data(),
                            cloud.bodies.count(), 0, nullptr, &found);
     });
     if (first == 0.0) first = memoryless;

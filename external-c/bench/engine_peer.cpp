@@ -3,6 +3,7 @@
 
 #include "contact_multibody.h"
 #include "contact_peer.hpp"
+#include "support/engine_calls.hpp"
 
 namespace cmb::bench {
 
@@ -15,7 +16,7 @@ class EnginePeer : public ContactPeer {
   explicit EnginePeer(const PosedPair &pair) {
     const char *geometry[] = {pair.descriptor_a.c_str(), pair.descriptor_b.c_str()};
     const int pairs[] = {1, 2};
-    if (cmb_intern(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene_) != CMB_OK) {
+    if (cmb::test::intern_scene(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene_) != CMB_OK) {
       std::fprintf(stderr, "%s\n", cmb_last_error());
       std::exit(1);
     }
@@ -31,13 +32,13 @@ class EnginePeer : public ContactPeer {
 
   double ask(std::size_t k) override {
     double distance = 0.0;
-    cmb_query_scene(scene_, &position_[6 * k], &rotation_[18 * k], 2, 1, capacity, &distance, depth_, weight_, normal_,
+    cmb::test::query_scene(scene_, &position_[6 * k], &rotation_[18 * k], 2, 1, capacity, &distance, depth_, weight_, normal_,
                     point_);
     return distance;
   }
 
  private:
-  cmb_scene scene_ = 0;
+  cmb_scene scene_{};
   std::vector<double> position_, rotation_;
   double depth_[capacity], weight_[capacity], normal_[3 * capacity], point_[3 * capacity];
 };

@@ -10,6 +10,7 @@
 
 #include "contact_multibody.h"
 #include "math/vector3.hpp"
+#include "support/engine_calls.hpp"
 
 namespace {
 
@@ -108,8 +109,8 @@ int main(int argc, char **argv) {
   for (const Path &path : paths) {
     const char *geometry[] = {path.a, path.b};
     const int pair[] = {1, 2};
-    cmb_scene scene = 0;
-    if (cmb_intern(geometry, 2, pair, 1, CMB_BACKEND_AUTO, &scene) != CMB_OK) {
+    cmb_scene scene{};
+    if (cmb::test::intern_scene(geometry, 2, pair, 1, CMB_BACKEND_AUTO, &scene) != CMB_OK) {
       std::fprintf(stderr, "%s\n", cmb_last_error());
       return 1;
     }
@@ -122,7 +123,7 @@ int main(int argc, char **argv) {
         for (int j = 0; j < 3; ++j) rotation[3 * i + j] = place.rotation.row[j][i];
       }
       double distance, d[capacity], w[capacity], n[3 * capacity], p[3 * capacity];
-      if (cmb_query_scene(scene, position, rotation, 2, 1, capacity, &distance, d, w, n, p) != CMB_OK) {
+      if (cmb::test::query_scene(scene, position, rotation, 2, 1, capacity, &distance, d, w, n, p) != CMB_OK) {
         std::fprintf(stderr, "%s\n", cmb_last_error());
         return 1;
       }

@@ -2,9 +2,8 @@
  *
  * Scenes are immutable once interned and shared by all threads; queries keep no state.
  * Every function may be called from any thread at any time.
- * SI units. All arrays belong to the caller and are row-major; no pointer is kept after a call, and none may be NULL unless a
- * function says so. Bodies are numbered from 1, as the Modelica library numbers them; the pairs of a scene, being rows of an array,
- * are counted from 0. */
+ * SI units. All arrays and structures belong to the caller, arrays are row-major; no pointer is kept after a call, and none may be
+ * NULL unless it is said so. Bodies and pairs are numbered from 1, as the Modelica library numbers them. */
 #ifndef CONTACT_MULTIBODY_H
 #define CONTACT_MULTIBODY_H
 
@@ -50,73 +49,89 @@ typedef CMB_ENUM(cmb_backend) {
   CMB_BACKEND_COAL = 4
 } cmb_backend;
 
-/* Handle of an interned scene; positive. */
-typedef int cmb_scene;
+/* Handle of an interned scene. One that cmb_intern did not give, or whose scene is released, is refused. */
+typedef struct cmb_scene {
+  int number; /* positive; 0 is no scene */
+} cmb_scene;
+
+/* How many scenes there can be at a time. */
+#define CMB_SCENE_LIMIT 65536
 
 /* The distance, in m, of pairs that never touch: of a body without shape, of two half-spaces. */
 #define CMB_DISTANCE_NONE 1e9
 
-/* Interns a scene: the same arguments give the same handle, in every thread.
- * geometry  body_count descriptor strings, none NULL; an empty string is a body without shape.
- * pairs     pair_count rows of two 1-based body numbers; may be NULL if pair_count is 0.
- * scene     receives the handle; unchanged on error. Not NULL.
- * The scene lives until the library is unloaded; nothing has to be freed. Descriptors that name files are refused. */
-CMB_API cmb_status cmb_intern(const char *const *geometry, size_t body_count, const int *pairs, size_t pair_count,
-                      cmb_backend backend, cmb_scene *scene);
+/* What a scene is made of. */
+typedef struct cmb_scene_source {
+  const char *const *geometry; /* [body_count] descriptors, none NULL; an empty one is a body without shape */
+  size_t body_count;
+  const int *pairs;            /* [pair_count][2] numbers of bodies; may be NULL if pair_count is 0 */
+  size_t pair_count;
+  cmb_backend backend;
+  /* What file names in descriptors are relative to; no file outside of it is read, links resolved. "/" allows all files.
+   * NULL or empty: descriptors that name files are refused. */
+  const char *folder;
+} cmb_scene_source;
 
-/* The same, for descriptors that name files.
- * folder    what file names are relative to; no file outside of it is read, links resolved. "/" allows all files.
- *           NULL or empty: files are refused.
- * Files are read now, once each; a scene that is known already is not read again, even if its files have changed. */
-CMB_API cmb_status cmb_intern_with_files(const char *const *geometry, size_t body_count, const int *pairs,
-                                         size_t pair_count, cmb_backend backend, const char *folder,
-                                         cmb_scene *scene);
+/* Interns a scene: equal sources give the same handle, in every thread. Files are read now, once each; a scene that is
+ * known already is not read again, even if its files have changed.
+ * scene  receives the handle; unchanged on error. Not NULL.
+ * The scene lives until it is released as often as it was interned, or the library is unloaded. */
+CMB_API cmb_status cmb_intern(const cmb_scene_source *source, cmb_scene *scene);
+
+/* Takes back one cmb_intern of this scene; after the last one its memory is freed, its handle is refused, and its place
+ * can be taken by another scene. Broad phases keep their scenes. No other call may use the scene meanwhile.
+ * Programs that make scenes without end need this; others need not release anything. */
+CMB_API cmb_status cmb_release_scene(cmb_scene scene);
 
 /* Writes a descriptor with the contents of the files it names in their place, for scenes that are to be interned where
  * the files are not. Geometry that cannot be interned is refused.
- * folder    as in cmb_intern_with_files
+ * folder    as in cmb_scene_source
  * text      [capacity] receives the descriptor with its final NUL; unchanged where capacity is too small. May be NULL
  *           if capacity is 0.
  * length    receives the capacity needed. Not NULL. */
 CMB_API cmb_status cmb_inline_files(const char *geometry, const char *folder, char *text, size_t capacity,
                                     size_t *length);
 
-/* Evaluates all pairs of a scene. All arrays are the caller's, row-major, none NULL unless its size is 0.
- * position  [body_count][3], rotation [body_count][3][3] (world to body, Modelica's R.T)
- * point_capacity  slots per pair, >= 1; where a contact has more points they are merged so that the
- *                 force-carrying sums stay the same
- * distance  [pair_count]                    signed distance, m; negative when penetrating
- * depth     [pair_count][point_capacity]    m, >= 0; 0 in unused slots
- * weight    [pair_count][point_capacity]    1, >= 0; 0 in unused slots
- * normal    [pair_count][point_capacity][3] unit, world axes, from the second body towards the first
- * point     [pair_count][point_capacity][3] m, world axes */
-CMB_API cmb_status cmb_query_scene(cmb_scene scene, const double *position, const double *rotation, size_t body_count,
-                           size_t pair_count, size_t point_capacity, double *distance, double *depth,
-                           double *weight, double *normal, double *point);
+/* Where the bodies of a scene are. */
+typedef struct cmb_poses {
+  size_t body_count;
+  const double *position; /* [body_count][3] m, of the frames' origins; may be NULL if body_count is 0 */
+  const double *rotation; /* [body_count][3][3] world to body, Modelica's R.T; may be NULL if body_count is 0 */
+} cmb_poses;
 
-/* The same, cheaper for pairs that are far apart. exact_within is a length in m, > 0. With g, the gap between the bounding
- * spheres of two shapes (or of a shape and a half-space), which is never more than their distance d, such a pair's
- * distance counts as
- *   d                     where g <= exact_within,
- *   g                     where g >= 2 exact_within,
- *   d + s (g - d)         between, s = 3 x^2 - 2 x^3 with x = g/exact_within - 1,
- * and so do the normal and the point of unused slots. It is continuous, as smooth as d, never more than d, and its sign is
- * that of d: contacts, and events at the crossing of zero, are those of cmb_query_scene. What it is not is a clearance to
- * be read off. Infinity gives cmb_query_scene. */
-CMB_API cmb_status cmb_query_scene_within(cmb_scene scene, double exact_within, const double *position,
-                           const double *rotation, size_t body_count, size_t pair_count, size_t point_capacity,
-                           double *distance, double *depth, double *weight, double *normal, double *point);
+/* The caller's arrays for what a query finds; may be NULL if pair_count is 0. */
+typedef struct cmb_contact_points {
+  size_t pair_count;
+  size_t point_capacity; /* slots per pair, >= 1; where a contact has more points they are merged so that the
+                            force-carrying sums stay the same */
+  double *distance;      /* [pair_count]                    signed distance, m; negative when penetrating */
+  double *depth;         /* [pair_count][point_capacity]    m, >= 0; 0 in unused slots */
+  double *weight;        /* [pair_count][point_capacity]    1, >= 0; 0 in unused slots */
+  double *normal;        /* [pair_count][point_capacity][3] unit, world axes, from the second body towards the first */
+  double *point;         /* [pair_count][point_capacity][3] m, world axes */
+} cmb_contact_points;
 
-/* The same for one pair of a scene (0-based index into its pairs), as cmb_query_scene. */
-CMB_API cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *position, const double *rotation,
-                          size_t body_count, size_t point_capacity, double *distance, double *depth,
-                          double *weight, double *normal, double *point);
+/* Evaluates all pairs of a scene. The arrays are unchanged where an argument or the first pose that is wrong is refused.
+ * exact_within  a length in m, > 0; HUGE_VAL: distances are exact everywhere. A finite one is cheaper for pairs that are far
+ *               apart. With g, the gap between the bounding spheres of two shapes (or of a shape and a half-space),
+ *               which is never more than their distance d, such a pair's distance counts as
+ *                 d                     where g <= exact_within,
+ *                 g                     where g >= 2 exact_within,
+ *                 d + s (g - d)         between, s = 3 x^2 - 2 x^3 with x = g/exact_within - 1,
+ *               and so do the normal and the point of unused slots. It is continuous, as smooth as d, never more than
+ *               d, and its sign is that of d: contacts, and events at the crossing of zero, are the exact ones. What it is
+ *               not is a clearance to be read off. */
+CMB_API cmb_status cmb_query_scene(cmb_scene scene, const cmb_poses *poses, double exact_within,
+                                   const cmb_contact_points *points);
 
-/* Which back end answers for the nearest shapes of a pair (0-based index) at these poses; CMB_BACKEND_AUTO where
+/* The same for one pair of a scene, exactly; points->pair_count is 1. */
+CMB_API cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const cmb_poses *poses,
+                                  const cmb_contact_points *points);
+
+/* Which back end answers for the nearest shapes of a pair at these poses; CMB_BACKEND_AUTO where
  * a body has no shape. The engine asks the scene's back end, checks what it says, and answers itself
  * (CMB_BACKEND_ANALYTIC) where that is missing or does not hold. backend is unchanged on error. Not NULL. */
-CMB_API cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const double *position, const double *rotation,
-                                     size_t body_count, cmb_backend *backend);
+CMB_API cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const cmb_poses *poses, cmb_backend *backend);
 
 /* How often, in all threads since the scene was interned, the library it names as back end gave an answer that
  * held, and how often that was missing or did not hold; 0 for the engine's own back end, which is not counted.
@@ -135,9 +150,8 @@ typedef struct cmb_overlap {
   double patch_moment[9];   /* m4, row-major: integral of r r^T over that patch, r in its plane from patch_centroid */
 } cmb_overlap;
 
-/* The overlap of one pair (0-based index). overlap is unchanged on error. Not NULL. Slower than a contact query. */
-CMB_API cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const double *position, const double *rotation,
-                                     size_t body_count, cmb_overlap *overlap);
+/* The overlap of one pair. overlap is unchanged on error. Not NULL. Slower than a contact query. */
+CMB_API cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const cmb_poses *poses, cmb_overlap *overlap);
 
 /* Text of a status; never NULL, static storage. */
 CMB_API const char *cmb_status_text(cmb_status status);

@@ -13,12 +13,18 @@
 extern "C" {
 #endif
 
-/* Handle of an interned scene with its filter; positive. */
-typedef int cmb_broadphase;
+/* Handle of an interned scene with its filter. One that is released is refused. */
+typedef struct cmb_broadphase {
+  int number; /* positive; 0 is none */
+} cmb_broadphase;
+
+/* How many broad phases there can be at a time. */
+#define CMB_BROADPHASE_LIMIT 4096
 
 /* Which pairs never touch: two fixed bodies; bodies of which one is in no group that the other collides with; excluded
  * pairs, as of neighbours in a joint. */
 typedef struct cmb_collision_filter {
+  size_t body_count;      /* that of the scene */
   const int *fixed;       /* [body_count] not 0 for bodies that never move, which also have infinite mass; NULL: none */
   const int *group;       /* [body_count] bits of the groups a body belongs to; NULL: bit 0 of each */
   const int *mask;        /* [body_count] bits of the groups it collides with; NULL: all */
@@ -30,15 +36,17 @@ typedef struct cmb_collision_filter {
  * handle, in every thread.
  * filter      NULL: every two bodies may touch
  * broadphase  receives the handle; unchanged on error. Not NULL. */
-CMB_API cmb_status cmb_intern_broadphase(cmb_scene scene, size_t body_count, const cmb_collision_filter *filter,
+CMB_API cmb_status cmb_intern_broadphase(cmb_scene scene, const cmb_collision_filter *filter,
                                          cmb_broadphase *broadphase);
 
+/* Takes back one cmb_intern_broadphase; as cmb_release_scene. */
+CMB_API cmb_status cmb_release_broadphase(cmb_broadphase broadphase);
+
 /* The pairs of bodies whose bounds overlap, sorted: all pairs that touch are among them.
- * position, rotation  as in cmb_query_scene
  * pairs  [pair_capacity][2] receives 1-based body numbers, the smaller first; may be NULL if pair_capacity is 0
  * pair_count  receives how many there are, also where pair_capacity is smaller. Not NULL. */
-CMB_API cmb_status cmb_query_candidates(cmb_broadphase broadphase, const double *position, const double *rotation,
-                                        size_t body_count, size_t pair_capacity, int *pairs, size_t *pair_count);
+CMB_API cmb_status cmb_query_candidates(cmb_broadphase broadphase, const cmb_poses *poses, size_t pair_capacity,
+                                        int *pairs, size_t *pair_count);
 
 /* One contact point. */
 typedef struct cmb_contact {
@@ -50,9 +58,8 @@ typedef struct cmb_contact {
 /* All contact points, sorted by bodies.
  * contacts  [contact_capacity], may be NULL if contact_capacity is 0
  * contact_count  receives how many there are, also where contact_capacity is smaller. Not NULL. */
-CMB_API cmb_status cmb_query_contacts(cmb_broadphase broadphase, const double *position, const double *rotation,
-                                      size_t body_count, size_t contact_capacity, cmb_contact *contacts,
-                                      size_t *contact_count);
+CMB_API cmb_status cmb_query_contacts(cmb_broadphase broadphase, const cmb_poses *poses, size_t contact_capacity,
+                                      cmb_contact *contacts, size_t *contact_count);
 
 /* In the order of ContactMultiBody.Types.NormalLaw. */
 typedef CMB_ENUM(cmb_normal_law) {
@@ -117,9 +124,9 @@ typedef struct cmb_body_properties {
 
 /* How the bodies move. */
 typedef struct cmb_motion {
-  const double *position, *rotation;  /* as in cmb_query_scene */
-  const double *velocity;             /* [body_count][3] m/s, of the frames' origins */
-  const double *angular_velocity;     /* [body_count][3] rad/s, world axes */
+  cmb_poses poses;
+  const double *velocity;          /* [body_count][3] m/s, of the frames' origins */
+  const double *angular_velocity;  /* [body_count][3] rad/s, world axes */
 } cmb_motion;
 
 /* Sums over a scene. */
@@ -134,7 +141,7 @@ typedef struct cmb_response_sums {
  * torque  [body_count][3] N.m, about the frames' origins, world axes
  * sums    may be NULL
  * Outputs are unchanged on error. Does not allocate once this thread's scratch has grown. */
-CMB_API cmb_status cmb_evaluate_response(cmb_broadphase broadphase, size_t body_count, const cmb_contact_law *law,
+CMB_API cmb_status cmb_evaluate_response(cmb_broadphase broadphase, const cmb_contact_law *law,
                                          const cmb_body_properties *properties, const cmb_motion *motion,
                                          double *force, double *torque, cmb_response_sums *sums);
 

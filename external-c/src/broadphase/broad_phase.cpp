@@ -9,7 +9,9 @@
 
 namespace cmb {
 
-BroadPhase::BroadPhase(const Scene &scene, CollisionFilter filter) : scene_(scene), filter_(std::move(filter)) {
+BroadPhase::BroadPhase(std::shared_ptr<const Scene> given, CollisionFilter filter)
+    : scene_(std::move(given)), filter_(std::move(filter)) {
+  const Scene &scene = *scene_;
   std::size_t shapes = 0;
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
     first_shape_.push_back(shapes);
@@ -42,7 +44,7 @@ void BroadPhase::find_candidates(const double *position, const double *rotation,
   for (std::size_t body = 0; body < body_count(); ++body) {
     const Pose pose = body_pose(position + 3 * body, rotation + 9 * body);
     scratch.body_poses.push_back(pose);
-    for (const Shape &shape : scene_.bodies[body]) scratch.shape_poses.push_back(compose(pose, shape.in_body));
+    for (const Shape &shape : scene_->bodies[body]) scratch.shape_poses.push_back(compose(pose, shape.in_body));
   }
   scratch.bounds.clear();
   for (std::size_t i = 0; i < bounded_.size(); ++i) {

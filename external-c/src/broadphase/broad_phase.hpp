@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "broadphase/bounds.hpp"
@@ -27,18 +28,18 @@ struct BroadPhaseScratch {
   std::vector<Candidate> candidates;
 };
 
-// Immutable; shared by threads. The scene must outlive it.
+// Immutable; shared by threads. Keeps its scene.
 class BroadPhase {
  public:
   // The filter has as many bodies as the scene.
-  BroadPhase(const Scene &scene, CollisionFilter filter);
+  BroadPhase(std::shared_ptr<const Scene> scene, CollisionFilter filter);
 
-  const Scene &scene() const { return scene_; }
+  const Scene &scene() const { return *scene_; }
   const CollisionFilter &filter() const { return filter_; }
-  std::size_t body_count() const { return scene_.bodies.size(); }
+  std::size_t body_count() const { return scene_->bodies.size(); }
 
   // Fills scratch.candidates, sorted by body_a, body_b, shape_a, shape_b, and the poses of bodies and shapes in the
-  // world. The result depends on the poses alone. position, rotation: as cmb_query_scene takes them.
+  // world. The result depends on the poses alone. position, rotation: as in cmb_poses.
   void find_candidates(const double *position, const double *rotation, BroadPhaseScratch &scratch) const;
 
   // Where the shapes of a body begin in scratch.shape_poses.
@@ -52,7 +53,7 @@ class BroadPhase {
   void emit(const Proxy &a, const Proxy &b, std::vector<Candidate> &found) const;
   void sort_candidates(BroadPhaseScratch &scratch) const;
 
-  const Scene &scene_;
+  std::shared_ptr<const Scene> scene_;
   CollisionFilter filter_;
   std::vector<std::size_t> first_shape_;     // of each body, and the number of all shapes
   std::vector<Proxy> bounded_, halfspaces_;  // all shapes

@@ -26,20 +26,28 @@ using cmb::read_body_pose;
 using cmb::fail;
 using cmb::guarded;
 
-cmb_status check_query(cmb_scene handle, const double *position, const double *rotation, std::size_t body_count,
-                       std::size_t point_capacity, const Scene *&scene) {
+cmb_status unknown_scene(cmb_scene handle) {
+  return fail(CMB_ERROR_ARGUMENT,
+              "there is no scene " + std::to_string(handle.number) + "; use a handle that cmb_intern gave");
+}
+
+cmb_status check_query(cmb_scene handle, const cmb_poses *poses, const Scene *&scene) {
   scene = cmb::find_scene(handle);
-  if (scene == nullptr) {
-    return fail(CMB_ERROR_ARGUMENT,
-                "there is no scene " + std::to_string(handle) + "; use a handle that cmb_intern gave");
+  if (scene == nullptr) return unknown_scene(handle);
+  return cmb::check_poses(poses, scene->bodies.size());
+}
+
+// What receives the points of `pair_count` pairs.
+cmb_status check_room(const cmb_contact_points *points, std::size_t pair_count) {
+  if (points == nullptr) return fail(CMB_ERROR_ARGUMENT, "points is NULL");
+  if (points->point_capacity < 1) return fail(CMB_ERROR_ARGUMENT, "point_capacity is 0; it has to be at least 1");
+  if (points->pair_count != pair_count) {
+    return fail(CMB_ERROR_ARGUMENT, "room for " + std::to_string(points->pair_count) + " pairs where " +
+                                        std::to_string(pair_count) + " are asked for");
   }
-  if (body_count != scene->bodies.size()) {
-    return fail(CMB_ERROR_ARGUMENT, "poses of " + std::to_string(body_count) + " bodies for a scene of " +
-                                        std::to_string(scene->bodies.size()));
-  }
-  if (point_capacity < 1) return fail(CMB_ERROR_ARGUMENT, "point_capacity is 0; it has to be at least 1");
-  if (body_count > 0 && (position == nullptr || rotation == nullptr)) {
-    return fail(CMB_ERROR_ARGUMENT, "position or rotation is NULL");
+  if (pair_count > 0 && (points->distance == nullptr || points->depth == nullptr || points->weight == nullptr ||
+                         points->normal == nullptr || points->point == nullptr)) {
+    return fail(CMB_ERROR_ARGUMENT, "an output array is NULL");
   }
   return CMB_OK;
 }
@@ -57,17 +65,28 @@ void fill_vectors(const Vec3 &v, double *target, std::size_t count) {
   if (count > 0) write_vector(v, target);
 }
 
-cmb_status check_pair_query(cmb_scene handle, std::size_t pair, const double *position, const double *rotation,
-                            std::size_t body_count, std::size_t point_capacity, const Scene *&scene, Pose &pose_a,
-                            Pose &pose_b) {
-  cmb_status status = check_query(handle, position, rotation, body_count, point_capacity, scene);
+// One pair of a scene with the poses of its bodies.
+struct PosedPair {
+  const Scene *scene = nullptr;
+  std::size_t index = 0;  // 0-based
+  Pose pose_a, pose_b;
+
+  const cmb::BodyShapes &body_a() const { return scene->bodies[scene->pairs[index].first]; }
+  const cmb::BodyShapes &body_b() const { return scene->bodies[scene->pairs[index].second]; }
+};
+
+cmb_status check_pair_query(cmb_scene handle, std::size_t pair, const cmb_poses *poses, PosedPair &posed) {
+  cmb_status status = check_query(handle, poses, posed.scene);
   if (status != CMB_OK) return status;
-  if (pair >= scene->pairs.size()) {
+  const std::size_t pair_count = posed.scene->pairs.size();
+  if (pair < 1 || pair > pair_count) {
     return fail(CMB_ERROR_ARGUMENT, "there is no pair " + std::to_string(pair) + "; the scene has " +
-                                        std::to_string(scene->pairs.size()) + ", counted from 0");
+                                        std::to_string(pair_count) + ", numbered from 1");
   }
-  status = read_body_pose(scene->pairs[pair].first, position, rotation, pose_a);
-  return status != CMB_OK ? status : read_body_pose(scene->pairs[pair].second, position, rotation, pose_b);
+  posed.index = pair - 1;
+  const Scene::Pair &bodies = posed.scene->pairs[posed.index];
+  status = read_body_pose(bodies.first, poses->position, poses->rotation, posed.pose_a);
+  return status != CMB_OK ? status : read_body_pose(bodies.second, poses->position, poses->rotation, posed.pose_b);
 }
 
 // Where the arrays of one pair begin.
@@ -75,12 +94,12 @@ struct PairOutput {
   double *distance, *depth, *weight, *normal, *point;
 };
 
-void query_pair(const Scene &scene, std::size_t pair, const Pose &pose_a, const Pose &pose_b,
-                double exact_within, std::size_t point_capacity, cmb::QueryScratch &scratch, const PairOutput &output) {
+void query_pair(const PosedPair &pair, double exact_within, std::size_t point_capacity, cmb::QueryScratch &scratch,
+                const PairOutput &output) {
   cmb::PairReport report;
   ContactSet &contact = scratch.contact;
-  cmb::query_bodies(scene, scene.bodies[scene.pairs[pair].first], pose_a, scene.bodies[scene.pairs[pair].second], pose_b,
-                    scratch, contact, report, exact_within);
+  cmb::query_bodies(*pair.scene, pair.body_a(), pair.pose_a, pair.body_b(), pair.pose_b, scratch, contact, report,
+                    exact_within);
   cmb::merge_points(contact.points, point_capacity);
   *output.distance = contact.distance;
   const std::size_t used = contact.points.size();
@@ -101,30 +120,28 @@ void query_pair(const Scene &scene, std::size_t pair, const Pose &pose_a, const 
 
 extern "C" {
 
-cmb_status cmb_intern(const char *const *geometry, size_t body_count, const int *pairs, size_t pair_count,
-                      cmb_backend backend, cmb_scene *scene) {
-  return cmb_intern_with_files(geometry, body_count, pairs, pair_count, backend, nullptr, scene);
-}
-
-cmb_status cmb_intern_with_files(const char *const *geometry, size_t body_count, const int *pairs, size_t pair_count,
-                                 cmb_backend backend, const char *folder, cmb_scene *scene) {
+cmb_status cmb_intern(const cmb_scene_source *source, cmb_scene *scene) {
   return guarded([&] {
-    if (scene == nullptr) return fail(CMB_ERROR_ARGUMENT, "scene is NULL");
-    if (body_count > 0 && geometry == nullptr) return fail(CMB_ERROR_ARGUMENT, "geometry is NULL");
-    if (pair_count > 0 && pairs == nullptr) return fail(CMB_ERROR_ARGUMENT, "pairs is NULL");
-    for (size_t i = 0; i < body_count; ++i) {
-      if (geometry[i] == nullptr) {
+    if (source == nullptr || scene == nullptr) return fail(CMB_ERROR_ARGUMENT, "source or scene is NULL");
+    if (source->body_count > 0 && source->geometry == nullptr) return fail(CMB_ERROR_ARGUMENT, "geometry is NULL");
+    if (source->pair_count > 0 && source->pairs == nullptr) return fail(CMB_ERROR_ARGUMENT, "pairs is NULL");
+    for (size_t i = 0; i < source->body_count; ++i) {
+      if (source->geometry[i] == nullptr) {
         return fail(CMB_ERROR_ARGUMENT, "descriptor " + std::to_string(i + 1) + " is NULL; give an empty string");
       }
     }
+    const cmb_backend backend = source->backend;
     if (backend < CMB_BACKEND_AUTO || backend > CMB_BACKEND_COAL) {
       return fail(CMB_ERROR_ARGUMENT, "there is no back end " + std::to_string(static_cast<int>(backend)) +
                                           "; use 0 auto, 1 analytic, 2 libccd, 3 FCL or 4 coal");
     }
-    *scene = cmb::intern_scene(geometry, body_count, pairs, pair_count, backend, cmb::distance_library(backend),
-                               folder == nullptr ? "" : folder);
+    *scene = cmb::intern_scene(*source, cmb::distance_library(backend));
     return CMB_OK;
   });
+}
+
+cmb_status cmb_release_scene(cmb_scene scene) {
+  return guarded([&] { return cmb::release_scene(scene) ? CMB_OK : unknown_scene(scene); });
 }
 
 cmb_status cmb_inline_files(const char *geometry, const char *folder, char *text, size_t capacity, size_t *length) {
@@ -143,90 +160,67 @@ cmb_status cmb_inline_files(const char *geometry, const char *folder, char *text
   });
 }
 
-cmb_status cmb_query_scene(cmb_scene scene, const double *position, const double *rotation, size_t body_count,
-                           size_t pair_count, size_t point_capacity, double *distance, double *depth,
-                           double *weight, double *normal, double *point) {
-  return cmb_query_scene_within(scene, HUGE_VAL, position, rotation, body_count, pair_count, point_capacity, distance,
-                                depth, weight, normal, point);
-}
-
-cmb_status cmb_query_scene_within(cmb_scene scene, double exact_within, const double *position, const double *rotation,
-                                  size_t body_count, size_t pair_count, size_t point_capacity, double *distance,
-                                  double *depth, double *weight, double *normal, double *point) {
+cmb_status cmb_query_scene(cmb_scene scene, const cmb_poses *poses, double exact_within,
+                           const cmb_contact_points *points) {
   return guarded([&] {
     if (!(exact_within > 0.0)) return fail(CMB_ERROR_ARGUMENT, "exact_within is not positive; give a length in m");
     const Scene *found = nullptr;
-    cmb_status status = check_query(scene, position, rotation, body_count, point_capacity, found);
+    cmb_status status = check_query(scene, poses, found);
+    if (status == CMB_OK) status = check_room(points, found->pairs.size());
     if (status != CMB_OK) return status;
-    if (pair_count != found->pairs.size()) {
-      return fail(CMB_ERROR_ARGUMENT, "room for " + std::to_string(pair_count) + " pairs for a scene of " +
-                                          std::to_string(found->pairs.size()));
-    }
-    if (pair_count > 0 && (distance == nullptr || depth == nullptr || weight == nullptr || normal == nullptr ||
-                           point == nullptr)) {
-      return fail(CMB_ERROR_ARGUMENT, "an output array is NULL");
-    }
     cmb::QueryScratch &scratch = cmb::query_scratch();
-    std::vector<Pose> &poses = scratch.body_poses;
-    if (poses.size() < body_count) poses.resize(body_count);
-    for (size_t body = 0; body < body_count; ++body) {
-      status = read_body_pose(body, position, rotation, poses[body]);
+    std::vector<Pose> &body_poses = scratch.body_poses;
+    if (body_poses.size() < poses->body_count) body_poses.resize(poses->body_count);
+    for (size_t body = 0; body < poses->body_count; ++body) {
+      status = read_body_pose(body, poses->position, poses->rotation, body_poses[body]);
       if (status != CMB_OK) return status;
     }
-    for (size_t pair = 0; pair < pair_count; ++pair) {
-      const size_t slot = pair * point_capacity;
-      query_pair(*found, pair, poses[found->pairs[pair].first], poses[found->pairs[pair].second], exact_within,
-                 point_capacity, scratch,
-                 {distance + pair, depth + slot, weight + slot, normal + 3 * slot, point + 3 * slot});
+    for (size_t pair = 0; pair < points->pair_count; ++pair) {
+      const Scene::Pair &bodies = found->pairs[pair];
+      const size_t slot = pair * points->point_capacity;
+      query_pair({found, pair, body_poses[bodies.first], body_poses[bodies.second]}, exact_within,
+                 points->point_capacity, scratch,
+                 {points->distance + pair, points->depth + slot, points->weight + slot, points->normal + 3 * slot,
+                  points->point + 3 * slot});
     }
     return CMB_OK;
   });
 }
 
-cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const double *position, const double *rotation,
-                          size_t body_count, size_t point_capacity, double *distance, double *depth,
-                          double *weight, double *normal, double *point) {
+cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const cmb_poses *poses, const cmb_contact_points *points) {
   return guarded([&] {
-    const Scene *found = nullptr;
-    Pose pose_a, pose_b;
-    const cmb_status status =
-        check_pair_query(scene, pair, position, rotation, body_count, point_capacity, found, pose_a, pose_b);
+    PosedPair posed;
+    cmb_status status = check_pair_query(scene, pair, poses, posed);
+    if (status == CMB_OK) status = check_room(points, 1);
     if (status != CMB_OK) return status;
-    if (distance == nullptr || depth == nullptr || weight == nullptr || normal == nullptr || point == nullptr) {
-      return fail(CMB_ERROR_ARGUMENT, "an output array is NULL");
-    }
-    query_pair(*found, pair, pose_a, pose_b, HUGE_VAL, point_capacity, cmb::query_scratch(), {distance, depth, weight, normal, point});
+    query_pair(posed, HUGE_VAL, points->point_capacity, cmb::query_scratch(),
+               {points->distance, points->depth, points->weight, points->normal, points->point});
     return CMB_OK;
   });
 }
 
-cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const double *position, const double *rotation,
-                             size_t body_count, cmb_backend *backend) {
+cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const cmb_poses *poses, cmb_backend *backend) {
   return guarded([&] {
-    const Scene *found = nullptr;
-    Pose pose_a, pose_b;
-    const cmb_status status = check_pair_query(scene, pair, position, rotation, body_count, 1, found, pose_a, pose_b);
+    PosedPair posed;
+    const cmb_status status = check_pair_query(scene, pair, poses, posed);
     if (status != CMB_OK) return status;
     if (backend == nullptr) return fail(CMB_ERROR_ARGUMENT, "backend is NULL");
     cmb::PairReport report;
     cmb::QueryScratch &scratch = cmb::query_scratch();
-    cmb::query_bodies(*found, found->bodies[found->pairs[pair].first], pose_a,
-                      found->bodies[found->pairs[pair].second], pose_b, scratch, scratch.contact, report);
+    cmb::query_bodies(*posed.scene, posed.body_a(), posed.pose_a, posed.body_b(), posed.pose_b, scratch,
+                      scratch.contact, report);
     *backend = report.backend;
     return CMB_OK;
   });
 }
 
-cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const double *position, const double *rotation,
-                             size_t body_count, cmb_overlap *overlap) {
+cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const cmb_poses *poses, cmb_overlap *overlap) {
   return guarded([&] {
-    const Scene *found = nullptr;
-    Pose pose_a, pose_b;
-    const cmb_status status = check_pair_query(scene, pair, position, rotation, body_count, 1, found, pose_a, pose_b);
+    PosedPair posed;
+    const cmb_status status = check_pair_query(scene, pair, poses, posed);
     if (status != CMB_OK) return status;
     if (overlap == nullptr) return fail(CMB_ERROR_ARGUMENT, "overlap is NULL");
-    *overlap = cmb::query_overlap(found->bodies[found->pairs[pair].first], pose_a,
-                                  found->bodies[found->pairs[pair].second], pose_b);
+    *overlap = cmb::query_overlap(posed.body_a(), posed.pose_a, posed.body_b(), posed.pose_b);
     return CMB_OK;
   });
 }
@@ -234,10 +228,7 @@ cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const double *positio
 cmb_status cmb_backend_counts(cmb_scene scene, unsigned long long *answered, unsigned long long *refused) {
   return guarded([&] {
     const Scene *found = cmb::find_scene(scene);
-    if (found == nullptr) {
-      return fail(CMB_ERROR_ARGUMENT,
-                  "there is no scene " + std::to_string(scene) + "; use a handle that cmb_intern gave");
-    }
+    if (found == nullptr) return unknown_scene(scene);
     if (answered == nullptr || refused == nullptr) return fail(CMB_ERROR_ARGUMENT, "answered or refused is NULL");
     *answered = found->answered.load(std::memory_order_relaxed);
     *refused = found->refused.load(std::memory_order_relaxed);

@@ -17,10 +17,15 @@ static void report(cmb_status status) {
 static const char *const all_files = "/";
 
 int cmb_modelica_intern(const char **geometry, size_t body_count, const int *pairs, size_t pair_count, int backend) {
-  cmb_scene scene = 0;
-  report(cmb_intern_with_files((const char *const *)geometry, body_count, pairs, pair_count, (cmb_backend)backend,
-                               all_files, &scene));
-  return scene;
+  const cmb_scene_source source = {.geometry = (const char *const *)geometry,
+                                   .body_count = body_count,
+                                   .pairs = pairs,
+                                   .pair_count = pair_count,
+                                   .backend = (cmb_backend)backend,
+                                   .folder = all_files};
+  cmb_scene scene = {0};
+  report(cmb_intern(&source, &scene));
+  return scene.number;
 }
 
 void cmb_modelica_query(int scene, const double *position, size_t body_count, const double *rotation,
@@ -33,8 +38,9 @@ void cmb_modelica_query(int scene, const double *position, size_t body_count, co
 void cmb_modelica_query_within(int scene, double exact_within, const double *position, size_t body_count,
                                const double *rotation, size_t pair_count, size_t point_capacity, double *distance,
                                double *depth, double *weight, double *normal, double *point) {
-  report(cmb_query_scene_within(scene, exact_within, position, rotation, body_count, pair_count, point_capacity, distance,
-                                depth, weight, normal, point));
+  const cmb_poses poses = {body_count, position, rotation};
+  const cmb_contact_points points = {pair_count, point_capacity, distance, depth, weight, normal, point};
+  report(cmb_query_scene((cmb_scene){scene}, &poses, exact_within, &points));
 }
 
 enum { volume_points = 4 };
@@ -82,6 +88,7 @@ void cmb_modelica_query_volume_within(int scene, double exact_within, const doub
                                       double *weight, double *normal, double *point) {
   cmb_modelica_query_within(scene, exact_within, position, body_count, rotation, pair_count, volume_points, distance,
                             depth, weight, normal, point);
+  const cmb_poses poses = {body_count, position, rotation};
   for (size_t i = 0; i < pair_count; ++i) {
     double *const pair_depth = depth + volume_points * i, *const pair_weight = weight + volume_points * i;
     double *const pair_normal = normal + 3 * volume_points * i, *const pair_point = point + 3 * volume_points * i;
@@ -92,7 +99,7 @@ void cmb_modelica_query_volume_within(int scene, double exact_within, const doub
     }
     if (distance[i] >= 0.0) continue;
     cmb_overlap overlap;
-    report(cmb_query_overlap(scene, i, position, rotation, body_count, &overlap));
+    report(cmb_query_overlap((cmb_scene){scene}, i + 1, &poses, &overlap));
     if (!overlap.known) {
       ModelicaFormatError(
           "ContactMultiBody: the overlap of pair %u is not known: open meshes and height fields have no volume; close the "

@@ -24,16 +24,14 @@ using cmb::Scene;
 using cmb::SceneError;
 using cmb::Vec3;
 
-constexpr std::size_t broadphase_limit = 4096;
-
-cmb::Interned<BroadPhase, broadphase_limit> &registry() {
-  static cmb::Interned<BroadPhase, broadphase_limit> instance;
+cmb::Interned<BroadPhase, CMB_BROADPHASE_LIMIT> &registry() {
+  static cmb::Interned<BroadPhase, CMB_BROADPHASE_LIMIT> instance;
   return instance;
 }
 
-std::vector<cmb::FilterEntry> filter_entries(const cmb_collision_filter &filter, std::size_t body_count) {
-  std::vector<cmb::FilterEntry> entries(body_count);
-  for (std::size_t body = 0; body < body_count; ++body) {
+std::vector<cmb::FilterEntry> filter_entries(const cmb_collision_filter &filter) {
+  std::vector<cmb::FilterEntry> entries(filter.body_count);
+  for (std::size_t body = 0; body < filter.body_count; ++body) {
     if (filter.fixed != nullptr) entries[body].fixed = filter.fixed[body] != 0;
     if (filter.group != nullptr) entries[body].group = static_cast<std::uint32_t>(filter.group[body]);
     if (filter.mask != nullptr) entries[body].mask = static_cast<std::uint32_t>(filter.mask[body]);
@@ -41,17 +39,16 @@ std::vector<cmb::FilterEntry> filter_entries(const cmb_collision_filter &filter,
   return entries;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> excluded_pairs(const cmb_collision_filter &filter,
-                                                                std::size_t body_count) {
+std::vector<std::pair<std::size_t, std::size_t>> excluded_pairs(const cmb_collision_filter &filter) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   pairs.reserve(filter.excluded_count);
   for (std::size_t i = 0; i < filter.excluded_count; ++i) {
     const int *row = filter.excluded + 2 * i;
     for (const int body : {row[0], row[1]}) {
-      if (body < 1 || static_cast<std::size_t>(body) > body_count) {
+      if (body < 1 || static_cast<std::size_t>(body) > filter.body_count) {
         throw SceneError(CMB_ERROR_ARGUMENT, "excluded pair " + std::to_string(i + 1) + " names body " +
                                                  std::to_string(body) + "; bodies are numbered from 1 to " +
-                                                 std::to_string(body_count));
+                                                 std::to_string(filter.body_count));
       }
     }
     pairs.emplace_back(row[0] - 1, row[1] - 1);
@@ -59,34 +56,30 @@ std::vector<std::pair<std::size_t, std::size_t>> excluded_pairs(const cmb_collis
   return pairs;
 }
 
-std::string filter_key(cmb_scene scene, const cmb_collision_filter &filter, std::size_t body_count) {
-  std::string key = std::to_string(scene);
+std::string filter_key(cmb_scene scene, const cmb_collision_filter &filter) {
+  std::string key = std::to_string(scene.number);
   for (const int *flags : {filter.fixed, filter.group, filter.mask}) {
     key += '|';
-    for (std::size_t body = 0; flags != nullptr && body < body_count; ++body) key += std::to_string(flags[body]) + ' ';
+    for (std::size_t body = 0; flags != nullptr && body < filter.body_count; ++body) key += std::to_string(flags[body]) + ' ';
   }
   key += '|';
   for (std::size_t i = 0; i < 2 * filter.excluded_count; ++i) key += std::to_string(filter.excluded[i]) + ' ';
   return key;
 }
 
+cmb_status unknown_broadphase(cmb_broadphase handle) {
+  return fail(CMB_ERROR_ARGUMENT, "there is no broad phase " + std::to_string(handle.number) +
+                                      "; use a handle that cmb_intern_broadphase gave");
+}
+
 // Checks what every query takes. broad_phase is set where it returns CMB_OK.
-cmb_status check_query(cmb_broadphase handle, const double *position, const double *rotation, std::size_t body_count,
-                       const BroadPhase *&broad_phase) {
-  broad_phase = registry().find(handle);
-  if (broad_phase == nullptr) {
-    return fail(CMB_ERROR_ARGUMENT, "there is no broad phase " + std::to_string(handle) +
-                                        "; use a handle that cmb_intern_broadphase gave");
-  }
-  if (body_count != broad_phase->body_count()) {
-    return fail(CMB_ERROR_ARGUMENT, "poses of " + std::to_string(body_count) + " bodies for a scene of " +
-                                        std::to_string(broad_phase->body_count()));
-  }
-  if (body_count > 0 && (position == nullptr || rotation == nullptr)) {
-    return fail(CMB_ERROR_ARGUMENT, "position or rotation is NULL");
-  }
-  for (std::size_t body = 0; body < body_count; ++body) {
-    const cmb_status status = cmb::check_body_pose(body, position, rotation);
+cmb_status check_query(cmb_broadphase handle, const cmb_poses *poses, const BroadPhase *&broad_phase) {
+  broad_phase = registry().find(handle.number);
+  if (broad_phase == nullptr) return unknown_broadphase(handle);
+  const cmb_status counted = cmb::check_poses(poses, broad_phase->body_count());
+  if (counted != CMB_OK) return counted;
+  for (std::size_t body = 0; body < poses->body_count; ++body) {
+    const cmb_status status = cmb::check_body_pose(body, poses->position, poses->rotation);
     if (status != CMB_OK) return status;
   }
   return CMB_OK;
@@ -106,47 +99,50 @@ void write_rows(const std::vector<Vec3> &rows, double *target) {
 
 extern "C" {
 
-cmb_status cmb_intern_broadphase(cmb_scene scene, size_t body_count, const cmb_collision_filter *filter,
-                                 cmb_broadphase *broadphase) {
+cmb_status cmb_intern_broadphase(cmb_scene scene, const cmb_collision_filter *filter, cmb_broadphase *broadphase) {
   return guarded([&] {
     if (broadphase == nullptr) return fail(CMB_ERROR_ARGUMENT, "broadphase is NULL");
-    const Scene *found = cmb::find_scene(scene);
+    const std::shared_ptr<const Scene> found = cmb::share_scene(scene);
     if (found == nullptr) {
       return fail(CMB_ERROR_ARGUMENT,
-                  "there is no scene " + std::to_string(scene) + "; use a handle that cmb_intern gave");
+                  "there is no scene " + std::to_string(scene.number) + "; use a handle that cmb_intern gave");
     }
-    if (body_count != found->bodies.size()) {
-      return fail(CMB_ERROR_ARGUMENT, "a filter for " + std::to_string(body_count) + " bodies for a scene of " +
+    const cmb_collision_filter none{found->bodies.size(), nullptr, nullptr, nullptr, nullptr, 0};
+    const cmb_collision_filter &given = filter == nullptr ? none : *filter;
+    if (given.body_count != found->bodies.size()) {
+      return fail(CMB_ERROR_ARGUMENT, "a filter for " + std::to_string(given.body_count) + " bodies for a scene of " +
                                           std::to_string(found->bodies.size()));
     }
-    const cmb_collision_filter none{nullptr, nullptr, nullptr, nullptr, 0};
-    const cmb_collision_filter &given = filter == nullptr ? none : *filter;
     if (given.excluded_count > 0 && given.excluded == nullptr) return fail(CMB_ERROR_ARGUMENT, "excluded is NULL");
-    const cmb_broadphase handle = registry().intern(
-        filter_key(scene, given, body_count), [&]() -> std::unique_ptr<const BroadPhase> {
-          return std::make_unique<BroadPhase>(
-              *found, cmb::CollisionFilter(filter_entries(given, body_count), excluded_pairs(given, body_count)));
-        });
+    const int handle = registry().intern(filter_key(scene, given), [&]() -> std::shared_ptr<const BroadPhase> {
+      return std::make_shared<BroadPhase>(found, cmb::CollisionFilter(filter_entries(given), excluded_pairs(given)));
+    });
     if (handle == 0) {
-      return fail(CMB_ERROR_MEMORY, "there are " + std::to_string(broadphase_limit) +
-                                        " filters already; intern a filter once, not at every step");
+      return fail(CMB_ERROR_MEMORY, "there are " + std::to_string(CMB_BROADPHASE_LIMIT) +
+                                        " filters already; intern a filter once, not at every step, or release "
+                                        "those that are done with");
     }
-    *broadphase = handle;
+    *broadphase = {handle};
     return CMB_OK;
   });
 }
 
-cmb_status cmb_query_candidates(cmb_broadphase broadphase, const double *position, const double *rotation,
-                                size_t body_count, size_t pair_capacity, int *pairs, size_t *pair_count) {
+cmb_status cmb_release_broadphase(cmb_broadphase broadphase) {
+  return guarded(
+      [&] { return registry().release(broadphase.number) ? CMB_OK : unknown_broadphase(broadphase); });
+}
+
+cmb_status cmb_query_candidates(cmb_broadphase broadphase, const cmb_poses *poses, size_t pair_capacity, int *pairs,
+                                size_t *pair_count) {
   return guarded([&] {
     const BroadPhase *found = nullptr;
-    const cmb_status status = check_query(broadphase, position, rotation, body_count, found);
+    const cmb_status status = check_query(broadphase, poses, found);
     if (status != CMB_OK) return status;
     if (pair_count == nullptr || (pair_capacity > 0 && pairs == nullptr)) {
       return fail(CMB_ERROR_ARGUMENT, "pairs or pair_count is NULL");
     }
     cmb::BroadPhaseScratch &scratch = cmb::response_scratch().broad_phase;
-    found->find_candidates(position, rotation, scratch);
+    found->find_candidates(poses->position, poses->rotation, scratch);
     std::size_t count = 0;
     const cmb::Candidate *last = nullptr;
     for (const cmb::Candidate &candidate : scratch.candidates) {
@@ -164,18 +160,17 @@ cmb_status cmb_query_candidates(cmb_broadphase broadphase, const double *positio
   });
 }
 
-cmb_status cmb_query_contacts(cmb_broadphase broadphase, const double *position, const double *rotation,
-                              size_t body_count, size_t contact_capacity, cmb_contact *contacts,
-                              size_t *contact_count) {
+cmb_status cmb_query_contacts(cmb_broadphase broadphase, const cmb_poses *poses, size_t contact_capacity,
+                              cmb_contact *contacts, size_t *contact_count) {
   return guarded([&] {
     const BroadPhase *found = nullptr;
-    const cmb_status status = check_query(broadphase, position, rotation, body_count, found);
+    const cmb_status status = check_query(broadphase, poses, found);
     if (status != CMB_OK) return status;
     if (contact_count == nullptr || (contact_capacity > 0 && contacts == nullptr)) {
       return fail(CMB_ERROR_ARGUMENT, "contacts or contact_count is NULL");
     }
     std::size_t count = 0;
-    cmb::visit_contacts(*found, position, rotation, cmb::response_scratch().broad_phase, cmb::query_scratch(),
+    cmb::visit_contacts(*found, poses->position, poses->rotation, cmb::response_scratch().broad_phase, cmb::query_scratch(),
                         [&](std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
                           for (const ContactPoint &p : points) {
                             if (count < contact_capacity) {
@@ -199,7 +194,7 @@ void cmb_contact_law_init(cmb_contact_law *law) {
           0.0,           0.0,  0.0, 1e-2};
 }
 
-cmb_status cmb_evaluate_response(cmb_broadphase broadphase, size_t body_count, const cmb_contact_law *law,
+cmb_status cmb_evaluate_response(cmb_broadphase broadphase, const cmb_contact_law *law,
                                  const cmb_body_properties *properties, const cmb_motion *motion, double *force,
                                  double *torque, cmb_response_sums *sums) {
   return guarded([&] {
@@ -207,8 +202,9 @@ cmb_status cmb_evaluate_response(cmb_broadphase broadphase, size_t body_count, c
       return fail(CMB_ERROR_ARGUMENT, "law, properties or motion is NULL");
     }
     const BroadPhase *found = nullptr;
-    const cmb_status status = check_query(broadphase, motion->position, motion->rotation, body_count, found);
+    const cmb_status status = check_query(broadphase, &motion->poses, found);
     if (status != CMB_OK) return status;
+    const size_t body_count = motion->poses.body_count;
     if (body_count > 0 && (motion->velocity == nullptr || motion->angular_velocity == nullptr || force == nullptr ||
                            torque == nullptr)) {
       return fail(CMB_ERROR_ARGUMENT, "velocity, angular_velocity, force or torque is NULL");

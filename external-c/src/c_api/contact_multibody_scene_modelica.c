@@ -13,10 +13,15 @@ static void report(cmb_status status) {
 
 int cmb_modelica_intern_broadphase(int scene, const int *fixed, size_t body_count, const int *group, const int *mask,
                                    const int *excluded, size_t excluded_count) {
-  const cmb_collision_filter filter = {fixed, group, mask, excluded, excluded_count};
-  cmb_broadphase broadphase = 0;
-  report(cmb_intern_broadphase(scene, body_count, &filter, &broadphase));
-  return broadphase;
+  const cmb_collision_filter filter = {.body_count = body_count,
+                                       .fixed = fixed,
+                                       .group = group,
+                                       .mask = mask,
+                                       .excluded = excluded,
+                                       .excluded_count = excluded_count};
+  cmb_broadphase broadphase = {0};
+  report(cmb_intern_broadphase((cmb_scene){scene}, &filter, &broadphase));
+  return broadphase.number;
 }
 
 void cmb_modelica_response(int broadphase, const double *position, size_t body_count, const double *rotation,
@@ -50,9 +55,9 @@ void cmb_modelica_response(int broadphase, const double *position, size_t body_c
                                           .restitution = restitution,
                                           .mu_static = mu_static,
                                           .mu_dynamic = mu_dynamic};
-  const cmb_motion motion = {position, rotation, velocity, angular_velocity};
+  const cmb_motion motion = {{body_count, position, rotation}, velocity, angular_velocity};
   cmb_response_sums sums;
-  report(cmb_evaluate_response(broadphase, body_count, &law, &properties, &motion, force, torque, &sums));
+  report(cmb_evaluate_response((cmb_broadphase){broadphase}, &law, &properties, &motion, force, torque, &sums));
   *elastic_energy = sums.elastic_energy;
   *contact_count = (double)sums.contact_count;
   *largest_depth = sums.largest_depth;

@@ -61,4 +61,16 @@ cmb_status read_body_pose(std::size_t body, const double *position, const double
   return problem == nullptr ? CMB_OK : refuse(body, problem);
 }
 
+cmb_status check_poses(const cmb_poses *poses, std::size_t body_count) {
+  if (poses == nullptr) return fail(CMB_ERROR_ARGUMENT, "poses is NULL");
+  if (poses->body_count != body_count) {
+    return fail(CMB_ERROR_ARGUMENT, "poses of " + std::to_string(poses->body_count) + " bodies for a scene of " +
+                                        std::to_string(body_count));
+  }
+  if (body_count > 0 && (poses->position == nullptr || poses->rotation == nullptr)) {
+    return fail(CMB_ERROR_ARGUMENT, "position or rotation is NULL");
+  }
+  return CMB_OK;
+}
+
 }  // namespace cmb

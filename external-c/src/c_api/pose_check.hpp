@@ -14,4 +14,7 @@ cmb_status check_body_pose(std::size_t body, const double *position, const doubl
 // The same, and gives the pose.
 cmb_status read_body_pose(std::size_t body, const double *position, const double *rotation, convex::Pose &pose);
 
+// Refuses poses that are missing or not those of `body_count` bodies; what they say is not looked at.
+cmb_status check_poses(const cmb_poses *poses, std::size_t body_count);
+
 }  // namespace cmb

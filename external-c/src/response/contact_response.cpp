@@ -26,7 +26,7 @@ class Evaluation {
     if (needs_masses(law_)) {
       spring_decelerations(points, pair.stiffness, law_.exponent, inertia_of(a), inertia_of(b), scratch_.deceleration);
     }
-    const Vec3 origin_a = row_of(motion_.position, a), origin_b = row_of(motion_.position, b);
+    const Vec3 origin_a = row_of(motion_.poses.position, a), origin_b = row_of(motion_.poses.position, b);
     const Vec3 v_a = row_of(motion_.velocity, a), v_b = row_of(motion_.velocity, b);
     const Vec3 w_a = row_of(motion_.angular_velocity, a), w_b = row_of(motion_.angular_velocity, b);
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -110,7 +110,7 @@ cmb_response_sums evaluate_response(const BroadPhase &broad_phase, const cmb_con
   scratch.force.assign(broad_phase.body_count(), {});
   scratch.torque.assign(broad_phase.body_count(), {});
   Evaluation evaluation(broad_phase, law, properties, motion, scratch);
-  visit_contacts(broad_phase, motion.position, motion.rotation, scratch.broad_phase, query,
+  visit_contacts(broad_phase, motion.poses.position, motion.poses.rotation, scratch.broad_phase, query,
                  [&](std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
                    evaluation.add(a, b, points);
                  });

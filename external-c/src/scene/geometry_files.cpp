@@ -18,7 +18,7 @@ std::string GeometryFiles::resolve(std::string_view name) const {
   if (name.empty()) throw MeshError("file", "the name is empty", "give the file's name");
   if (!allowed_) {
     throw MeshError(shown, "no folder is given that files may be read from",
-                    "intern the scene with cmb_intern_with_files, or give vertices and triangles");
+                    "name a folder where the scene is interned, or give vertices and triangles");
   }
   if (name.substr(0, 11) == "modelica://") {
     throw MeshError(shown, "a name that only Modelica tools resolve",

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/descriptor.hpp"
+#include "scene/geometry_cache.hpp"
 #include "scene/interned.hpp"
 #include "scene/mesh_hull.hpp"
 
@@ -15,23 +16,25 @@ namespace cmb {
 
 namespace {
 
-Interned<Scene, scene_limit> &registry() {
-  static Interned<Scene, scene_limit> instance;
+Interned<Scene, CMB_SCENE_LIMIT> &registry() {
+  static Interned<Scene, CMB_SCENE_LIMIT> instance;
   return instance;
 }
 
-std::string scene_key(const char *const *geometry, std::size_t body_count, const int *pairs, std::size_t pair_count,
-                      cmb_backend backend, const std::string &folder) {
-  std::string key = std::to_string(static_cast<int>(backend)) + ' ' + std::to_string(folder.size()) + ':' + folder;
-  for (std::size_t i = 0; i < body_count; ++i) {
+std::string folder_of(const cmb_scene_source &source) { return source.folder == nullptr ? "" : source.folder; }
+
+std::string scene_key(const cmb_scene_source &source) {
+  const std::string folder = folder_of(source);
+  std::string key = std::to_string(static_cast<int>(source.backend)) + ' ' + std::to_string(folder.size()) + ':' + folder;
+  for (std::size_t i = 0; i < source.body_count; ++i) {
     key += ' ';
-    key += std::to_string(std::strlen(geometry[i]));
+    key += std::to_string(std::strlen(source.geometry[i]));
     key += ':';
-    key += geometry[i];
+    key += source.geometry[i];
   }
-  for (std::size_t i = 0; i < 2 * pair_count; ++i) {
+  for (std::size_t i = 0; i < 2 * source.pair_count; ++i) {
     key += i == 0 ? '|' : ' ';
-    key += std::to_string(pairs[i]);
+    key += std::to_string(source.pairs[i]);
   }
   return key;
 }
@@ -54,13 +57,12 @@ void attach_mesh_hulls(std::vector<BodyShapes> &bodies) {
   }
 }
 
-std::unique_ptr<Scene> make_scene(const char *const *geometry, std::size_t body_count, const int *pairs,
-                                  std::size_t pair_count, cmb_backend backend, const DistanceLibrary *library,
-                                  const std::string &folder) {
-  auto scene = std::make_unique<Scene>();
-  scene->pairs.reserve(pair_count);
-  for (std::size_t i = 0; i < pair_count; ++i) {
-    const int first = pairs[2 * i], second = pairs[2 * i + 1];
+std::shared_ptr<Scene> make_scene(const cmb_scene_source &source, const DistanceLibrary *library) {
+  const std::size_t body_count = source.body_count;
+  auto scene = std::make_shared<Scene>();
+  scene->pairs.reserve(source.pair_count);
+  for (std::size_t i = 0; i < source.pair_count; ++i) {
+    const int first = source.pairs[2 * i], second = source.pairs[2 * i + 1];
     for (const int body : {first, second}) {
       if (body < 1 || static_cast<std::size_t>(body) > body_count) {
         throw SceneError(CMB_ERROR_ARGUMENT, "pair " + std::to_string(i + 1) + " names body " + std::to_string(body) +
@@ -73,25 +75,26 @@ std::unique_ptr<Scene> make_scene(const char *const *geometry, std::size_t body_
     }
     scene->pairs.push_back({static_cast<std::size_t>(first - 1), static_cast<std::size_t>(second - 1)});
   }
-  GeometryFiles files(folder);
+  GeometryFiles files(folder_of(source));
   scene->bodies.reserve(body_count);
   // Bodies of one descriptor share their geometry: it is made once, and stays nearer to the processor.
   std::map<std::string_view, std::size_t> first_of;
   for (std::size_t i = 0; i < body_count; ++i) {
-    const auto [known, added] = first_of.try_emplace(geometry[i], i);
+    const auto [known, added] = first_of.try_emplace(source.geometry[i], i);
     if (!added) {
       scene->bodies.push_back(scene->bodies[known->second]);
       continue;
     }
     try {
-      scene->bodies.push_back(parse_descriptor(geometry[i], files));
+      scene->geometry.push_back(shared_geometry(source.geometry[i], files));
+      scene->bodies.push_back(*scene->geometry.back());
     } catch (const DescriptorError &error) {
       throw SceneError(CMB_ERROR_DESCRIPTOR, "descriptor " + std::to_string(i + 1) + ", column " +
                                                  std::to_string(error.column()) + ": " + error.what());
     }
   }
   attach_mesh_hulls(scene->bodies);
-  attach_library(*scene, backend, library);
+  attach_library(*scene, source.backend, library);
   return scene;
 }
 
@@ -109,19 +112,21 @@ void attach_library(Scene &scene, cmb_backend backend, const DistanceLibrary *li
   }
 }
 
-cmb_scene intern_scene(const char *const *geometry, std::size_t body_count, const int *pairs, std::size_t pair_count,
-                       cmb_backend backend, const DistanceLibrary *library, const std::string &folder) {
-  const cmb_scene handle = registry().intern(
-      scene_key(geometry, body_count, pairs, pair_count, backend, folder), [&]() -> std::unique_ptr<const Scene> {
-        return make_scene(geometry, body_count, pairs, pair_count, backend, library, folder);
-      });
+cmb_scene intern_scene(const cmb_scene_source &source, const DistanceLibrary *library) {
+  const int handle = registry().intern(
+      scene_key(source), [&]() -> std::shared_ptr<const Scene> { return make_scene(source, library); });
   if (handle == 0) {
-    throw SceneError(CMB_ERROR_MEMORY, "there are " + std::to_string(scene_limit) +
-                                           " scenes already; intern a scene once, not at every step");
+    throw SceneError(CMB_ERROR_MEMORY, "there are " + std::to_string(CMB_SCENE_LIMIT) +
+                                           " scenes already; intern a scene once, not at every step, or release those "
+                                           "that are done with");
   }
-  return handle;
+  return {handle};
 }
 
-const Scene *find_scene(cmb_scene handle) { return registry().find(handle); }
+bool release_scene(cmb_scene handle) { return registry().release(handle.number); }
+
+const Scene *find_scene(cmb_scene handle) { return registry().find(handle.number); }
+
+std::shared_ptr<const Scene> share_scene(cmb_scene handle) { return registry().share(handle.number); }
 
 }  // namespace cmb

@@ -1,7 +1,7 @@
 // The registry of interned scenes.
 #pragma once
 
-#include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -10,19 +10,22 @@
 
 namespace cmb {
 
-constexpr std::size_t scene_limit = 65536;
+// The handle of the scene from this source, which is made where it does not exist yet; the source's pointers are valid.
+// `library` is that of the source's back end, null for the engine's own. Throws SceneError, std::bad_alloc. Guarded by a
+// mutex.
+cmb_scene intern_scene(const cmb_scene_source &source, const DistanceLibrary *library);
 
-// The handle of the scene with these arguments, which is made where it does not exist yet. Files are read within
-// `folder` only; none where it is empty. `library` is that of `backend`, null for the engine's own. Throws
-// SceneError, std::bad_alloc. Guarded by a mutex.
-cmb_scene intern_scene(const char *const *geometry, std::size_t body_count, const int *pairs, std::size_t pair_count,
-                       cmb_backend backend, const DistanceLibrary *library, const std::string &folder);
+// Takes one intern_scene back; false where there is no such scene.
+bool release_scene(cmb_scene handle);
 
 // Lets a library, none where it is null, answer for the scene: gives every convex shape what the library keeps of it.
 void attach_library(Scene &scene, cmb_backend backend, const DistanceLibrary *library);
 
 // The scene of a handle, null where there is none; without locking.
 const Scene *find_scene(cmb_scene handle);
+
+// The same, to be kept beyond its release.
+std::shared_ptr<const Scene> share_scene(cmb_scene handle);
 
 // Arguments that make no scene.
 class SceneError : public std::runtime_error {

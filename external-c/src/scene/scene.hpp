@@ -20,6 +20,7 @@ struct Scene {
     std::size_t first = 0, second = 0;  // 0-based body numbers
   };
   std::vector<BodyShapes> bodies;
+  std::vector<std::shared_ptr<const BodyShapes>> geometry;  // what bodies were copied from: shared with other scenes
   std::vector<Pair> pairs;
   cmb_backend backend = CMB_BACKEND_AUTO;
   const DistanceLibrary *library = nullptr;  // of the back end; null for the engine's own

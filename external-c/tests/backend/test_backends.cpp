@@ -2,6 +2,7 @@
 #include <random>
 
 #include "backend/distance_library.hpp"
+#include "support/engine_calls.hpp"
 #include "scene/descriptor.hpp"
 #include "support/mesh_text.hpp"
 #include "support/scene_query.hpp"
@@ -34,8 +35,8 @@ Counts counts(const PairScene &scene) {
 class Libraries : public testing::TestWithParam<cmb_backend> {
  protected:
   void SetUp() override {
-    cmb_scene scene = 0;
-    if (cmb_intern(nullptr, 0, nullptr, 0, GetParam(), &scene) != CMB_OK) {
+    cmb_scene scene{};
+    if (intern_scene(nullptr, 0, nullptr, 0, GetParam(), &scene) != CMB_OK) {
       EXPECT_NE(std::string(cmb_last_error()).find("the module libContactMultiBody"), std::string::npos);
       GTEST_SKIP() << cmb_last_error();
     }
@@ -111,13 +112,13 @@ TEST_P(Libraries, WhoAnsweredCanBeAsked) {
   const double position[] = {0.3, 0.2, 0.8, 0, 0, 0};
   const double rotation[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   cmb_backend who = CMB_BACKEND_AUTO;
-  ASSERT_EQ(cmb_query_backend(spheres.handle(), 0, position, rotation, 2, &who), CMB_OK);
+  ASSERT_EQ(query_backend(spheres.handle(), 1, position, rotation, 2, &who), CMB_OK);
   EXPECT_EQ(who, GetParam());
   const PairScene on_floor("cmb/1 sphere radius=0.5", "cmb/1 halfspace", GetParam());
-  ASSERT_EQ(cmb_query_backend(on_floor.handle(), 0, position, rotation, 2, &who), CMB_OK);
+  ASSERT_EQ(query_backend(on_floor.handle(), 1, position, rotation, 2, &who), CMB_OK);
   EXPECT_EQ(who, CMB_BACKEND_ANALYTIC);
   const PairScene bare("", "cmb/1 halfspace", GetParam());
-  ASSERT_EQ(cmb_query_backend(bare.handle(), 0, position, rotation, 2, &who), CMB_OK);
+  ASSERT_EQ(query_backend(bare.handle(), 1, position, rotation, 2, &who), CMB_OK);
   EXPECT_EQ(who, CMB_BACKEND_AUTO);
 }
 

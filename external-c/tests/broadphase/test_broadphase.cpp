@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "broadphase/hierarchical_grid.hpp"
+#include "support/engine_calls.hpp"
 #include "contact_multibody_scene.h"
 #include "support/scene_query.hpp"
 
@@ -48,20 +49,20 @@ struct Scene {
 };
 
 cmb_broadphase intern_filtered(const Scene &scene, const cmb_collision_filter *filter = nullptr) {
-  cmb_broadphase broadphase = 0;
-  EXPECT_EQ(cmb_intern_broadphase(intern(scene.geometry, {}), scene.geometry.size(), filter, &broadphase), CMB_OK)
+  cmb_broadphase broadphase{};
+  EXPECT_EQ(cmb_intern_broadphase(intern(scene.geometry, {}), filter, &broadphase), CMB_OK)
       << cmb_last_error();
   return broadphase;
 }
 
 std::vector<std::pair<int, int>> candidates(cmb_broadphase broadphase, const Poses &poses) {
   std::size_t count = 0;
-  EXPECT_EQ(cmb_query_candidates(broadphase, poses.position.data(), poses.rotation.data(), poses.count(), 0, nullptr,
+  EXPECT_EQ(query_candidates(broadphase, poses.position.data(), poses.rotation.data(), poses.count(), 0, nullptr,
                                  &count),
             CMB_OK)
       << cmb_last_error();
   std::vector<int> flat(2 * count);
-  cmb_query_candidates(broadphase, poses.position.data(), poses.rotation.data(), poses.count(), count, flat.data(),
+  query_candidates(broadphase, poses.position.data(), poses.rotation.data(), poses.count(), count, flat.data(),
                        &count);
   std::vector<std::pair<int, int>> pairs;
   for (std::size_t i = 0; i < count; ++i) pairs.emplace_back(flat[2 * i], flat[2 * i + 1]);
@@ -70,12 +71,12 @@ std::vector<std::pair<int, int>> candidates(cmb_broadphase broadphase, const Pos
 
 std::vector<cmb_contact> contacts(cmb_broadphase broadphase, const Poses &poses) {
   std::size_t count = 0;
-  EXPECT_EQ(cmb_query_contacts(broadphase, poses.position.data(), poses.rotation.data(), poses.count(), 0, nullptr,
+  EXPECT_EQ(query_contacts(broadphase, poses.position.data(), poses.rotation.data(), poses.count(), 0, nullptr,
                                &count),
             CMB_OK)
       << cmb_last_error();
   std::vector<cmb_contact> found(count);
-  cmb_query_contacts(broadphase, poses.position.data(), poses.rotation.data(), poses.count(), count, found.data(),
+  query_contacts(broadphase, poses.position.data(), poses.rotation.data(), poses.count(), count, found.data(),
                      &count);
   return found;
 }
@@ -137,7 +138,7 @@ TEST(BroadPhase, FindsTheContactsOfAllPairs) {
     std::size_t next = 0;
     for (std::size_t pair = 0; pair < pairs.size() / 2; ++pair) {
       double distance, depth[capacity], weight[capacity], normal[3 * capacity], point[3 * capacity];
-      ASSERT_EQ(cmb_query_pair(all, pair, scene.poses.position.data(), scene.poses.rotation.data(), count, capacity,
+      ASSERT_EQ(query_pair(all, pair + 1, scene.poses.position.data(), scene.poses.rotation.data(), count, capacity,
                                &distance, depth, weight, normal, point),
                 CMB_OK);
       for (std::size_t k = 0; k < capacity && weight[k] > 0.0; ++k, ++next) {
@@ -227,7 +228,7 @@ Scene heap() {
 TEST(CollisionFilter, KeepsFixedBodiesApart) {
   const Scene scene = heap();
   const int fixed[10] = {1, 0, 1, 0, 0, 0, 0, 0, 0, 2};
-  const cmb_collision_filter filter{fixed, nullptr, nullptr, nullptr, 0};
+  const cmb_collision_filter filter{10, fixed, nullptr, nullptr, nullptr, 0};
   const auto found = candidates(intern_filtered(scene, &filter), scene.poses);
   EXPECT_EQ(found.size(), 45u - 3u);
   for (const auto &[a, b] : found) EXPECT_FALSE(fixed[a - 1] && fixed[b - 1]);
@@ -244,7 +245,7 @@ TEST(CollisionFilter, AsksBothBodiesForTheirGroups) {
     }
     group[0] = mask[0] = -1;  // all bits
     group[1] = 0;
-    const cmb_collision_filter filter{nullptr, group, mask, nullptr, 0};
+    const cmb_collision_filter filter{10, nullptr, group, mask, nullptr, 0};
     const auto list = candidates(intern_filtered(scene, &filter), scene.poses);
     const Pairs found(list.begin(), list.end());
     for (int a = 1; a <= 10; ++a) {
@@ -259,7 +260,7 @@ TEST(CollisionFilter, AsksBothBodiesForTheirGroups) {
 TEST(CollisionFilter, LeavesOutExcludedPairs) {
   const Scene scene = heap();
   const int excluded[] = {2, 1, 3, 4, 4, 3, 10, 1, 5, 5};
-  const cmb_collision_filter filter{nullptr, nullptr, nullptr, excluded, 5};
+  const cmb_collision_filter filter{10, nullptr, nullptr, nullptr, excluded, 5};
   const auto list = candidates(intern_filtered(scene, &filter), scene.poses);
   const Pairs found(list.begin(), list.end());
   EXPECT_EQ(found.size(), 45u - 3u);
@@ -269,11 +270,11 @@ TEST(CollisionFilter, LeavesOutExcludedPairs) {
 TEST(CollisionFilter, IsInternedWithItsScene) {
   const Scene scene = heap();
   const int fixed[10] = {1, 1}, more[10] = {1, 1, 1};
-  const cmb_collision_filter one{fixed, nullptr, nullptr, nullptr, 0}, other{more, nullptr, nullptr, nullptr, 0};
+  const cmb_collision_filter one{10, fixed, nullptr, nullptr, nullptr, 0}, other{10, more, nullptr, nullptr, nullptr, 0};
   EXPECT_EQ(intern_filtered(scene, &one), intern_filtered(scene, &one));
   EXPECT_NE(intern_filtered(scene, &one), intern_filtered(scene, &other));
   EXPECT_NE(intern_filtered(scene, &one), intern_filtered(scene));
-  const cmb_collision_filter as_group{nullptr, fixed, nullptr, nullptr, 0};
+  const cmb_collision_filter as_group{10, nullptr, fixed, nullptr, nullptr, 0};
   EXPECT_NE(intern_filtered(scene, &one), intern_filtered(scene, &as_group));
 }
 
@@ -308,27 +309,29 @@ TEST(BroadPhase, RemembersNothing) {
 TEST(BroadPhase, SaysWhatIsWrong) {
   const Scene scene = heap();
   const cmb_scene handle = intern(scene.geometry, {});
-  cmb_broadphase broadphase = -7;
-  const auto refused = [&](cmb_scene which, std::size_t count, const cmb_collision_filter *filter, const char *says) {
-    EXPECT_EQ(cmb_intern_broadphase(which, count, filter, &broadphase), CMB_ERROR_ARGUMENT);
+  cmb_broadphase broadphase{-7};
+  const auto refused = [&](cmb_scene which, const cmb_collision_filter *filter, const char *says) {
+    EXPECT_EQ(cmb_intern_broadphase(which, filter, &broadphase), CMB_ERROR_ARGUMENT);
     EXPECT_NE(std::string(cmb_last_error()).find(says), std::string::npos) << cmb_last_error();
-    EXPECT_EQ(broadphase, -7);
+    EXPECT_EQ(broadphase.number, -7);
   };
-  refused(99999, 10, nullptr, "no scene 99999");
-  refused(handle, 9, nullptr, "filter for 9 bodies for a scene of 10");
+  refused({99999}, nullptr, "no scene 99999");
+  const cmb_collision_filter small{9, nullptr, nullptr, nullptr, nullptr, 0};
+  refused(handle, &small, "filter for 9 bodies for a scene of 10");
   const int wrong[] = {1, 2, 3, 11};
-  const cmb_collision_filter filter{nullptr, nullptr, nullptr, wrong, 2}, missing{nullptr, nullptr, nullptr, nullptr, 1};
-  refused(handle, 10, &filter, "excluded pair 2 names body 11");
-  refused(handle, 10, &missing, "excluded is NULL");
-  EXPECT_EQ(cmb_intern_broadphase(handle, 10, nullptr, nullptr), CMB_ERROR_ARGUMENT);
+  const cmb_collision_filter filter{10, nullptr, nullptr, nullptr, wrong, 2};
+  const cmb_collision_filter missing{10, nullptr, nullptr, nullptr, nullptr, 1};
+  refused(handle, &filter, "excluded pair 2 names body 11");
+  refused(handle, &missing, "excluded is NULL");
+  EXPECT_EQ(cmb_intern_broadphase(handle, nullptr, nullptr), CMB_ERROR_ARGUMENT);
 
   broadphase = intern_filtered(scene);
   std::size_t count = 12345;
   Poses poses = scene.poses;
   const auto status = [&](cmb_broadphase which, std::size_t bodies, std::size_t capacity) {
-    return cmb_query_candidates(which, poses.position.data(), poses.rotation.data(), bodies, capacity, nullptr, &count);
+    return query_candidates(which, poses.position.data(), poses.rotation.data(), bodies, capacity, nullptr, &count);
   };
-  EXPECT_EQ(status(99999, 10, 0), CMB_ERROR_ARGUMENT);
+  EXPECT_EQ(status({99999}, 10, 0), CMB_ERROR_ARGUMENT);
   EXPECT_EQ(status(broadphase, 9, 0), CMB_ERROR_ARGUMENT);
   EXPECT_EQ(status(broadphase, 10, 1), CMB_ERROR_ARGUMENT);
   poses.position[14] = NAN;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "c_api/call_guard.hpp"
+#include "support/engine_calls.hpp"
 #include "contact_multibody_scene.h"
 #include "response/pair_law.hpp"
 #include "support/rigid_bodies.hpp"
@@ -48,9 +49,9 @@ TEST_F(Interface, EveryOutputHasToBeThere) {
   for (std::size_t missing = 0; missing < 5; ++missing) {
     auto out = c_.outputs();
     out[missing] = nullptr;
-    expect_refused(cmb_query_scene(scene_, c_.position, c_.rotation, 2, 1, 1, out[0], out[1], out[2], out[3], out[4]),
+    expect_refused(query_scene(scene_, c_.position, c_.rotation, 2, 1, 1, out[0], out[1], out[2], out[3], out[4]),
                    "output array is NULL");
-    expect_refused(cmb_query_pair(scene_, 0, c_.position, c_.rotation, 2, 1, out[0], out[1], out[2], out[3], out[4]),
+    expect_refused(query_pair(scene_, 1, c_.position, c_.rotation, 2, 1, out[0], out[1], out[2], out[3], out[4]),
                    "output array is NULL");
     EXPECT_TRUE(c_.untouched());
   }
@@ -63,44 +64,45 @@ TEST_F(Interface, QueriesOfAPairRefuseWhatQueriesOfAllDo) {
   const auto all_refuse = [&](cmb_scene scene, std::size_t pair, const double *position, const double *rotation,
                               std::size_t bodies, const char *says, cmb_status expected = CMB_ERROR_ARGUMENT) {
     const auto out = c_.outputs();
-    expect_refused(cmb_query_pair(scene, pair, position, rotation, bodies, 1, out[0], out[1], out[2], out[3], out[4]),
+    expect_refused(query_pair(scene, pair, position, rotation, bodies, 1, out[0], out[1], out[2], out[3], out[4]),
                    says, expected);
-    expect_refused(cmb_query_overlap(scene, pair, position, rotation, bodies, &overlap), says, expected);
-    expect_refused(cmb_query_backend(scene, pair, position, rotation, bodies, &backend), says, expected);
+    expect_refused(query_overlap(scene, pair, position, rotation, bodies, &overlap), says, expected);
+    expect_refused(query_backend(scene, pair, position, rotation, bodies, &backend), says, expected);
     EXPECT_TRUE(c_.untouched());
     EXPECT_EQ(overlap.volume, -77);
     EXPECT_EQ(backend, CMB_BACKEND_FCL);
   };
-  all_refuse(0, 0, c_.position, c_.rotation, 2, "no scene 0");
-  all_refuse(scene_, 1, c_.position, c_.rotation, 2, "no pair 1");
-  all_refuse(scene_, 0, nullptr, c_.rotation, 2, "position or rotation is NULL");
-  all_refuse(scene_, 0, c_.position, nullptr, 2, "position or rotation is NULL");
-  all_refuse(scene_, 0, c_.position, c_.rotation, 1, "poses of 1 bodies for a scene of 2");
+  all_refuse({}, 1, c_.position, c_.rotation, 2, "no scene 0");
+  all_refuse(scene_, 2, c_.position, c_.rotation, 2, "no pair 2");
+  all_refuse(scene_, 0, c_.position, c_.rotation, 2, "no pair 0");
+  all_refuse(scene_, 1, nullptr, c_.rotation, 2, "position or rotation is NULL");
+  all_refuse(scene_, 1, c_.position, nullptr, 2, "position or rotation is NULL");
+  all_refuse(scene_, 1, c_.position, c_.rotation, 1, "poses of 1 bodies for a scene of 2");
   for (const std::size_t body : {0u, 1u}) {
     PairCall bad;
     bad.position[3 * body + 1] = not_a_number;
-    all_refuse(scene_, 0, bad.position, bad.rotation, 2, "not finite", CMB_ERROR_POSE);
+    all_refuse(scene_, 1, bad.position, bad.rotation, 2, "not finite", CMB_ERROR_POSE);
   }
-  expect_refused(cmb_query_overlap(scene_, 0, c_.position, c_.rotation, 2, nullptr), "overlap is NULL");
-  expect_refused(cmb_query_backend(scene_, 0, c_.position, c_.rotation, 2, nullptr), "backend is NULL");
+  expect_refused(query_overlap(scene_, 1, c_.position, c_.rotation, 2, nullptr), "overlap is NULL");
+  expect_refused(query_backend(scene_, 1, c_.position, c_.rotation, 2, nullptr), "backend is NULL");
   const auto out = c_.outputs();
-  expect_refused(cmb_query_pair(scene_, 0, c_.position, c_.rotation, 2, 0, out[0], out[1], out[2], out[3], out[4]),
+  expect_refused(query_pair(scene_, 1, c_.position, c_.rotation, 2, 0, out[0], out[1], out[2], out[3], out[4]),
                  "point_capacity");
-  EXPECT_EQ(cmb_query_pair(scene_, 0, c_.position, c_.rotation, 2, 1, out[0], out[1], out[2], out[3], out[4]), CMB_OK);
+  EXPECT_EQ(query_pair(scene_, 1, c_.position, c_.rotation, 2, 1, out[0], out[1], out[2], out[3], out[4]), CMB_OK);
   EXPECT_NEAR(c_.depth, 0.1, 1e-15);
 }
 
 TEST_F(Interface, ScenesWithoutPairsNeedNoArrays) {
   const cmb_scene alone = intern({"cmb/1 sphere radius=0.5"}, {});
-  EXPECT_EQ(cmb_query_scene(alone, c_.position, c_.rotation, 1, 0, 1, nullptr, nullptr, nullptr, nullptr, nullptr),
+  EXPECT_EQ(query_scene(alone, c_.position, c_.rotation, 1, 0, 1, nullptr, nullptr, nullptr, nullptr, nullptr),
             CMB_OK);
   const cmb_scene empty = intern({}, {});
-  EXPECT_EQ(cmb_query_scene(empty, nullptr, nullptr, 0, 0, 1, nullptr, nullptr, nullptr, nullptr, nullptr), CMB_OK);
+  EXPECT_EQ(query_scene(empty, nullptr, nullptr, 0, 0, 1, nullptr, nullptr, nullptr, nullptr, nullptr), CMB_OK);
 }
 
 TEST_F(Interface, CountsOfABackEndNeedSceneAndRoom) {
   unsigned long long answered = 7, refused = 7;
-  expect_refused(cmb_backend_counts(0, &answered, &refused), "no scene 0");
+  expect_refused(cmb_backend_counts({}, &answered, &refused), "no scene 0");
   expect_refused(cmb_backend_counts(scene_, nullptr, &refused), "NULL");
   expect_refused(cmb_backend_counts(scene_, &answered, nullptr), "NULL");
   EXPECT_EQ(answered, 7u);
@@ -110,25 +112,25 @@ TEST_F(Interface, CountsOfABackEndNeedSceneAndRoom) {
 
 TEST_F(Interface, BackEndsOutOfRangeAreRefused) {
   const char *geometry[] = {"cmb/1 halfspace"};
-  cmb_scene scene = -5;
+  cmb_scene scene{-5};
   for (const int backend : {-1, 5, 1000}) {
-    expect_refused(cmb_intern(geometry, 1, nullptr, 0, static_cast<cmb_backend>(backend), &scene), "no back end");
+    expect_refused(intern_scene(geometry, 1, nullptr, 0, static_cast<cmb_backend>(backend), &scene), "no back end");
   }
-  if (cmb_intern(geometry, 1, nullptr, 0, CMB_BACKEND_COAL, &scene) != CMB_OK) {
+  if (intern_scene(geometry, 1, nullptr, 0, CMB_BACKEND_COAL, &scene) != CMB_OK) {
     EXPECT_NE(std::string(cmb_last_error()).find("the module "), std::string::npos);
     EXPECT_NE(std::string(cmb_last_error()).find("choose another back end than coal"), std::string::npos);
-    EXPECT_EQ(scene, -5);
+    EXPECT_EQ(scene.number, -5);
   }
 }
 
 TEST_F(Interface, PairsNameBodiesThatExist) {
   const char *geometry[] = {"cmb/1 halfspace", ""};
-  cmb_scene scene = -5;
+  cmb_scene scene{-5};
   for (const auto &[first, second] : {std::pair{0, 1}, {1, 0}, {1, 3}, {-1, 2}}) {
     const int pairs[] = {first, second};
-    expect_refused(cmb_intern(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene), "numbered from 1 to 2");
+    expect_refused(intern_scene(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene), "numbered from 1 to 2");
   }
-  EXPECT_EQ(scene, -5);
+  EXPECT_EQ(scene.number, -5);
 }
 
 TEST_F(Interface, InliningNeedsTextAndRoom) {
@@ -205,21 +207,21 @@ TEST(SceneInterface, TooLittleRoomStillTellsHowMuchThereIs) {
   const double *position = s.motion.position.data(), *rotation = s.motion.rotation.data();
   const cmb_broadphase handle = s.bodies.broadphase;
   std::size_t pairs = 0, contacts = 0;
-  ASSERT_EQ(cmb_query_candidates(handle, position, rotation, 3, 0, nullptr, &pairs), CMB_OK);
-  ASSERT_EQ(cmb_query_contacts(handle, position, rotation, 3, 0, nullptr, &contacts), CMB_OK);
+  ASSERT_EQ(query_candidates(handle, position, rotation, 3, 0, nullptr, &pairs), CMB_OK);
+  ASSERT_EQ(query_contacts(handle, position, rotation, 3, 0, nullptr, &contacts), CMB_OK);
   ASSERT_GE(pairs, 2u);
   ASSERT_EQ(contacts, 2u);
   int one[4] = {-7, -7, -7, -7};
-  ASSERT_EQ(cmb_query_candidates(handle, position, rotation, 3, 1, one, &pairs), CMB_OK);
+  ASSERT_EQ(query_candidates(handle, position, rotation, 3, 1, one, &pairs), CMB_OK);
   EXPECT_EQ(one[0], 1);
   EXPECT_EQ(one[1], 2);
   EXPECT_EQ(one[2], -7);
   cmb_contact found[2];
   found[1].body_a = -7;
-  ASSERT_EQ(cmb_query_contacts(handle, position, rotation, 3, 1, found, &contacts), CMB_OK);
+  ASSERT_EQ(query_contacts(handle, position, rotation, 3, 1, found, &contacts), CMB_OK);
   EXPECT_EQ(contacts, 2u);
   EXPECT_EQ(found[1].body_a, -7);
-  ASSERT_EQ(cmb_query_contacts(handle, position, rotation, 3, 2, found, &contacts), CMB_OK);
+  ASSERT_EQ(query_contacts(handle, position, rotation, 3, 2, found, &contacts), CMB_OK);
   EXPECT_NEAR(found[0].depth, 1.0 - std::hypot(0.97, 0.21), 1e-14);
   EXPECT_NEAR(found[1].depth, 0.01, 1e-15);
 }
@@ -230,20 +232,20 @@ TEST(SceneInterface, NullIsRefused) {
   const cmb_broadphase handle = s.bodies.broadphase;
   std::size_t count = 99;
   int pairs[2];
-  expect_refused(cmb_query_candidates(handle, nullptr, rotation, 3, 1, pairs, &count), "position or rotation is NULL");
-  expect_refused(cmb_query_candidates(handle, position, nullptr, 3, 1, pairs, &count), "position or rotation is NULL");
-  expect_refused(cmb_query_candidates(handle, position, rotation, 3, 1, nullptr, &count), "pairs or pair_count");
-  expect_refused(cmb_query_candidates(handle, position, rotation, 3, 1, pairs, nullptr), "pairs or pair_count");
-  expect_refused(cmb_query_contacts(0, position, rotation, 3, 0, nullptr, &count), "no broad phase 0");
-  expect_refused(cmb_query_contacts(handle, position, rotation, 3, 1, nullptr, &count), "contacts or contact_count");
-  expect_refused(cmb_query_contacts(handle, position, rotation, 3, 0, nullptr, nullptr), "contacts or contact_count");
+  expect_refused(query_candidates(handle, nullptr, rotation, 3, 1, pairs, &count), "position or rotation is NULL");
+  expect_refused(query_candidates(handle, position, nullptr, 3, 1, pairs, &count), "position or rotation is NULL");
+  expect_refused(query_candidates(handle, position, rotation, 3, 1, nullptr, &count), "pairs or pair_count");
+  expect_refused(query_candidates(handle, position, rotation, 3, 1, pairs, nullptr), "pairs or pair_count");
+  expect_refused(query_contacts({}, position, rotation, 3, 0, nullptr, &count), "no broad phase 0");
+  expect_refused(query_contacts(handle, position, rotation, 3, 1, nullptr, &count), "contacts or contact_count");
+  expect_refused(query_contacts(handle, position, rotation, 3, 0, nullptr, nullptr), "contacts or contact_count");
   EXPECT_EQ(count, 99u);
 
   const cmb_body_properties properties = s.bodies.properties();
   const cmb_motion motion = s.motion.view();
   std::vector<double> force(9, -77), torque(9, -77);
   const auto evaluate = [&](const cmb_contact_law *law, const cmb_body_properties *of, const cmb_motion *how, double *f,
-                            double *t) { return cmb_evaluate_response(handle, 3, law, of, how, f, t, nullptr); };
+                            double *t) { return cmb_evaluate_response(handle, law, of, how, f, t, nullptr); };
   const cmb_contact_law *law = &s.bodies.law;
   expect_refused(evaluate(nullptr, &properties, &motion, force.data(), torque.data()), "law, properties or motion");
   expect_refused(evaluate(law, nullptr, &motion, force.data(), torque.data()), "law, properties or motion");
@@ -273,18 +275,18 @@ TEST(SceneInterface, FilterArraysMayBeLeftOut) {
   const double rotation[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const int first[] = {1, 2}, second[] = {2, 1}, none[] = {0, 0}, both_fixed[] = {1, 1};
   const auto touching = [&](const cmb_collision_filter &filter) {
-    cmb_broadphase handle = 0;
-    EXPECT_EQ(cmb_intern_broadphase(scene, 2, &filter, &handle), CMB_OK);
+    cmb_broadphase handle{};
+    EXPECT_EQ(cmb_intern_broadphase(scene, &filter, &handle), CMB_OK);
     std::size_t count = 99;
-    EXPECT_EQ(cmb_query_contacts(handle, position, rotation, 2, 0, nullptr, &count), CMB_OK);
+    EXPECT_EQ(query_contacts(handle, position, rotation, 2, 0, nullptr, &count), CMB_OK);
     return count;
   };
-  EXPECT_EQ(touching({nullptr, nullptr, nullptr, nullptr, 0}), 1u);
-  EXPECT_EQ(touching({both_fixed, nullptr, nullptr, nullptr, 0}), 0u);
-  EXPECT_EQ(touching({nullptr, first, second, nullptr, 0}), 1u);
-  EXPECT_EQ(touching({nullptr, first, first, nullptr, 0}), 0u);
-  EXPECT_EQ(touching({nullptr, nullptr, none, nullptr, 0}), 0u);
-  EXPECT_EQ(touching({nullptr, nullptr, nullptr, first, 1}), 0u);
+  EXPECT_EQ(touching({2, nullptr, nullptr, nullptr, nullptr, 0}), 1u);
+  EXPECT_EQ(touching({2, both_fixed, nullptr, nullptr, nullptr, 0}), 0u);
+  EXPECT_EQ(touching({2, nullptr, first, second, nullptr, 0}), 1u);
+  EXPECT_EQ(touching({2, nullptr, first, first, nullptr, 0}), 0u);
+  EXPECT_EQ(touching({2, nullptr, nullptr, none, nullptr, 0}), 0u);
+  EXPECT_EQ(touching({2, nullptr, nullptr, nullptr, first, 1}), 0u);
 }
 
 // What check_law and check_body refuse, each with one thing changed in a scene that is right.
@@ -339,7 +341,7 @@ TEST(Law, EveryWrongNumberIsNamed) {
     cmb_body_properties properties = s.bodies.properties();
     wrong.change(law, properties);
     const cmb_motion motion = s.motion.view();
-    expect_refused(cmb_evaluate_response(s.bodies.broadphase, 3, &law, &properties, &motion, force, torque, nullptr),
+    expect_refused(cmb_evaluate_response(s.bodies.broadphase, &law, &properties, &motion, force, torque, nullptr),
                    wrong.says);
     EXPECT_EQ(force[0], -77) << wrong.says;
   }
@@ -354,7 +356,7 @@ TEST(Law, WhatIsNotUsedMayBeLeftOut) {
   properties.restitution = properties.mu_static = properties.mu_dynamic = nullptr;
   double force[9], torque[9];
   const cmb_motion motion = s.motion.view();
-  ASSERT_EQ(cmb_evaluate_response(s.bodies.broadphase, 3, &law, &properties, &motion, force, torque, nullptr), CMB_OK)
+  ASSERT_EQ(cmb_evaluate_response(s.bodies.broadphase, &law, &properties, &motion, force, torque, nullptr), CMB_OK)
       << cmb_last_error();
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(force[axis] + force[3 + axis] + force[6 + axis], 0.0, 1e-11);

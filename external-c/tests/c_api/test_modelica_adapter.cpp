@@ -10,6 +10,7 @@
 
 #include "contact_multibody_modelica.h"
 #include "contact_multibody_scene_modelica.h"
+#include "support/engine_calls.hpp"
 #include "support/modelica_format_error.hpp"
 #include "support/rigid_bodies.hpp"
 
@@ -250,7 +251,7 @@ TEST_F(Response, IsTheEnginesToTheBit) {
   const cmb_motion motion = motion_.view();
   double force[6], torque[6];
   cmb_response_sums sums{};
-  ASSERT_EQ(cmb_evaluate_response(handle_, 2, &law, &properties, &motion, force, torque, &sums), CMB_OK);
+  ASSERT_EQ(cmb_evaluate_response({handle_}, &law, &properties, &motion, force, torque, &sums), CMB_OK);
   EXPECT_GT(force[2], 0.0);
   for (int i = 0; i < 6; ++i) {
     EXPECT_EQ(force_[i], force[i]);

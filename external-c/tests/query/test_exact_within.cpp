@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "support/engine_calls.hpp"
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
@@ -18,16 +19,13 @@ struct Answer {
   Vec3 first_normal() const { return {normal[0], normal[1], normal[2]}; }
 };
 
-// `exact_within` of 0 asks cmb_query_scene.
+// `exact_within` of 0 asks for exact distances.
 Answer ask(cmb_scene scene, double exact_within, const BodyPose &a, const BodyPose &b) {
   const PairPoses poses(a, b);
   Answer answer;
   const cmb_status status =
-      exact_within > 0.0
-          ? cmb_query_scene_within(scene, exact_within, poses.position, poses.rotation, 2, 1, capacity, &answer.distance,
-                                   answer.depth, answer.weight, answer.normal, answer.point)
-          : cmb_query_scene(scene, poses.position, poses.rotation, 2, 1, capacity, &answer.distance, answer.depth,
-                            answer.weight, answer.normal, answer.point);
+      query_scene(scene, poses.position, poses.rotation, 2, 1, capacity, &answer.distance, answer.depth, answer.weight,
+                  answer.normal, answer.point, exact_within > 0.0 ? exact_within : HUGE_VAL);
   EXPECT_EQ(status, CMB_OK) << cmb_last_error();
   return answer;
 }
@@ -114,8 +112,8 @@ TEST(WithinArguments, NeedAPositiveLength) {
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     Answer answer;
     answer.distance = 7.0;
-    EXPECT_EQ(cmb_query_scene_within(scene.handle(), bad, position, rotation, 2, 1, capacity, &answer.distance,
-                                     answer.depth, answer.weight, answer.normal, answer.point),
+    EXPECT_EQ(query_scene(scene.handle(), position, rotation, 2, 1, capacity, &answer.distance, answer.depth,
+                          answer.weight, answer.normal, answer.point, bad),
               CMB_ERROR_ARGUMENT);
     EXPECT_EQ(answer.distance, 7.0);
   }

@@ -2,6 +2,7 @@
 #include <random>
 #include <sstream>
 
+#include "support/engine_calls.hpp"
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
@@ -70,7 +71,7 @@ BodyPose nearly_touching(const PairScene &scene, Random &random, const BodyPose 
         for (int j = 0; j < 3; ++j) rotation[9 * body + 3 * k + j] = poses[body]->rotation.row[j][k];
       }
     }
-    EXPECT_EQ(cmb_query_pair(scene.handle(), 0, position, rotation, 2, 1, &distance, &d, &w, n, p), CMB_OK);
+    EXPECT_EQ(query_pair(scene.handle(), 1, position, rotation, 2, 1, &distance, &d, &w, n, p), CMB_OK);
     a.position = a.position - (distance + random(0.8, 1.2) * depth) * Vec3{n[0], n[1], n[2]};
   }
   return a;

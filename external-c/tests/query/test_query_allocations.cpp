@@ -1,5 +1,6 @@
 // Queries do not allocate once the thread's scratch has grown.
 #include "support/counted_allocations.hpp"
+#include "support/engine_calls.hpp"
 #include "support/mesh_text.hpp"
 #include "support/rigid_bodies.hpp"
 #include "support/scene_query.hpp"
@@ -40,7 +41,7 @@ TEST(Allocations, StopOnceTheScratchHasGrown) {
         }
       }
     }
-    return cmb_query_scene(scene, position, rotation, bodies, count, capacity, distance, depth, weight, normal, point);
+    return query_scene(scene, position, rotation, bodies, count, capacity, distance, depth, weight, normal, point);
   };
   for (int k = 0; k < 60; ++k) ASSERT_EQ(query(k), CMB_OK);
   const unsigned long before = allocations;
@@ -89,7 +90,7 @@ TEST(Allocations, StopInScenesWithAFilterToo) {
   const auto evaluate = [&](int k) {
     move(k);
     wrenches.evaluate(bodies, motion);
-    cmb_query_contacts(bodies.broadphase, motion.position.data(), motion.rotation.data(), bodies.count(),
+    query_contacts(bodies.broadphase, motion.position.data(), motion.rotation.data(), bodies.count(),
                        contacts.size(), contacts.data(), &count);
   };
   for (int k = 0; k < 30; ++k) evaluate(k);

@@ -1,6 +1,7 @@
 // What a query refuses, and that nothing is written then.
 #include <limits>
 
+#include "support/engine_calls.hpp"
 #include "support/scene_query.hpp"
 
 namespace {
@@ -14,7 +15,7 @@ struct Call {
   std::size_t bodies = 2, pairs = 1, capacity = 1;
 
   cmb_status operator()(cmb_scene scene) {
-    return cmb_query_scene(scene, position, rotation, bodies, pairs, capacity, &distance, &depth, &weight, normal,
+    return query_scene(scene, position, rotation, bodies, pairs, capacity, &distance, &depth, &weight, normal,
                            point);
   }
 };
@@ -31,8 +32,8 @@ TEST_F(Query, GoesWell) {
 }
 
 TEST_F(Query, RefusesUnknownScenes) {
-  for (const cmb_scene scene : {0, -1, 65536, 65537, 60000}) {
-    EXPECT_EQ(call_(scene), CMB_ERROR_ARGUMENT);
+  for (const int number : {0, -1, 65536, 65537, 60000}) {
+    EXPECT_EQ(call_({number}), CMB_ERROR_ARGUMENT);
     EXPECT_NE(std::string(cmb_last_error()).find("no scene"), std::string::npos);
   }
   EXPECT_EQ(call_.distance, -77);
@@ -52,16 +53,15 @@ TEST_F(Query, RefusesWrongSizes) {
 
 TEST_F(Query, RefusesNullArrays) {
   Call &c = call_;
-  EXPECT_EQ(cmb_query_scene(scene_, nullptr, c.rotation, 2, 1, 1, &c.distance, &c.depth, &c.weight, c.normal, c.point),
+  EXPECT_EQ(query_scene(scene_, nullptr, c.rotation, 2, 1, 1, &c.distance, &c.depth, &c.weight, c.normal, c.point),
             CMB_ERROR_ARGUMENT);
-  EXPECT_EQ(cmb_query_scene(scene_, c.position, c.rotation, 2, 1, 1, nullptr, &c.depth, &c.weight, c.normal, c.point),
+  EXPECT_EQ(query_scene(scene_, c.position, c.rotation, 2, 1, 1, nullptr, &c.depth, &c.weight, c.normal, c.point),
             CMB_ERROR_ARGUMENT);
-  EXPECT_EQ(cmb_query_pair(scene_, 0, c.position, c.rotation, 2, 1, &c.distance, nullptr, &c.weight, c.normal, c.point),
+  EXPECT_EQ(query_pair(scene_, 1, c.position, c.rotation, 2, 1, &c.distance, nullptr, &c.weight, c.normal, c.point),
             CMB_ERROR_ARGUMENT);
-  EXPECT_EQ(cmb_query_pair(scene_, 1, c.position, c.rotation, 2, 1, &c.distance, &c.depth, &c.weight, c.normal,
-                           c.point),
+  EXPECT_EQ(query_pair(scene_, 2, c.position, c.rotation, 2, 1, &c.distance, &c.depth, &c.weight, c.normal, c.point),
             CMB_ERROR_ARGUMENT);
-  EXPECT_EQ(cmb_query_backend(scene_, 0, c.position, c.rotation, 2, nullptr), CMB_ERROR_ARGUMENT);
+  EXPECT_EQ(query_backend(scene_, 1, c.position, c.rotation, 2, nullptr), CMB_ERROR_ARGUMENT);
   EXPECT_EQ(cmb_backend_counts(scene_, nullptr, nullptr), CMB_ERROR_ARGUMENT);
   EXPECT_EQ(c.distance, -77);
 }

@@ -1,6 +1,7 @@
 // Scenes are interned and asked from many threads at once; run under ThreadSanitizer by the preset "tsan".
 #include <thread>
 
+#include "support/engine_calls.hpp"
 #include "support/scene_query.hpp"
 
 namespace {
@@ -14,7 +15,7 @@ TEST(Threads, InternAndQueryTogether) {
   const Contact expected = known.query(pose, {}, 16);
   ASSERT_FALSE(expected.points.empty());
   std::vector<int> wrong(threads, 0);
-  std::vector<cmb_scene> handle(threads * rounds, 0);
+  std::vector<cmb_scene> handle(threads * rounds);
   std::vector<std::thread> crew;
   for (int t = 0; t < threads; ++t) {
     crew.emplace_back([&, t] {
@@ -31,8 +32,8 @@ TEST(Threads, InternAndQueryTogether) {
           if (contact.points[k].weight != expected.points[k].weight) ++wrong[t];
         }
         const char *bad[] = {"cmb/1 sphere radius=0"};
-        cmb_scene none = 0;
-        if (cmb_intern(bad, 1, nullptr, 0, CMB_BACKEND_AUTO, &none) != CMB_ERROR_DESCRIPTOR) ++wrong[t];
+        cmb_scene none{};
+        if (intern_scene(bad, 1, nullptr, 0, CMB_BACKEND_AUTO, &none) != CMB_ERROR_DESCRIPTOR) ++wrong[t];
         if (std::string(cmb_last_error()).find("radius is 0") == std::string::npos) ++wrong[t];
       }
     });
@@ -50,8 +51,8 @@ TEST(Threads, LibrariesShareTheShapesTheyKeep) {
   constexpr int threads = 4, poses = 200;
   const std::string hull = "cmb/1 hull vertices=0.4,0.1,0.1,-0.3,0.4,0.2,0,-0.5,0.1,0.1,0.2,0.6,-0.2,-0.1,-0.4";
   for (const cmb_backend backend : {CMB_BACKEND_LIBCCD, CMB_BACKEND_FCL, CMB_BACKEND_COAL}) {
-    cmb_scene none = 0;
-    if (cmb_intern(nullptr, 0, nullptr, 0, backend, &none) != CMB_OK) continue;  // no such module
+    cmb_scene none{};
+    if (intern_scene(nullptr, 0, nullptr, 0, backend, &none) != CMB_OK) continue;  // no such module
     const PairScene scene(hull, hull, backend);
     const auto pose = [](int k) {
       return BodyPose{{0.4 * std::sin(0.1 * k), 0.3, 0.4 * std::cos(0.13 * k)}, rotation_about({0, 0, 1}, 0.05 * k)};

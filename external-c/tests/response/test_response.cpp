@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "response/point_forces.hpp"
+#include "support/engine_calls.hpp"
 #include "response/spring_deceleration.hpp"
 #include "support/rigid_bodies.hpp"
 
@@ -190,13 +191,13 @@ TEST(Response, PushesAsHertzSays) {
   properties.curvature = curvature;
   double force[6], torque[6];
   const cmb_motion motion = ball.motion.view();
-  ASSERT_EQ(cmb_evaluate_response(ball.bodies.broadphase, 2, &ball.bodies.law, &properties, &motion, force, torque,
+  ASSERT_EQ(cmb_evaluate_response(ball.bodies.broadphase, &ball.bodies.law, &properties, &motion, force, torque,
                                   nullptr),
             CMB_OK);
   EXPECT_NEAR(force[2], 4.0 / 3 * (1e9 / 0.91) * std::sqrt(0.1) * std::pow(1e-3, 1.5), 1e-6);
   const double flat[2] = {0.0, 0.0};
   properties.curvature = flat;
-  EXPECT_EQ(cmb_evaluate_response(ball.bodies.broadphase, 2, &ball.bodies.law, &properties, &motion, force, torque,
+  EXPECT_EQ(cmb_evaluate_response(ball.bodies.broadphase, &ball.bodies.law, &properties, &motion, force, torque,
                                   nullptr),
             CMB_ERROR_ARGUMENT);
   EXPECT_NE(std::string(cmb_last_error()).find("bodies 1 and 2"), std::string::npos);
@@ -516,7 +517,7 @@ TEST(Response, SaysWhatIsWrong) {
   const auto refused = [&](const char *says, cmb_status expected = CMB_ERROR_ARGUMENT) {
     const cmb_body_properties properties = ball.bodies.properties();
     const cmb_motion motion = ball.motion.view();
-    EXPECT_EQ(cmb_evaluate_response(ball.bodies.broadphase, 2, &ball.bodies.law, &properties, &motion, force, torque,
+    EXPECT_EQ(cmb_evaluate_response(ball.bodies.broadphase, &ball.bodies.law, &properties, &motion, force, torque,
                                     nullptr),
               expected);
     EXPECT_NE(std::string(cmb_last_error()).find(says), std::string::npos) << cmb_last_error();

@@ -6,6 +6,7 @@
 #include "contact_multibody.h"
 #include "contact_multibody_modelica.h"
 #include "scene/descriptor.hpp"
+#include "support/engine_calls.hpp"
 #include "support/modelica_format_error.hpp"
 
 namespace {
@@ -127,12 +128,12 @@ TEST(Intern, SameArgumentsGiveTheSameHandle) {
   const char *one[] = {"cmb/1 sphere radius=0.11", "cmb/1 halfspace"};
   const char *other[] = {"cmb/1 sphere radius=0.12", "cmb/1 halfspace"};
   const int pairs[] = {1, 2};
-  cmb_scene first = 0, again = 0, different = 0, other_backend = 0;
-  ASSERT_EQ(cmb_intern(one, 2, pairs, 1, CMB_BACKEND_AUTO, &first), CMB_OK);
-  ASSERT_EQ(cmb_intern(one, 2, pairs, 1, CMB_BACKEND_AUTO, &again), CMB_OK);
-  ASSERT_EQ(cmb_intern(other, 2, pairs, 1, CMB_BACKEND_AUTO, &different), CMB_OK);
-  ASSERT_EQ(cmb_intern(one, 2, pairs, 1, CMB_BACKEND_ANALYTIC, &other_backend), CMB_OK);
-  EXPECT_GT(first, 0);
+  cmb_scene first{}, again{}, different{}, other_backend{};
+  ASSERT_EQ(cmb::test::intern_scene(one, 2, pairs, 1, CMB_BACKEND_AUTO, &first), CMB_OK);
+  ASSERT_EQ(cmb::test::intern_scene(one, 2, pairs, 1, CMB_BACKEND_AUTO, &again), CMB_OK);
+  ASSERT_EQ(cmb::test::intern_scene(other, 2, pairs, 1, CMB_BACKEND_AUTO, &different), CMB_OK);
+  ASSERT_EQ(cmb::test::intern_scene(one, 2, pairs, 1, CMB_BACKEND_ANALYTIC, &other_backend), CMB_OK);
+  EXPECT_GT(first.number, 0);
   EXPECT_EQ(first, again);
   EXPECT_NE(first, different);
   EXPECT_NE(first, other_backend);
@@ -141,9 +142,9 @@ TEST(Intern, SameArgumentsGiveTheSameHandle) {
 TEST(Intern, ErrorsNameDescriptorAndColumnAndLeaveTheHandleAlone) {
   const char *geometry[] = {"cmb/1 halfspace", "cmb/1 sphere radius=-2"};
   const int pairs[] = {1, 2};
-  cmb_scene scene = 77;
-  EXPECT_EQ(cmb_intern(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_DESCRIPTOR);
-  EXPECT_EQ(scene, 77);
+  cmb_scene scene{77};
+  EXPECT_EQ(cmb::test::intern_scene(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_DESCRIPTOR);
+  EXPECT_EQ(scene.number, 77);
   EXPECT_STREQ(cmb_last_error(), "descriptor 2, column 21: radius is -2; it has to be greater than 0");
 }
 
@@ -152,17 +153,17 @@ TEST(Intern, RefusesWrongArguments) {
   const int pairs[] = {1, 2};
   const int same[] = {1, 1};
   const int unknown[] = {1, 3};
-  cmb_scene scene = 0;
-  EXPECT_EQ(cmb_intern(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_ARGUMENT);
+  cmb_scene scene{};
+  EXPECT_EQ(cmb::test::intern_scene(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_ARGUMENT);
   geometry[1] = "";
-  EXPECT_EQ(cmb_intern(geometry, 2, same, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_ARGUMENT);
-  EXPECT_EQ(cmb_intern(geometry, 2, unknown, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_ARGUMENT);
-  EXPECT_EQ(cmb_intern(geometry, 2, nullptr, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_ARGUMENT);
-  EXPECT_EQ(cmb_intern(nullptr, 2, pairs, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_ARGUMENT);
-  EXPECT_EQ(cmb_intern(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, nullptr), CMB_ERROR_ARGUMENT);
-  EXPECT_EQ(cmb_intern(geometry, 2, pairs, 1, static_cast<cmb_backend>(9), &scene), CMB_ERROR_ARGUMENT);
-  EXPECT_EQ(cmb_intern(geometry, 2, nullptr, 0, CMB_BACKEND_AUTO, &scene), CMB_OK);
-  EXPECT_EQ(cmb_intern(nullptr, 0, nullptr, 0, CMB_BACKEND_AUTO, &scene), CMB_OK);
+  EXPECT_EQ(cmb::test::intern_scene(geometry, 2, same, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_ARGUMENT);
+  EXPECT_EQ(cmb::test::intern_scene(geometry, 2, unknown, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_ARGUMENT);
+  EXPECT_EQ(cmb::test::intern_scene(geometry, 2, nullptr, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_ARGUMENT);
+  EXPECT_EQ(cmb::test::intern_scene(nullptr, 2, pairs, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_ARGUMENT);
+  EXPECT_EQ(cmb::test::intern_scene(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, nullptr), CMB_ERROR_ARGUMENT);
+  EXPECT_EQ(cmb::test::intern_scene(geometry, 2, pairs, 1, static_cast<cmb_backend>(9), &scene), CMB_ERROR_ARGUMENT);
+  EXPECT_EQ(cmb::test::intern_scene(geometry, 2, nullptr, 0, CMB_BACKEND_AUTO, &scene), CMB_OK);
+  EXPECT_EQ(cmb::test::intern_scene(nullptr, 0, nullptr, 0, CMB_BACKEND_AUTO, &scene), CMB_OK);
 }
 
 TEST(Modelica, ErrorsGoToModelicaFormatError) {

@@ -9,6 +9,7 @@
 
 #include "contact_multibody.h"
 #include "mesh/core/triangle_mesh.hpp"
+#include "support/engine_calls.hpp"
 #include "scene/descriptor.hpp"
 #include "support/scene_query.hpp"
 #include "support/scratch_folder.hpp"
@@ -206,8 +207,8 @@ TEST_F(MeshFiles, LongNamesLeaveRoomForProblemAndRemedy) {
   for (int k = 0; k < 800; ++k) name += "a/";
   const std::string descriptor = "cmb/1 mesh file=" + name + "part.stl";
   const char *geometry[] = {descriptor.c_str()};
-  cmb_scene scene = 0;
-  ASSERT_EQ(cmb_intern_with_files(geometry, 1, nullptr, 0, CMB_BACKEND_AUTO, path("").c_str(), &scene),
+  cmb_scene scene{};
+  ASSERT_EQ(cmb::test::intern_scene(geometry, 1, nullptr, 0, CMB_BACKEND_AUTO, &scene, path("").c_str()),
             CMB_ERROR_DESCRIPTOR);
   const std::string said = cmb_last_error();
   EXPECT_EQ(said.find("descriptor 1, column 17: "), 0u) << said;
@@ -230,29 +231,29 @@ TEST_F(MeshFiles, InternNamesDescriptorColumnFileAndElement) {
   write("bad.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   const char *geometry[] = {"cmb/1 halfspace", "cmb/1 mesh file=bad.obj"};
   const int pairs[] = {1, 2};
-  cmb_scene scene = 77;
-  EXPECT_EQ(cmb_intern_with_files(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, path("").c_str(), &scene),
+  cmb_scene scene{77};
+  EXPECT_EQ(cmb::test::intern_scene(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene, path("").c_str()),
             CMB_ERROR_DESCRIPTOR);
-  EXPECT_EQ(scene, 77);
+  EXPECT_EQ(scene.number, 77);
   const std::string said = cmb_last_error();
   EXPECT_EQ(said.find("descriptor 2, column 17: "), 0u) << said;
   EXPECT_NE(said.find("bad.obj: triangle 1 is degenerate"), std::string::npos) << said;
-  EXPECT_EQ(cmb_intern(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_DESCRIPTOR);
+  EXPECT_EQ(cmb::test::intern_scene(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene), CMB_ERROR_DESCRIPTOR);
   EXPECT_NE(std::string(cmb_last_error()).find("no folder"), std::string::npos);
 }
 
 TEST_F(MeshFiles, SceneFromFileAnswersAsOneFromNumbers) {
   const char *from_file[] = {"cmb/1 sphere radius=0.2", "cmb/1 mesh file=tetrahedron.obj"};
   const int pairs[] = {1, 2};
-  cmb_scene scene = 0, again = 0;
-  ASSERT_EQ(cmb_intern_with_files(from_file, 2, pairs, 1, CMB_BACKEND_AUTO, path("").c_str(), &scene), CMB_OK);
-  ASSERT_EQ(cmb_intern_with_files(from_file, 2, pairs, 1, CMB_BACKEND_AUTO, path("").c_str(), &again), CMB_OK);
+  cmb_scene scene{}, again{};
+  ASSERT_EQ(cmb::test::intern_scene(from_file, 2, pairs, 1, CMB_BACKEND_AUTO, &scene, path("").c_str()), CMB_OK);
+  ASSERT_EQ(cmb::test::intern_scene(from_file, 2, pairs, 1, CMB_BACKEND_AUTO, &again, path("").c_str()), CMB_OK);
   EXPECT_EQ(scene, again);
   const PairScene numbers("cmb/1 sphere radius=0.2", "cmb/1 mesh " + tetrahedron);
   const double position[] = {0.2, 0.3, -0.15, 0, 0, 0};
   const double rotation[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   double distance, depth[4], weight[4], normal[12], point[12];
-  ASSERT_EQ(cmb_query_scene(scene, position, rotation, 2, 1, 4, &distance, depth, weight, normal, point), CMB_OK);
+  ASSERT_EQ(cmb::test::query_scene(scene, position, rotation, 2, 1, 4, &distance, depth, weight, normal, point), CMB_OK);
   const auto expected = numbers.query({{0.2, 0.3, -0.15}, {}}, {});
   EXPECT_EQ(distance, expected.distance);
   EXPECT_NEAR(distance, -0.05, 1e-15);

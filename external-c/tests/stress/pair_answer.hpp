@@ -9,6 +9,7 @@
 
 #include "contact_multibody.h"
 #include "math/vector3.hpp"
+#include "support/engine_calls.hpp"
 
 namespace cmb::stress {
 
@@ -29,7 +30,7 @@ class Pair {
   Pair(const std::string &a, const std::string &b, cmb_backend backend = CMB_BACKEND_AUTO) {
     const char *const geometry[] = {a.c_str(), b.c_str()};
     const int pairs[] = {1, 2, 2, 1};
-    if (cmb_intern(geometry, 2, pairs, 2, backend, &scene_) != CMB_OK) {
+    if (cmb::test::intern_scene(geometry, 2, pairs, 2, backend, &scene_) != CMB_OK) {
       throw std::string(cmb_last_error()) + "\n" + a + "\n" + b;
     }
   }
@@ -46,7 +47,7 @@ class Pair {
     }
     Answer answer;
     double normal[3 * capacity], point[3 * capacity];
-    if (cmb_query_pair(scene_, reversed ? 1 : 0, position, rotation, 2, capacity, &answer.distance,
+    if (cmb::test::query_pair(scene_, reversed ? 2 : 1, position, rotation, 2, capacity, &answer.distance,
                        answer.depth.data(), answer.weight.data(), normal, point) != CMB_OK) {
       throw std::string(cmb_last_error());
     }
@@ -58,7 +59,7 @@ class Pair {
   }
 
  private:
-  cmb_scene scene_ = 0;
+  cmb_scene scene_{};
 };
 
 inline bool same_bits(const Answer &a, const Answer &b) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact_multibody.h"
+#include "engine_calls.hpp"
 #include "scene_query.hpp"
 
 namespace cmb::test {
@@ -18,7 +19,7 @@ inline cmb_overlap overlap_of(const PairScene &scene, const BodyPose &a, const B
     }
   }
   cmb_overlap result;
-  EXPECT_EQ(cmb_query_overlap(scene.handle(), 0, position, rotation, 2, &result), CMB_OK) << cmb_last_error();
+  EXPECT_EQ(query_overlap(scene.handle(), 1, position, rotation, 2, &result), CMB_OK) << cmb_last_error();
   EXPECT_EQ(result.known, 1);
   return result;
 }
@@ -33,7 +34,7 @@ inline Vec3 normal_of(const PairScene &scene, const BodyPose &a, const BodyPose 
       for (int j = 0; j < 3; ++j) rotation[9 * body + 3 * i + j] = poses[body]->rotation.row[j][i];
     }
   }
-  EXPECT_EQ(cmb_query_scene(scene.handle(), position, rotation, 2, 1, 1, &distance, &depth, &weight, normal, point), CMB_OK);
+  EXPECT_EQ(query_scene(scene.handle(), position, rotation, 2, 1, 1, &distance, &depth, &weight, normal, point), CMB_OK);
   return vector_of(normal);
 }
 

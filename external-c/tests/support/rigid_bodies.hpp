@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact_multibody_scene.h"
+#include "engine_calls.hpp"
 #include "poses.hpp"
 
 namespace cmb::test {
@@ -42,7 +43,7 @@ struct Motion {
     const double *r = rotation.data() + 9 * body;
     return {{{r[0], r[3], r[6]}, {r[1], r[4], r[7]}, {r[2], r[5], r[8]}}};
   }
-  cmb_motion view() const { return {position.data(), rotation.data(), velocity.data(), angular_velocity.data()}; }
+  cmb_motion view() const { return {{position.size() / 3, position.data(), rotation.data()}, velocity.data(), angular_velocity.data()}; }
 };
 
 // A scene with the properties of its bodies, whose frames lie at their centres of mass.
@@ -51,7 +52,7 @@ struct Bodies {
   std::vector<int> fixed;
   std::vector<double> mass, center_of_mass, inertia, stiffness, restitution, mu_static, mu_dynamic;
   cmb_contact_law law{};
-  cmb_broadphase broadphase = 0;
+  cmb_broadphase broadphase{};
 
   Bodies() { cmb_contact_law_init(&law); }
 
@@ -79,10 +80,10 @@ struct Bodies {
   void intern(const std::vector<int> &excluded = {}) {
     std::vector<const char *> texts;
     for (const std::string &text : geometry) texts.push_back(text.c_str());
-    cmb_scene scene = 0;
-    require_ok(cmb_intern(texts.data(), texts.size(), nullptr, 0, CMB_BACKEND_AUTO, &scene));
-    const cmb_collision_filter filter{fixed.data(), nullptr, nullptr, excluded.data(), excluded.size() / 2};
-    require_ok(cmb_intern_broadphase(scene, count(), &filter, &broadphase));
+    cmb_scene scene{};
+    require_ok(intern_scene(texts.data(), texts.size(), nullptr, 0, CMB_BACKEND_AUTO, &scene));
+    const cmb_collision_filter filter{count(), fixed.data(), nullptr, nullptr, excluded.data(), excluded.size() / 2};
+    require_ok(cmb_intern_broadphase(scene, &filter, &broadphase));
   }
   cmb_body_properties properties() const {
     return {mass.data(),      center_of_mass.data(), inertia.data(),   stiffness.data(), nullptr,
@@ -101,7 +102,7 @@ struct Wrenches {
   void evaluate(const Bodies &bodies, const Motion &motion) {
     const cmb_body_properties properties = bodies.properties();
     const cmb_motion view = motion.view();
-    require_ok(cmb_evaluate_response(bodies.broadphase, bodies.count(), &bodies.law, &properties, &view, force.data(),
+    require_ok(cmb_evaluate_response(bodies.broadphase, &bodies.law, &properties, &view, force.data(),
                                      torque.data(), &sums));
   }
 };

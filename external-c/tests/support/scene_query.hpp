@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact_multibody.h"
+#include "engine_calls.hpp"
 #include "poses.hpp"
 
 namespace cmb::test {
@@ -52,9 +53,9 @@ inline cmb_scene intern(const std::vector<std::string> &geometry, const std::vec
                         cmb_backend backend = CMB_BACKEND_AUTO) {
   std::vector<const char *> texts;
   for (const std::string &text : geometry) texts.push_back(text.c_str());
-  cmb_scene scene = 0;
+  cmb_scene scene{};
   const cmb_status status =
-      cmb_intern(texts.data(), texts.size(), pairs.data(), pairs.size() / 2, backend, &scene);
+      intern_scene(texts.data(), texts.size(), pairs.data(), pairs.size() / 2, backend, &scene);
   EXPECT_EQ(status, CMB_OK) << cmb_last_error();
   return scene;
 }
@@ -86,7 +87,7 @@ class PairScene {
     const PairPoses poses(a, b);
     Contact contact;
     std::vector<double> depth(capacity), weight(capacity), normal(3 * capacity), point(3 * capacity);
-    const cmb_status status = cmb_query_scene(scene_, poses.position, poses.rotation, 2, 1, capacity, &contact.distance,
+    const cmb_status status = query_scene(scene_, poses.position, poses.rotation, 2, 1, capacity, &contact.distance,
                                               depth.data(), weight.data(), normal.data(), point.data());
     EXPECT_EQ(status, CMB_OK) << cmb_last_error();
     for (std::size_t k = 0; k < capacity; ++k) {

@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "contact_multibody.h"
+#include "support/engine_calls.hpp"
 #include "support/scene_query.hpp"
 
 namespace {
@@ -98,7 +99,7 @@ cmb_overlap overlap_of(const std::string &body, const BodyPose &pose) {
     for (int j = 0; j < 3; ++j) rotation[3 * i + j] = pose.rotation.row[j][i];
   }
   cmb_overlap overlap;
-  EXPECT_EQ(cmb_query_overlap(scene.handle(), 0, position, rotation, 2, &overlap), CMB_OK) << cmb_last_error();
+  EXPECT_EQ(query_overlap(scene.handle(), 1, position, rotation, 2, &overlap), CMB_OK) << cmb_last_error();
   return overlap;
 }
 

@@ -1,6 +1,7 @@
 // Overlaps of closed meshes: of boxes as meshes against those of boxes, and of a bent body against its two boxes.
 #include <random>
 
+#include "support/engine_calls.hpp"
 #include "support/mesh_text.hpp"
 #include "support/overlap_of.hpp"
 
@@ -148,7 +149,7 @@ TEST(MeshOverlap, SwallowedBodiesAreWhole) {
 int known(const PairScene &scene, double height) {
   const PairPoses poses({{0.01, 0.02, height}, {}}, {});
   cmb_overlap overlap;
-  EXPECT_EQ(cmb_query_overlap(scene.handle(), 0, poses.position, poses.rotation, 2, &overlap), CMB_OK);
+  EXPECT_EQ(query_overlap(scene.handle(), 1, poses.position, poses.rotation, 2, &overlap), CMB_OK);
   EXPECT_EQ(overlap.volume, 0.0);
   return overlap.known;
 }

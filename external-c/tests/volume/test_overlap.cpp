@@ -1,4 +1,5 @@
 // Overlap volume, patch area and centroids against closed forms.
+#include "support/engine_calls.hpp"
 #include "support/scene_query.hpp"
 
 namespace {
@@ -14,7 +15,7 @@ cmb_overlap overlap_of(const PairScene &scene, const Vec3 &position_a, const Mat
     for (int j = 0; j < 3; ++j) rotation[3 * i + j] = rotation_a.row[j][i];
   }
   cmb_overlap result;
-  EXPECT_EQ(cmb_query_overlap(scene.handle(), 0, position, rotation, 2, &result), CMB_OK) << cmb_last_error();
+  EXPECT_EQ(query_overlap(scene.handle(), 1, position, rotation, 2, &result), CMB_OK) << cmb_last_error();
   return result;
 }
 

@@ -1,5 +1,6 @@
 // Overlap queries do not allocate once the thread's scratch has grown.
 #include "support/counted_allocations.hpp"
+#include "support/engine_calls.hpp"
 #include "support/mesh_text.hpp"
 #include "support/overlap_of.hpp"
 
@@ -35,7 +36,7 @@ TEST(Allocations, OfOverlapsStopOnceTheScratchHasGrown) {
     }
     for (std::size_t pair = 0; pair < pairs.size() / 2; ++pair) {
       cmb_overlap overlap;
-      ASSERT_EQ(cmb_query_overlap(scene, pair, position, rotation, 8, &overlap), CMB_OK);
+      ASSERT_EQ(query_overlap(scene, pair + 1, position, rotation, 8, &overlap), CMB_OK);
       ASSERT_EQ(overlap.known, 1);
       total += overlap.volume;
     }

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,15 +9,15 @@ from pathlib import Path
 import networkx as nx
 import numpy as np
 from contact_data import contact_engine
+from contact_foundation.errors import BuildError
 
 from cad2modelica.collision.collision_shapes import CollisionGeometry
-from cad2modelica.geometry.spatial import Array, Pose, perpendicular
+from cad2modelica.collision.contact_engine import ContactEngine
+from cad2modelica.geometry.spatial import Pose, perpendicular
 from cad2modelica.mechanism.model import GROUND, Assembly, JointType, Plane
 
 TOLERANCE = 1e-6  # of the smaller body's size: what lies on another body touches, and does not overlap
 RESTING = 0.02  # share up to which an overlap may be that of bodies at rest
-_OWN_BACKEND = 1  # CMB_BACKEND_ANALYTIC
-_POINTS = 1
 
 
 @dataclass(frozen=True)
@@ -73,9 +72,12 @@ def start_overlaps(
     planes = {plane.name: plane for plane in assembly.planes}
     descriptors = ["cmb/1 halfspace" if name in planes else geometries[name].descriptor for name in names]
     poses = [_plane_pose(planes[name]) if name in planes else assembly.part(name).pose for name in names]
-    distances = _distances(library, descriptors, poses, [(names.index(a), names.index(b)) for a, b in near])
-    if distances is None:
-        return StartCheck((), 0, "the contact engine did not answer")
+    try:
+        distances = ContactEngine(library).signed_distances(
+            descriptors, poses, [(names.index(a), names.index(b)) for a, b in near]
+        )
+    except BuildError as error:
+        return StartCheck((), 0, error.message)
     found = []
     for (first, second), distance in zip(near, distances, strict=True):
         sizes = [geometries[n].ball(assembly.part(n).pose).radius for n in (first, second) if n not in planes]
@@ -143,42 +145,3 @@ def _near(
 def _plane_pose(plane: Plane) -> Pose:
     first = perpendicular(plane.normal)
     return Pose(plane.position, np.column_stack([first, np.cross(plane.normal, first), plane.normal]))
-
-
-def _distances(
-    library: Path, descriptors: Sequence[str], poses: Sequence[Pose], pairs: Sequence[tuple[int, int]]
-) -> Array | None:
-    """Signed distances of the pairs, m, by the engine's C interface; None if it refuses."""
-    try:
-        engine = ctypes.CDLL(str(library))
-    except OSError:
-        return None
-    count, size = len(pairs), ctypes.c_size_t
-    texts = (ctypes.c_char_p * len(descriptors))(*(text.encode() for text in descriptors))
-    numbers = np.ascontiguousarray(np.array(pairs, dtype=np.intc) + 1)
-    scene = ctypes.c_int()
-    status = engine.cmb_intern(
-        texts, size(len(descriptors)), _pointer(numbers), size(count), ctypes.c_int(_OWN_BACKEND), ctypes.byref(scene)
-    )
-    if status != 0:
-        return None
-    position = np.ascontiguousarray([pose.position for pose in poses], dtype=np.float64)
-    rotation = np.ascontiguousarray([pose.rotation.T for pose in poses], dtype=np.float64)
-    distance = np.zeros(count)
-    outputs = [np.zeros((count, _POINTS)), np.zeros((count, _POINTS))]
-    outputs += [np.zeros((count, _POINTS, 3)), np.zeros((count, _POINTS, 3))]
-    status = engine.cmb_query_scene(
-        scene,
-        _pointer(position),
-        _pointer(rotation),
-        size(len(descriptors)),
-        size(count),
-        size(_POINTS),
-        _pointer(distance),
-        *(_pointer(output) for output in outputs),
-    )
-    return distance if status == 0 else None
-
-
-def _pointer(values: np.ndarray) -> ctypes.c_void_p:
-    return ctypes.c_void_p(values.ctypes.data)
