@@ -65,6 +65,14 @@ class ClassLibrary:
                 definition.classes[name] = found
         return found
 
+    def members(self, definition: ClassDefinition) -> set[str]:
+        """Names of the classes that are declared in another one, or lie in its folder."""
+        names = set(definition.classes)
+        if definition.folder is not None:
+            names |= {path.stem for path in definition.folder.glob("*.mo")} - {"package"}
+            names |= {path.parent.name for path in definition.folder.glob("*/package.mo")}
+        return names
+
     @cached_property
     def _own(self) -> dict[str, ClassDefinition]:
         classes = self._parse(self._text, self._file)

@@ -73,16 +73,18 @@ class _Parser(SectionReader):
         if self._depth > _DEEPEST:
             raise UnreadableError(f"{self.file}: classes or modifiers are nested too deeply")
         first = self.at
-        encapsulated = False
+        prefixes = set()
         while self.text() in _CLASS_PREFIXES:
-            encapsulated |= self.text() == "encapsulated"
+            prefixes.add(self.text())
             self.at += 1
         kind = self.text()
         if kind not in _CLASS_KINDS:
             raise UnreadableError(f"{self.file}: a class expected, {kind!r} found")
         while self.text() in _CLASS_KINDS:
             self.at += 1
-        definition = ClassDefinition("", kind, self.extent(first), is_encapsulated=encapsulated)
+        definition = ClassDefinition("", kind, self.extent(first))
+        definition.is_encapsulated = "encapsulated" in prefixes
+        definition.is_partial = "partial" in prefixes
         definition.extends_inherited = self.accept("extends")
         definition.name = self.identifier()
         if definition.extends_inherited:

@@ -132,6 +132,7 @@ class ClassDefinition:
     extends_inherited: bool = False
     is_enumeration: bool = False
     is_encapsulated: bool = False
+    is_partial: bool = False
     is_replaceable: bool = False
     redeclares: bool = False
     constraint: Constraint | None = None

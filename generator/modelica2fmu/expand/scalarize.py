@@ -12,6 +12,7 @@ from modelica2fmu.expand.enumeration_types import EnumerationTypes
 from modelica2fmu.expand.equation_expansion import EquationExpansion
 from modelica2fmu.expand.event_operators import EventOperators
 from modelica2fmu.expand.scalar_model import TIME, Kind, ScalarModel, derivative_name
+from modelica2fmu.expand.size_check import require_tractable
 from modelica2fmu.expand.variable_declaration import VariableDeclaration
 from modelica2fmu.expand.variable_values import VariableValues
 from modelica2fmu.expand.when_expansion import WhenExpansion
@@ -58,6 +59,7 @@ class _Scalarizer:
     def run(self) -> ScalarModel:
         model, result = self._model, self._result
         variables = [variable for variable in model.variables.values() if not self._values.is_table(variable)]
+        require_tractable(variables, self._source_map.place)
         declaration = VariableDeclaration(model, self._enumerations)
         for variable in variables:
             result.variables.update({scalar.name: scalar for scalar in declaration.scalars(variable)})

@@ -9,6 +9,8 @@ from typing import Final
 
 from contact_foundation.errors import InputError, Place
 
+from modelica2fmu.crosscheck.class_library import ClassLibrary
+from modelica2fmu.crosscheck.near_names import near_names
 from modelica2fmu.frontend.runner import LAYOUT, Answer
 from modelica2fmu.library.class_text import without_comments_and_strings
 
@@ -23,6 +25,9 @@ _CRASH: Final = (
 # One of several errors: what is said, the file and the line.
 _LOCATED: Final = re.compile(r"(?:^|; )((?:(?!\.mo:\d+:\d+\]; ).)*?) \[([^\[\]]+\.mo):(\d+):\d+\]", re.DOTALL)
 
+_UNRESOLVED: Final = re.compile(r"unresolved (?:component|type|function) reference: '([^']+)'")
+_SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
+
 _PROBLEMS_SHOWN: Final = 3
 
 
@@ -30,13 +35,14 @@ class FrontEndError(Exception):
     """The front end's own words."""
 
 
-def front_end_error(answer: Answer, model: str, file: Path) -> InputError:
+def front_end_error(answer: Answer, model: str, file: Path, library: ClassLibrary) -> InputError:
     """The front end's message with the best place that can be found for it.
 
     Args:
         answer: with an error or a crash, in the names that the user knows.
         model: name of the model that was to be compiled.
         file: the file that holds it.
+        library: the sources, for names like one that was not found.
     """
     message = answer.error
     if answer.crash:
@@ -67,7 +73,14 @@ def front_end_error(answer: Answer, model: str, file: Path) -> InputError:
             place=Place(file=file, line=left_out, component=model),
         )
     first = message.strip().split("\nRelated failures")[0]
-    return InputError(first or "the model cannot be compiled", place=place)
+    first = first.removeprefix(f"{model} could not be compiled: ")
+    unresolved = _UNRESOLVED.search(message)
+    parts = _SUBSCRIPTS.sub("", unresolved[1]).split(".") if unresolved else []
+    return InputError(
+        first or "the model cannot be compiled",
+        place=place,
+        remedy=near_names(parts, model, library) if parts else None,
+    )
 
 
 def _own_mistake(message: str, model: str, file: Path) -> InputError | None:

@@ -13,6 +13,7 @@ from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.flat_check import added_components, check_flat_model
 from modelica2fmu.crosscheck.flat_reading import FlatReading
+from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.balance import lacks_equations, unbalanced_form, unplaced_frames
 from modelica2fmu.frontend.concatenation import have_values, with_arrays_written_out
@@ -48,6 +49,9 @@ def load_flat_model(
     roots = [root for root in roots if root.resolve().parent not in resolved]
     with apart(file, roots, source_map) as given:
         request = _request(model, file, given)
+        text = source_map.text(file)
+        library = ClassLibrary(given.file, text, given.roots)
+        missing = _check_modifiers(model, given.file, source_map, library)
         answer = ask(request, remark)
         if answer.flat is None:
             _check_connections(answer.error, request, file, remark)
@@ -58,8 +62,9 @@ def load_flat_model(
                 error=given.restored(answer.error),
                 diagnostics=tuple(given.restored(each) for each in answer.diagnostics),
             )
-            raise front_end_error(words, model, file) from FrontEndError(words.error)
-        library = ClassLibrary(given.file, source_map.text(file), given.roots)
+            raise missing or front_end_error(words, model, file, library) from FrontEndError(words.error)
+        if source_map.text(file) != text:  # arrays were written out
+            library = ClassLibrary(given.file, source_map.text(file), given.roots)
         _check(answer.flat, model, source_map, library)
         warnings = tuple(
             f"no component {name} is declared as inner, so one with its default values is added: declare it in {model}"
@@ -91,13 +96,19 @@ def _with_arrays_written_out(
     return other
 
 
+def _check_modifiers(model: str, file: Path, source_map: SourceMap, library: ClassLibrary) -> InputError | None:
+    """The error of a class that is not found; raises InputError if the user modifies what is not there."""
+    own = file.parent if file.name == "package.mo" else file
+    return check_modifiers(model, library, own, _places(source_map))
+
+
+def _places(source_map: SourceMap) -> Callable[[Extent], Place]:
+    return lambda extent: source_map.place(Span(source_number(str(extent.file)), extent.start, extent.end))
+
+
 def _check(flat: dict[str, Any], model: str, source_map: SourceMap, library: ClassLibrary) -> None:
     """Restores what is fixed; raises UnsupportedModelError if the front end left out anything else."""
-
-    def place(extent: Extent) -> Place:
-        return source_map.place(Span(source_number(str(extent.file)), extent.start, extent.end))
-
-    for name in check_flat_model(flat, model, FlatReading(library, place)):
+    for name in check_flat_model(flat, model, FlatReading(library, _places(source_map))):
         flat["variables"][name]["fixed"] = [True]
 
 

@@ -43,5 +43,7 @@ def locate(model: str, sources: Sequence[Path]) -> tuple[Path, list[Path]]:
 
 
 def _declares(file: Path, name: str) -> bool:
-    pattern = re.compile(rf"^\s*(?:encapsulated\s+)?(?:package|model|block|class)\s+{re.escape(name)}\b", re.MULTILINE)
+    pattern = re.compile(
+        rf"^\s*(?:(?:encapsulated|partial)\s+)*(?:package|model|block|class)\s+{re.escape(name)}\b", re.MULTILINE
+    )
     return pattern.search(file.read_text(encoding="utf-8", errors="replace")) is not None

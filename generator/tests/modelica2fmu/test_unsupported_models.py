@@ -139,3 +139,12 @@ def test_a_derivative_that_is_zero_is_none_that_was_lost(simulate):
         .replace("end Loop", "end Rest")
     )
     assert simulate(text.replace("Loop", "Rest"), ["v[3]"])["v[3]"][-1] == 1.0
+
+
+def test_arrays_beyond_reach_are_told_at_once(translated):
+    text = "model Wide\n  Real small = 1;\n  Real big[3000, 3000](each start = 0, each fixed = true);\nequation\n"
+    with pytest.raises(UnsupportedModelError, match=r"of 3000 x 3000 elements") as caught:
+        translated(f"{text}  der(big) = -big;\nend Wide;\n")
+    assert caught.value.place is not None
+    assert (caught.value.place.line, caught.value.place.component) == (3, "big")
+    assert "9000001 scalar variables" in caught.value.message

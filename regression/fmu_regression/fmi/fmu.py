@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 import shutil
 import tempfile
@@ -18,6 +19,7 @@ from contact_foundation.errors import InputError, Place, SimulationError
 from fmpy.fmi1 import FMICallException
 from fmpy.model_description import read_model_description
 
+from fmu_regression.fmi.binary_check import require_whole
 from fmu_regression.fmi.binding import Binding, Identity, Mode
 from fmu_regression.fmi.fmi2_binding import Fmi2Binding
 from fmu_regression.fmi.fmi3_binding import Fmi3Binding
@@ -160,6 +162,9 @@ class Fmu:
     folder: Path
     description: ModelDescription = field(repr=False)
 
+    def _binary(self, identifier: str) -> Path:
+        return self.folder / "binaries" / _platform(self.description) / f"{identifier}{fmpy.sharedLibraryExtension}"
+
     @contextmanager
     def instantiate(self, mode: Mode, *, logging: bool = False) -> Iterator[Instance]:
         """Yields a fresh instance, freed afterwards.
@@ -169,8 +174,8 @@ class Fmu:
             logging: whether the FMU's debug messages are wanted too.
 
         Raises:
-            InputError: the FMU does not offer the mode.
-            SimulationError: the binary cannot be loaded or refuses to be instantiated.
+            InputError: the FMU does not offer the mode, or its binary is damaged, cannot be loaded or refuses to be
+                instantiated.
         """
         description = self.description
         if mode not in description.identifiers:
@@ -178,10 +183,14 @@ class Fmu:
             raise InputError(f"the FMU offers {offered}, not {mode}", place=Place(file=self.path))
         messages: list[str] = []
         identity = Identity(self.folder, description.name, description.guid, description.identifiers[mode])
+        working_folder = os.getcwd()
+        require_whole(self._binary(identity.model_identifier), self.path)
         try:
             functions: Binding = _BINDINGS[description.fmi](identity, mode)
         except Exception as error:
-            raise InputError(f"cannot load the FMU's binary: {error}", place=Place(file=self.path)) from error
+            os.chdir(working_folder)  # FMPy loads in the binary's folder, and stays there where that fails
+            said = _FOLDERS.sub("", " ".join(str(error).split()))
+            raise InputError(f"cannot load the FMU's binary: {said}", place=Place(file=self.path)) from error
         instance = Instance(functions, description, messages)
 
         def log(status: int, category: str, text: str) -> None:
@@ -194,11 +203,24 @@ class Fmu:
             functions.instantiate(log, logging)
         except Exception as error:
             functions.unload()
-            raise instance.failure("the FMU cannot be instantiated", error) from error
+            refusal = instance.failure("the FMU cannot be instantiated", error)
+            raise InputError(refusal.message, place=Place(file=self.path)) from error
         try:
             yield instance
         finally:
             functions.free()
+
+
+def _platform(description: ModelDescription) -> str:
+    """Name of this machine's folder of binaries."""
+    return str(fmpy.platform if description.fmi == "2.0" else fmpy.platform_tuple)
+
+
+def _invalid(error: BaseException) -> str:
+    """What is wrong with a description, not more than a terminal takes."""
+    lines = str(error).splitlines() or [type(error).__name__]
+    left = len(lines) - 1 - MOST_KINDS
+    return "\n".join((*lines[: 1 + MOST_KINDS], *([f"- and {left} more"] if left > 0 else ())))
 
 
 def _told_once(messages: Sequence[str]) -> list[str]:
@@ -229,7 +251,7 @@ def open_fmu(path: Path) -> Iterator[Fmu]:
             fmpy.extract(str(path), str(folder))
         except Exception as error:
             raise InputError(f"the FMU cannot be unpacked: {error}", place=Place(file=path)) from error
-        platform = fmpy.platform if description.fmi == "2.0" else fmpy.platform_tuple
+        platform = _platform(description)
         if not (folder / "binaries" / platform).is_dir():
             raise InputError(f"the FMU has no binary for {platform}", place=Place(file=path))
         yield Fmu(path=path, folder=folder, description=description)
@@ -246,7 +268,7 @@ def read_description(path: Path) -> ModelDescription:
     try:
         raw = read_model_description(str(path), validate=True)
     except Exception as error:
-        raise InputError(f"not a valid FMU: {error}", place=Place(file=path)) from error
+        raise InputError(f"not a valid FMU: {_invalid(error)}", place=Place(file=path)) from error
     version = ".".join(raw.fmiVersion.split(".")[:2])
     if version not in _BINDINGS:
         raise InputError(

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 from contact_foundation.errors import InputError, Place
+from contact_foundation.near_names import did_you_mean
 from contact_foundation.output import whole_file
 from numpy.typing import NDArray
 
@@ -114,12 +115,8 @@ class SimulationResult:
 
 def close_names_remedy(name: str, known: Sequence[str]) -> str:
     """Text that names the known names nearest to a wrong one."""
-    import difflib
-
-    close = difflib.get_close_matches(name, known, n=3, cutoff=0.5)
-    if close:
-        return f"did you mean {', '.join(close)}?"
-    return f"it has {len(known)} signals" + (f", among them {', '.join(known[:5])}" if known else "")
+    several = f"it has {len(known)} signals" + (f", among them {', '.join(known[:5])}" if known else "")
+    return did_you_mean(name, known) or several
 
 
 def format_number(value: float) -> str:

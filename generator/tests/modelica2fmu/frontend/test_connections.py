@@ -55,9 +55,9 @@ def test_a_missing_world_is_warned_of(tmp_path):
 @pytest.mark.parametrize(
     ("right", "wrong", "line", "said"),
     [
-        ("m=1", "masss=1", 4, "unknown modifier `masss`"),
+        ("m=1", "masss=1", 4, "ContactMultiBody.Parts.Body has no masss"),
         ("r_CM={0,0,0}", 'r_CM="no"', 4, "found `String`"),
-        ("n=2", "count=2", 7, "unknown modifier `count`"),
+        ("n=2", "count=2", 7, "ContactMultiBody.ContactManager has no count"),
     ],
 )
 def test_a_mistake_is_told_by_its_own_line_alone(tmp_path, right, wrong, line, said):

@@ -1,0 +1,156 @@
+"""Whether what a model modifies is there: names in modifiers of the user's own classes.
+
+The front end finds most names that are not, some of them behind errors about places of libraries, and takes attributes
+that no type has without a word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from contact_foundation.errors import InputError, Place
+from contact_foundation.near_names import did_you_mean
+
+from modelica2fmu.crosscheck.class_instances import ClassInstance, Names, UnknownError
+from modelica2fmu.crosscheck.class_library import ClassLibrary
+from modelica2fmu.crosscheck.class_syntax import ComponentDeclaration, Extent, Modifier
+from modelica2fmu.crosscheck.class_tokens import UnreadableError
+from modelica2fmu.crosscheck.near_names import near_names
+
+# Modelica 3.6, section 4.8.
+_OF_ALL: Final = ("quantity", "start", "fixed")
+_OF_NUMBERS: Final = (*_OF_ALL, "min", "max")
+_ATTRIBUTES: Final = {
+    "Real": (*_OF_NUMBERS, "unit", "displayUnit", "nominal", "unbounded", "stateSelect"),
+    "Integer": _OF_NUMBERS,
+    "Boolean": _OF_ALL,
+    "String": _OF_ALL,
+}
+_PARTIAL: Final = "only classes that extend it are complete: name one of them"
+
+
+def check_modifiers(
+    model: str, library: ClassLibrary, own: Path, place_of: Callable[[Extent], Place]
+) -> InputError | None:
+    """Holds the modifiers that the user wrote against the classes they modify, as far as these are found.
+
+    Args:
+        model: full name.
+        library: the sources.
+        own: file or folder of the user's own classes; others are taken as right.
+        place_of: the place of a range of a file.
+
+    Returns:
+        The error of the first component whose class is not found here; the front end may find it.
+
+    Raises:
+        InputError: a modifier names nothing that its class has, or the model is partial.
+    """
+    try:
+        root = Names(library).find(tuple(model.split(".")))
+    except (UnknownError, UnreadableError, RecursionError):
+        return None
+    if root.definition.is_partial:
+        raise InputError(
+            f"the {root.definition.kind} {model} is partial", place=place_of(root.definition.extent), remedy=_PARTIAL
+        )
+    return _ModifierCheck(model, library, own, place_of).run(root)
+
+
+@dataclass(frozen=True)
+class _ModifierCheck:
+    model: str
+    library: ClassLibrary
+    own: Path
+    place_of: Callable[[Extent], Place]
+
+    def run(self, root: ClassInstance) -> InputError | None:
+        """Raises InputError at the first modifier of nothing, in the order in which components are declared."""
+        waiting, seen = [root], set()
+        missing: list[InputError] = []
+        while waiting:
+            for each in self._own_classes(waiting.pop(0)):
+                if each.definition.extent in seen:
+                    continue
+                seen.add(each.definition.extent)
+                for base in each.definition.bases:
+                    found = self._class(each, base.type_name)
+                    if found is not None:
+                        self._arguments(base.arguments, found, ".".join(base.type_name), self.model)
+                for component in each.definition.components.values():
+                    found = self._class(each, component.type_name)
+                    if found is None:
+                        missing.append(self._missing(component))
+                    else:
+                        self._component(component, found)
+                        waiting.append(found)
+        return missing[0] if missing else None
+
+    def _own_classes(self, instance: ClassInstance) -> Iterator[ClassInstance]:
+        """The user's, of a class and what it extends; what is not found is left out."""
+        if instance.definition.extent.file.is_relative_to(self.own):
+            yield instance
+            try:
+                bases = instance.bases
+            except (UnknownError, UnreadableError, RecursionError):
+                return
+            for base in bases:
+                yield from self._own_classes(base)
+
+    @staticmethod
+    def _class(scope: ClassInstance, name: tuple[str, ...]) -> ClassInstance | None:
+        try:
+            return scope.lookup(name)
+        except (UnknownError, UnreadableError, RecursionError):
+            return None
+
+    def _missing(self, component: ComponentDeclaration) -> InputError:
+        place = self.place_of(component.extent)
+        return InputError(
+            f"there is no class {'.'.join(component.type_name)}",
+            place=Place(file=place.file, line=place.line, component=f"{self.model}.{component.name}"),
+            remedy=near_names(component.type_name, self.model, self.library),
+        )
+
+    def _component(self, component: ComponentDeclaration, found: ClassInstance) -> None:
+        self._arguments(component.arguments, found, ".".join(component.type_name), f"{self.model}.{component.name}")
+
+    def _arguments(self, arguments: tuple[Modifier, ...], found: ClassInstance, type_name: str, component: str) -> None:
+        for argument in arguments:
+            try:
+                self._argument(argument.of_first_name(), found, type_name, component)
+            except (UnknownError, UnreadableError, RecursionError):
+                continue
+
+    def _argument(self, argument: Modifier, found: ClassInstance, type_name: str, component: str) -> None:
+        name = argument.path[0]
+        if argument.removes:
+            return
+        predefined = found.predefined
+        if predefined is not None:
+            kind = "enumeration" if predefined.definition.is_enumeration else predefined.definition.name
+            attributes = _ATTRIBUTES.get(kind, _OF_NUMBERS)
+            if kind in (*_ATTRIBUTES, "enumeration") and name not in attributes:
+                shown = type_name if type_name == kind else f"{type_name} ({kind})"
+                raise self._unknown(argument, f"{shown} has no attribute {name}", list(attributes), component)
+            return
+        element = found.component(name)
+        inner = element.type if element is not None else found.class_element(name)
+        if inner is None:
+            known = list(dict.fromkeys(found.component_names()))
+            if not known:  # stands for a class that is yet to be chosen, as the state of a medium
+                return
+            raise self._unknown(argument, f"{type_name} has no {name} that could be modified", known, component)
+        if argument.redeclared is None:
+            self._arguments(argument.arguments, inner, f"{type_name}.{name}", f"{component}.{name}")
+
+    def _unknown(self, argument: Modifier, message: str, known: list[str], component: str) -> InputError:
+        place = self.place_of(argument.extent)
+        return InputError(
+            message,
+            place=Place(file=place.file, line=place.line, component=component),
+            remedy=did_you_mean(argument.path[0], known) or f"it has {', '.join(known[:8])}",
+        )

@@ -1,0 +1,83 @@
+"""What a user's model modifies, names or leaves partial without its being there is told at the user's own line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from contact_data import core_subset
+from contact_foundation.errors import InputError
+from modelica2fmu.build import translate
+from modelica2fmu.library.standard_library import StandardLibrary
+
+LIBRARY = StandardLibrary(core_subset(), "", "core subset")
+MODEL = """model Swing
+  inner Modelica.Mechanics.MultiBody.World world;
+  Modelica.Mechanics.MultiBody.Joints.Revolute joint(phi(start = 0.5, fixed = true));
+  Modelica.Mechanics.MultiBody.Parts.Body body(m = 1, r_CM = {0, -1, 0});
+  parameter Real slack[2](each min = 0) = {1, 2};
+  Integer count(start = 3) = integer(slack[1]);
+equation
+  connect(world.frame_b, joint.frame_a);
+  connect(joint.frame_b, body.frame_a);
+end Swing;
+"""
+
+
+def refused(folder: Path, old: str, new: str, model: str = "Swing") -> InputError:
+    text = MODEL.replace(old, new)
+    assert text != MODEL
+    (folder / "Swing.mo").write_text(text)
+    with pytest.raises(InputError) as caught:
+        translate(model, [folder / "Swing.mo"], LIBRARY)
+    return caught.value
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "said", "near"),
+    [
+        ("r_CM =", "r_CMM =", 4, "Modelica.Mechanics.MultiBody.Parts.Body has no r_CMM", "r_CM"),
+        ("phi(start", "phy(start", 3, "Modelica.Mechanics.MultiBody.Joints.Revolute has no phy", "phi"),
+        ("fixed = true", "fixd = true", 3, "(Real) has no attribute fixd", "fixed"),
+        ("each min", "each minimum", 5, "Real has no attribute minimum", "min"),
+        ("count(start", "count(nominal", 6, "Integer has no attribute nominal", "min"),
+        (
+            "Parts.Body",
+            "Parts.Bdy",
+            4,
+            "there is no class Modelica.Mechanics.MultiBody.Parts.Bdy",
+            "Modelica.Mechanics.MultiBody.Parts.Body",
+        ),
+        ("body.frame_a", "body.frame_c", 9, "unresolved component reference: 'body.frame_c'", "body.frame_a"),
+        ("integer(slack", "integer(slak", 6, "'slak'", "slack"),
+    ],
+)
+def test_misspelt_names(tmp_path: Path, old: str, new: str, line: int, said: str, near: str) -> None:
+    error = refused(tmp_path, old, new)
+    assert error.place is not None
+    assert (error.place.file, error.place.line) == (tmp_path / "Swing.mo", line)
+    assert said in error.message
+    assert "did you mean" in (error.remedy or "")
+    assert near in (error.remedy or "")
+    assert len(str(error).splitlines()) == 2
+
+
+def test_modifiers_of_modifiers_and_of_extended_classes(tmp_path: Path) -> None:
+    end = "model Wide extends Swing(joint(phi(star = 1))); end Wide;"
+    error = refused(tmp_path, "end Swing;\n", f"end Swing;\n{end}\n", "Wide")
+    assert error.place is not None
+    assert error.place.line == 11
+    assert "has no attribute star" in error.message
+    assert error.remedy == "did you mean start?"
+
+
+def test_partial_model_is_refused(tmp_path: Path) -> None:
+    error = refused(tmp_path, "model Swing", "partial model Swing")
+    assert "the model Swing is partial" in error.message
+    assert error.place is not None
+    assert error.place.line == 1
+
+
+def test_right_modifiers_are_taken(tmp_path: Path) -> None:
+    (tmp_path / "Swing.mo").write_text(MODEL)
+    assert "joint.phi" in translate("Swing", [tmp_path / "Swing.mo"], LIBRARY).scalar.variables
