@@ -135,6 +135,14 @@ def modification(change: Change, manager: Manager, parameters: Parameters) -> st
         assignments.append(("useTurningFriction", "true" if change.turning else "false"))
     if change.point_capacity is not None:
         assignments.append(("pointCapacity", str(change.point_capacity)))
+    if change.law is not None:
+        assignments.append(("normalLaw", f"ContactMultiBody.Types.NormalLaw.{change.law}"))
+    if change.exponent is not None:
+        assignments.append(("exponent", repr(change.exponent)))
+    if change.backend is not None:
+        assignments.append(("backend", f"ContactMultiBody.Types.Backend.{change.backend}"))
+    if change.geometry is not None:
+        assignments.append(("geometry", "{" + ",".join(_text(descriptor) for descriptor in change.geometry) + "}"))
     values = dict(change.values)
     if change.kept_pairs is not None:
         pairs = (manager.pairs[k] for k in change.kept_pairs)
@@ -162,6 +170,12 @@ def write_variant(path: Path, model: str, modification: str) -> None:
     text = f'model {path.stem} "A variant of {model}"\n{imports}  extends {base};\nend {path.stem};\n'
     with whole_file(path) as staging:
         staging.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _text(text: str) -> str:
+    """A text in Modelica."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
 
 
 def _numbers(numbers: tuple[float, ...]) -> str:

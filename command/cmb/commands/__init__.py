@@ -9,7 +9,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import Protocol
 
-from cmb.commands import accuracy, advise, assign, effects, fmu, generate, msl, regress, report, run, simulate
+from cmb.commands import accuracy, advise, assign, effects, fmu, generate, msl, regress, report, run, simulate, study
 
 
 class Command(Protocol):
@@ -36,6 +36,7 @@ ALL_COMMANDS: tuple[Command, ...] = (
     report,
     regress,
     accuracy,
+    study,
     effects,
     advise,
     msl,

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import math
-import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any, Literal, cast
 
 from contact_foundation.errors import CmbError, InputError, Place, ProblemList
 
+from fmu_regression.cases.toml_table import TomlTable, read_toml
 from fmu_regression.compare.checks import (
     BoundCheck,
     Check,
@@ -21,11 +19,9 @@ from fmu_regression.compare.checks import (
     MonotonicCheck,
     SignalCheck,
     ValueCheck,
-    Window,
 )
 from fmu_regression.fmi.fmu import Mode, StartValue
 
-_MAX_BYTES = 5_000_000
 _DEFAULT_NOMINAL = 1e-3
 _TIME_TOLERANCE_SHARE = 1e-5
 
@@ -86,17 +82,7 @@ def load_case(path: Path) -> Case:
         InputError: the file is missing or no TOML.
         ProblemList: keys are unknown or missing, values have the wrong type or range; all are named.
     """
-    try:
-        if path.stat().st_size > _MAX_BYTES:
-            raise InputError("the file is too large to be a case", place=Place(file=path))
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"cannot read: {error.strerror}", place=Place(file=path)) from error
-    except UnicodeDecodeError as error:
-        raise InputError("the file is not UTF-8 text", place=Place(file=path)) from error
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"not a TOML file: {error}", place=Place(file=path)) from error
-    return _CaseReader(path, content).read()
+    return _CaseReader(path, read_toml(path, "a case")).read()
 
 
 def find_cases(folder: Path) -> tuple[Path, ...]:
@@ -113,129 +99,6 @@ def find_cases(folder: Path) -> tuple[Path, ...]:
     return found
 
 
-class _Table:
-    """A TOML table whose keys are taken one by one; what is left over is an error."""
-
-    def __init__(self, path: Path, where: str, content: Any, problems: list[CmbError]) -> None:
-        self._path, self._where, self._problems = path, where, problems
-        self._left = dict(content) if isinstance(content, dict) else {}
-        if not isinstance(content, dict):
-            self.wrong("", "is not a table")
-
-    def wrong(self, key: str, what: str) -> None:
-        component = f"{self._where}.{key}" if key else self._where
-        self._problems.append(InputError(what, place=Place(file=self._path, component=component)))
-
-    def has(self, key: str) -> bool:
-        return key in self._left
-
-    def number(
-        self, key: str, default: float | None = None, *, positive: bool = False, least: float | None = None
-    ) -> float:
-        value = self._take(key, default)
-        if value is None:
-            return math.nan
-        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-            self.wrong(key, f"{value!r} is not a number")
-            return math.nan
-        if (positive and not value > 0) or (least is not None and value < least):
-            self.wrong(key, f"{value!r} is too small")
-        return float(value)
-
-    def optional_number(self, key: str, *, positive: bool = False) -> float | None:
-        return self.number(key, positive=positive) if self.has(key) else None
-
-    def optional_count(self, key: str) -> int | None:
-        if not self.has(key):
-            return None
-        value = self._left.pop(key)
-        if isinstance(value, bool) or not isinstance(value, int) or value < 0:
-            self.wrong(key, f"{value!r} is not a count")
-            return None
-        return value
-
-    def text(self, key: str, default: str | None = None) -> str:
-        value = self._take(key, default)
-        if value is None:
-            return ""
-        if not isinstance(value, str) or (not value and default is None):
-            self.wrong(key, f"{value!r} is not a text")
-            return ""
-        return value
-
-    def choice(self, key: str, choices: tuple[str, ...], default: str | None = None) -> str:
-        value = self.text(key, default)
-        if value and value not in choices:
-            self.wrong(key, f"{value!r} is none of {', '.join(choices)}")
-            return choices[0]
-        return value
-
-    def texts(self, key: str) -> tuple[str, ...]:
-        value = self._take(key, [])
-        if not isinstance(value, list) or not all(isinstance(item, str) and item for item in value):
-            self.wrong(key, "is not a list of texts")
-            return ()
-        return tuple(value)
-
-    def optional_numbers(self, key: str) -> tuple[float, ...] | None:
-        if not self.has(key):
-            return None
-        value = self._left.pop(key)
-        if not isinstance(value, list) or not all(
-            isinstance(item, int | float) and not isinstance(item, bool) and math.isfinite(item) for item in value
-        ):
-            self.wrong(key, "is not a list of numbers")
-            return None
-        return tuple(float(item) for item in value)
-
-    def window(self) -> Window | None:
-        pair = self.optional_numbers("window")
-        if pair is None:
-            return None
-        if len(pair) != 2 or not pair[0] < pair[1]:
-            self.wrong("window", "is not [from, to] with from < to")
-            return None
-        return pair[0], pair[1]
-
-    def signals(self) -> tuple[str, ...]:
-        """The key ``name`` or the key ``sum``."""
-        if self.has("name") == self.has("sum"):
-            self.wrong("name", "give either name (one signal) or sum (a list of signals)")
-        names = self.texts("sum") if self.has("sum") else (self.text("name"),)
-        return tuple(name for name in names if name) or ("",)
-
-    def file(self, key: str, folder: Path) -> Path | None:
-        if not self.has(key):
-            return None
-        text = self.text(key)
-        return self.below(key, text, folder) if text else None
-
-    def below(self, key: str, text: str, folder: Path) -> Path | None:
-        path = Path(text)
-        if path.is_absolute():
-            self.wrong(key, f"{text!r} must be relative to the case's file")
-            return None
-        return folder / path
-
-    def values(self, key: str) -> Mapping[str, StartValue]:
-        value = self._take(key, {})
-        if not isinstance(value, dict) or not all(isinstance(v, int | float | str | bool) for v in value.values()):
-            self.wrong(key, "is not a table of numbers, texts or Booleans")
-            return {}
-        return MappingProxyType(dict(value))
-
-    def done(self) -> None:
-        for key in self._left:
-            self.wrong(key, "is not a key of this table")
-
-    def _take(self, key: str, default: Any) -> Any:
-        if key not in self._left:
-            if default is None:
-                self.wrong(key, "is missing")
-            return default
-        return self._left.pop(key)
-
-
 class _CaseReader:
     """Reads the tables of a case file and gathers what is wrong."""
 
@@ -245,7 +108,7 @@ class _CaseReader:
 
     def read(self) -> Case:
         folder = self._path.parent
-        kinds: dict[str, Callable[[_Table], Check | tuple[Check, ...]]] = {
+        kinds: dict[str, Callable[[TomlTable], Check | tuple[Check, ...]]] = {
             "signal": _signals,
             "value": _value,
             "event": _event,
@@ -258,7 +121,7 @@ class _CaseReader:
                 self._problem(key, f"is not a table of a case; there are case, {', '.join(kinds)}")
         if "case" not in self._content:
             self._problem("case", "is missing")
-        table = _Table(self._path, "case", self._content.get("case", {}), self._problems)
+        table = TomlTable(self._path, "case", self._content.get("case", {}), self._problems)
         start, stop = table.number("start", 0.0), table.number("stop")
         if stop <= start:
             table.wrong("stop", f"{stop:g} is not after the start {start:g}")
@@ -298,14 +161,14 @@ class _CaseReader:
             raise ProblemList(str(self._path), self._problems)
         return case
 
-    def _checks(self, kind: str, read: Callable[[_Table], Check | tuple[Check, ...]]) -> list[Check]:
+    def _checks(self, kind: str, read: Callable[[TomlTable], Check | tuple[Check, ...]]) -> list[Check]:
         entries = self._content.get(kind, [])
         if not isinstance(entries, list):
             self._problem(kind, f"is not a list of tables; write [[{kind}]]")
             return []
         checks: list[Check] = []
         for k, entry in enumerate(entries):
-            table = _Table(self._path, f"{kind}[{k + 1}]", entry, self._problems)
+            table = TomlTable(self._path, f"{kind}[{k + 1}]", entry, self._problems)
             found = read(table)
             checks += found if isinstance(found, tuple) else (found,)
             table.done()
@@ -315,7 +178,7 @@ class _CaseReader:
         self._problems.append(InputError(what, place=Place(file=self._path, component=key)))
 
 
-def _signals(table: _Table) -> tuple[SignalCheck, ...]:
+def _signals(table: TomlTable) -> tuple[SignalCheck, ...]:
     """One check for ``name``, or one for each of ``names``."""
     if table.has("name") == table.has("names"):
         table.wrong("name", "give either name (one signal) or names (a list of signals)")
@@ -326,7 +189,7 @@ def _signals(table: _Table) -> tuple[SignalCheck, ...]:
     return tuple(SignalCheck(name, tolerance, nominal, window, tube) for name in names)
 
 
-def _value(table: _Table) -> ValueCheck:
+def _value(table: TomlTable) -> ValueCheck:
     return ValueCheck(
         signals=table.signals(),
         expected=table.number("expected"),
@@ -335,7 +198,7 @@ def _value(table: _Table) -> ValueCheck:
     )
 
 
-def _event(table: _Table) -> EventCheck:
+def _event(table: TomlTable) -> EventCheck:
     values, value_of = table.optional_numbers("values"), table.text("value_of", "") or None
     value_tolerance = table.optional_number("value_tolerance", positive=True)
     if (value_of is None) != (value_tolerance is None):
@@ -355,7 +218,7 @@ def _event(table: _Table) -> EventCheck:
     )
 
 
-def _mean(table: _Table) -> MeanCheck:
+def _mean(table: TomlTable) -> MeanCheck:
     relative = table.has("relative_tolerance")
     if relative == table.has("tolerance"):
         table.wrong("tolerance", "give either tolerance or relative_tolerance")
@@ -368,7 +231,7 @@ def _mean(table: _Table) -> MeanCheck:
     )
 
 
-def _bound(table: _Table) -> BoundCheck:
+def _bound(table: TomlTable) -> BoundCheck:
     if not table.has("minimum") and not table.has("maximum"):
         table.wrong("minimum", "give minimum, maximum or both")
     return BoundCheck(
@@ -379,7 +242,7 @@ def _bound(table: _Table) -> BoundCheck:
     )
 
 
-def _monotonic(table: _Table) -> MonotonicCheck:
+def _monotonic(table: TomlTable) -> MonotonicCheck:
     return MonotonicCheck(
         signals=table.signals(),
         direction=cast(Literal["rising", "falling"], table.choice("direction", ("rising", "falling"))),

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import math
-import os
-import platform
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from importlib import metadata
 from pathlib import Path
 
-import numpy as np
 from contact_foundation.errors import CmbError, InputError, SimulationError
 from contact_foundation.progress import Progress, silent
 
-from fmu_regression.compare.comparison import signal_differences
+from fmu_regression.compare.provenance import machine, versions
+from fmu_regression.compare.trajectory_error import convergence_order, largest_differences, mean_square
 from fmu_regression.fmi.fmu import Mode, StartValue, read_description
-from fmu_regression.results.result import FloatArray, SimulationResult, SolverCounters
+from fmu_regression.results.result import SimulationResult, SolverCounters
 from fmu_regression.scene.energy import energy_balance
 from fmu_regression.scene.scene_file import Scene
 from fmu_regression.scene.signals import signals_for
@@ -25,8 +22,6 @@ from fmu_regression.simulate.simulation import default_signals, simulate
 DEFAULT_TOLERANCES = tuple(10.0**-k for k in range(3, 11))
 _REFERENCE_TOLERANCE = 1e-12
 _CHECK_TOLERANCE = 1e-11
-_NOMINAL = 1e-3
-_ABOVE_FLOOR = 5.0
 
 
 @dataclass(frozen=True)
@@ -89,15 +84,7 @@ class AccuracyStudy:
 
         None if fewer than three points are.
         """
-        usable = [
-            (math.log10(point.tolerance), math.log10(point.error))
-            for point in self.points
-            if point.mode == mode and point.error is not None and point.error > _ABOVE_FLOOR * max(self.floor, 1e-300)
-        ]
-        if len(usable) < 3:
-            return None
-        x, y = np.array(usable).T
-        return float(np.polyfit(x, y, 1)[0])
+        return convergence_order(((p.tolerance, p.error) for p in self.points if p.mode == mode), self.floor)
 
 
 def study_accuracy(
@@ -167,7 +154,7 @@ def study_accuracy(
     truth = reference
     if truth is None:
         truth = run(best, _REFERENCE_TOLERANCE)
-        floor = max(_differences(run(best, _CHECK_TOLERANCE), truth, compared).values())
+        floor = max(largest_differences(run(best, _CHECK_TOLERANCE), truth, compared).values())
         origin = f"the same FMU, {best}, tolerance {_REFERENCE_TOLERANCE:g}"
     else:
         floor, origin = 0.0, f"given trajectory {reference.model if reference else ''}".strip()
@@ -190,8 +177,8 @@ def study_accuracy(
         reference=origin,
         floor=floor,
         points=tuple(points),
-        machine=_machine(),
-        versions=_versions(description.generation_tool),
+        machine=machine(),
+        versions=versions(description.generation_tool),
     )
 
 
@@ -204,11 +191,11 @@ def _point(
     scene: Scene | None,
 ) -> AccuracyPoint:
     result = results[0]
-    errors = _differences(result, truth, compared)
+    errors = largest_differences(result, truth, compared)
     worst = max(errors, key=lambda name: errors[name])
     if not math.isfinite(errors[worst]):
         raise SimulationError(f"{worst} is not finite, or the run ends before the reference")
-    squares = [_mean_square(result, truth, name) for name in compared]
+    squares = [mean_square(result, truth, name) for name in compared]
     change = rise = None
     if scene is not None:
         energy = energy_balance(scene, result)
@@ -225,46 +212,3 @@ def _point(
         energy_change=change,
         energy_rise=rise,
     )
-
-
-def _differences(result: SimulationResult, truth: SimulationResult, names: Sequence[str]) -> dict[str, float]:
-    """Largest difference of each signal by its range; at times that are no event of the reference."""
-    return {name: float(_relative(result, truth, name).max()) for name in names}
-
-
-def _mean_square(result: SimulationResult, truth: SimulationResult, name: str) -> float:
-    return float(np.mean(_relative(result, truth, name) ** 2))
-
-
-def _relative(result: SimulationResult, truth: SimulationResult, name: str) -> FloatArray:
-    still = np.diff(truth.time) == 0
-    at_event = np.concatenate([still, [False]]) | np.concatenate([[False], still])
-    rows = np.flatnonzero(~at_event)
-    if truth.interval:
-        steps = (truth.time[rows] - truth.time[0]) / truth.interval
-        rows = rows[(np.abs(steps - np.round(steps)) < 1e-6) | (rows == truth.time.size - 1)]
-    scale = max(float(np.ptp(truth[name])), _NOMINAL)
-    relative: FloatArray = signal_differences(result, truth, name, rows, 0.0, 0.0) / scale
-    return relative
-
-
-def _machine() -> str:
-    processor = platform.processor() or platform.machine()
-    try:
-        with open("/proc/cpuinfo", encoding="utf-8") as stream:
-            processor = next(line.split(":", 1)[1].strip() for line in stream if line.startswith("model name"))
-    except (OSError, StopIteration):
-        pass
-    return f"{processor}, {os.cpu_count()} cores, {platform.system()} {platform.release()}"
-
-
-def _versions(generation_tool: str) -> dict[str, str]:
-    versions = {"Python": platform.python_version()}
-    for package in ("fmpy", "numpy", "contactmultibody"):
-        try:
-            versions[package] = metadata.version(package)
-        except metadata.PackageNotFoundError:
-            continue
-    if generation_tool:
-        versions["FMU written by"] = generation_tool
-    return versions

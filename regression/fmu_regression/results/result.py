@@ -58,6 +58,7 @@ class SimulationResult:
         interval: output interval in s, if known.
         counters: the integrator's work, if known.
         wall_time: seconds the simulation took, if known; with initialization, without unpacking the FMU.
+        cpu_time: processor time of the same, s, if known; what else runs on the machine counts for less in it.
         log: warnings of the FMU.
         units: unit of each signal, where known; no entry counts as unknown.
     """
@@ -70,6 +71,7 @@ class SimulationResult:
     interval: float | None = None
     counters: SolverCounters | None = None
     wall_time: float | None = None
+    cpu_time: float | None = None
     log: tuple[str, ...] = field(default=())
     units: Mapping[str, str] = field(default_factory=dict)
 

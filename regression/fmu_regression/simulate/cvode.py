@@ -110,6 +110,7 @@ _matrix_data = _declare(
 _free_cvode = _declare(sundials_cvode, "CVodeFree", ctypes.POINTER(ctypes.c_void_p), result=None)
 _free_solver = _declare(sundials_sunlinsoldense, "SUNLinSolFree_Dense", ctypes.c_void_p)
 _free_matrix = _declare(sundials_sunmatrixdense, "SUNMatDestroy_Dense", ctypes.c_void_p, result=None)
+_clear_handlers = _declare(sundials_core, "SUNContext_ClearErrHandlers", SUNContext)
 _free_context = _declare(sundials_core, "SUNContext_Free", ctypes.POINTER(SUNContext))
 
 
@@ -185,6 +186,7 @@ class Cvode:
         self._root = CVRootFn(self._guard_root(indicators))
         self._jacobian = _JacobianFn(self._difference_quotients)
         self._handler = SUNErrHandlerFn(self._remember)
+        self._check(_clear_handlers(self._context))  # the library's own writes to standard error
         self._check(SUNContext_PushErrHandler(self._context, self._handler, None))
         self._x = self._vector(states)
         self._absolute = self._vector(absolute * nominal)

@@ -64,13 +64,18 @@ def run_limited(work: Callable[[Progress], T], limit: float, progress: Progress,
     raise SimulationError(f"given up after {limit:g} s of wall time: a call of the FMU did not return", place=place)
 
 
+def end_with_parent() -> None:
+    """For the start of a process that the one above ends: signals of the terminal are left to that one."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    ctypes.CDLL(None).prctl(_END_WITH_PARENT, signal.SIGKILL)  # also if the parent has no time to
+
+
 def _carry_out(work: Callable[[Progress], T], sender: Connection) -> None:
     def report(phase: str, fraction: float, message: str = "") -> None:
         sender.send(("progress", (phase, fraction, message)))
 
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends this process
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    ctypes.CDLL(None).prctl(_END_WITH_PARENT, signal.SIGKILL)  # also if the parent has no time to
+    end_with_parent()
     try:
         sender.send(("result", work(report)))
     except CmbError as error:

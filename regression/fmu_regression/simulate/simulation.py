@@ -75,7 +75,7 @@ def simulate(
         values = check_start_values(description, parameters or {})
 
         def run(report: Progress) -> SimulationResult:
-            began = clock.perf_counter()
+            began, began_cpu = clock.perf_counter(), clock.process_time()
             watch = _Watch(first, last, began, time_limit, report, description.name)
             counters: SolverCounters | None
             with opened.instantiate(mode) as instance:
@@ -86,7 +86,7 @@ def simulate(
                         instance, variables, grid, accuracy, _with_longest_step(description, values, max_step), watch
                     )
                 log = tuple(instance.messages)
-                wall_time = clock.perf_counter() - began
+                wall_time, cpu_time = clock.perf_counter() - began, clock.process_time() - began_cpu
             time, columns = recorder.table()
             report("simulate", 1.0)
             return SimulationResult(
@@ -98,6 +98,7 @@ def simulate(
                 interval=step,
                 counters=counters,
                 wall_time=wall_time,
+                cpu_time=cpu_time,
                 log=log,
                 units={variable.name: variable.unit for variable in variables if variable.unit},
             )

@@ -27,6 +27,12 @@ def exact(time: np.ndarray) -> np.ndarray:
     return height
 
 
+def test_a_failure_is_told_by_the_error_alone(bouncing_mass: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SimulationError, match="cannot be evaluated"):
+        simulate(bouncing_mass, parameters={"fails_at": 0.3})
+    assert capfd.readouterr() == ("", "")
+
+
 @pytest.mark.parametrize("mode", ["me", "cs"])
 def test_values_follow_the_closed_form(bouncing_mass: Path, mode: Mode) -> None:
     result = simulate(bouncing_mass, stop=1.1, interval=0.01, tolerance=1e-9, mode=mode)

@@ -1,0 +1,81 @@
+"""`cmb study`: scenes under every knob, what each run errs and what it costs."""
+
+from __future__ import annotations
+
+import os
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from contact_foundation.progress import Progress
+
+from cmb.build_arguments import add_build_arguments, build_options
+from cmb.input_file import check_input
+from cmb.modelica_sources import find_sources
+from cmb.terminal import progress_bars
+
+if TYPE_CHECKING:
+    from modelica2fmu.build import BuildOptions
+
+NAME = "study"
+SUMMARY = "run a grid of scenes and knobs: what each run errs, what it costs, what limits it"
+DESCRIPTION = (
+    "Builds every variant of every scene of a study file (docs/accuracy.md), runs the grid, and tells errors of model, "
+    "geometry and solver apart. Every run is kept as soon as it is whole: called again, only what is missing is run. "
+    "Writes table.csv, study.html and a picture of each scene into the output folder and prints sentences."
+)
+EXAMPLES = """examples:
+  cmb study Resources/studies/quick.toml      # less than a minute
+  cmb study Resources/studies/all.toml \\
+    --output out/accuracy --jobs 2
+"""
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Adds the command's arguments."""
+    parser.add_argument("study", type=Path, metavar="FILE", help="the study, a TOML file")
+    parser.add_argument(
+        "--output", type=Path, metavar="FOLDER", help="where runs are kept (out/study/ and the file's name if left out)"
+    )
+    parser.add_argument(
+        "--jobs", type=_jobs, default=1, metavar="N", help="worker processes (1 if left out, the most exact times)"
+    )
+    add_build_arguments(parser)
+
+
+def run(arguments: Namespace) -> int:
+    """Carries the study out and prints its sentences."""
+    check_input(arguments.study)
+    from accuracy_study.definition import load_study
+    from accuracy_study.page import write_page
+    from accuracy_study.picture import write_pictures
+    from accuracy_study.sentences import study_sentences
+    from accuracy_study.study import carry_out_study
+    from accuracy_study.table import write_table
+
+    study = load_study(arguments.study)
+    folder: Path = arguments.output or Path("out") / "study" / arguments.study.stem
+    with progress_bars() as progress:
+        build = partial(_build, build_options(arguments), progress)
+        findings = carry_out_study(study, build, folder, arguments.jobs, progress)
+    write_table(findings, folder / "table.csv")
+    write_page(findings, folder / "study.html")
+    write_pictures(findings, folder / "pictures")
+    print("\n".join(study_sentences(findings)))
+    print(f"Page: {folder / 'study.html'}")
+    return 0
+
+
+def _build(options: BuildOptions, progress: Progress, model: str, sources: Sequence[Path], fmu: Path) -> None:
+    from modelica2fmu.build import build_fmu
+
+    build_fmu(model, find_sources(model, sources), fmu, options, progress)
+
+
+def _jobs(text: str) -> int:
+    most = 4 * (os.cpu_count() or 1)
+    if not text.isdecimal() or not 1 <= int(text) <= most:
+        raise ArgumentTypeError(f"{text!r} is not a number of processes from 1 to {most}")
+    return int(text)
