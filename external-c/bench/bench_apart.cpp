@@ -52,7 +52,7 @@ void run(const char *name, const std::string &body, std::size_t bodies, std::siz
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (const bool bounded : {false, true}) {
       const double begin = processor_microseconds();
-      query_scene(scene, position.data(), rotation.data(), bodies, pair_count, capacity, distance.data(), depth.data(),
+      cmb::test::query_scene(scene, position.data(), rotation.data(), bodies, pair_count, capacity, distance.data(), depth.data(),
                   weight.data(), normal.data(), point.data(), bounded ? 0.1 : HUGE_VAL);
       times[bounded].push_back((processor_microseconds() - begin) / static_cast<double>(pair_count));
     }
