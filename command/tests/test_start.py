@@ -11,7 +11,7 @@ from cmb.commands import ALL_COMMANDS
 
 # What takes most of a second to load; and the project's packages that load them.
 HEAVY = {"casadi", "fmpy", "jinja2", "lark", "lxml", "networkx", "numpy", "rich", "rumoca", "scipy", "urllib.request"}
-HEAVY |= {"cad2modelica", "fmu_regression", "modelica2fmu.build"}
+HEAVY |= {"cad2modelica", "depth_study", "fmu_regression", "modelica2fmu.build"}
 
 START = """
 import sys
@@ -54,6 +54,10 @@ def test_help_is_told_at_once(words, tmp_path):
         ("regress", "gone"),
         ("effects", "M", "--source", "gone.mo"),
         ("advise", "M", "--source", "gone.mo"),
+        ("depth-study",),
+        ("depth-study", "sequence", "--observers", "0"),
+        ("depth-study", "evaluate", "gone.db"),
+        ("depth-study", "simulate", "--design", "gone.toml"),
         ("msl", "install", "4.1.0", "--msl", "gone"),
     ],
 )

@@ -1,4 +1,4 @@
-"""The data that the programs read: Modelica library, core subset, schema, regression cases, what set-up built.
+"""The data that the programs read: library, core subset, schema, depth study, regression cases, what set-up built.
 
 In a checkout the entries beside this file are links into it; a wheel carries copies. Cases stay in the checkout.
 """
@@ -27,6 +27,11 @@ def core_subset() -> Path:
 def assembly_schema() -> Path:
     """The XML Schema of assemblies."""
     return _entry("schema") / "assembly.xsd"
+
+
+def depth_study() -> Path:
+    """The folder with the depth study's design, published levels and observers for simulations."""
+    return _entry("depth-study")
 
 
 def regression_cases() -> Path | None:

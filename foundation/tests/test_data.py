@@ -13,6 +13,7 @@ def test_each_entry_leads_into_the_checkout():
     assert contact_data.modelica_library() == CHECKOUT / "ContactMultiBody"
     assert contact_data.core_subset() == CHECKOUT / "Resources" / "MultiBodyCore"
     assert contact_data.assembly_schema() == CHECKOUT / "Resources" / "schema" / "assembly.xsd"
+    assert contact_data.depth_study() == CHECKOUT / "Resources" / "depth-study"
     assert contact_data.regression_cases() == CHECKOUT / "regression" / "cases"
     assert contact_data.dependencies() == CHECKOUT / ".deps"
 
@@ -21,6 +22,7 @@ def test_entries_hold_what_they_say():
     assert (contact_data.modelica_library() / "package.mo").is_file()
     assert (contact_data.core_subset() / "Modelica" / "package.mo").is_file()
     assert contact_data.assembly_schema().is_file()
+    assert (contact_data.depth_study() / "design.toml").is_file()
     assert list(contact_data.regression_cases().rglob("*.toml"))
 
 

@@ -9,7 +9,21 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import Protocol
 
-from cmb.commands import accuracy, advise, assign, effects, fmu, generate, msl, regress, report, run, simulate, study
+from cmb.commands import (
+    accuracy,
+    advise,
+    assign,
+    depth_study,
+    effects,
+    fmu,
+    generate,
+    msl,
+    regress,
+    report,
+    run,
+    simulate,
+    study,
+)
 
 
 class Command(Protocol):
@@ -39,5 +53,6 @@ ALL_COMMANDS: tuple[Command, ...] = (
     study,
     effects,
     advise,
+    depth_study,
     msl,
 )

@@ -1,0 +1,118 @@
+"""`cmb depth-study`: how strongly the cues of a picture let people see depth."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from pathlib import Path
+
+from cmb import depth_study_actions as actions
+
+NAME = "depth-study"
+SUMMARY = "measure on people which cues of a picture show depth: design, sequences, answers, evaluation"
+DESCRIPTION = (
+    "A study of constellations of factors (technique, camera, scene), which observers score from 1 to 9 and compare "
+    "with the one before. The design is a TOML file; without one it is the thesis's: 20 constellations, 52 edges."
+)
+EXAMPLES = """examples:
+  cmb depth-study design
+  cmb depth-study sequence --observers 44 --output sequences.csv
+  cmb depth-study simulate --output study.db
+  cmb depth-study evaluate study.db --output study.html
+  cmb depth-study delete study.db --observer 7
+"""
+_DEFAULT_SEED = 1
+_DEFAULT_OBSERVERS = 44
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Adds one subcommand for each action."""
+    kinds = parser.add_subparsers(metavar="ACTION", required=True)
+
+    design = kinds.add_parser("design", help="constellations, edges, and whether Hamiltonian paths exist")
+    _add_design(design)
+    design.set_defaults(action=actions.show_design)
+
+    sequence = kinds.add_parser("sequence", help="balanced sequences of constellations for observers")
+    _add_design(sequence)
+    _add_observers(sequence)
+    _add_seed(sequence)
+    sequence.add_argument("--output", type=Path, metavar="CSV", help="write the sequences there")
+    sequence.set_defaults(action=actions.make_sequences)
+
+    evaluate = kinds.add_parser("evaluate", help="levels, effects of factors and checks from a study's answers")
+    evaluate.add_argument("study", type=Path, metavar="STUDY", help="database of the study")
+    evaluate.add_argument(
+        "--published", type=Path, metavar="TOML", help="levels to compare with (the thesis's, if the design is its)"
+    )
+    _add_confidence(evaluate)
+    evaluate.add_argument("--output", type=Path, metavar="HTML", help="also write a page with plots")
+    evaluate.set_defaults(action=actions.evaluate_study)
+
+    simulate = kinds.add_parser("simulate", help="simulated studies: coverage of intervals, observers needed")
+    _add_design(simulate)
+    _add_observers(simulate)
+    _add_seed(simulate)
+    simulate.add_argument("--published", type=Path, metavar="TOML", help="true levels (the thesis's if left out)")
+    simulate.add_argument("--population", type=Path, metavar="TOML", help="scale, bias, noise of observers drawn")
+    simulate.add_argument("--studies", type=_count, default=1000, metavar="N", help="studies simulated (1000)")
+    simulate.add_argument(
+        "--carry-over", type=float, action="append", metavar="SHARE", help="repeatable (0, 0.05, 0.1 and 0.2)"
+    )
+    simulate.add_argument(
+        "--difference", type=float, default=0.5, metavar="D", help="difference that observers shall find (0.5)"
+    )
+    _add_confidence(simulate)
+    simulate.add_argument("--output", type=Path, metavar="STUDY", help="write one such study's database")
+    simulate.set_defaults(action=actions.simulate_studies)
+
+    delete = kinds.add_parser("delete", help="delete an observer's answers")
+    delete.add_argument("study", type=Path, metavar="STUDY", help="database of the study")
+    delete.add_argument("--observer", type=_count, required=True, metavar="NUMBER", help="whose answers")
+    delete.set_defaults(action=actions.delete_observer)
+
+
+def run(arguments: Namespace) -> int:
+    """Carries the action out."""
+    status: int = arguments.action(arguments)
+    return status
+
+
+def _add_design(parser: ArgumentParser) -> None:
+    parser.add_argument("--design", type=Path, metavar="TOML", help="design of the study (the thesis's if left out)")
+
+
+def _add_observers(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--observers", type=_count, default=_DEFAULT_OBSERVERS, metavar="N", help=f"({_DEFAULT_OBSERVERS})"
+    )
+
+
+def _add_seed(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--seed", type=_seed, default=_DEFAULT_SEED, metavar="N", help=f"of all chance ({_DEFAULT_SEED})"
+    )
+
+
+def _add_confidence(parser: ArgumentParser) -> None:
+    parser.add_argument("--confidence", type=_share, default=0.9, metavar="SHARE", help="of intervals (0.9)")
+
+
+def _count(text: str) -> int:
+    value = int(text)
+    if not 1 <= value <= 100_000:
+        raise ArgumentTypeError(f"{text} is not between 1 and 100000")
+    return value
+
+
+def _seed(text: str) -> int:
+    value = int(text)
+    if not 0 <= value < 2**63:
+        raise ArgumentTypeError(f"{text} is no seed: give a whole number that is not negative")
+    return value
+
+
+def _share(text: str) -> float:
+    value = float(text)
+    if not 0 < value < 1:
+        raise ArgumentTypeError(f"{text} is not between 0 and 1")
+    return value

@@ -1,0 +1,1 @@
+"""From answers to levels, effects of factors and carry-over."""

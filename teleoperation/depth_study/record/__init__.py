@@ -1,0 +1,1 @@
+"""What observers answered, and the database that keeps it."""

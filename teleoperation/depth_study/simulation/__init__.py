@@ -1,0 +1,1 @@
+"""Studies with observers drawn by chance: coverage of intervals, and power."""

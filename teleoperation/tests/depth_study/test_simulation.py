@@ -1,0 +1,130 @@
+"""Intervals cover the truth as often as they say; carry-over breaks that where it is not taken out."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+import numpy as np
+import pytest
+from contact_foundation.errors import InputError
+from depth_study.design.sequences import make_sequences
+from depth_study.evaluation.published import load_published
+from depth_study.record.database import open_database
+from depth_study.simulation.coverage import study_coverage
+from depth_study.simulation.observers import Population, draw_answers, load_population
+from depth_study.simulation.power import study_power
+from depth_study.simulation.simulated_study import write_simulated_study
+from small_designs import DESIGN_FILE, PUBLISHED_FILE, thesis
+
+DESIGN = thesis()
+LEVELS = load_published(PUBLISHED_FILE, DESIGN).levels
+SEQUENCES = make_sequences(DESIGN, 44, seed=1)
+
+
+def test_drawn_observers_have_the_population_s_scale_bias_and_noise():
+    drawn = draw_answers(LEVELS, SEQUENCES, Population(), 200, np.random.default_rng(1))
+    assert drawn.scale.mean() == pytest.approx(1, abs=0.01)
+    assert drawn.scale.std() == pytest.approx(0.2, abs=0.01)
+    assert drawn.bias.std() == pytest.approx(0.6, abs=0.02)
+    assert set(np.unique(drawn.absolute)) <= set(range(1, 10))
+    assert np.isnan(drawn.relative[..., 0]).all()
+    assert set(np.unique(drawn.relative[..., 1:])) <= set(range(1, 10))
+    quiet = Population(0, 0, 0, 0, 0, 0)
+    exact = draw_answers(LEVELS, SEQUENCES, quiet, 1, np.random.default_rng(1))
+    np.testing.assert_array_equal(exact.absolute[0], np.rint(LEVELS[SEQUENCES]))
+    np.testing.assert_array_equal(exact.relative[0, :, 1:], 5 + np.rint(np.diff(LEVELS[SEQUENCES], axis=1)))
+
+
+def test_carry_over_leans_towards_the_constellation_before():
+    quiet = Population(0, 0, 0, 0, 0, 0.5)
+    drawn = draw_answers(LEVELS, SEQUENCES, quiet, 1, np.random.default_rng(1))
+    shown = LEVELS[SEQUENCES]
+    np.testing.assert_array_equal(drawn.absolute[0, :, 1:], np.rint((shown[:, 1:] + shown[:, :-1]) / 2))
+
+
+@pytest.fixture(scope="module")
+def coverage():
+    return study_coverage(
+        DESIGN, LEVELS, SEQUENCES, Population(), studies=400, seed=2, carry_overs=(0.0, 0.2), confidence=0.9
+    )
+
+
+def test_intervals_cover_the_truth_in_88_to_92_per_cent(coverage):
+    none = coverage[0]
+    # Single constellations: three standard errors of 400 studies (1.5 %) beyond.
+    for level in (none.panel, none.population, none.clean):
+        assert 0.88 <= level.mean <= 0.92
+        assert level.share.min() > 0.88 - 0.045
+        assert np.abs(level.bias).max() < 0.1
+    for effect in none.effects:
+        assert 0.86 <= effect.share <= 0.94
+        assert abs(effect.bias) < 0.03
+    assert abs(none.carry_over_estimate) < 0.01
+    assert 0.86 <= none.carry_over_share <= 0.94
+
+
+def test_carry_over_breaks_coverage_and_clean_levels_mend_it(coverage):
+    strong = coverage[1]
+    assert strong.panel.mean < 0.85
+    assert strong.panel.share.min() < 0.7
+    assert strong.clean.mean > 0.88
+    assert strong.clean.share.min() > 0.85
+    assert strong.carry_over_estimate == pytest.approx(0.2, abs=0.02)
+
+
+def test_power_grows_with_observers_and_false_alarms_are_as_rare_as_said():
+    table = study_power(
+        DESIGN, LEVELS, SEQUENCES, Population(), difference=0.5, numbers=(10, 44), studies=300, seed=1, confidence=0.9
+    )
+    few, many = table.rows
+    assert table.contrast.factor == "scene"
+    assert few.constellations < many.constellations
+    assert few.edge < many.edge < many.factor
+    # Normal approximation of finding 0.5 between two levels: each has a standard error near 1.07 / sqrt(44).
+    assert many.constellations == pytest.approx(0.70, abs=0.1)
+    for share in (table.without.constellations, table.without.edge, table.without.factor):
+        assert share == pytest.approx(0.1, abs=0.055)
+    assert table.enough("factor") in (10, 44)
+    assert table.enough("edge") is None
+
+
+def test_a_difference_outside_the_scale_is_refused():
+    with pytest.raises(InputError, match="scale from 1 to 9"):
+        study_power(DESIGN, LEVELS, SEQUENCES, Population(), difference=float("nan"), numbers=(10,), studies=1, seed=1)
+
+
+def test_the_population_file_holds_the_defaults():
+    assert load_population(DESIGN_FILE.parent / "population.toml") == Population()
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("scale = nan", "scale: is nan, no number"),
+        ("noise = -1", "noise: is -1"),
+        ('bias = "big"', "bias: is 'big', no number"),
+        ("carry_over = 1.0", "carry_over: is 1"),
+        ("fear = 1", "fear: is not known"),
+        ("scale =", "is no TOML"),
+    ],
+)
+def test_populations_that_cannot_be_drawn_are_refused(tmp_path, text, told):
+    path = tmp_path / "population.toml"
+    path.write_text(text)
+    with pytest.raises(InputError) as error:
+        load_population(path)
+    assert told in str(error.value)
+    assert len(fields(Population)) == 6
+
+
+def test_equal_seeds_give_equal_studies(tmp_path):
+    tables = []
+    for name, seed in (("a.db", 1), ("b.db", 1), ("c.db", 2)):
+        write_simulated_study(tmp_path / name, DESIGN_FILE, SEQUENCES[:5], LEVELS, Population(), seed)
+        database = open_database(tmp_path / name)
+        tables.append(database.answers())
+        database.close()
+    np.testing.assert_array_equal(tables[0].absolute, tables[1].absolute)
+    np.testing.assert_array_equal(tables[0].relative, tables[1].relative)
+    assert not np.array_equal(tables[0].absolute, tables[2].absolute)
+    assert not np.isnan(tables[0].absolute).any()
