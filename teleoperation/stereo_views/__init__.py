@@ -1,0 +1,1 @@
+"""Geometry and colour of pictures for one eye and for two: cameras, disparity, anaglyphs."""
