@@ -264,6 +264,23 @@ TEST(CapsuleOnMesh, RidgeCarriesTheMiddle) {
   EXPECT_LT(fine, 1.2 * coarse + 0.1);
 }
 
+// However a cube's faces are cut, and tilted by rounding or by more.
+TEST(CapsuleOnMesh, HangingOverAnEdgeCarriesWhatItDoesOnTheBox) {
+  for (const std::uint32_t cells : {1u, 3u, 4u}) {
+    const TriangleMesh cube = mesh(box_mesh({1, 1, 1}, cells));
+    for (const double tilt : {0.0, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8}) {
+      for (const double sense : {1.0, -1.0}) {
+        for (const double beside : {0.0, 0.07}) {
+          const Pose body{rotation_about({0, 1, 0}, 0.5 * 3.14159265358979323846 + sense * tilt), {0.4, beside, 0.599}};
+          const ContactSet set = capsule(0.1, 0.6, body, cube);
+          EXPECT_NEAR(set.distance, -0.001, 1e-8);
+          EXPECT_NEAR(wrench(set).force.z, 0.001, 1e-11) << cells << " cells, tilted by " << sense * tilt;
+        }
+      }
+    }
+  }
+}
+
 // Convex polytopes.
 
 TEST(BoxOnMesh, RestsOnATriangulatedPlaneWithTheBoxsLoad) {

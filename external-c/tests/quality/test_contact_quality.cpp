@@ -56,6 +56,12 @@ INSTANTIATE_TEST_SUITE_P(Cones, WithoutJumps,
                                          Pair{"flat-cone", "cylinder"}, Pair{"flat-cone", "flat-cone"},
                                          Pair{"slender-cone", "box"}));
 
+INSTANTIATE_TEST_SUITE_P(OnMeshes, WithoutJumps,
+                         testing::Values(Pair{"capsule", "box-mesh"}, Pair{"capsule", "divided-box-mesh"},
+                                         Pair{"capsule", "sphere-mesh"}, Pair{"capsule", "torus-mesh"},
+                                         Pair{"capsule", "heightfield"}, Pair{"sphere", "heightfield"},
+                                         Pair{"sphere", "torus-mesh"}));
+
 class Elastic : public testing::TestWithParam<Pair> {};
 
 TEST_P(Elastic, DoesNoWorkAroundClosedPaths) {

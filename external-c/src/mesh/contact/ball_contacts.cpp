@@ -67,9 +67,16 @@ void add_places(const Vec3 &center, double radius, const TriangleMesh &mesh, std
       if (part > 0.0 && part < 1.0) {
         const Vec3 place = from + part * along, off = center - place;
         const double distance = norm(off);
-        if (distance < radius && distance > same && edge_is_nearest(mesh, t, k, off, slack)) {
+        if (distance < radius && distance > same) {
           const Vec3 direction = (1.0 / distance) * off;
-          add(place, direction, distance, edge_share(mesh, t, k, direction));
+          if (edge_is_nearest(mesh, t, k, off, slack)) add(place, direction, distance, edge_share(mesh, t, k, direction));
+          // Of a concave edge each side reaches on over the other, the less the farther.
+          const Vec3 &beyond = other < 0 ? normal : mesh.face_normal(static_cast<std::uint32_t>(other));
+          const Vec3 inward = cross(along, beyond);
+          if (norm2(beyond - normal) > 1e-18 && dot(normal, inward) > 0.0) {
+            if (dot(off, inward) > 0.0 && dot(off, cross(normal, along)) < 0.0) add(place, normal, distance, 1.0);
+            if (dot(off, inward) < 0.0 && dot(off, cross(normal, along)) > 0.0) add(place, beyond, distance, 1.0);
+          }
         }
       }
     }
@@ -84,7 +91,8 @@ void add_places(const Vec3 &center, double radius, const TriangleMesh &mesh, std
   }
 }
 
-// The share of the nearest place, as edge_share and vertex_share.
+}  // namespace
+
 double nearest_share(const TriangleMesh &mesh, const NearestPoint &nearest) {
   const std::uint32_t t = nearest.triangle;
   const TrianglePoint at = nearest_on_triangle(nearest.point, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
@@ -92,8 +100,6 @@ double nearest_share(const TriangleMesh &mesh, const NearestPoint &nearest) {
   return at.feature == TriangleFeature::edge ? edge_share(mesh, t, at.index, nearest.normal)
                                              : vertex_share(mesh, mesh.triangles()[t][at.index], nearest.normal);
 }
-
-}  // namespace
 
 double ball_contacts(const Vec3 &center, double radius, const TriangleMesh &mesh, const NearestPoint &nearest,
                      SharedLoad &shared) {

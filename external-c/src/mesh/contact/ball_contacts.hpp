@@ -18,6 +18,9 @@ bool vertex_is_nearest(const TriangleMesh &mesh, std::uint32_t v, const Vec3 &of
 double edge_share(const TriangleMesh &mesh, std::uint32_t t, std::size_t side, const Vec3 &direction);
 double vertex_share(const TriangleMesh &mesh, std::uint32_t v, const Vec3 &direction);
 
+// The share of the nearest place, as edge_share and vertex_share.
+double nearest_share(const TriangleMesh &mesh, const NearestPoint &nearest);
+
 // Fills `shared` with the contacts of the ball, all in the mesh's frame, and solves it; returns the signed distance of
 // its surface from the mesh. `nearest` is mesh.nearest(center).
 double ball_contacts(const Vec3 &center, double radius, const TriangleMesh &mesh, const NearestPoint &nearest,

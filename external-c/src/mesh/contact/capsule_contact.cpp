@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/rod_end_share.hpp"
 #include "math/pose_algebra.hpp"
 #include "mesh/contact/ball_contacts.hpp"
 #include "mesh/contact/mesh_contact.hpp"
-#include "mesh/core/segment_distance.hpp"
+#include "mesh/contact/rod_load.hpp"
 #include "mesh/intersection/pierced_load.hpp"
 #include "mesh/intersection/triangle_section.hpp"
 
@@ -13,12 +12,57 @@ namespace cmb::mesh {
 
 namespace {
 
-// The translation that frees a ball.
-Vec3 escape_translation(const SharedLoad &shared) {
-  Vec3 sum;
-  for (std::size_t i = 0; i < shared.size(); ++i) sum = sum + shared[i].load * shared[i].normal;
-  return sum;
-}
+// A stretch of the axis, by parts of its length.
+class Stretch {
+ public:
+  double begin() const { return begin_; }
+  double end() const { return end_; }
+  bool none() const { return !(begin_ <= end_); }
+  // Keeps where a value is at least `least` that runs straight from `first` at part 0 to `last` at part 1.
+  void keep(double first, double last, double least) {
+    if (first >= least && last >= least) return;
+    if (first < least && last < least) {
+      end_ = -1.0;
+      return;
+    }
+    const double at = (least - first) / (last - first);
+    if (first < least) {
+      begin_ = std::fmax(begin_, at);
+    } else {
+      end_ = std::fmin(end_, at);
+    }
+  }
+
+ private:
+  double begin_ = 0.0, end_ = 1.0;
+};
+
+// Stretches over the triangles of one plane: between the two ends of them all the plane carries nothing more.
+class PlaneStretches {
+ public:
+  explicit PlaneStretches(std::vector<PlaneStretch> &planes) : planes_(planes) { planes_.clear(); }
+
+  void add(const Vec3 &normal, double offset, double tolerance, const PlaneStretch::End &begin, const PlaneStretch::End &end) {
+    for (std::size_t i = planes_.size(); i-- > 0 && planes_.size() - i <= 16;) {
+      PlaneStretch &plane = planes_[i];
+      if (std::fabs(plane.offset - offset) > tolerance || norm2(plane.normal - normal) > 1e-18) continue;
+      if (begin.part < plane.begin.part) plane.begin = begin;
+      if (end.part > plane.end.part) plane.end = end;
+      return;
+    }
+    planes_.push_back({normal, offset, begin, end});
+  }
+
+  void carry(double radius, RodLoad &load) const {
+    for (const PlaneStretch &plane : planes_) {
+      load.add(plane.begin.part, plane.normal, radius - plane.begin.height);
+      load.add(plane.end.part, plane.normal, radius - plane.end.height);
+    }
+  }
+
+ private:
+  std::vector<PlaneStretch> &planes_;
+};
 
 // Everything in the mesh's frame but the result.
 class CapsuleQuery {
@@ -28,21 +72,28 @@ class CapsuleQuery {
       : radius_(radius),
         mesh_(mesh),
         pose_(pose),
-        place_(body_in_mesh),
-        body_(convex::make_capsule(radius, length), place_, scratch.patch.polygon, scratch.patch.clipped),
-        shared_(scratch.shared),
+        body_(convex::make_capsule(radius, length), body_in_mesh, scratch.patch.polygon, scratch.patch.clipped),
+        load_(scratch.rod),
+        planes_(scratch.planes),
         result_(result),
         begin_(result.points.size()),
+        same_(place_tolerance(mesh)),
+        slack_(1e-3 * same_),
         axis_(body_in_mesh.rotation.column(2)),
         from_(body_in_mesh({0, 0, -0.5 * length})),
-        to_(body_in_mesh({0, 0, 0.5 * length})) {}
+        to_(body_in_mesh({0, 0, 0.5 * length})),
+        along_(to_ - from_),
+        per_length2_(1.0 / std::fmax(norm2(along_), 1e-300)) {
+    load_.clear(axis_);
+  }
 
   void run() {
-    const NearestPoint nearest_from = mesh_.nearest(from_), nearest_to = mesh_.nearest(to_);
-    free_from_ = end(from_, nearest_from, -1.0);
-    free_to_ = end(to_, nearest_to, 1.0);
-    shift_ends();
-    between();
+    end(0.0, from_);
+    end(1.0, to_);
+    visit();
+    planes_.carry(radius_, load_);
+    load_.solve();
+    write_points();
     result_.normal = pose_.rotation * nearest_normal_;
     result_.distance = distance_;
     result_.witness = pose_(nearest_at_ - (radius_ + 0.5 * distance_) * nearest_normal_);
@@ -68,91 +119,170 @@ class CapsuleQuery {
     nearest_normal_ = normal;
   }
 
-  // `at`: the point of the axis that the contact belongs to.
-  void add(const Vec3 &at, const Vec3 &normal, double depth, double load) {
-    if (!(load > 0.0)) return;
-    result_.points.push_back(
-        {depth, load / depth, pose_.rotation * normal, pose_(at - (radius_ - 0.5 * depth) * normal)});
-  }
+  Vec3 at(double part) const { return part < 0.5 ? from_ + part * along_ : to_ - (1.0 - part) * along_; }
 
-  Vec3 end(const Vec3 &center, const NearestPoint &nearest, double sense) {
-    keep_nearest(ball_contacts(center, radius_, mesh_, nearest, shared_), center, nearest.normal);
-    for (std::size_t i = 0; i < shared_.size(); ++i) {
-      const double sine = -sense * dot(axis_, shared_[i].normal);
-      const double limited = std::fmin(1.0, std::fmax(-1.0, sine));
-      const double share = 0.5 * (1.0 + end_share_difference(limited));
-      const Vec3 &normal = shared_[i].normal;
-      const double load = shared_[i].load, depth = shared_[i].depth;
-      add(center, normal, depth, share * load);
-      ends_load_ += share * load;
-      const Vec3 across = axis_ - dot(axis_, normal) * normal;
-      missing_ = missing_ + (0.25 * sense * end_share_slope(limited) * load * depth) * across;
-    }
-    return escape_translation(shared_);
-  }
-
-  // Energy that changes with the direction alone asks for a torque; a shift of the points supplies it, as on a
-  // half-space.
-  void shift_ends() {
-    if (!(ends_load_ > 0.0)) return;
-    const Vec3 shift = pose_.rotation * ((1.0 / ends_load_) * missing_);
-    for (std::size_t i = begin_; i < result_.points.size(); ++i) {
-      result_.points[i].position = result_.points[i].position + shift;
+  void end(double part, const Vec3 &center) {
+    const NearestPoint nearest = mesh_.nearest(center);
+    const double distance = mesh_.closed() ? nearest.distance : std::fabs(nearest.distance);
+    keep_nearest(distance - radius_, center, nearest.normal);
+    // In or below the surface only the nearest place tells which way is out; above it all that are nearer than their
+    // surroundings count.
+    if (distance < radius_ && !(nearest.distance > same_)) {
+      load_.add(part, nearest.normal, radius_ - distance, nearest_share(mesh_, nearest));
     }
   }
 
-  // A place of the mesh that is nearest to the inside of the axis.
-  void place(double part, const Vec3 &point, const Vec3 &direction, double distance, double share) {
-    const Vec3 at = from_ + part * (to_ - from_);
-    keep_nearest(distance - radius_, at, direction);
-    const Vec3 freed = (1.0 - part) * free_from_ + part * free_to_;
-    const double rest = radius_ - distance - dot(freed, direction);
-    if (rest > 0.0 && share > 0.0) shared_.add({rest, share, direction, point}, place_tolerance(mesh_));
+  // Calls place(part) at a stretch's ends and where it is nearest.
+  template <typename Place>
+  static void three_places(const Stretch &stretch, double nearest, const Place &place) {
+    const double middle = std::fmin(stretch.end(), std::fmax(stretch.begin(), nearest));
+    place(middle);
+    if (stretch.begin() < middle) place(stretch.begin());
+    if (stretch.end() > middle) place(stretch.end());
   }
 
-  // An edge along the axis is as near as its ends are: rounding must not leave out both.
-  double slack(double distance) const { return 1e-3 * place_tolerance(mesh_) + 1e-14 * distance; }
+  // A stretch over an edge or a corner. `share(direction)`: of the load.
+  template <typename Offset, typename Share>
+  void round_feature(const Stretch &stretch, double nearest, const Offset &offset, const Share &share) {
+    three_places(stretch, nearest, [&](double part) {
+      const Vec3 off = offset(part);
+      const double distance = norm(off);
+      if (!(distance > same_)) return;
+      const Vec3 direction = (1.0 / distance) * off;
+      keep_nearest(distance - radius_, at(part), direction);
+      if (distance < radius_) load_.add(part, direction, radius_ - distance, share(direction));
+    });
+  }
 
-  void edge(std::uint32_t t, std::size_t k) {
-    const SegmentPoints points =
-        nearest_of_segments(from_, to_ - from_, mesh_.corner(t, k), mesh_.corner(t, k + 1) - mesh_.corner(t, k));
-    if (!(points.s > 0.0 && points.s < 1.0 && points.t > 0.0 && points.t < 1.0)) return;
-    const Vec3 off = points.first - points.second;
-    const double distance = norm(off);
-    if (!(distance > place_tolerance(mesh_)) || !edge_is_nearest(mesh_, t, k, off, slack(distance))) return;
-    const Vec3 direction = (1.0 / distance) * off;
-    place(points.s, points.second, direction, distance, edge_share(mesh_, t, k, direction));
+  // The edge beyond side k of triangle t, which runs along `side`; `inside`: how far the axis' ends are on the triangle's side
+  // of it.
+  void edge(std::uint32_t t, std::size_t k, const Vec3 &side, double inside_from, double inside_to, double slack) {
+    const Vec3 &corner = mesh_.corner(t, k), &normal = mesh_.face_normal(t);
+    const Vec3 off_from = from_ - corner, off_to = to_ - corner;
+    const double length2 = norm2(side), part_from = dot(off_from, side), part_to = dot(off_to, side);
+    Stretch beside;
+    beside.keep(part_from, part_to, 0.0);
+    beside.keep(-part_from, -part_to, -length2);
+    if (beside.none()) return;
+    const auto offset = [&](double part) {
+      const Vec3 off = at(part) - corner;
+      return off - (dot(off, side) / length2) * side;
+    };
+    const Vec3 first = offset(0.0), across = along_ - (dot(along_, side) / length2) * side;
+    const double across2 = norm2(across), nearest = across2 > 0.0 ? -dot(first, across) / across2 : 0.5;
+    Stretch stretch = beside;
+    stretch.keep(-inside_from, -inside_to, -slack);
+    const std::int32_t other = mesh_.neighbour(t, k);
+    if (other >= 0) {
+      const Vec3 &beyond = mesh_.face_normal(static_cast<std::uint32_t>(other)), inward = cross(side, beyond);
+      if (norm2(beyond - normal) < 1e-18) return;  // no edge, but the middle of a plane
+      const double over_from = dot(off_from, inward), over_to = dot(off_to, inward);
+      if (dot(normal, inward) > 0.0) {
+        // Of a concave edge each side reaches on over the other, the less the farther.
+        const auto reach_on = [&](double first_value, double last_value, const Vec3 &over, const Vec3 &pushed) {
+          Stretch part = beside;
+          part.keep(-first_value, -last_value, 0.0);
+          part.keep(dot(off_from, over), dot(off_to, over), 0.0);
+          if (part.none()) return;
+          three_places(part, nearest, [&](double place) {
+            const double distance = norm(offset(place));
+            if (distance < radius_) load_.add(place, pushed, radius_ - distance);
+          });
+        };
+        reach_on(inside_from, inside_to, beyond, normal);
+        reach_on(over_from, over_to, normal, beyond);
+        return;
+      }
+      stretch.keep(-over_from, -over_to, -slack);
+    }
+    if (stretch.none()) return;
+    const Vec3 middle = mesh_.edge_normal(t, k);
+    stretch.keep(dot(off_from, middle), dot(off_to, middle), 0.0);
+    if (stretch.none()) return;
+    round_feature(stretch, nearest, offset, [&](const Vec3 &direction) { return edge_share(mesh_, t, k, direction); });
   }
 
   void vertex(std::uint32_t v) {
-    const Vec3 &point = mesh_.vertices()[v];
-    const Vec3 along = to_ - from_;
-    const double part = dot(point - from_, along) / norm2(along);
-    if (!(part > 0.0 && part < 1.0)) return;
-    const Vec3 off = from_ + part * along - point;
-    const double distance = norm(off);
-    if (!(distance > place_tolerance(mesh_)) || !vertex_is_nearest(mesh_, v, off, slack(distance))) return;
-    const Vec3 direction = (1.0 / distance) * off;
-    place(part, point, direction, distance, vertex_share(mesh_, v, direction));
+    const Vec3 &corner = mesh_.vertices()[v];
+    const Vec3 off_from = from_ - corner, off_to = to_ - corner;
+    Stretch stretch;
+    stretch.keep(dot(off_from, mesh_.vertex_normal(v)), dot(off_to, mesh_.vertex_normal(v)), 0.0);
+    for (std::uint32_t i = mesh_.vertex_begin(v); i < mesh_.vertex_begin(v + 1); ++i) {
+      for (const std::uint32_t w : mesh_.triangles()[mesh_.vertex_triangles()[i]]) {
+        if (w == v) continue;
+        if (stretch.none()) return;
+        const Vec3 side = mesh_.vertices()[w] - corner;
+        stretch.keep(-dot(off_from, side), -dot(off_to, side), -slack_ * norm(side));
+      }
+    }
+    if (stretch.none()) return;
+    const double nearest = -per_length2_ * dot(off_from, along_);
+    round_feature(
+        stretch, nearest, [&](double part) { return at(part) - corner; },
+        [&](const Vec3 &direction) { return vertex_share(mesh_, v, direction); });
   }
 
   // Where the axis passes through a triangle, the surfaces meet however far the ends and all edges are.
-  void crossing(std::uint32_t t) {
-    const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2), &normal = mesh_.face_normal(t);
-    const double height_from = dot(normal, from_ - a), height_to = dot(normal, to_ - a);
-    if ((height_from > 0.0) == (height_to > 0.0)) return;
-    const Vec3 at = from_ + (height_from / (height_from - height_to)) * (to_ - from_);
+  void crossing(std::uint32_t t, double height_from, double height_to) {
+    const Vec3 &normal = mesh_.face_normal(t);
+    const Vec3 place = from_ + (height_from / (height_from - height_to)) * along_;
     // Where it passes through an edge, rounding must not leave out both sides.
-    const auto inside = [&](const Vec3 &from, const Vec3 &to) {
-      return dot(normal, cross(to - from, at - from)) >= -place_tolerance(mesh_) * norm(to - from);
-    };
-    if (!inside(a, b) || !inside(b, c) || !inside(c, a)) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 side = mesh_.corner(t, k + 1) - mesh_.corner(t, k);
+      if (dot(normal, cross(side, place - mesh_.corner(t, k))) < -same_ * norm(side)) return;
+    }
     crosses_ = true;
-    keep_nearest(0.0, at, normal);
+    keep_nearest(-radius_, place, normal);
   }
 
-  void between() {
-    shared_.clear();
+  // Whether the plane that parts the axis from the triangle's first corner shows that the triangle is out of reach.
+  bool out_of_reach(std::uint32_t t, double reach) const {
+    const Vec3 &first = mesh_.corner(t, 0);
+    const double part = std::fmin(1.0, std::fmax(0.0, per_length2_ * dot(first - from_, along_)));
+    const Vec3 foot = from_ + part * along_, off = first - foot;
+    const double nearest =
+        std::fmin(norm2(off), std::fmin(dot(off, mesh_.corner(t, 1) - foot), dot(off, mesh_.corner(t, 2) - foot)));
+    return nearest > 0.0 && nearest * nearest > reach * reach * norm2(off);
+  }
+
+  void triangle(std::uint32_t t) {
+    const double reach = radius_ + std::fmax(0.0, distance_);
+    if (out_of_reach(t, reach)) return;
+    const Vec3 &normal = mesh_.face_normal(t);
+    const Vec3 &first = mesh_.corner(t, 0);
+    const double offset = dot(normal, first);
+    const double height_from = dot(normal, from_ - first), height_to = dot(normal, to_ - first);
+    if (std::fmin(height_from, height_to) > reach || std::fmax(height_from, height_to) < -reach) return;
+    if (!crosses_ && (height_from > 0.0) != (height_to > 0.0)) crossing(t, height_from, height_to);
+    Stretch over;
+    over.keep(height_from, height_to, 0.0);
+    bool beyond_from[3], beyond_to[3];  // where a corner may be nearest
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &corner = mesh_.corner(t, k);
+      const Vec3 side = mesh_.corner(t, k + 1) - corner, inward = cross(normal, side);
+      const double slack = slack_ * norm(side);
+      const double inside_from = dot(from_ - corner, inward), inside_to = dot(to_ - corner, inward);
+      beyond_from[k] = dot(from_ - corner, side) > slack && dot(to_ - corner, side) > slack;
+      beyond_to[k] = dot(from_ - mesh_.corner(t, k + 1), side) < -slack && dot(to_ - mesh_.corner(t, k + 1), side) < -slack;
+      if (!over.none()) over.keep(inside_from, inside_to, -slack);
+      const std::int32_t other = mesh_.neighbour(t, k);
+      if (other < 0 || static_cast<std::uint32_t>(other) > t) edge(t, k, side, inside_from, inside_to, slack);
+    }
+    if (!over.none()) {
+      const auto end_at = [&](double part) {
+        return PlaneStretch::End{part, (1.0 - part) * height_from + part * height_to};
+      };
+      const PlaneStretch::End begin = end_at(over.begin()), end = end_at(over.end());
+      if (std::fmin(begin.height, end.height) < radius_) planes_.add(normal, offset, same_, begin, end);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (beyond_from[k] || beyond_to[(k + 2) % 3]) continue;
+      const std::uint32_t v = mesh_.triangles()[t][k];
+      if (mesh_.vertex_triangles()[mesh_.vertex_begin(v)] == t) vertex(v);
+    }
+  }
+
+  void visit() {
     Bounds box;
     for (int k = 0; k < 3; ++k) {
       box.low.set(k, std::fmin(from_[k], to_[k]));
@@ -162,38 +292,34 @@ class CapsuleQuery {
       const double farthest = radius_ + std::fmax(0.0, distance_);
       return farthest * farthest;
     };
-    mesh_.hierarchy().visit_near(box, reach, [&](std::uint32_t t) {
-      if (!crosses_) crossing(t);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::int32_t other = mesh_.neighbour(t, k);
-        if (other < 0 || static_cast<std::uint32_t>(other) > t) edge(t, k);
-        const std::uint32_t v = mesh_.triangles()[t][k];
-        if (mesh_.vertex_triangles()[mesh_.vertex_begin(v)] == t) vertex(v);
-      }
-    });
-    shared_.solve();
-    for (std::size_t i = 0; i < shared_.size(); ++i) {
-      // The point of the axis over the place, and the depth before the ends took their part.
-      const Vec3 along = to_ - from_;
-      const double part = dot(shared_[i].position - from_, along) / norm2(along);
-      const Vec3 at = from_ + std::fmin(1.0, std::fmax(0.0, part)) * along;
-      const double depth = radius_ - norm(at - shared_[i].position);
-      if (depth > 0.0) add(at, shared_[i].normal, depth, shared_[i].load);
+    mesh_.hierarchy().visit_near(box, reach, [&](std::uint32_t t) { triangle(t); });
+  }
+
+  void write_points() {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < load_.size(); ++i) sum += load_[i].load;
+    if (!(sum > 0.0)) return;
+    // Energy that changes with the direction alone asks for a torque; a shift of the points supplies it, as on a half-space.
+    const Vec3 shift = pose_.rotation * ((1.0 / sum) * load_.missing());
+    for (std::size_t i = 0; i < load_.size(); ++i) {
+      const RodLoad::Contact &contact = load_[i];
+      if (!(contact.load > 0.0)) continue;
+      const Vec3 place = pose_(at(contact.place) - (radius_ - 0.5 * contact.depth) * contact.normal);
+      result_.points.push_back({contact.depth, contact.load / contact.depth, pose_.rotation * contact.normal, place + shift});
     }
   }
 
   double radius_;
   const TriangleMesh &mesh_;
   const Pose &pose_;
-  const Pose &place_;
   SectionedBody body_;
-  SharedLoad &shared_;
+  RodLoad &load_;
+  PlaneStretches planes_;
   ContactSet &result_;
   std::size_t begin_;
-  Vec3 axis_, from_, to_;
-  double ends_load_ = 0.0;
-  Vec3 missing_;
-  Vec3 free_from_, free_to_;  // what would free the ends
+  double same_, slack_;  // m: places that are one, and rounding
+  Vec3 axis_, from_, to_, along_;
+  double per_length2_;
   double distance_ = HUGE_VAL;
   bool crosses_ = false;  // the axis and the mesh
   Vec3 nearest_at_, nearest_normal_;

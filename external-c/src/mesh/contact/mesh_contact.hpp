@@ -7,6 +7,7 @@
 #include "manifold/contact_set.hpp"
 #include "mesh/contact/pair_patches.hpp"
 #include "mesh/contact/patch_load.hpp"
+#include "mesh/contact/rod_load.hpp"
 #include "mesh/contact/shared_load.hpp"
 #include "mesh/contact/smooth_facets.hpp"
 #include "mesh/core/triangle_mesh.hpp"
@@ -15,9 +16,21 @@
 
 namespace cmb::mesh {
 
+// What of a capsule's axis runs over one plane.
+struct PlaneStretch {
+  struct End {
+    double part, height;  // along the axis, 0 to 1; m over the plane
+  };
+  Vec3 normal;
+  double offset;
+  End begin, end;
+};
+
 // Room that queries work in; one for each thread. Grows in the first calls.
 struct MeshContactScratch {
   SharedLoad shared;
+  RodLoad rod;
+  std::vector<PlaneStretch> planes;
   std::vector<Vec3> body_vertices, body_normals;  // in the mesh's frame
   PatchScratch patch;
   PairScratch pair;
@@ -33,8 +46,9 @@ struct MeshContactScratch {
 void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh, const Pose &pose,
                     MeshContactScratch &scratch, ContactSet &result);
 
-// A capsule along z of `body_pose`, of the given length between the ends' centres. The ends are balls that share as on
-// a half-space; edges and corners of the mesh that reach in between carry what the ends leave.
+// A capsule along z of `body_pose`, of the given length between the ends' centres. Every stretch of its axis over a face, an
+// edge or a corner is a contact, and they share the load as RodLoad says: on a plane, whatever its triangulation, as on a
+// half-space.
 void capsule_contact(double radius, double length, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                      MeshContactScratch &scratch, ContactSet &result);
 
