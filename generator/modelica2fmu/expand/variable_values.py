@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from contact_foundation.errors import InputError, UnsupportedModelError
 
+from modelica2fmu.expand.bounds_check import require_within
 from modelica2fmu.expand.scalar_model import Kind, ScalarModel
 from modelica2fmu.expand.scalar_values import KNOWN_KINDS, element_names
 from modelica2fmu.expand.tables import is_table_function
@@ -176,6 +177,10 @@ class VariableValues:
             for name, value in zip(names, self.broadcast(expression, names), strict=True):
                 if isinstance(value, float | int):
                     setattr(self._result.variables[name], attribute, float(value))
+        if variable.variability in ("parameter", "constant"):
+            written = variable.binding.span if variable.binding is not None else None
+            for name in names:
+                require_within(self._result.variables[name], self._source_map.place(written or variable.span))
 
     @staticmethod
     def _plain(value: Scalar) -> float | str | Node | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 
 from modelica2fmu.description.model_description import (
@@ -71,7 +72,7 @@ def _table(name: str, variables: list[Variable], internal_parameters: Sequence[i
     """Definitions and initializer of one slot table."""
     variables = [variable for variable in variables if variable.value_reference < FIRST_REFERENCE]
     if not variables and not internal_parameters:
-        return "", f".{name} = {{0, NULL, NULL}}"
+        return "", f".{name} = {{0, NULL, NULL, 0, NULL}}"
     count = 1 + max((*(variable.value_reference for variable in variables), *internal_parameters))
     bits = [0] * count
     for slot in internal_parameters:
@@ -87,12 +88,36 @@ def _table(name: str, variables: list[Variable], internal_parameters: Sequence[i
         f"static const char *const {name}_name[{count}] = {{\n"
         f"{_lines('NULL' if text is None else c_string(text) for text in names)}\n}};\n\n"
     )
-    return definitions, f".{name} = {{{count}, {name}_access, {name}_name}}"
+    bounds = _bounds(variables)
+    if bounds:
+        definitions += f"static const fmurt_bounds {name}_bounds[{len(bounds)}] = {{\n{_lines(bounds)}\n}};\n\n"
+    return definitions, (
+        f".{name} = {{{count}, {name}_access, {name}_name, {len(bounds)}, {f'{name}_bounds' if bounds else 'NULL'}}}"
+    )
+
+
+def _bounds(variables: Iterable[Variable]) -> list[str]:
+    """Initializers of the bounds of parameters, by slot."""
+    bounded = {
+        variable.value_reference: (variable.minimum, variable.maximum)
+        for variable in variables
+        if variable.causality is Causality.PARAMETER
+        and variable.type is not DataType.ENUMERATION
+        and (variable.minimum is not None or variable.maximum is not None)
+    }
+    return [
+        f"{{{slot}, {c_double(least, '-HUGE_VAL')}, {c_double(largest, 'HUGE_VAL')}}}"
+        for slot, (least, largest) in sorted(bounded.items())
+    ]
 
 
 def c_double(value: float | None, default: str) -> str:
     """A C double literal that reads back exactly."""
-    return default if value is None else repr(float(value))
+    if value is None:
+        return default
+    if math.isinf(value):
+        return "HUGE_VAL" if value > 0 else "-HUGE_VAL"
+    return repr(float(value))
 
 
 def interface_source(description: ModelDescription, options: SolverOptions) -> str:

@@ -78,6 +78,7 @@ def _declare(library: Any, name: str, *arguments: Any, result: Any = ctypes.c_in
 _set_stop_time = _declare(sundials_cvode, "CVodeSetStopTime", ctypes.c_void_p, ctypes.c_double)
 _set_newton_share = _declare(sundials_cvode, "CVodeSetNonlinConvCoef", ctypes.c_void_p, ctypes.c_double)
 _set_growth_after_start = _declare(sundials_cvode, "CVodeSetEtaMaxFirstStep", ctypes.c_void_p, ctypes.c_double)
+_set_warnings = _declare(sundials_cvode, "CVodeSetMaxHnilWarns", ctypes.c_void_p, ctypes.c_int)
 _get_last_step = _declare(sundials_cvode, "CVodeGetLastStep", ctypes.c_void_p, ctypes.POINTER(ctypes.c_double))
 _get_dky = _declare(
     sundials_cvode, "CVodeGetDky", ctypes.c_void_p, ctypes.c_double, ctypes.c_int, CVRhsFn._argtypes_[1]
@@ -204,6 +205,7 @@ class Cvode:
         self._newton = Newton(self._context, self._memory, states.size, work, self._keep_error)
         self._check(self._newton.status)
         self._check(CVodeSetMaxStep(self._memory, max_step))
+        self._check(_set_warnings(self._memory, -1))  # they would go to the terminal; who calls counts stalled steps
         self._check(_set_growth_after_start(self._memory, _GROWTH_AFTER_START))
         self._check(CVodeSetNoInactiveRootWarn(self._memory))
 

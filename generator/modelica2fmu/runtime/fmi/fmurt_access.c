@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fmurt_bounds.h"
 #include "fmurt_evaluate.h"
 
 static fmurt_result unknown_reference(fmurt_instance *instance, const char *type, unsigned reference) {
@@ -156,6 +157,7 @@ fmurt_result fmurt_set_reals(fmurt_instance *instance, const unsigned *reference
                fmurt_slot_name(table, reference[i]));
       return FMURT_RESULT_ERROR;
     }
+    if (fmurt_check_bounds(instance, table, reference[i], value[i]) != FMURT_RESULT_OK) return FMURT_RESULT_ERROR;
   }
   for (size_t i = 0; i < count; ++i) {
     const unsigned slot = reference[i];
@@ -193,6 +195,7 @@ fmurt_result fmurt_set_integers(fmurt_instance *instance, const unsigned *refere
             ? check_maximum_steps(instance, value[i])
             : check_settable(instance, table, "Integer", fmurt_model.integer_count, &reference[i], 1);
     if (result != FMURT_RESULT_OK) return result;
+    if (fmurt_check_bounds(instance, table, reference[i], value[i]) != FMURT_RESULT_OK) return FMURT_RESULT_ERROR;
   }
   for (size_t i = 0; i < count; ++i) {
     const unsigned slot = reference[i];

@@ -284,6 +284,42 @@ static void count(fmurt_solver *solver) {
   solver->quotient_evaluations = 0;
 }
 
+static const char *failure_name(int flag) {
+  switch (flag) {
+    case CV_TOO_MUCH_ACC: return "the tolerance asks for more accuracy than the numbers have";
+    case CV_ERR_FAILURE: return "the error stays too large down to the shortest step";
+    case CV_CONV_FAILURE: return "Newton's iteration does not converge down to the shortest step";
+    case CV_LSETUP_FAIL:
+    case CV_LSOLVE_FAIL: return "the Jacobian cannot be computed or is singular";
+    case CV_RHSFUNC_FAIL: return "the model cannot be evaluated";
+    case CV_FIRST_RHSFUNC_ERR: return "the model cannot be evaluated where a step begins";
+    case CV_REPTD_RHSFUNC_ERR: return "the model cannot be evaluated in spite of shorter steps";
+    case CV_UNREC_RHSFUNC_ERR: return "the model cannot be evaluated any more";
+    case CV_RTFUNC_FAIL: return "the event indicators cannot be evaluated";
+    case CV_MEM_FAIL: return "no memory";
+    default: return "CVODE refuses to go on";
+  }
+}
+
+/* Names the state whose error was largest in the last step that was tried; leaves the text as it is if it is unknown. */
+static void describe_worst_state(fmurt_solver *solver, char *text, size_t size) {
+  if (solver->state_count == 0) return;
+  N_Vector error = N_VClone(solver->state), weight = N_VClone(solver->state);
+  if (error != NULL && weight != NULL && CVodeGetEstLocalErrors(solver->memory, error) == CV_SUCCESS &&
+      CVodeGetErrWeights(solver->memory, weight) == CV_SUCCESS) {
+    size_t worst = 0;
+    double largest = 0.0;
+    for (size_t i = 0; i < solver->state_count; ++i) {
+      const double size_of_error = fabs(NV_Ith_S(error, i) * NV_Ith_S(weight, i));
+      if (size_of_error > largest) largest = size_of_error, worst = i;
+    }
+    snprintf(text, size, "; %.120s = %.6g has the largest",
+             fmurt_slot_name(&fmurt_interface_tables.real, fmurt_model.state[worst]), NV_Ith_S(solver->state, worst));
+  }
+  if (error != NULL) N_VDestroy(error);
+  if (weight != NULL) N_VDestroy(weight);
+}
+
 static fmurt_result explain(fmurt_solver *solver, int flag, double time, const char *cause) {
   fmurt_instance *instance = solver->instance;
   const fmurt_result result = flag == CV_RHSFUNC_FAIL ||
@@ -299,10 +335,10 @@ static fmurt_result explain(fmurt_solver *solver, int flag, double time, const c
         time, instance->situation.solver_integer[FMURT_SOLVER_MAXIMUM_STEPS]);
     return result;
   }
-  char *name = CVodeGetReturnFlagName(flag);
-  snprintf(instance->message, sizeof instance->message, "The integrator stops at time %.15g (%s)%s%.900s", time,
-           name != NULL ? name : "?", cause[0] != '\0' ? ": " : "", cause);
-  free(name);
+  char state[200] = "";
+  if (cause[0] == '\0') describe_worst_state(solver, state, sizeof state);
+  snprintf(instance->message, sizeof instance->message, "The integrator stops at time %.9g: %s%s%.700s", time,
+           failure_name(flag), cause[0] != '\0' ? ": " : state, cause);
   return result;
 }
 

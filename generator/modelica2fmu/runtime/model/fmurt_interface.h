@@ -18,11 +18,19 @@ enum {
   FMURT_IS_INDEPENDENT = 64 /* the time */
 };
 
+/* Bounds of a parameter; infinite where there is none. */
+typedef struct fmurt_bounds {
+  unsigned slot;
+  double least, largest;
+} fmurt_bounds;
+
 /* Slots of one base type; slots from count on are not variables of the FMU. */
 typedef struct fmurt_slot_table {
   size_t count;
   const unsigned char *access; /* [count], may be NULL if count is 0 */
   const char *const *name;     /* [count], entries NULL where no variable shows the slot */
+  size_t bounds_count;
+  const fmurt_bounds *bounds; /* [bounds_count] by rising slots */
 } fmurt_slot_table;
 
 typedef struct fmurt_interface {
