@@ -2,7 +2,7 @@ within ContactMultiBody.Examples;
 model BallOnFloor "A ball bounces, each time to the square of the restitution of its last height"
   extends Modelica.Icons.Example;
   parameter Real e(min=0, max=1, unit="1")=0.7 "Coefficient of restitution";
-  parameter Modelica.Units.SI.Height height=1 "Height from which the ball is dropped";
+  parameter Modelica.Units.SI.Position height=1 "Height from which the ball is dropped";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
   Parts.Body ball(
