@@ -18,6 +18,12 @@ def add_build_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--fmi", choices=("2", "3"), default="2", help="version of the FMI standard: 2.0 (if left out) or 3.0"
     )
+    parser.add_argument(
+        "--outputs",
+        metavar="GROUPS",
+        help="what of the scene is an output of the FMU, so that every tool records it: poses, speeds, forces, "
+        "energies, separated by commas, or all",
+    )
     parser.add_argument("--msl", type=Path, metavar="FOLDER", help="folder that holds the Modelica Standard Library")
     parser.add_argument(
         "--no-cache", action="store_true", help="build afresh, and keep nothing for builds of the same files"
@@ -40,10 +46,12 @@ def build_options(arguments: Namespace, solver: SolverOptions | None = None) -> 
     """
     from modelica2fmu.build import BuildOptions
     from modelica2fmu.packaging import SolverOptions
+    from modelica2fmu.scene.outputs import output_groups
 
     return BuildOptions(
         msl=arguments.msl,
         fmi=fmi_version(arguments),
         solver=solver or SolverOptions(),
+        outputs=output_groups(arguments.outputs) if arguments.outputs is not None else (),
         cache=None if arguments.no_cache else user_cache("fmu"),
     )

@@ -68,7 +68,7 @@ def _build(
     progress: Progress,
 ) -> BuildReport:
     clock = PhaseClock(progress)
-    translation = translate(model, sources, library, clock)
+    translation = translate(model, sources, library, clock, options.outputs)
     package_fmu(
         translation.description,
         translation.generated.sources,

@@ -44,7 +44,7 @@ def fingerprint(model: str, sources: Sequence[Path], library: StandardLibrary, o
             digest.update(len(data).to_bytes(8, "little"))
             digest.update(data)
 
-    add(model, options.fmi.value, repr(options.solver), _builder())
+    add(model, options.fmi.value, repr(options.solver), repr(options.outputs), _builder())
     for platform in find_platforms(options.platforms):
         add(platform.name, _toolchain(platform))
     file, roots = locate(model, sources)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from modelica2fmu.packaging import FmiVersion, SolverOptions
 from modelica2fmu.packaging.platforms import LINUX64
+from modelica2fmu.scene.outputs import OutputGroup
 
 
 @dataclass(frozen=True)
@@ -18,6 +19,7 @@ class BuildOptions:
         fmi: version of the FMI standard.
         platforms: names of the platforms that the FMU holds binaries for (packaging/platforms.py).
         solver: defaults of the co-simulation integrator.
+        outputs: what of the scene is an output, so that every tool records it.
         cache: folder where FMUs, and the objects that all of them have, are kept by what they are made from; ``None``
             to build afresh.
     """
@@ -26,4 +28,5 @@ class BuildOptions:
     fmi: FmiVersion = FmiVersion.FMI2
     platforms: tuple[str, ...] = (LINUX64.name,)
     solver: SolverOptions = field(default_factory=SolverOptions)
+    outputs: tuple[OutputGroup, ...] = ()
     cache: Path | None = None

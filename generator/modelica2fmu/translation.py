@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -31,6 +31,9 @@ from modelica2fmu.library.sources import locate
 from modelica2fmu.library.standard_library import StandardLibrary, other_libraries
 from modelica2fmu.packaging.platforms import LINUX64
 from modelica2fmu.phases import PhaseClock
+from modelica2fmu.scene.energies import add_energies
+from modelica2fmu.scene.mechanism import find_mechanism
+from modelica2fmu.scene.outputs import OutputGroup, with_outputs
 from modelica2fmu.symbolic import expression as ex
 
 _MODEL_NAME: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\.[A-Za-z_][A-Za-z0-9_]*)*")
@@ -55,7 +58,11 @@ def check_model_name(model: str) -> None:
 
 
 def translate(
-    model: str, sources: Sequence[Path], library: StandardLibrary, clock: PhaseClock | None = None
+    model: str,
+    sources: Sequence[Path],
+    library: StandardLibrary,
+    clock: PhaseClock | None = None,
+    outputs: Collection[OutputGroup] = (),
 ) -> Translation:
     """Everything up to the C; see :func:`modelica2fmu.build.build_fmu`."""
     clock = clock or PhaseClock()
@@ -74,6 +81,8 @@ def translate(
             flat = load_flat_model(model, file, roots, source_map, clock.remark)
             clock.begin("expand")
             scalar = scalarize(flat, source_map, lambda name: named_file(name, roots, file))
+            if OutputGroup.ENERGIES in outputs:
+                add_energies(scalar, find_mechanism(scalar.variables))
             external = _with_real_paths(find_external_code(scalar.external_annotations, roots, model.split(".")[0]))
             external = replace(external, modules=chosen_modules(scalar.calls))
             icon = icon_png(model, [*sources, *roots])
@@ -103,7 +112,7 @@ def translate(
         internal_parameters=internal_parameters(reduced, generated.slots),
         icon=icon,
     )
-    return Translation(scalar, reduced, systems, generated, description)
+    return Translation(scalar, reduced, systems, generated, with_outputs(description, outputs))
 
 
 def _shown(path: Path, original: Path, view: Path) -> Path:

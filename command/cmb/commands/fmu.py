@@ -32,6 +32,7 @@ EXAMPLES = """examples:
   cmb fmu Robot.Mechatronics --source ./Robot --fmi 3 --output robot.fmu --log
   cmb fmu Robot.Mechatronics --source ./Robot \\
     --tolerance 1e-5 --max-step 0.001 --log build.log
+  cmb fmu Robot.Mechatronics --source ./Robot --outputs poses,forces
   cmb fmu Robot.Mechatronics --source ./Robot --tool omc
   cmb fmu Robot.Mechatronics --source ./Robot --platform linux64,win64
   cmb fmu ReferenceModels.DoublePendulum \\
@@ -128,7 +129,7 @@ def _by_translator(arguments: Namespace, output: Path, progress: Progress) -> Bu
 def _by_openmodelica(arguments: Namespace, output: Path, progress: Progress) -> OpenModelicaReport:
     if arguments.platform != "linux64":
         raise InputError("--platform is for the built-in translator", remedy="leave it out, or --tool omc")
-    for option in ("tolerance", "max_step", "max_steps"):
+    for option in ("tolerance", "max_step", "max_steps", "outputs"):
         if getattr(arguments, option) is not None:
             name = option.replace("_", "-")
             raise InputError(f"--{name} is for the built-in translator", remedy="leave it out, or --tool omc")
