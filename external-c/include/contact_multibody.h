@@ -129,12 +129,12 @@ CMB_API cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const cmb_poses 
                                   const cmb_contact_points *points);
 
 /* Which back end answers for the nearest shapes of a pair at these poses; CMB_BACKEND_AUTO where
- * a body has no shape. The engine asks the scene's back end, checks what it says, and answers itself
- * (CMB_BACKEND_ANALYTIC) where that is missing or does not hold. backend is unchanged on error. Not NULL. */
+ * a body has no shape. The engine asks the scene's back end, whose answer counts as it is, and answers itself
+ * (CMB_BACKEND_ANALYTIC) where that is missing or contradicts itself. backend is unchanged on error. Not NULL. */
 CMB_API cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const cmb_poses *poses, cmb_backend *backend);
 
 /* How often, in all threads since the scene was interned, the library it names as back end gave an answer that
- * held, and how often that was missing or did not hold; 0 for the engine's own back end, which is not counted.
+ * held, and how often that was missing or contradicted itself; 0 for the engine's own back end, which is not counted.
  * answered, refused: unchanged on error. Not NULL. */
 CMB_API cmb_status cmb_backend_counts(cmb_scene scene, unsigned long long *answered, unsigned long long *refused);
 

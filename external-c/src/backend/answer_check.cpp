@@ -23,7 +23,7 @@ bool answer_holds(const SignedDistance &answer, const Shape &a, const Pose &pose
   if (std::fabs(norm(answer.normal) - 1.0) > 1e-9) return false;
   const double slack = tolerance * (a.bound_radius + b.bound_radius);
   const double along_normal = -(extent(a, pose_a, -answer.normal) + extent(b, pose_b, answer.normal));
-  if (std::fabs(along_normal - answer.distance) > slack) return false;
+  if (std::fabs(along_normal - answer.distance) > slack || (along_normal < 0.0) != (answer.distance < 0.0)) return false;
   return norm(answer.point_a - answer.point_b - answer.distance * answer.normal) <= slack;
 }
 

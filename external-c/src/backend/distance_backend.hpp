@@ -21,8 +21,8 @@ SignedDistance exact_distance(const Shape &a, const Pose &pose_a, const Shape &b
                             BackendScratch &scratch);
 
 // Whether a library's answer holds: finite, unit normal, and the two shapes' extents along it leave the distance it
-// says to `tolerance` (relative to the shapes' size). An overlap's depth that is true along the normal but not the
-// least of all directions passes: only an exact search can tell.
+// says to `tolerance` (relative to the shapes' size) and with its sign: what is said to be apart is apart. An overlap's
+// depth that is true along the normal but not the least of all directions passes: only an exact search can tell.
 bool answer_holds(const SignedDistance &answer, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                   double tolerance);
 

