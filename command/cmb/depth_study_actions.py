@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import webbrowser
 from argparse import Namespace
+from contextlib import closing, suppress
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import contact_data
 from contact_foundation.errors import InputError, Place
@@ -12,6 +15,10 @@ from contact_foundation.output import check_file
 from cmb.input_file import check_input
 from cmb.terminal import progress_bars
 
+if TYPE_CHECKING:
+    from depth_study.record.database import StudyDatabase
+
+_DEFAULT_SEED = 1
 _CARRY_OVERS = (0.0, 0.05, 0.1, 0.2)
 _POWER_OBSERVERS = (10, 20, 30, 44, 60, 80, 120)
 
@@ -42,6 +49,50 @@ def make_sequences(arguments: Namespace) -> int:
     if arguments.output is not None:
         write_sequences(design, sequences, arguments.output)
     return 0
+
+
+def run_study(arguments: Namespace) -> int:
+    """Serves the page of a study until it is interrupted."""
+    check_input(arguments.design)
+    from depth_study.page.server import StudyServer
+    from depth_study.page.session import StudySessions
+    from stereo_views.viewing import Viewing
+
+    viewing = Viewing(
+        eye_distance=arguments.eye_distance,
+        convergence_distance=arguments.convergence_distance,
+        screen_width=arguments.screen_width,
+        viewing_distance=arguments.viewing_distance,
+    )
+    with StudyServer(arguments.port) as server, closing(_opened_study(arguments)) as database:
+        print(f"{server.address} shows the study; Ctrl-C ends it. Answers are kept in {arguments.study}.", flush=True)
+        if not arguments.no_browser:
+            webbrowser.open(server.address)
+        with suppress(KeyboardInterrupt):
+            server.serve(StudySessions(database, viewing))
+        answers = sum(database.observers().values())
+    print(f"{answers} answers are kept in {arguments.study}")
+    return 0
+
+
+def _opened_study(arguments: Namespace) -> StudyDatabase:
+    """The study's database; a new one if there is none, of the design and seed asked for."""
+    from depth_study.record.database import create_database, open_database
+
+    study: Path = arguments.study
+    if not study.exists() or (study.is_file() and study.stat().st_size == 0):
+        text = _design_file(arguments).read_text(encoding="utf-8")
+        return create_database(study, text, _DEFAULT_SEED if arguments.seed is None else arguments.seed)
+    database = open_database(study)
+    asked = arguments.design.read_text(encoding="utf-8") if arguments.design is not None else database.design_text
+    if asked != database.design_text or arguments.seed not in (None, database.seed):
+        database.close()
+        raise InputError(
+            "was begun with another design or seed",
+            place=Place(file=study),
+            remedy="Leave --design and --seed out to go on with it, or name another file.",
+        )
+    return database
 
 
 def evaluate_study(arguments: Namespace) -> int:

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import csv
+import signal
+import socket
+import subprocess
+import sys
+import urllib.request
 
 import contact_data
 import pytest
 from depth_study.design.design_file import load_design
 from depth_study.design.sequences import make_sequences
 from depth_study.evaluation.published import load_published
+from depth_study.record.database import create_database
 from depth_study.simulation.observers import Population
 from depth_study.simulation.simulated_study import write_simulated_study
 
@@ -59,11 +65,49 @@ def test_an_observer_is_deleted(cmb_here, tmp_path):
     assert "Known are 1, 2, 4." in done.stderr
 
 
+def test_the_page_is_served_until_it_is_interrupted(tmp_path):
+    study = tmp_path / "study.db"
+    words = ["depth-study", "run", str(study), "--port", "0", "--no-browser"]
+    with subprocess.Popen([sys.executable, "-m", "cmb.main", *words], stdout=subprocess.PIPE, text=True) as process:
+        address = process.stdout.readline().split()[0]
+        with urllib.request.urlopen(address + "start", timeout=10) as reply:
+            assert b'"free": 1' in reply.read()
+        process.send_signal(signal.SIGINT)
+        rest, _ = process.communicate(timeout=20)
+    assert process.returncode == 0
+    assert f"0 answers are kept in {study}" in rest
+    assert study.exists()
+
+
+def test_a_port_in_use_is_told_and_no_study_is_made(cmb_here, tmp_path):
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = str(taken.getsockname()[1])
+        done = cmb_here("depth-study", "run", tmp_path / "study.db", "--port", port, "--no-browser")
+    assert done.returncode == 2
+    assert f"port {port} is in use" in done.stderr
+    assert not (tmp_path / "study.db").exists()
+
+
+def test_a_study_goes_on_with_its_own_design_and_seed_alone(cmb_here, tmp_path):
+    study, design = tmp_path / "study.db", tmp_path / "design.toml"
+    text = (contact_data.depth_study() / "design.toml").read_text()
+    create_database(study, text, seed=3).close()
+    design.write_text(text.replace("central", "middle"))
+    for words in (("--seed", "4"), ("--design", design)):
+        done = cmb_here("depth-study", "run", study, "--port", "0", "--no-browser", *words)
+        assert done.returncode == 2
+        assert "was begun with another design or seed" in done.stderr
+
+
 @pytest.mark.parametrize(
     ("words", "told"),
     [
         (("design", "--design", "README.md"), "is no TOML"),
         (("evaluate", "README.md"), "is damaged (file is not a database)"),
+        (("run", "study.db", "--port", "0", "--eye-distance", "nan"), "eye_distance is nan"),
+        (("run", "README.md", "--port", "0"), "is damaged"),
         (("simulate", "--carry-over", "2"), "--carry-over 2 is no share"),
         (("simulate", "--output", "README.md"), "is there already"),
     ],

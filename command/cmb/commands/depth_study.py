@@ -16,6 +16,7 @@ DESCRIPTION = (
 EXAMPLES = """examples:
   cmb depth-study design
   cmb depth-study sequence --observers 44 --output sequences.csv
+  cmb depth-study run study.db
   cmb depth-study simulate --output study.db
   cmb depth-study evaluate study.db --output study.html
   cmb depth-study delete study.db --observer 7
@@ -38,6 +39,23 @@ def add_arguments(parser: ArgumentParser) -> None:
     _add_seed(sequence)
     sequence.add_argument("--output", type=Path, metavar="CSV", help="write the sequences there")
     sequence.set_defaults(action=actions.make_sequences)
+
+    run_page = kinds.add_parser("run", help="show the study in a browser on this machine and keep every answer")
+    run_page.add_argument("study", type=Path, metavar="STUDY", help="database of the study; made if it is not there")
+    _add_design(run_page)
+    run_page.add_argument("--seed", type=_seed, metavar="N", help=f"of the sequences of a new study ({_DEFAULT_SEED})")
+    run_page.add_argument(
+        "--port", type=_port, default=8770, metavar="N", help="of the page (8770; 0: any that is free)"
+    )
+    run_page.add_argument("--no-browser", action="store_true", help="print the page's address, open no browser")
+    for name, default, text in (
+        ("eye-distance", 0.065, "between the two cameras"),
+        ("convergence-distance", 2.0, "from the cameras to what is seen at the screen"),
+        ("screen-width", 0.52, "of the picture on the screen"),
+        ("viewing-distance", 0.6, "from the eyes to the screen"),
+    ):
+        run_page.add_argument(f"--{name}", type=float, default=default, metavar="M", help=f"m, {text} ({default:g})")
+    run_page.set_defaults(action=actions.run_study)
 
     evaluate = kinds.add_parser("evaluate", help="levels, effects of factors and checks from a study's answers")
     evaluate.add_argument("study", type=Path, metavar="STUDY", help="database of the study")
@@ -108,6 +126,13 @@ def _seed(text: str) -> int:
     value = int(text)
     if not 0 <= value < 2**63:
         raise ArgumentTypeError(f"{text} is no seed: give a whole number that is not negative")
+    return value
+
+
+def _port(text: str) -> int:
+    value = int(text)
+    if not 0 <= value < 2**16:
+        raise ArgumentTypeError(f"{text} is not between 0 and 65535")
     return value
 
 

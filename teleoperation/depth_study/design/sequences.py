@@ -8,9 +8,9 @@ first ones do not depend on how many follow.
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import islice, pairwise
 
 import numpy as np
 from contact_foundation.errors import InputError
@@ -58,21 +58,32 @@ def make_sequences(design: Design, observers: int, seed: int, progress: Progress
     Raises:
         InputError: no sequence with at most one step that is no edge was found.
     """
+    rows = []
+    for row in islice(sequences_without_end(design, seed), observers):
+        rows.append(row)
+        progress("sequences", len(rows) / observers)
+    return np.array(rows, dtype=np.intp).reshape(observers, len(design.constellations))
+
+
+def sequences_without_end(design: Design, seed: int) -> Iterator[IntArray]:
+    """Yields the sequences of the observers 1, 2, ... one after the other; shape (constellations,) each.
+
+    Raises:
+        InputError: no sequence with at most one step that is no edge was found.
+    """
     chance = random.Random(seed)
     count = len(design.constellations)
     exact = hamiltonian_starts(design)
     uses = _Uses(design)
     starts: list[int] = []
-    rows = []
-    for observer in range(observers):
+    while True:
         if not starts:
             starts = chance.sample(range(count), count)
         start = starts.pop()
         jumps = (1,) if exact is not None and not exact[start] else (0, 1)
-        rows.append(_best_of_many(design, start, jumps, uses, chance))
-        uses.add(rows[-1])
-        progress("sequences", (observer + 1) / observers)
-    return np.array(rows, dtype=np.intp).reshape(observers, count)
+        row = _best_of_many(design, start, jumps, uses, chance)
+        uses.add(row)
+        yield np.array(row, dtype=np.intp)
 
 
 def balance(design: Design, sequences: IntArray) -> Balance:

@@ -1,0 +1,1 @@
+"""The page on which observers see constellations and answer, and the server behind it."""

@@ -1,0 +1,180 @@
+"use strict";
+/* The course of a session: number, pictures with answers, end. What is stored is known to the program alone. */
+
+const by = id => document.getElementById(id);
+const tab = Array.from(crypto.getRandomValues(new Uint32Array(4)), n => n.toString(16)).join("");
+let scene = null, state = null, stop = () => {}, shown = 0;
+
+function show(id) {
+  for (const part of document.querySelectorAll("main")) part.hidden = part.id !== id;
+}
+
+function tell(text) {
+  by("trouble").textContent = text;
+  by("trouble").hidden = !text;
+}
+
+/** Asks the program; null and a message on the page if that did not work. */
+async function ask(path, data) {
+  let reply;
+  try {
+    reply = await fetch(path, data === undefined ? {} : {
+      method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(data),
+    });
+  } catch {
+    tell("The study's program does not answer. Start it again, then press the button once more.\n"
+       + "What you answered before is stored.");
+    return null;
+  }
+  let result = {};
+  try {
+    result = await reply.json();
+  } catch {
+    result = { error: "the program's answer was broken off" };
+  }
+  if (reply.ok) {
+    tell("");
+    return result;
+  }
+  if (reply.status === 409 && result.kind === "answered") {  // stored before, by another tab or a lost reply
+    tell(result.error);
+    const now = await begin(state.observer);
+    if (now) tell("This picture had been answered already; here is the next one.");
+    return null;
+  }
+  tell(result.error + (reply.status === 507 ? "\nThis answer is not stored yet; press Next once more." : ""));
+  return null;
+}
+
+/** A row of nine numbers to choose from. */
+function makeScale(id, least, greatest) {
+  const row = document.createElement("div");
+  row.className = "scale";
+  const end = text => {
+    const span = document.createElement("span");
+    span.className = "end";
+    span.textContent = text;
+    return span;
+  };
+  row.append(end(least));
+  for (let number = 1; number <= 9; number++) {
+    const label = document.createElement("label"), input = document.createElement("input");
+    Object.assign(input, { type: "radio", name: id, value: String(number) });
+    label.append(input, String(number));
+    row.append(label);
+  }
+  row.append(end(greatest));
+  by(id).append(row);
+}
+
+function chosen(name) {
+  const input = document.querySelector(`input[name="${name}"]:checked`);
+  return input ? Number(input.value) : null;
+}
+
+function checkAnswer() {
+  by("next").disabled = chosen("absolute") === null || (state.position > 0 && chosen("relative") === null);
+}
+
+function fitCanvas() {
+  const canvas = by("picture"), aspect = state.view.aspect;
+  const width = Math.max(320, Math.min(window.innerWidth, (window.innerHeight - 300) * aspect));
+  canvas.style.width = `${Math.round(width)}px`;
+  // One pixel of the picture is one of the display, as rows for polarised displays need it.
+  canvas.width = Math.round(width * window.devicePixelRatio);
+  canvas.height = Math.round(canvas.width / aspect);
+}
+
+function showConstellation() {
+  stop();
+  if (state.finished) {
+    by("who").textContent = state.observer;
+    show("end");
+    return;
+  }
+  show("show");
+  by("answer").reset();
+  by("relative").hidden = state.position === 0;
+  by("progress").textContent = `Picture ${state.position + 1} of ${state.total}`;
+  by("picture").hidden = state.view === null;
+  if (state.view) {
+    by("goggles").textContent = state.view.goggles;
+    fitCanvas();
+    stop = showView(by("picture"), state.view, scene);
+  } else {
+    by("goggles").textContent = Object.entries(state.levels).map(([name, level]) => `${name}: ${level}`).join(", ");
+  }
+  checkAnswer();
+  shown = performance.now();
+}
+
+async function begin(observer) {
+  const result = await ask("/begin", { observer, tab });
+  if (result === null) return false;
+  state = result;
+  location.hash = String(observer);  // a reloaded page goes on
+  showConstellation();
+  return true;
+}
+
+function showWelcome(start) {
+  scene = start.scene;
+  document.title = start.title;
+  by("title").textContent = start.title;
+  by("total").textContent = start.total;
+  by("observer").value = start.free;
+  by("unfinished").textContent = start.unfinished.length
+    ? `Not finished yet: observer ${start.unfinished.join(", ")}.` : "";
+  show("welcome");
+}
+
+by("begin").addEventListener("submit", event => {
+  event.preventDefault();
+  begin(Number(by("observer").value));
+});
+
+by("delete").addEventListener("submit", async event => {
+  event.preventDefault();
+  const observer = Number(by("deleted").value);
+  const start = await ask("/delete", { observer });
+  if (start === null) return;
+  by("delete").reset();
+  showWelcome(start);
+  by("done").textContent = `The answers of observer ${observer} are deleted.`;
+});
+
+by("answer").addEventListener("change", checkAnswer);
+
+by("answer").addEventListener("submit", async event => {
+  event.preventDefault();
+  if (by("next").disabled) return;
+  by("next").disabled = true;
+  const result = await ask("/answer", {
+    observer: state.observer, tab, position: state.position, absolute: chosen("absolute"),
+    relative: state.position ? chosen("relative") : null, seconds: (performance.now() - shown) / 1000,
+  });
+  if (result === null) {
+    checkAnswer();
+    return;
+  }
+  state = result;
+  showConstellation();
+});
+
+window.addEventListener("resize", () => {
+  if (state && !state.finished && state.view && !by("show").hidden) {
+    stop();
+    fitCanvas();
+    stop = showView(by("picture"), state.view, scene);
+  }
+});
+
+makeScale("absolute", "1: none, flat", "9: as in reality");
+makeScale("relative", "1: much less", "9: much more (5: the same)");
+(async () => {
+  const start = await ask("/start");
+  if (start === null) return;
+  showWelcome(start);
+  const number = Number(location.hash.slice(1));
+  if (Number.isInteger(number) && number > 0) await begin(number);
+})();
