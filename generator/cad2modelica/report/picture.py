@@ -1,17 +1,14 @@
-"""A shaded picture of solids: parallel projection, depth buffer, dark edges, written as PNG.
-
-PNG: ISO/IEC 15948, 8-bit RGB without interlacing, lines without filters.
-"""
+"""A shaded picture of solids: parallel projection, depth buffer, dark edges, written as PNG."""
 
 from __future__ import annotations
 
-import struct
-import zlib
+import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 from cad2modelica.geometry.spatial import Array, dot
 
@@ -146,11 +143,6 @@ def _averaged(image: Array) -> Array:
 
 
 def _png(image: Array) -> bytes:
-    rows = np.clip(np.round(image), 0, 255).astype(np.uint8)
-    lines = b"".join(b"\0" + row.tobytes() for row in rows)
-
-    def chunk(kind: bytes, data: bytes) -> bytes:
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    head = struct.pack(">IIBBBBB", rows.shape[1], rows.shape[0], 8, 2, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(lines, 9)) + chunk(b"IEND", b"")
+    buffer = io.BytesIO()
+    Image.fromarray(np.clip(np.round(image), 0, 255).astype(np.uint8)).save(buffer, "PNG")
+    return buffer.getvalue()

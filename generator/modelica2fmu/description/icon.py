@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import struct
-import zlib
+import io
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 _SIZE = 64
 _OVERSAMPLING = 4
@@ -14,17 +14,12 @@ _OVERSAMPLING = 4
 _Mask = NDArray[np.bool_]
 
 
-def _chunk(kind: bytes, content: bytes) -> bytes:
-    check = zlib.crc32(kind + content)
-    return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", check)
-
-
 def _paint(image: NDArray[np.float64], mask: _Mask, color: tuple[int, int, int]) -> None:
     image[mask] = (*color, 255.0)
 
 
 def model_icon() -> bytes:
-    """A PNG of 64 x 64 pixels with transparent background (PNG specification, third edition, 2025)."""
+    """A PNG of 64 x 64 pixels with transparent background."""
     count = _SIZE * _OVERSAMPLING
     y, x = np.mgrid[0:count, 0:count] / _OVERSAMPLING
     image = np.zeros((count, count, 4))
@@ -40,9 +35,7 @@ def model_icon() -> bytes:
 
 
 def encode_png(pixels: NDArray[np.uint8]) -> bytes:
-    """A PNG of pixels with red, green, blue and opacity, rows by columns by 4 (PNG specification, 2025)."""
-    rows = b"".join(b"\0" + row.tobytes() for row in pixels)
-    header = struct.pack(">IIBBBBB", pixels.shape[1], pixels.shape[0], 8, 6, 0, 0, 0)
-    return (
-        b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", header) + _chunk(b"IDAT", zlib.compress(rows, 9)) + _chunk(b"IEND", b"")
-    )
+    """A PNG of pixels with red, green, blue and opacity, rows by columns by 4."""
+    buffer = io.BytesIO()
+    Image.fromarray(pixels).save(buffer, "PNG")
+    return buffer.getvalue()

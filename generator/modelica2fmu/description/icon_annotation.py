@@ -55,6 +55,16 @@ def read_icon(model: str, sources: Sequence[Path]) -> Icon | None:
     return Icon(_extent(found[-1]), graphics)
 
 
+def read_annotation(text: str) -> Item:
+    """The number, text (with its quotes), name, array or record that a text begins with.
+
+    Raises:
+        ValueError: it does not end.
+        RecursionError: it is nested too deeply.
+    """
+    return _Reader(text).item()
+
+
 def _annotations(name: str, sources: Sequence[Path], depth: int) -> Iterator[Call]:
     text = next(class_texts(name, sources), None)
     if text is None or depth > _DEPTH_LIMIT:
@@ -86,7 +96,7 @@ def _own_annotation(text: ClassText) -> Call | None:
     if not places or _END.search(text.plain, places[-1]):
         return None
     try:
-        item = _Reader(text.text[places[-1] : places[-1] + _LONGEST]).item()
+        item = read_annotation(text.text[places[-1] : places[-1] + _LONGEST])
     except (ValueError, RecursionError):
         return None  # an icon that cannot be read is none: the model is good without
     return item if isinstance(item, Call) else None

@@ -1,4 +1,4 @@
-"""Draws the icon of a model (Modelica 3.6, section 18.6) as an image of points.
+"""Draws the icon of a model (Modelica 3.6, section 18.6) as an image of points, by Pillow.
 
 Texts are left out: an image of this size has no room for a legible name, which importers write below it anyway.
 """
@@ -7,24 +7,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
 from pathlib import Path
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
+from PIL import Image, ImageDraw
 
 from modelica2fmu.description.icon import encode_png
 from modelica2fmu.description.icon_annotation import Call, Icon, Item, read_icon
 
 _SIZE: Final = 96
-_OVERSAMPLING: Final = 3
+_OVERSAMPLING: Final = 8
 _THINNEST: Final = 1.1  # points, of a line
 _MILLIMETRE: Final = 4.0  # units of the coordinate system a line of 1 mm is wide
 _CURVE_STEPS: Final = 12
 _MOST_POINTS: Final = 2000
+_FARTHEST: Final = 1e5  # samples
 
-_Floats = NDArray[np.float64]
 _Points = list[tuple[float, float]]
 
 
@@ -41,11 +40,11 @@ def icon_png(model: str, sources: Sequence[Path]) -> bytes | None:
     canvas = _Canvas(icon)
     for shape in icon.graphics:
         canvas.draw(shape)
-    return encode_png(canvas.pixels()) if canvas.is_drawn else None
+    return canvas.png() if canvas.is_drawn else None
 
 
 class _Canvas:
-    """Paints shapes one over the other.
+    """Paints shapes one over the other, larger than they are shown.
 
     Attributes:
         is_drawn: = true, if a shape has left something.
@@ -53,21 +52,16 @@ class _Canvas:
 
     def __init__(self, icon: Icon) -> None:
         left, bottom, right, top = icon.extent
-        count = _SIZE * _OVERSAMPLING
-        self._unit = max(right - left, top - bottom) / count  # length of a sample
-        column, row = np.meshgrid(np.arange(count) + 0.5, np.arange(count) + 0.5)
-        self._x: _Floats = (left + right) / 2 + (column - count / 2) * self._unit
-        self._y: _Floats = (bottom + top) / 2 - (row - count / 2) * self._unit
-        self._image: _Floats = np.zeros((count, count, 4))
+        self._count = _SIZE * _OVERSAMPLING
+        self._unit = max(right - left, top - bottom) / self._count  # length of a sample
+        self._middle = (left + right) / 2, (bottom + top) / 2
+        self._image = Image.new("RGBA", (self._count, self._count))
         self.is_drawn = False
 
-    def pixels(self) -> NDArray[np.uint8]:
+    def png(self) -> bytes:
         """The image, averaged over its samples; colours weighted by opacity."""
-        samples = self._image.reshape(_SIZE, _OVERSAMPLING, _SIZE, _OVERSAMPLING, 4)
-        opacity = samples[..., 3].mean(axis=(1, 3))
-        colour = (samples[..., :3] * samples[..., 3:]).mean(axis=(1, 3)) / np.maximum(opacity, 1e-9)[..., None]
-        pixels: NDArray[np.uint8] = np.rint(np.dstack([colour, 255.0 * opacity])).astype(np.uint8)
-        return pixels
+        small = self._image.convert("RGBa").resize((_SIZE, _SIZE), Image.Resampling.BOX).convert("RGBA")
+        return encode_png(np.asarray(small))
 
     def draw(self, shape: Call) -> None:
         """Draws a shape; those of unknown kind, or whose visibility depends on the model, are passed over."""
@@ -83,7 +77,7 @@ class _Canvas:
 
     def _line(self, shape: Call) -> None:
         points = _placed(shape, _smoothed(shape, _points(shape), closed=False))
-        self._stroke(points, shape, "color", "thickness")
+        self._stroke(self._samples(points), shape, "color", "thickness")
 
     def _polygon(self, shape: Call) -> None:
         points = _points(shape)
@@ -131,52 +125,57 @@ class _Canvas:
     # --- painting ---
 
     def _area(self, shape: Call, outline: _Points) -> None:
-        points = _placed(shape, outline)
+        points = self._samples(_placed(shape, outline))
         pattern = str(shape.named.get("fillPattern", "None")).rsplit(".", 1)[-1]
         if pattern != "None":
-            fill = np.broadcast_to(np.array(_colour(shape, "fillColor")), (*self._x.shape, 3))
+            mask = Image.new("L", self._image.size)
+            ImageDraw.Draw(mask).polygon(points, fill=255)
+            fill = Image.new("RGBA", self._image.size, _rgb(_colour(shape, "fillColor")))
             if pattern in ("HorizontalCylinder", "VerticalCylinder", "Sphere"):
                 fill = self._shaded(points, pattern, _colour(shape, "lineColor"), _colour(shape, "fillColor"))
-            self._paint(self._inside(points), fill)
+            self._paint(fill, mask)
         self._stroke([*points, points[0]], shape, "lineColor", "lineThickness")
 
-    def _shaded(self, points: _Points, pattern: str, edge: Sequence[float], middle: Sequence[float]) -> _Floats:
+    def _shaded(self, points: _Points, pattern: str, edge: Sequence[float], middle: Sequence[float]) -> Image.Image:
         """Colours from an edge over the middle to the other edge."""
         x, y = np.array(points).T
-        across = np.abs(self._x - (x.min() + x.max()) / 2) / max(np.ptp(x) / 2, 1e-9)
-        along = np.abs(self._y - (y.min() + y.max()) / 2) / max(np.ptp(y) / 2, 1e-9)
+        row, column = np.mgrid[0 : self._count, 0 : self._count] + 0.5
+        across = np.abs(column - (x.min() + x.max()) / 2) / max(np.ptp(x) / 2, 1e-9)
+        along = np.abs(row - (y.min() + y.max()) / 2) / max(np.ptp(y) / 2, 1e-9)
         distance = {"HorizontalCylinder": along, "VerticalCylinder": across}.get(pattern, np.hypot(across, along))
         share = np.clip(distance, 0, 1)[..., None]
-        colours: _Floats = share * np.array(edge) + (1 - share) * np.array(middle)
-        return colours
+        colours = share * np.array(edge) + (1 - share) * np.array(middle)
+        return Image.fromarray(np.clip(np.rint(colours), 0, 255).astype(np.uint8)).convert("RGBA")
 
     def _stroke(self, points: _Points, shape: Call, colour: str, thickness: str) -> None:
         if str(shape.named.get("pattern", "Solid")).endswith("None") or len(points) < 2:
             return
-        width = max(_number(shape, thickness, 0.25) * _MILLIMETRE, _THINNEST * _OVERSAMPLING * self._unit)
-        mask = np.zeros(self._x.shape, dtype=bool)
-        for (x0, y0), (x1, y1) in pairwise(points):
-            length = (x1 - x0) ** 2 + (y1 - y0) ** 2
-            share = ((self._x - x0) * (x1 - x0) + (self._y - y0) * (y1 - y0)) / length if length else 0.0
-            share = np.clip(share, 0, 1)
-            distance = np.hypot(self._x - x0 - share * (x1 - x0), self._y - y0 - share * (y1 - y0))
-            mask |= distance < width / 2
-        self._paint(mask, np.broadcast_to(np.array(_colour(shape, colour)), (*self._x.shape, 3)))
+        least = _THINNEST * _OVERSAMPLING
+        width = min(max(_number(shape, thickness, 0.25) * _MILLIMETRE / self._unit, least), self._count)
+        mask = Image.new("L", self._image.size)
+        pen = ImageDraw.Draw(mask)
+        pen.line(points, fill=255, width=round(width))
+        for x, y in points:  # round ends and bends
+            pen.ellipse((x - width / 2, y - width / 2, x + width / 2, y + width / 2), fill=255)
+        self._paint(Image.new("RGBA", self._image.size, _rgb(_colour(shape, colour))), mask)
 
-    def _inside(self, points: _Points) -> NDArray[np.bool_]:
-        """Points inside of a polygon by the even-odd rule."""
-        mask = np.zeros(self._x.shape, dtype=bool)
-        for (x0, y0), (x1, y1) in zip(points, [*points[1:], points[0]], strict=True):
-            if y0 == y1:
-                continue
-            crosses = (self._y < y0) != (self._y < y1)
-            mask ^= crosses & (self._x < x0 + (self._y - y0) * (x1 - x0) / (y1 - y0))
-        return mask
+    def _samples(self, points: _Points) -> _Points:
+        """Points of the coordinate system as places in the large image."""
+        (x0, y0), unit = self._middle, self._unit
+        return [(self._sample((x - x0) / unit), self._sample((y0 - y) / unit)) for x, y in points]
 
-    def _paint(self, mask: NDArray[np.bool_], colour: _Floats) -> None:
-        self._image[mask, :3] = colour[mask]
-        self._image[mask, 3] = 1.0
-        self.is_drawn = self.is_drawn or bool(mask.any())
+    def _sample(self, place: float) -> float:
+        """From the image's middle to its corner, kept within what Pillow computes with."""
+        return self._count / 2 + min(max(place, -_FARTHEST), _FARTHEST)
+
+    def _paint(self, fill: Image.Image, mask: Image.Image) -> None:
+        self._image.paste(fill, mask=mask)
+        self.is_drawn = self.is_drawn or mask.getbbox() is not None
+
+
+def _rgb(colour: Sequence[float]) -> tuple[int, int, int]:
+    red, green, blue = (min(max(round(part), 0), 255) for part in colour)
+    return red, green, blue
 
 
 def _number(shape: Call, name: str, default: float) -> float:
@@ -193,7 +192,8 @@ def _pairs(item: Item | None) -> _Points:
             x, y = pair
             assert isinstance(x, float)
             assert isinstance(y, float)
-            found.append((x, y))
+            if math.isfinite(x) and math.isfinite(y):
+                found.append((x, y))
     return found
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import struct
-import zlib
+import io
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +11,7 @@ from cad2modelica import generate, read_assembly
 from cad2modelica.collision.collision_shapes import collision_geometry
 from cad2modelica.report.mechanism_pictures import mechanism_pictures
 from cad2modelica.report.picture import BACKGROUND, HEIGHT, WIDTH, Solid, draw, view_axes
+from PIL import Image
 from scipy.spatial import ConvexHull
 
 RED, BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
@@ -28,20 +28,10 @@ def solid(points: np.ndarray, color: tuple[float, float, float]) -> Solid:
 
 
 def pixels(png: bytes) -> np.ndarray:
-    """Decodes what the writer writes, by the standard: chunks with check sums, lines without filters."""
-    assert png[:8] == b"\x89PNG\r\n\x1a\n"
-    data, position = b"", 8
-    while position < len(png):
-        (length,) = struct.unpack_from(">I", png, position)
-        kind, content = png[position + 4 : position + 8], png[position + 8 : position + 8 + length]
-        assert struct.unpack_from(">I", png, position + 8 + length)[0] == zlib.crc32(kind + content)
-        if kind == b"IHDR":
-            assert struct.unpack(">IIBBBBB", content) == (WIDTH, HEIGHT, 8, 2, 0, 0, 0)
-        data += content if kind == b"IDAT" else b""
-        position += 12 + length
-    rows = np.frombuffer(zlib.decompress(data), np.uint8).reshape(HEIGHT, 1 + 3 * WIDTH)
-    assert not rows[:, 0].any()
-    return rows[:, 1:].reshape(HEIGHT, WIDTH, 3).astype(int)
+    """Rows by columns by red, green, blue, as integers that can be subtracted."""
+    with Image.open(io.BytesIO(png)) as image:
+        assert (image.format, image.mode, image.size) == ("PNG", "RGB", (WIDTH, HEIGHT))
+        return np.asarray(image).astype(int)
 
 
 def where(image: np.ndarray, channel: int) -> np.ndarray:
