@@ -11,12 +11,12 @@ from contact_foundation.cache import user_cache
 # What takes longest comes first, so that no process is left alone with it in the end (scripts/test).
 LONGEST_FIRST = (
     "generator/tests/cad2modelica/kinematics/test_every_loop.py",
-    "command/tests/test_library_cases.py",
-    "command/tests/test_known_answers.py",
+    "command/tests/regression_cases/test_library_cases.py",
+    "command/tests/regression_cases/test_known_answers.py",
     "command/tests/test_hammer.py",
     "library-tests/test_flatten.py",
     "command/tests/test_anton.py",
-    "command/tests/test_reference_cases.py",
+    "command/tests/regression_cases/test_reference_cases.py",
     "Resources/tests/test_core_motion.py",
     "generator/tests/cad2modelica/collision/test_decomposition.py",
     "generator/tests/cad2modelica/kinematics/test_overconstrained_loops.py",

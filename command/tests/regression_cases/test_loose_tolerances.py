@@ -12,8 +12,7 @@ from fmu_regression.cases.case import load_case
 from fmu_regression.fmi.fmu import Mode
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.simulate.simulation import simulate
-
-CASES = Path(__file__).resolve().parents[2] / "regression" / "cases"
+from program import CASES
 
 GRAVITY, FRICTION, SPEED = 9.81, 0.3, 2.0
 DISTANCE = SPEED**2 / (2.0 * FRICTION * GRAVITY)

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 from cmb.fmu_provider import FmuProvider
 from contact_promises.impacts import all_impacts, delivered, some_impacts
 from contact_promises.table import ALLOWED_RESTITUTION
 from fmu_regression.cases.case import load_case
 from fmu_regression.cases.runner import Skip
-
-CASES = Path(__file__).resolve().parents[2] / "regression" / "cases"
+from program import CASES
 
 
 @pytest.mark.parametrize(("tolerance", "allowed"), [(1e-6, ALLOWED_RESTITUTION), (1e-4, 6e-3)])
