@@ -106,3 +106,43 @@ def test_a_jamming_rod_gains_no_energy(
 ) -> None:
     """Through jamming and lift-off, and without end to the events at none."""
     run(known_answer(case), mode, tolerance, mu=mu)
+
+
+FAR_FROM_A_STRIKE = [
+    ("painleve_rod_without_events", 1.4),
+    ("painleve_rod_without_events", 1.6),
+    ("painleve_rod_without_events", 3.0),
+    ("painleve_rod", 1.6),
+    ("painleve_rod", 3.0),
+    ("painleve_rod_anchored", 1.6),
+    ("painleve_rod_anchored", 3.0),
+]
+"""Rods that are thrown off; none whose fastest approach happens to be just one that counts as a strike of its own."""
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("mode", ["me", "cs"])
+@pytest.mark.parametrize(("case", "mu"), FAR_FROM_A_STRIKE)
+def test_a_rod_is_thrown_off_alike_at_every_tolerance(
+    case: str, mu: float, mode: Mode, known_answer: Callable[[str], Path]
+) -> None:
+    """A jam multiplies the error that it begins with, some ten times; but it throws the same way."""
+    height = "rod.frame_a.r_0[3]"
+    fmu = known_answer(case)
+    expected = run(fmu, "cs", 1e-8, height, mu=mu)[height][-1]
+    for tolerance in (1e-2, 1e-3, 1e-4, 1e-5):
+        found = run(fmu, mode, tolerance, height, mu=mu)[height][-1]
+        assert found == pytest.approx(expected, abs=min(5.0 * SPREAD * tolerance, 0.4))
+
+
+@pytest.mark.parametrize("mode", ["me", "cs"])
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4, 1e-5])
+@pytest.mark.parametrize("mu", [1.0, 1.1])
+def test_a_sliding_rod_with_anchors_comes_to_rest(
+    mu: float, tolerance: float, mode: Mode, known_answer: Callable[[str], Path]
+) -> None:
+    """Anchors of micrometres have derivatives of their own, and a rod that parts slowly makes no events without end."""
+    result = run(known_answer("painleve_rod_anchored"), mode, tolerance, "rod.frame_a.r_0[3]", mu=mu)
+    assert result.counters is not None
+    assert result.counters.steps < 3 * FEW
+    assert result["rod.frame_a.r_0[3]"][-1] == pytest.approx(0.00199, abs=1e-6)

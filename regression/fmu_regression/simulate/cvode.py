@@ -174,6 +174,8 @@ class Cvode:
         self._max_step = max_step
         self._last_step = ctypes.c_double(0.0)
         self._steps_alike = 0
+        self._root_found = False
+        self._first_step_limited = False
         self._totals = np.zeros(len(_counter), dtype=np.int64)
         self._memory: int | None = None
         self._newton: Newton | None = None
@@ -256,7 +258,11 @@ class Cvode:
             error, self._error = self._error, None
             detail = _FAILURES.get(status, f"CVODE status {status}")
             raise IntegrationError(f"{detail} ({self._message})" if self._message else detail) from error
+        if self._first_step_limited:
+            self._first_step_limited = False
+            self._check(CVodeSetMaxStep(self._memory, self._max_step))
         self._watch()
+        self._root_found = status == CV_ROOT_RETURN
         return reached.value, StepEnd.ROOT if status == CV_ROOT_RETURN else StepEnd.STEP
 
     def _watch(self) -> None:
@@ -280,11 +286,19 @@ class Cvode:
         return [number for number in range(self._indicator_count) if found[number]]
 
     def restart(self, time: float, states: FloatArray, nominal: FloatArray) -> None:
-        """Starts anew after an event; states and nominal values have shape (n,)."""
+        """Starts anew after an event; states and nominal values have shape (n,).
+
+        After one that an indicator told, the first step is no longer than the one in which it was found. CVODE's own
+        choice knows the error test alone, and a long step at order one may lead bodies that part slowly back into
+        contact between its ends, where another event is found, and so on.
+        """
         self._collect()
         self._nominal[:] = nominal
         _fill(self._x, states)
         _fill(self._absolute, self._absolute_share * nominal)
+        if self._root_found:
+            self._check(CVodeSetMaxStep(self._memory, min(self._last_step.value, self._max_step)))
+            self._first_step_limited = True
         self._check(CVodeReInit(self._memory, time, self._x))
         self._check(_set_newton_share(self._memory, _USUAL_NEWTON_SHARE))
         self._steps_alike = 0

@@ -51,6 +51,7 @@ struct fmurt_solver {
   double *entry; /* [state_count] states at the start of an advance */
   size_t state_count;
   int initialized, restart;
+  double step_at_root; /* in which the latest root was found, if that is why the next start is; else 0 */
   fmurt_result cause; /* of the last failed evaluation */
   long counted[FMURT_SOLVER_INTEGER_COUNT];
   long steps_left;           /* that are still allowed */
@@ -196,8 +197,12 @@ void fmurt_solver_destroy(fmurt_solver *solver) {
 }
 
 void fmurt_solver_restart(fmurt_solver *solver) {
-  if (solver != NULL) solver->restart = 1;
+  if (solver == NULL) return;
+  solver->restart = 1;
+  solver->step_at_root = 0.0;
 }
+
+void fmurt_solver_restart_after_event(fmurt_solver *solver) { solver->restart = 1; }
 
 static void load_point(fmurt_solver *solver) {
   double *state = NV_DATA_S(solver->state);
@@ -378,6 +383,20 @@ static int creeps(fmurt_solver *solver, double begin, double largest_step) {
   return (largest_step <= 0.0 || step < creeping_share * largest_step) && fabs(time - begin - way) < 1e-6 * way;
 }
 
+/* The first step after an event is no longer than the one in which it was found. CVODE's own choice knows the error test
+ * alone, and a long step at order one may lead bodies that part slowly back into contact between its ends, where another
+ * event is found, and so on. */
+static int first_step_after_event(fmurt_solver *solver, double end, double largest_step, double *reached) {
+  const double longest = fmin(solver->step_at_root, end - solver->instance->values.time);
+  solver->step_at_root = 0.0;
+  int flag = CV_SUCCESS;
+  if (largest_step <= 0.0 || longest < largest_step) flag = CVodeSetMaxStep(solver->memory, longest);
+  if (flag == CV_SUCCESS) flag = CVode(solver->memory, end, solver->state, reached, CV_ONE_STEP);
+  count(solver);
+  const int reset = CVodeSetMaxStep(solver->memory, largest_step);
+  return flag < 0 || reset == CV_SUCCESS ? flag : reset;
+}
+
 /* Lets CVODE go on to `end`, as far as steps are left, and counts what it did; where it creeps, Newton's iteration is
  * carried further until the next start. */
 static int advance_watched(fmurt_solver *solver, double end, double largest_step, double *reached) {
@@ -412,6 +431,10 @@ static int integrate(fmurt_solver *solver, double end, double limit, double larg
   }
   if (flag != CV_SUCCESS) return flag;
   if (solver->steps_left <= 0) return CV_TOO_MUCH_WORK;
+  if (solver->step_at_root > smallest_step) {
+    flag = first_step_after_event(solver, end, largest_step, reached);
+    if (flag == CV_ROOT_RETURN || flag < 0) return flag;
+  }
   return advance_watched(solver, end, largest_step, reached);
 }
 
@@ -461,6 +484,9 @@ fmurt_result fmurt_solver_advance(fmurt_solver *solver, double target, double li
       fmurt_set_point(instance, found_root ? reached : end, NV_DATA_S(solver->state));
       instance->situation.continuous_stale = 1;
       if (found_root) *stop = FMURT_STOP_ROOT;
+      if (!found_root || CVodeGetLastStep(solver->memory, &solver->step_at_root) != CV_SUCCESS) {
+        solver->step_at_root = 0.0;
+      }
       if (!shortened || found_root) return FMURT_RESULT_OK;
       memcpy(instance->message, failure, sizeof failure);
       return FMURT_RESULT_DISCARD;

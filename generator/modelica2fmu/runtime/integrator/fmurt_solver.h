@@ -11,10 +11,11 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance);
 /* Frees an integrator; solver may be NULL. */
 void fmurt_solver_destroy(fmurt_solver *solver);
 
-/* Tells that the next step starts afresh from the instance's time and states: after events, after values
- * were set, and where the state of the FMU was saved or restored, so that going on from a saved state and
+/* Tells that the next step starts afresh from the instance's time and states: after values were set, and where the state of the FMU was saved or restored, so that going on from a saved state and
  * going on after restoring it give the same numbers. solver may be NULL. */
 void fmurt_solver_restart(fmurt_solver *solver);
+/* The same after an event; after one that an indicator told, the first step is no longer than the last before it. */
+void fmurt_solver_restart_after_event(fmurt_solver *solver);
 
 /* Allows so many steps of the integrator from now on, in all advances together. */
 void fmurt_solver_allow_steps(fmurt_solver *solver, long count);

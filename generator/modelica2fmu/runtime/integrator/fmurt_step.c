@@ -15,7 +15,7 @@
 static fmurt_result carry_out_event(fmurt_instance *instance) {
   int states_changed = 0;
   const fmurt_result result = fmurt_iterate_events(instance, &states_changed);
-  fmurt_solver_restart(instance->solver);
+  fmurt_solver_restart_after_event(instance->solver);
   return result;
 }
 
