@@ -234,8 +234,16 @@ def add_definitions(
     description: ModelDescription,
     variables: Iterable[Variable],
     enumeration_element: EnumerationElement,
+    types: Iterable[etree._Element] = (),
 ) -> set[tuple[str, str]]:
     """Adds units, types, log categories and the default experiment, which both versions have in this order.
+
+    Args:
+        root: of the description.
+        description: the model.
+        variables: whose units are defined.
+        enumeration_element: makes the definition of an enumeration.
+        types: definitions beside those of enumerations.
 
     Returns:
         the pairs (unit, display unit) that are defined.
@@ -243,8 +251,10 @@ def add_definitions(
     units, display_units = _unit_definitions(variables)
     if len(units):
         root.append(units)
-    if description.enumerations:
+    types = list(types)
+    if description.enumerations or types:
         definitions = etree.SubElement(root, "TypeDefinitions")
+        definitions.extend(types)
         for enumeration in description.enumerations:
             _add_items(enumeration_element(definitions, enumeration.name), enumeration)
     root.append(_log_categories())

@@ -31,6 +31,7 @@ from modelica2fmu.packaging.description_xml import (
     start_text,
     xml_bytes,
 )
+from modelica2fmu.packaging.fmi3_types import FloatTypes, float_types, set_display_units
 from modelica2fmu.packaging.solver_variables import FIRST_REFERENCE
 from modelica2fmu.packaging.source_folder import EXTERNAL_HEADERS
 
@@ -155,7 +156,9 @@ def _set_bounds(element: etree._Element, variable: Variable) -> None:
             element.set(name, number(bound) if variable.type is DataType.REAL else str(int(bound)))
 
 
-def _variable_element(group: _Group, references: dict[str, int], display_units: set[tuple[str, str]]) -> etree._Element:
+def _variable_element(
+    group: _Group, references: dict[str, int], display_units: set[tuple[str, str]], types: FloatTypes
+) -> etree._Element:
     variable = group.variable
     element = etree.Element(_XML_TYPE[variable.type], name=variable.name, valueReference=str(group.reference))
     if variable.description:
@@ -166,17 +169,14 @@ def _variable_element(group: _Group, references: dict[str, int], display_units: 
         element.set("initial", variable.initial.value)
     if variable.type is DataType.ENUMERATION and variable.enumeration is not None:
         element.set("declaredType", variable.enumeration)
-    if variable.quantity and variable.type in (DataType.REAL, DataType.INTEGER, DataType.ENUMERATION):
+    declared = types.name(variable)
+    if declared is not None:
+        element.set("declaredType", declared)
+    if variable.quantity and variable.type in (DataType.INTEGER, DataType.ENUMERATION):
         element.set("quantity", variable.quantity)
     if variable.type in (DataType.REAL, DataType.INTEGER):
         _set_bounds(element, variable)
     if variable.type is DataType.REAL:
-        if variable.unit:
-            element.set("unit", variable.unit)
-            if (variable.unit, variable.display_unit) in display_units:
-                element.set("displayUnit", variable.display_unit)
-        if variable.nominal is not None and math.isfinite(variable.nominal):
-            element.set("nominal", number(variable.nominal))
         if variable.derivative_of is not None:
             element.set("derivative", str(references[variable.derivative_of]))
         if variable.reinit:
@@ -266,10 +266,12 @@ def fmi3_description(description: ModelDescription) -> bytes:
         "hasEventMode": "true",
     }
     etree.SubElement(root, "CoSimulation", {**shared, **co_simulation})
-    display_units = add_definitions(root, description, merged.variables, _enumeration_element)
+    types = float_types(merged.variables)
+    display_units = add_definitions(root, description, merged.variables, _enumeration_element, types.elements.values())
+    set_display_units(types, display_units)
     variables = etree.SubElement(root, "ModelVariables")
     for group in groups:
-        variables.append(_variable_element(group, references, display_units))
+        variables.append(_variable_element(group, references, display_units, types))
     variables.extend(_indicator_elements(description.indicator_count))
     root.append(_model_structure(complete, merged, references))
     return xml_bytes(root)
