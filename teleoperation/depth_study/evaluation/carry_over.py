@@ -28,12 +28,25 @@ class CarryOver:
         half_width: half its confidence interval; NaN where it cannot be told; shape ().
         levels: levels without carry-over; shape (p,).
         level_half_width: half their confidence intervals in the panel's scale; shape (p,).
+        spread: products of half widths with correlations, as covariances are of standard deviations; shape (p, p).
     """
 
     share: FloatArray
     half_width: FloatArray
     levels: FloatArray
     level_half_width: FloatArray
+    spread: FloatArray
+
+    def difference(self, edges: tuple[tuple[int, int], ...]) -> tuple[FloatArray, FloatArray]:
+        """Mean difference of levels over edges (from, to), and half its confidence interval; shape () each."""
+        weights = np.zeros(self.levels.shape[-1])
+        for start, end in edges:
+            weights[end] += 1 / len(edges)
+            weights[start] -= 1 / len(edges)
+        used = np.flatnonzero(weights)
+        part = weights[used]
+        square = np.einsum("i,...ij,j->...", part, self.spread[..., used[:, None], used], part)
+        return np.asarray(self.levels[..., used] @ part), np.sqrt(np.maximum(square, 0.0))
 
 
 def fit_carry_over(sequences: IntArray, panel: Panel, levels: Levels) -> CarryOver:
@@ -71,9 +84,13 @@ def fit_carry_over(sequences: IntArray, panel: Panel, levels: Levels) -> CarryOv
         inverse = np.linalg.inv(matrix)
         slope = (inverse @ (mixing @ clean[..., None]))[..., 0]
         known = np.where(np.isfinite(levels.half_width), levels.half_width, 0.0)
-        variance = ((inverse**2) @ (known**2)[..., None])[..., 0] + (slope * half[..., None]) ** 2
-        level_half = np.where(np.isfinite(levels.half_width), np.sqrt(variance), np.nan)
-    return CarryOver(share, half, np.where(np.isfinite(levels.mean), clean, np.nan), level_half)
+        shift = slope * half[..., None]
+        spread = (inverse * (known**2)[..., None, :]) @ inverse.swapaxes(-1, -2)
+        spread = spread + shift[..., :, None] * shift[..., None, :]
+        seen = np.isfinite(levels.half_width)
+        level_half = np.where(seen, np.sqrt(np.diagonal(spread, axis1=-2, axis2=-1)), np.nan)
+        spread = np.where(seen[..., :, None] & seen[..., None, :], spread, np.nan)
+    return CarryOver(share, half, np.where(np.isfinite(levels.mean), clean, np.nan), level_half, spread)
 
 
 def _mixing(before: IntArray, there: FloatArray | np.ndarray) -> FloatArray:

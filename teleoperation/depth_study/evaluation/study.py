@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from contact_foundation.errors import InputError
 
-from depth_study.arrays import FloatArray
 from depth_study.design.factors import Contrast
 from depth_study.evaluation.carry_over import CarryOver, fit_carry_over
 from depth_study.evaluation.effects import Effect, fit_effect, mean_difference, relative_scores
@@ -25,12 +24,14 @@ class ContrastEffect:
         effect: from relative answers.
         of_levels: the same difference of levels.
         of_clean_levels: of levels without carry-over.
+        of_clean_levels_half_width: half the confidence interval of that.
     """
 
     contrast: Contrast
     effect: Effect
     of_levels: float
     of_clean_levels: float
+    of_clean_levels_half_width: float
 
 
 @dataclass(frozen=True)
@@ -94,7 +95,8 @@ def evaluate(answers: Answers, confidence: float = 0.9) -> Evaluation:
     def contrast_effect(contrast: Contrast) -> ContrastEffect:
         edges = answers.design.directed_edges(contrast)
         effect = fit_effect(relative, edges, count, confidence)
-        return ContrastEffect(contrast, effect, _value(levels.mean, edges), _value(carry_over.levels, edges))
+        clean, half = carry_over.difference(edges)
+        return ContrastEffect(contrast, effect, float(mean_difference(levels.mean, edges)), float(clean), float(half))
 
     return Evaluation(
         answers,
@@ -107,7 +109,3 @@ def evaluate(answers: Answers, confidence: float = 0.9) -> Evaluation:
         tuple(fit_effect(relative, ((e.first, e.second),), count, confidence) for e in answers.design.edges),
         fit_mixed_model(answers, confidence),
     )
-
-
-def _value(levels: FloatArray, edges: tuple[tuple[int, int], ...]) -> float:
-    return float(mean_difference(levels, edges))

@@ -62,7 +62,7 @@ def carry_over_text(evaluation: Evaluation) -> str:
     if not np.isfinite(half):
         return "carry-over: cannot be told from these answers"
     if abs(share) > half:
-        return f"{text}: real; take the levels in the column `clean`"
+        return f"{text}: real; take levels and differences in the columns `clean`"
     return f"{text}: none to be seen"
 
 
@@ -94,20 +94,20 @@ def _level_rows(evaluation: Evaluation, published: Published | None) -> _Rows:
 
 def _level_notes(evaluation: Evaluation, published: Published | None) -> list[str]:
     notes = [
-        "±: for these observers, to compare constellations by; of all: for all observers like them. deviation: of the",
-        "fitted normal distribution. clean: without carry-over. mixed: linear mixed model of the answers as they are.",
+        "±: for these observers, to compare constellations by; of all: for all observers like them",
+        "deviation: of the fitted normal distribution; clean: without carry-over; mixed: mixed model of raw answers",
     ]
     if evaluation.mixed_model.failure:
-        notes.append(f"No mixed model: {evaluation.mixed_model.failure}.")
+        notes.append(f"no mixed model: {evaluation.mixed_model.failure}")
     if published is not None:
         off = np.abs(evaluation.levels.mean - published.levels) > evaluation.levels.population_half_width
         inside = int(np.isfinite(evaluation.levels.population_half_width).sum() - off.sum())
-        notes.append(f"{inside} of {off.size} published levels lie in the intervals of all observers (* outside).")
+        notes.append(f"{inside} of {off.size} published levels lie in the intervals of all observers (* outside)")
     return notes
 
 
 def _contrast_rows(evaluation: Evaluation, effects: tuple[ContrastEffect, ...]) -> _Rows:
-    rows: _Rows = [("difference", "edges", "answers", "relative", "±", "levels", "clean", "mixed", "±")]
+    rows: _Rows = [("difference", "edges", "answers", "relative", "±", "levels", "clean", "±", "mixed", "±")]
     for entry in effects:
         effect = entry.effect
         mixed, mixed_half = evaluation.mixed_model.difference(effect.edges)
@@ -120,6 +120,7 @@ def _contrast_rows(evaluation: Evaluation, effects: tuple[ContrastEffect, ...]) 
                 number(float(effect.half_width)),
                 number(entry.of_levels, signed=True),
                 number(entry.of_clean_levels, signed=True),
+                number(entry.of_clean_levels_half_width),
                 number(mixed, signed=True),
                 number(mixed_half),
             )
@@ -197,17 +198,20 @@ def _overview(evaluation: Evaluation) -> Section:
 
 def _levels_section(evaluation: Evaluation, published: Published | None) -> Section:
     levels = evaluation.levels
-    names = evaluation.answers.design.names
-    order = np.arange(1.0, len(names) + 1)
+    order = np.argsort(levels.mean, kind="stable")
+    names = tuple(evaluation.answers.design.names[k] for k in order)
+    place = np.arange(1.0, len(names) + 1)
+    mean, half = levels.mean[order], levels.half_width[order]
     curves = [
-        Series("level", order, levels.mean, color=0, note=names),
-        Series("lower", order, levels.mean - levels.half_width, dashed=True, color=0),
-        Series("upper", order, levels.mean + levels.half_width, dashed=True, color=0),
-        Series("mixed model", order, evaluation.mixed_model.levels, color=1),
+        Series("level", place, mean, color=0, note=names),
+        Series("lower", place, mean - half, dashed=True, color=0, note=names),
+        Series("upper", place, mean + half, dashed=True, color=0, note=names),
+        Series("mixed model", place, evaluation.mixed_model.levels[order], color=1, note=names),
     ]
     if published is not None:
-        curves.append(Series("published", order, published.levels, color=2))
-    plot = Plot("levels", "Levels", "constellation, as in the table", "depth seen, 1 to 9", tuple(curves), points=True)
+        curves.append(Series("published", place, published.levels[order], color=2, note=names))
+    title, axis = "Levels and their intervals", "constellations by level (point at one for its name)"
+    plot = Plot("levels", title, axis, "depth seen, 1 to 9", tuple(curves), points=True)
     rows = _level_rows(evaluation, published)
     return Section(
         "levels",

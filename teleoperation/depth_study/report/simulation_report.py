@@ -46,18 +46,22 @@ def coverage_text(
         text += f"{100 * low:.0f} to {100 * high:.0f} % on average"
         lines.append(text + (", but not for" if broken and inside else ":" if broken else ""))
         lines += [f"  {name}: {percent(share)} %, off by {number(bias, signed=True)}" for name, share, bias in broken]
-    head = [("difference from relative answers", *(f"carry-over {number(r.carry_over)}" for r in results))]
-    effects = [
-        (
-            entry.contrast.name,
-            *(f"{percent(r.effects[k].share)} ({number(r.effects[k].bias, signed=True)})" for r in results),
-        )
-        for k, entry in enumerate(results[0].effects)
-    ]
-    if effects:
+    head: list[tuple[str, ...]] = [("difference", *(f"carry-over {number(r.carry_over)}" for r in results))]
+    relative = [_effect_row(results, k, clean=False) for k in range(len(results[0].effects))]
+    clean = [_effect_row(results, k, clean=True) for k in range(len(results[0].effects))]
+    if relative:
         title = f"{wanted} % intervals of differences that cover the truth, % (and mean error)"
-        lines += ["", title, text_table([*head, *effects])]
+        lines += ["", f"{title}, from relative answers", text_table([*head, *relative])]
+        lines += ["", "the same from clean levels", text_table([*head, *clean])]
     return "\n".join(lines)
+
+
+def _effect_row(results: tuple[Coverage, ...], k: int, *, clean: bool) -> tuple[str, ...]:
+    cells = []
+    for effect in (result.effects[k] for result in results):
+        share, bias = (effect.clean_share, effect.clean_bias) if clean else (effect.share, effect.bias)
+        cells.append(f"{percent(share)} ({number(bias, signed=True)})")
+    return results[0].effects[k].contrast.name, *cells
 
 
 def power_text(table: PowerTable, studies: int) -> str:

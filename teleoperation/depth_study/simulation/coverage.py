@@ -43,12 +43,19 @@ class LevelCoverage:
 
 @dataclass(frozen=True)
 class EffectCoverage:
-    """The same of a contrast's effect from relative answers, against the true difference in the panel's scale."""
+    """The same of a contrast, against the true difference in the panel's scale.
+
+    Attributes:
+        contrast: the difference.
+        share, bias: of the effect from relative answers.
+        clean_share, clean_bias: of the difference of levels without carry-over.
+    """
 
     contrast: Contrast
     share: float
     bias: float
-    half_width: float
+    clean_share: float
+    clean_bias: float
 
 
 @dataclass(frozen=True)
@@ -119,6 +126,7 @@ class _Part:
     levels: dict[str, tuple[FloatArray, FloatArray]]
     carry_over: tuple[FloatArray, FloatArray]
     effects: list[tuple[FloatArray, FloatArray]]
+    clean_effects: list[tuple[FloatArray, FloatArray]]
 
 
 def _part(
@@ -136,11 +144,14 @@ def _part(
     fitted = fit_levels(panel, confidence)
     carried = fit_carry_over(sequences, panel, fitted)
     relative = relative_scores(sequences, drawn.relative, panel)
-    effects = []
+    effects, clean_effects = [], []
     for contrast in design.contrasts:
         edges = design.directed_edges(contrast)
+        true_difference = mean_difference(truth, edges)
         effect = fit_effect(relative, edges, sequences.shape[0], confidence)
-        effects.append((effect.mean - mean_difference(truth, edges), effect.half_width))
+        effects.append((effect.mean - true_difference, effect.half_width))
+        clean, half = carried.difference(edges)
+        clean_effects.append((clean - true_difference, half))
     return _Part(
         {
             "panel": (fitted.mean - truth, fitted.half_width),
@@ -149,6 +160,7 @@ def _part(
         },
         (carried.share - population.carry_over, carried.half_width),
         effects,
+        clean_effects,
     )
 
 
@@ -158,24 +170,20 @@ def _joined(design: Design, carry_over: float, parts: list[_Part]) -> Coverage:
         half = np.concatenate([part.levels[kind][1] for part in parts])
         return LevelCoverage(_covers(error, half).mean(0), error.mean(0), half.mean(0))
 
-    share_error = np.concatenate([part.carry_over[0] for part in parts])
-    share_half = np.concatenate([part.carry_over[1] for part in parts])
+    share, bias = _share_and_bias([part.carry_over for part in parts])
     effects = []
     for k, contrast in enumerate(design.contrasts):
-        error = np.concatenate([part.effects[k][0] for part in parts])
-        half = np.concatenate([part.effects[k][1] for part in parts])
-        effects.append(
-            EffectCoverage(contrast, float(_covers(error, half).mean()), float(error.mean()), float(half.mean()))
-        )
+        relative = _share_and_bias([part.effects[k] for part in parts])
+        clean = _share_and_bias([part.clean_effects[k] for part in parts])
+        effects.append(EffectCoverage(contrast, *relative, *clean))
     return Coverage(
-        carry_over,
-        level("panel"),
-        level("population"),
-        level("clean"),
-        carry_over + float(share_error.mean()),
-        float(_covers(share_error, share_half).mean()),
-        tuple(effects),
+        carry_over, level("panel"), level("population"), level("clean"), carry_over + bias, share, tuple(effects)
     )
+
+
+def _share_and_bias(parts: list[tuple[FloatArray, FloatArray]]) -> tuple[float, float]:
+    error, half = (np.concatenate([part[k] for part in parts]) for k in range(2))
+    return float(_covers(error, half).mean()), float(error.mean())
 
 
 def _covers(error: FloatArray, half_width: FloatArray) -> BoolArray:

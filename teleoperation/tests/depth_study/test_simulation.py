@@ -59,6 +59,7 @@ def test_intervals_cover_the_truth_in_88_to_92_per_cent(coverage):
     for effect in none.effects:
         assert 0.86 <= effect.share <= 0.94
         assert abs(effect.bias) < 0.03
+        assert 0.86 <= effect.clean_share <= 0.94
     assert abs(none.carry_over_estimate) < 0.01
     assert 0.86 <= none.carry_over_share <= 0.94
 
@@ -69,6 +70,9 @@ def test_carry_over_breaks_coverage_and_clean_levels_mend_it(coverage):
     assert strong.panel.share.min() < 0.7
     assert strong.clean.mean > 0.88
     assert strong.clean.share.min() > 0.85
+    for effect in strong.effects:
+        assert effect.clean_share > 0.85
+        assert abs(effect.clean_bias) < max(0.5 * abs(effect.bias), 0.03)
     assert strong.carry_over_estimate == pytest.approx(0.2, abs=0.02)
 
 
