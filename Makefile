@@ -10,12 +10,13 @@
 # make contact-quality  work, jumps and frames of the contact forces of all pairs of bodies, as tables (PATHS=40)
 # make promises  measures what the library promises into docs/promises.md
 # make response measures contact response at all tolerances into docs/response.md
+# make study    what accuracy costs, scene by scene, into docs/accuracy-scenes.md; an hour, resumes
 # make soak     200 random scenes at all tolerances, modes and importers into out/soak; hours, resumes (SCENES=...)
 # make large     lets a thousand spheres fill a box: builds and runs regression/cases/large, some minutes
 # make test-msl  passes the tests with the Standard Library's examples (MODELICAPATH; about fifteen minutes)
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release promises response soak large test-omc icons
+.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc icons
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -34,6 +35,9 @@ setup-test:
 
 release: setup
 	.venv/bin/python scripts/release
+
+study: setup
+	.venv/bin/python scripts/study
 
 promises: setup
 	.venv/bin/python scripts/promises

@@ -61,18 +61,21 @@ def test_structure_becomes_variants(cmb: Cmb, tmp_path: Path) -> None:
     knobs = (
         'friction = ["None", "Anchored"], restitution = ["ImpactSpeed", "Memoryless", "None"],'
         'law = ["Exact", "Flores"],'
-        'geometry = ["as modelled", "hull 8", "mesh 16"], points = [1, 4], exponent = [1, 1.5]'
+        'geometry = ["as modelled", "hull 8", "mesh 16", "small"], points = [1, 4], exponent = [1, 1.5]'
     )
-    (tmp_path / "ball.toml").write_text(BALL.format(knobs=knobs))
+    small = 'geometries = { small = "ball(geometry=ContactMultiBody.Shapes.sphere(0.09))" }\nknobs = {'
+    (tmp_path / "ball.toml").write_text(BALL.format(knobs=knobs).replace("knobs = {", small))
     done = cmb("study", "ball.toml", "--output", "out", "--jobs", "2", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     found = rows(tmp_path / "out")
-    assert len(found) == 2 * (1 + 1 + 2 + 1 + 2 + 1 + 1)
+    assert len(found) == 2 * (1 + 1 + 2 + 1 + 3 + 1 + 1)
     assert not any(row["failure"] for row in found)
     by = {tuple(row[name] for name in ("restitution", "geometry", "points")): row for row in found}
     assert float(by["ImpactSpeed", "as modelled", "4"]["geometry_error"]) < 1e-6  # a sphere has one point
     # Poles are vertices of both polyhedra: straight down the ball touches where the sphere does.
     assert float(by["ImpactSpeed", "hull 8", "1"]["model_error"]) == 0.0
+    # A smaller ball strikes later: sqrt(2 h/g) with h = 5 and 6 cm.
+    assert float(by["ImpactSpeed", "small", "1"]["geometry_error"]) > 0.1
     # Restitution without events is the same to what the weight does in a contact; without restitution it is not.
     assert float(by["Memoryless", "as modelled", "1"]["model_error"]) < 0.02
     assert float(by["None", "as modelled", "1"]["model_error"]) > 0.1

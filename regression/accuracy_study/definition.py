@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -41,6 +41,7 @@ class Scene:
         energy: variable that holds the total energy, J; "" where there is none.
         reference: what runs are measured against; None: the tight trajectory of the first value of every knob.
         knobs: name to values, the first of each being what others are compared with.
+        geometries: further values of the knob geometry: name to the Modelica modification of the scene that makes it.
     """
 
     name: str
@@ -55,6 +56,7 @@ class Scene:
     energy: str
     reference: ClosedForm | GivenTrajectory | None
     knobs: Knobs
+    geometries: Mapping[str, str]
 
 
 @dataclass(frozen=True)
@@ -145,7 +147,8 @@ class _StudyReader:
         folder = self._path.parent
         table = TomlTable(self._path, place, entry, self._problems)
         content = entry if isinstance(entry, dict) else {}
-        own = self._knobs(f"{place}.knobs", content.get("knobs", {}))
+        geometries = self._geometries(place, table)
+        own = self._knobs(f"{place}.knobs", content.get("knobs", {}), geometries)
         table.skip("knobs")
         knobs = {name: values for name, values in {**common, **own}.items() if values}
         if not knobs.get("tolerance"):
@@ -167,6 +170,7 @@ class _StudyReader:
             energy=table.text("energy", ""),
             reference=reference,
             knobs=MappingProxyType(knobs),
+            geometries=MappingProxyType(geometries),
         )
         for source in scene.sources:
             if not source.exists():
@@ -174,7 +178,16 @@ class _StudyReader:
         table.done()
         return scene
 
-    def _knobs(self, place: str, content: Any) -> Knobs:
+    def _geometries(self, place: str, table: TomlTable) -> dict[str, str]:
+        found: dict[str, str] = {}
+        for name, text in table.values("geometries").items():
+            if isinstance(text, str) and text:
+                found[name] = text
+            else:
+                self._problem(f"{place}.geometries.{name}", 'is not a Modelica modification, as in "bowl(n=33)"')
+        return found
+
+    def _knobs(self, place: str, content: Any, geometries: Collection[str] = ()) -> Knobs:
         if not isinstance(content, dict):
             self._problem(place, "is not a table")
             return {}
@@ -184,9 +197,10 @@ class _StudyReader:
             flat.update({f"{PARAMETER}{name}": values for name, values in further.items()})
         else:
             self._problem(f"{place}.{PARAMETER.rstrip('.')}", "is not a table of variables, each with a list of values")
-        return {name: self._values(f"{place}.{name}", name, values) for name, values in flat.items()}
+        words = {"geometry": geometries}
+        return {name: self._values(f"{place}.{name}", name, v, words.get(name, ())) for name, v in flat.items()}
 
-    def _values(self, place: str, name: str, values: Any) -> tuple[KnobValue, ...]:
+    def _values(self, place: str, name: str, values: Any, further: Collection[str]) -> tuple[KnobValue, ...]:
         found = knob(name)
         if found is None:
             self._problem(place, f"is no knob; there are {', '.join(KNOBS)} and {PARAMETER}VARIABLE")
@@ -195,7 +209,7 @@ class _StudyReader:
             self._problem(place, "is not a list of values")
             return ()
         for value in values:
-            if value != AS_MODELLED and (problem := found.problem(value)):
+            if value != AS_MODELLED and value not in further and (problem := found.problem(value)):
                 self._problem(place, f"{value!r} {problem}")
         if len(set(map(repr, values))) < len(values):
             self._problem(place, "a value is given twice")

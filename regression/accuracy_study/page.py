@@ -10,9 +10,9 @@ from fmu_regression.report.page import Cell, Column, Section, Table, Tile, rende
 from fmu_regression.report.page import Row as TableRow
 from fmu_regression.report.plots import Plot, Series
 
-from accuracy_study.answers import ClosedForm, GivenTrajectory
 from accuracy_study.curves import Curve, curves
 from accuracy_study.pareto import front
+from accuracy_study.reference_text import reference_text
 from accuracy_study.sentences import run_text, scene_sentences, variant_text
 from accuracy_study.study import Findings, Row, SceneFindings
 
@@ -27,16 +27,6 @@ def write_page(findings: Findings, target: Path) -> None:
     text = render_page(f"What accuracy costs: {findings.study.name}", findings.study.description, sections)
     with whole_file(target) as staging:
         staging.write_text(text, encoding="utf-8", newline="\n")
-
-
-def reference_text(found: SceneFindings) -> str:
-    """What a scene's runs are measured against, in words."""
-    reference = found.scene.reference
-    if isinstance(reference, ClosedForm):
-        return f"known in closed form: {reference.source}"
-    if isinstance(reference, GivenTrajectory):
-        return f"trajectory {reference.path.name}: {reference.source}"
-    return f"the first value of every knob at tolerance {found.tight:g}"
 
 
 def _overview(findings: Findings) -> Section:

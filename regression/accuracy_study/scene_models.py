@@ -54,6 +54,7 @@ class _Applied:
     """What the settings of a variant become."""
 
     change: Change
+    modifications: tuple[str, ...]
     start_values: Mapping[str, StartValue]
 
 
@@ -162,11 +163,12 @@ class SceneModels:
             CmbError: it cannot be built.
         """
         applied = self._applied(variant)
-        text = ""
+        texts = list(applied.modifications)
         if applied.change != Change():
             assert self._manager is not None
             assert self._parameters is not None
-            text = modification(applied.change, self._manager, self._parameters)
+            texts.append(modification(applied.change, self._manager, self._parameters))
+        text = ", ".join(texts)
         fmu, digest = self._fmu(text)
         return VariantModel(fmu, digest, {**self.scene.parameters, **applied.start_values}, text)
 
@@ -224,6 +226,8 @@ class SceneModels:
             except CmbError as error:
                 return f"{error.message}; {error.remedy}" if error.remedy else error.message
             return ""
+        if name == "geometry" and value in self.scene.geometries:
+            return ""
         if self._manager is None:
             return "the scene has no ContactMultiBody.ContactManager, which alone has this knob"
         if name == "restitution" and not self._manager.regards_restitution and "law" not in self.scene.knobs:
@@ -235,8 +239,12 @@ class SceneModels:
     def _applied(self, variant: Variant) -> _Applied:
         change = Change()
         start_values: dict[str, StartValue] = {}
+        modifications: list[str] = []
         for name, value in variant.settings:
             if value == AS_MODELLED:
+                continue
+            if name == "geometry" and value in self.scene.geometries:
+                modifications.append(self.scene.geometries[str(value)])
                 continue
             if name.startswith(PARAMETER):
                 start_values[name.removeprefix(PARAMETER)] = value
@@ -246,7 +254,7 @@ class SceneModels:
                 start_values.update({variable: float(value) for variable in variables})
             else:
                 change = change.with_(self._change(name, value))
-        return _Applied(change, start_values)
+        return _Applied(change, tuple(modifications), start_values)
 
     def _numbers_of(self, name: str) -> list[str]:
         """The variables of the manager that a knob sets, if it is one that sets numbers."""

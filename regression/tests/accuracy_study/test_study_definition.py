@@ -65,6 +65,17 @@ def test_every_value_meets_every_other(tmp_path):
     assert block.reference.signals == ("x", "v")
 
 
+def test_a_scene_names_geometries_of_its_own(tmp_path):
+    text = GOOD.format(grid="full").replace(
+        'model = "Library.Ball"',
+        'model = "Library.Ball"\ngeometries = { fine = "n=65" }\n'
+        'knobs = { geometry = ["as modelled", "fine", "hull 8"] }',
+    )
+    ball = load_study(written(tmp_path, text)).scenes[0]
+    assert dict(ball.geometries) == {"fine": "n=65"}
+    assert ball.knobs["geometry"] == ("as modelled", "fine", "hull 8")
+
+
 def test_one_knob_at_a_time(tmp_path):
     study = load_study(written(tmp_path, GOOD.format(grid="one at a time")))
     ball, block = study.scenes
@@ -96,6 +107,14 @@ def test_one_knob_at_a_time(tmp_path):
         (('["None", "Anchored"]', '["Coulomb"]'), "scene[2].knobs.friction: 'Coulomb' is none of None"),
         (("points = [4, 1]", 'geometry = ["hull 2"]'), "knobs.geometry: 'hull 2' must have 4 to 256 segments"),
         (("points = [4, 1]", 'geometry = ["sphere"]'), "knobs.geometry: 'sphere' is none of"),
+        (
+            ('model = "Library.Ball"', 'model = "A"\ngeometries = { fine = 3 }'),
+            "scene[1].geometries.fine: is not a Modelica",
+        ),
+        (
+            ('model = "Library.Ball"', 'model = "A"\nknobs = { geometry = ["fine"] }'),
+            "scene[1].knobs.geometry: 'fine' is",
+        ),
         (('grid = "full"', 'grid = "some"'), "study.grid: 'some' is none of full"),
         (('grid = "full"', "repeats = 0"), "study.repeats: every run is needed"),
         (('name = "second"', 'name = "Ball"'), "scene[1].name: 'Ball' is the name of two scenes"),

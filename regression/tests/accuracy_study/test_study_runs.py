@@ -17,6 +17,7 @@ from xml.etree import ElementTree
 
 import pytest
 from accuracy_study.definition import load_study
+from accuracy_study.markdown import markdown
 from accuracy_study.page import write_page
 from accuracy_study.picture import write_pictures
 from accuracy_study.sentences import study_sentences
@@ -129,6 +130,10 @@ def test_sentences_page_and_pictures(clean):
     assert page.count("Order of convergence") == 2
     written = write_pictures(findings, folder / "pictures")
     assert [path.name for path in written] == ["bounces.svg", "fails.svg"]
+    text = markdown(findings, Path("images"))
+    assert "## Bounces\n\n`BouncingMass`, measured against: known in closed form: free fall." in text
+    assert "](images/fails.svg)" in text
+    assert "| e 0.6 | 0.0e+00 | 3.0e-01 | " in text
     drawing = ElementTree.parse(written[0])
     marks = [e for e in drawing.iter() if e.find("{http://www.w3.org/2000/svg}title") is not None]
     assert len(marks) == 12
