@@ -13,7 +13,11 @@ model VolumeContactManager "Lets bodies collide that touch with faces, by forces
     "Gap between bounding spheres up to which distances are exact; beyond it they are lower bounds, which cost less"
     annotation (Dialog(tab="Advanced"));
   final parameter Integer scene=Internal.Engine.intern(geometry, pair, 0) "Handle of the scene in the engine";
+protected
+  final parameter Boolean canTouch=Internal.canCollide(geometry, pair) "= true, if a pair has two geometries";
 equation
+  assert(canTouch,
+    "Nothing can touch: no pair of the manager's bodies has two geometries. Give collider={body1.collider, ...}, or geometry and material, and shapes to the bodies.");
   (pairDistance,depth,weight,normal,point) = Internal.Engine.queryVolume(
     scene,
     {frame[i].r_0 for i in 1:n},

@@ -11,6 +11,7 @@ protected
   Integer first "First body of a pair";
   Integer second "Second body of a pair";
 algorithm
+  assert(n >= 2, "ContactManager: n = " + String(n) + ", and a contact takes two bodies; connect at least two, as a body and a Parts.Ground, or leave the manager out.");
   pairs := fill(0, m, 2);
   for i in 1:m loop
     a := if b < n then a else a + 1;

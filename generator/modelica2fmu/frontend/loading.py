@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
+import tempfile
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -20,11 +23,29 @@ from modelica2fmu.frontend.concatenation import have_values, with_arrays_written
 from modelica2fmu.frontend.errors import FrontEndError, front_end_error, unconnected_error
 from modelica2fmu.frontend.flat_reader import read_flat_model
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
+from modelica2fmu.frontend.package_view import package_view
 from modelica2fmu.frontend.runner import Answer, Request, ask
 from modelica2fmu.library.source_map import SourceMap, Span, source_number
 
 # What a folder with the Modelica Standard Library holds.
 _STANDARD_PACKAGES: Final = ("Modelica", "ModelicaServices", "Complex")
+# rumoca's words where a class is not found, as those of a library that the package's own file does not name.
+_UNRESOLVED: Final = re.compile(r"\bunresolved\b")
+
+
+@dataclass(frozen=True)
+class _Loaded:
+    """What the front end answered, and about what.
+
+    Attributes:
+        answer: about the model.
+        file: that holds it, as the front end got it.
+        roots: as the front end got them.
+    """
+
+    answer: Answer
+    file: Path
+    roots: tuple[Path, ...]
 
 
 def load_flat_model(
@@ -47,15 +68,21 @@ def load_flat_model(
     # With a package and the folder around it among the roots, rumoca would see only the package.
     resolved = {root.resolve() for root in roots}
     roots = [root for root in roots if root.resolve().parent not in resolved]
-    with apart(file, roots, source_map) as given:
+    with apart(file, roots, source_map) as given, ExitStack() as folders:
         request = _request(model, file, given)
         text = source_map.text(file)
         library = ClassLibrary(given.file, text, given.roots)
         missing = _check_modifiers(model, given.file, source_map, library)
-        answer = ask(request, remark)
-        if answer.flat is None:
-            _check_connections(answer.error, request, file, remark)
-            answer = _with_arrays_written_out(answer, request, file, source_map, remark)
+        loaded = _Loaded(ask(request, remark), given.file, given.roots)
+        if loaded.answer.flat is None:
+            _check_connections(loaded.answer.error, request, file, remark)
+            if request.text is None:
+                folder = Path(folders.enter_context(tempfile.TemporaryDirectory(prefix="cmb-package-")))
+                loaded = _with_package_written_out(loaded, request, folder, source_map, remark)
+            else:
+                answer = _with_arrays_written_out(loaded.answer, request, file, source_map, remark)
+                loaded = replace(loaded, answer=answer)
+        answer = loaded.answer
         if answer.flat is None:
             words = replace(
                 answer,
@@ -63,8 +90,8 @@ def load_flat_model(
                 diagnostics=tuple(given.restored(each) for each in answer.diagnostics),
             )
             raise missing or front_end_error(words, model, file, library) from FrontEndError(words.error)
-        if source_map.text(file) != text:  # arrays were written out
-            library = ClassLibrary(given.file, source_map.text(file), given.roots)
+        if loaded.file != given.file or source_map.text(file) != text:  # arrays were written out
+            library = ClassLibrary(loaded.file, source_map.text(file), loaded.roots)
         _check(answer.flat, model, source_map, library)
         warnings = tuple(
             f"no component {name} is declared as inner, so one with its default values is added: declare it in {model}"
@@ -106,6 +133,30 @@ def _places(source_map: SourceMap) -> Callable[[Extent], Place]:
     return lambda extent: source_map.place(Span(source_number(str(extent.file)), extent.start, extent.end))
 
 
+def _with_package_written_out(
+    loaded: _Loaded, request: Request, folder: Path, source_map: SourceMap, remark: Callable[[str], None]
+) -> _Loaded:
+    """The same about a package's model with arrays written out, and with the libraries named that its file does not.
+
+    Where that does not help the error stays as it was, but for that of a library that is not named.
+    """
+    view = package_view(loaded.file.parent, folder)
+    is_unnamed = _UNRESOLVED.search(loaded.answer.error) is not None
+    if view.numbers is None or not (view.texts or is_unnamed):
+        return loaded
+    others = tuple(root for root in loaded.roots if root.resolve() != view.package.resolve())
+    roots = (view.root, *others)
+    text = _naming([view.package.name, *_packages(others)])
+    other = ask(replace(request, roots=tuple(map(str, roots)), file="libraries.mo", text=text), remark)
+    if other.flat is None:
+        words = replace(other, error=view.restored(other.error))
+        return replace(loaded, answer=words) if is_unnamed else loaded
+    if not have_values(other.flat, view.numbers):
+        return loaded
+    view.register(source_map)
+    return _Loaded(other, view.file, roots)
+
+
 def _check(flat: dict[str, Any], model: str, source_map: SourceMap, library: ClassLibrary) -> None:
     """Restores what is fixed; raises UnsupportedModelError if the front end left out anything else."""
     for name in check_flat_model(flat, model, FlatReading(library, _places(source_map))):
@@ -125,14 +176,6 @@ def _request(model: str, file: Path, given: LoneFiles) -> Request:
     is_library = is_package and file.parent.parent.resolve() in {root.resolve() for root in roots}
     if is_package and not is_library:
         return Request(names, model, str(file), None, str(file))
-    packages = [root.name for root in roots if (root / "package.mo").is_file()]
-    packages += [
-        name
-        for root in roots
-        for name in _STANDARD_PACKAGES
-        if (root / name / "package.mo").is_file() or (root / f"{name}.mo").is_file()
-    ]
-    imports = "".join(f"  import {package};\n" for package in dict.fromkeys(packages))
     try:
         text = "" if is_library else file.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
@@ -141,6 +184,23 @@ def _request(model: str, file: Path, given: LoneFiles) -> Request:
         names,
         model,
         "libraries.mo" if is_library else str(given.file),
-        f"{text}\nclass 'cmb libraries'\n{imports}end 'cmb libraries';\n",
+        f"{text}\n{_naming(_packages(roots))}",
         str(file),
     )
+
+
+def _packages(roots: Sequence[Path]) -> list[str]:
+    """Names of the libraries in folders."""
+    packages = [root.name for root in roots if (root / "package.mo").is_file()]
+    return packages + [
+        name
+        for root in roots
+        for name in _STANDARD_PACKAGES
+        if (root / name / "package.mo").is_file() or (root / f"{name}.mo").is_file()
+    ]
+
+
+def _naming(packages: Sequence[str]) -> str:
+    """A class that names packages, so that the front end loads them."""
+    imports = "".join(f"  import {package};\n" for package in dict.fromkeys(packages))
+    return f"class 'cmb libraries'\n{imports}end 'cmb libraries';\n"

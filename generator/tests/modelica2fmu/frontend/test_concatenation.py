@@ -66,6 +66,68 @@ def test_bodies_of_an_array_and_others(tmp_path, text, count):
     assert friction == pytest.approx([*(0.1 * number for number in range(1, count + 1)), 0.7])
 
 
+def in_package(folder: Path, **classes: str) -> Path:
+    """A package P with each class in a file of its own; it names no library that its classes use."""
+    package = folder / "P"
+    package.mkdir()
+    (package / "package.mo").write_text("package P\nend P;\n")
+    (package / "package.order").write_text("".join(f"{name}\n" for name in classes))
+    for name, text in classes.items():
+        (package / f"{name}.mo").write_text(f"within P;\n{text}")
+    return package
+
+
+def test_bodies_of_an_array_in_a_file_of_a_package(tmp_path):
+    text = "cat(1, ball.X, {floor.X})"
+    model = MODEL.format(count=2, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
+    package = in_package(tmp_path, M=model)
+    translation = translate("P.M", [package], StandardLibrary(core_subset(), "", "core subset"))
+    shapes = [value(translation, f"contacts.shape[{number}]") for number in (1, 2, 3)]
+    assert shapes == ["ball", "ball", "floor"]
+
+
+def test_places_in_a_file_of_a_package_stay_right(tmp_path):
+    text = "cat(1, ball.X,\n   {floor.X})"
+    model = MODEL.format(count=2, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
+    model = model.replace("end M;", "  Real x, y;\nequation\n  x + y = 1;\n  2*x + 2*y = 2;\nend M;")
+    package = in_package(tmp_path, M=model)
+    with pytest.raises(InputError, match="linearly dependent") as caught:
+        translate("P.M", [package], StandardLibrary(core_subset(), "", "core subset"))
+    line = f"within P;\n{model}"[: model.index("  x + y") + len("within P;\n")].count("\n") + 1
+    assert caught.value.place is not None
+    assert caught.value.place.file == package / "M.mo"
+    assert caught.value.place.line in (line, line + 1)
+
+
+def test_numbers_that_two_files_of_a_package_give_differently_are_not_taken(tmp_path):
+    text = "cat(1, {ball[i].X for i in 1:N}, {floor.X})"
+    model, other = (
+        MODEL.format(count=count, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
+        for count in (2, 3)
+    )
+    other = other.replace("model M\n", "model Other\n").replace("end M;", "end Other;")
+    package = in_package(tmp_path, M=model, Other=other)
+    with pytest.raises(InputError):
+        translate("P.M", [package], StandardLibrary(core_subset(), "", "core subset"))
+
+
+def test_a_package_needs_not_name_the_libraries_its_files_use(tmp_path):
+    model = "model M\n  Modelica.Blocks.Continuous.Integrator integrator(u = 2*time, y_start = 1);\nend M;\n"
+    package = in_package(tmp_path, M=model)
+    translation = translate("P.M", [package], StandardLibrary(core_subset(), "", "core subset"))
+    assert "integrator.y" in translation.scalar.variables
+
+
+def test_a_mistake_in_such_a_package_is_placed_in_its_file(tmp_path):
+    model = (
+        "model M\n  Modelica.Blocks.Continuous.Integrator integrator(u = 2*time);\n  Missing missing;\nend M;\n"
+    )
+    package = in_package(tmp_path, M=model)
+    with pytest.raises(InputError, match="Missing") as caught:
+        translate("P.M", [package], StandardLibrary(core_subset(), "", "core subset"))
+    assert "cmb-package-" not in str(caught.value)
+
+
 def test_places_in_messages_stay_right(tmp_path):
     text = "cat(1, {ball[i].X for i in 1:N},\n   {floor.X})"
     model = MODEL.format(count=2, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
