@@ -50,9 +50,7 @@ grows with the number of bodies, not of pairs.
 <blockquote><pre>
 ContactMultiBody.CompiledContactManager contacts(
   n=3,
-  geometry={ball[1].geometry, ball[2].geometry, floor.geometry},
-  material={ball[1].material, ball[2].material, floor.material},
-  inertia={ball[1].inertia, ball[2].inertia, floor.inertia});
+  collider=cat(1, ball.collider, {floor.collider}));
 </pre></blockquote>
 <p>
 The laws are those of the ContactManager: all normal laws, with the speed of impact recovered from depth and speed

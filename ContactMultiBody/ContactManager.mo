@@ -45,7 +45,7 @@ connect(floor.frame_a, contacts.frame[2]);
 </pre></blockquote>
 <p>
 <code>geometry</code>, <code>material</code> and <code>inertia</code> can be given instead, one list each. A connector that carries these along with the frame is not possible: parameters of a connector belong to each of its two sides,
-and Modelica passes none of them through a connection.
+and Modelica passes none of them through a connection. See <a href=\"modelica://ContactMultiBody.Parts.Collider\">Collider</a> for what notices a list in a wrong order.
 </p>
 <p>
 The geometry of a body is described in the frame that is connected. By default all pairs of bodies may touch;

@@ -1,4 +1,7 @@
-"""Colliders in another order than the frames are noticed, where a Ground or a Fixed says where its frame is."""
+"""Colliders in another order than the frames are noticed where a Ground or a Fixed says where its frame is.
+
+What the FMU builder notices beyond that: test_collider_order of its tests.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,8 @@ MODEL = """model Colliders
     r_0(start={0,0,0.5}, each fixed=true), v_0(each fixed=true), angles_fixed=true, w_0_fixed=true);
   ContactMultiBody.Parts.Ground floor;
   ContactMultiBody.Parts.Fixed wall(r={1,0,0}, geometry=ContactMultiBody.Shapes.box({0.1,1,1}));
-  ContactMultiBody.MANAGER contacts(n=3, collider={ORDER});
+  parameter ContactMultiBody.Parts.Collider listed[3]={ORDER} "So that a builder cannot see whose they are";
+  ContactMultiBody.MANAGER contacts(n=3, collider=listed);
 equation
   connect(ball.frame_a, contacts.frame[1]);
   connect(floor.frame_a, contacts.frame[2]);
@@ -48,6 +52,7 @@ def built_and_run(folder: Path, manager: str, order: str) -> None:
 def test_another_order_is_noticed(tmp_path: Path, manager: str, order: str) -> None:
     with pytest.raises(CmbError) as caught:
         built_and_run(tmp_path, manager, order)
+    assert "is not where collider[" in str(caught.value)
     assert "order of the frames" in str(caught.value)
 
 

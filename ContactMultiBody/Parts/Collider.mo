@@ -9,11 +9,13 @@ record Collider "What a contact manager has to know about a body: geometry, mate
   annotation (Documentation(info="<html>
 <p>
 The bodies of <a href=\"modelica://ContactMultiBody.Parts\">Parts</a> have one, so that a manager takes one list in the order of its frames:
-<code>collider={ball.collider,floor.collider}</code>, elements of arrays of bodies one by one: <code>{ball[1].collider,ball[2].collider,floor.collider}</code>.
-The shorter <code>cat(1, ball.collider, {floor.collider})</code> is legal Modelica, but not translated by the built-in FMU builder.
+<code>collider={ball.collider,floor.collider}</code>; with an array of bodies, <code>collider=cat(1, ball.collider, {floor.collider})</code>.
 </p>
 <p>
-A list in another order than the frames is noticed where a Ground or a Fixed is involved: its collider says where its frame is, and the manager asserts that.
+<strong>A list in another order than the frames</strong> is noticed where a Ground or a Fixed is involved: its collider says where its frame is, and the manager asserts that. Where two movable bodies are swapped, no assertion
+can: what a frame carries, position, orientation, force and torque, tells nothing of the body behind it, start values are no parameters, and parameters do not pass through connections. The built-in FMU builder sees the
+connections and refuses such a model. In other tools look at the order once: <code>connect</code> in the order of the list, with the loop that the list has,
+<code>for i in 1:n loop connect(ball[i].frame_a, contacts.frame[i]); end for;</code>.
 </p>
 </html>"));
 end Collider;

@@ -36,13 +36,12 @@ ContactMultiBody.Parts.Ground floor(material=ContactMultiBody.Materials.Concrete
 </pre></blockquote>
 <h4>5. A contact manager, connected</h4>
 <p>
-Add one <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a> for the scene. Give it geometries and materials in the order in which you connect the bodies.
+Add one <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a> for the scene. Give it the bodies' colliders, that is geometry, material and inertia in one, in the order in which you connect the bodies.
 </p>
 <blockquote><pre>
 ContactMultiBody.ContactManager contacts(
   n=2,
-  geometry={ball.geometry, floor.geometry},
-  material={ball.material, floor.material},
+  collider={ball.collider, floor.collider},
   stiffnessChoice=ContactMultiBody.Types.StiffnessChoice.Given, stiffness={1e6});
 equation
 connect(ball.frame_a, contacts.frame[1]);

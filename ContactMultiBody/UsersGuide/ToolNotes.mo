@@ -41,6 +41,8 @@ initialization; nothing has to be done. The function is that of the ModelicaServ
 <li>rumoca 0.10.2 leaves some redeclarations of components out without a word: modifiers in <code>constrainedby</code> clauses, modifiers of a replaceable declaration where an element
 redeclares it, and <code>extends Base(redeclare ...)</code> where the component comes from a class that Base extends. The FMU builder finds these and more, and refuses the model with the place and what to write instead:
 modifiers with the redeclaration or in a class of its own, redeclarations one <code>extends</code> away from the declaration.</li>
+<li>Lists of colliders, geometries, materials or inertias in another order than the connected frames are refused. Other tools see that only where a Ground or a Fixed is involved, see
+<a href=\"modelica://ContactMultiBody.Parts.Collider\">Collider</a>.</li>
 <li>Long vertex lists of <a href=\"modelica://ContactMultiBody.Shapes.hull\">hull</a> are better given as one literal descriptor string.</li>
 </ul>
 </html>"));

@@ -10,6 +10,7 @@ from typing import Final
 from contact_foundation.errors import InputError, Place
 
 from modelica2fmu.crosscheck.class_library import ClassLibrary
+from modelica2fmu.crosscheck.collider_order import MisplacedRow
 from modelica2fmu.crosscheck.near_names import near_names
 from modelica2fmu.frontend.runner import LAYOUT, Answer
 from modelica2fmu.library.class_text import without_comments_and_strings
@@ -106,6 +107,16 @@ def unconnected_error(frames: Sequence[str], model: str, file: Path) -> InputErr
         f"{'they are' if several else 'it is'}",
         place=Place(file=file, line=line, component=model),
         remedy=f"connect {'them' if several else 'it'}: connect(body.frame_a, {frames[0]});",
+    )
+
+
+def misplaced_error(row: MisplacedRow, model: str, file: Path) -> InputError:
+    """A manager of contacts takes a body's geometry or material for another one."""
+    line = _line_of(re.compile(rf"(?<![\w.]){re.escape(row.taken)}(?!\w)"), file)
+    return InputError(
+        row.message,
+        place=Place(file=file, line=line, component=model),
+        remedy="give colliders, geometries, materials and inertias in the order of the frames",
     )
 
 

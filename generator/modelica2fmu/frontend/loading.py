@@ -14,13 +14,14 @@ from contact_foundation.errors import InputError, Place
 
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
+from modelica2fmu.crosscheck.collider_order import misplaced_row
 from modelica2fmu.crosscheck.flat_check import added_components, check_flat_model
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.balance import lacks_equations, unbalanced_form, unplaced_frames
 from modelica2fmu.frontend.concatenation import have_values, with_arrays_written_out
-from modelica2fmu.frontend.errors import FrontEndError, front_end_error, unconnected_error
+from modelica2fmu.frontend.errors import FrontEndError, front_end_error, misplaced_error, unconnected_error
 from modelica2fmu.frontend.flat_reader import read_flat_model
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
 from modelica2fmu.frontend.package_view import package_view
@@ -93,6 +94,9 @@ def load_flat_model(
         if loaded.file != given.file or source_map.text(file) != text:  # arrays were written out
             library = ClassLibrary(loaded.file, source_map.text(file), loaded.roots)
         _check(answer.flat, model, source_map, library)
+        misplaced = misplaced_row(answer.flat)
+        if misplaced is not None:
+            raise misplaced_error(misplaced, model, file)
         warnings = tuple(
             f"no component {name} is declared as inner, so one with its default values is added: declare it in {model}"
             for name in added_components(answer.flat, model, library)

@@ -119,9 +119,7 @@ def test_a_package_needs_not_name_the_libraries_its_files_use(tmp_path):
 
 
 def test_a_mistake_in_such_a_package_is_placed_in_its_file(tmp_path):
-    model = (
-        "model M\n  Modelica.Blocks.Continuous.Integrator integrator(u = 2*time);\n  Missing missing;\nend M;\n"
-    )
+    model = "model M\n  Modelica.Blocks.Continuous.Integrator integrator(u = 2*time);\n  Missing missing;\nend M;\n"
     package = in_package(tmp_path, M=model)
     with pytest.raises(InputError, match="Missing") as caught:
         translate("P.M", [package], StandardLibrary(core_subset(), "", "core subset"))
