@@ -36,6 +36,15 @@ def refused(folder: Path, text: str) -> str:
 def test_one_body(tmp_path: Path, manager: str) -> None:
     text = MODEL.replace("MANAGER", manager).replace("COUNT", "1").replace("COLLIDERS", "collider={ball.collider}")
     said = refused(tmp_path, text.replace("GEOMETRY", SHAPE))
+    assert "contacts.n is 1" in said
+
+
+def test_one_body_in_tools_that_pass_over_bounds(tmp_path: Path) -> None:
+    text = """model Lonely
+  parameter Integer numbers=sum(ContactMultiBody.Internal.pairsLookedAt(fill(0, 0, 2), 1, 0));
+end Lonely;
+"""
+    said = refused(tmp_path, text)
     assert "n = 1, and a contact takes two bodies" in said
     assert "Parts.Ground" in said
 

@@ -82,7 +82,6 @@ protected
   Real responseCount(unit="1") "Number of pairs of bodies that touch, as the engine returns it";
   SI.Length responseDepth "Largest penetration depth, as the engine returns it";
 equation
-  assert(n >= 2, "CompiledContactManager: n = " + String(n) + ", and a contact takes two bodies; connect at least two, as a body and a Parts.Ground, or leave the manager out.");
   (responseForce,responseTorque,responseEnergy,responseCount,responseDepth) = Internal.Engine.compiledResponse(
     broadphase,
     r_0,
