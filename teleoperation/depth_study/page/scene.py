@@ -18,6 +18,8 @@ TECHNIQUES = {
     "anaglyph": "Put on the red and cyan goggles, red to the left.",
     "polarised": "Put on the polarised goggles.",
     "shutter": "Put on the shutter goggles.",
+    "side-by-side": "Set the display to pictures side by side, and put on its goggles.",
+    "top-and-bottom": "Set the display to pictures above each other, and put on its goggles.",
 }
 """Techniques that the page can show, and what the observer does for them."""
 MOTIONS = ("still", "moving")
@@ -55,18 +57,22 @@ def view_of(levels: Mapping[str, str], viewing: Viewing) -> dict[str, Any] | Non
     except ValueError:
         return None
     left, right = cameras(model, viewing)
-    view = {
-        "technique": technique,
-        "goggles": TECHNIQUES[technique],
+    return {
+        **technique_data(technique),
         "moving": motion == "moving",
         "aspect": viewing.aspect,
         "left": _matrix(left),
         "right": _matrix(right),
     }
+
+
+def technique_data(technique: str) -> dict[str, Any]:
+    """What the page needs to show pictures for both eyes by a known technique."""
+    data: dict[str, Any] = {"technique": technique, "goggles": TECHNIQUES[technique]}
     if technique == "anaglyph":
         matrices = anaglyph_matrices()
-        view["colours"] = {"left": matrices.left.ravel().tolist(), "right": matrices.right.ravel().tolist()}
-    return view
+        data["colours"] = {"left": matrices.left.ravel().tolist(), "right": matrices.right.ravel().tolist()}
+    return data
 
 
 def scene_data(viewing: Viewing) -> dict[str, Any]:

@@ -26,6 +26,7 @@ _ASSETS = {
     "/": ("study.html", "text/html; charset=utf-8"),
     "/study.css": ("study.css", "text/css; charset=utf-8"),
     "/study.js": ("study.js", "text/javascript; charset=utf-8"),
+    "/goggles.js": ("goggles.js", "text/javascript; charset=utf-8"),
     "/picture.js": ("picture.js", "text/javascript; charset=utf-8"),
 }
 _HEADERS = {

@@ -11,7 +11,7 @@ from stereo_views.viewing import Viewing
 
 from depth_study.arrays import IntArray
 from depth_study.design.sequences import sequences_without_end
-from depth_study.page.scene import scene_data, view_of
+from depth_study.page.scene import TECHNIQUES, scene_data, technique_data, view_of
 from depth_study.record.answers import GREATEST, LEAST
 from depth_study.record.database import Answer, StudyDatabase
 
@@ -49,6 +49,7 @@ class StudySessions:
             "free": max(known, default=0) + 1,
             "unfinished": [number for number, count in known.items() if count < total],
             "scene": scene_data(self._viewing),
+            "techniques": [technique_data(technique) for technique in self._goggles()],
         }
 
     def begin(self, observer: object, tab: object) -> dict[str, Any]:
@@ -117,6 +118,13 @@ class StudySessions:
         constellation = design.constellations[sequence[position]]
         levels = {factor.name: level for factor, level in zip(design.factors, constellation, strict=True)}
         return {**state, "finished": False, "levels": levels, "view": view_of(levels, self._viewing)}
+
+    def _goggles(self) -> list[str]:
+        """The design's techniques for two eyes that the page can show."""
+        levels = [
+            level for factor in self._database.design.factors if factor.name == "technique" for level in factor.levels
+        ]
+        return [level for level in levels if level in TECHNIQUES and level != "plain"]
 
     def _sequence(self, observer: int) -> IntArray:
         while len(self._sequences) < observer:

@@ -169,6 +169,17 @@ def test_outputs_are_made_of_the_left_and_the_right_eye_s_pictures(browser, stud
     np.testing.assert_array_equal(rows[0::2], left[0::2])
     np.testing.assert_array_equal(rows[1::2], right[1::2])
     np.testing.assert_array_equal(shown("shutter"), left)
+    for technique, first, last in (
+        ("side-by-side", np.s_[:, : WIDTH // 2], np.s_[:, WIDTH // 2 :]),
+        ("top-and-bottom", np.s_[: HEIGHT // 2], np.s_[HEIGHT // 2 :]),
+    ):
+        both, shape = (
+            shown(technique),
+            (1 if technique == "top-and-bottom" else 2, 2 if technique == "top-and-bottom" else 1),
+        )
+        for part, whole in ((both[first], left), (both[last], right)):
+            wanted = middle(whole) / np.array([shape[0], shape[1]])
+            assert middle(part) == pytest.approx(wanted, abs=0.5)
     linear = [np.where(p <= 0.04045 * 255, p / 255 / 12.92, ((p / 255 + 0.055) / 1.055) ** 2.4) for p in (left, right)]
     mixed = anaglyph_matrices().displayed(*linear)
     wanted = 255 * np.where(mixed <= 0.0031308, 12.92 * mixed, 1.055 * mixed ** (1 / 2.4) - 0.055)
@@ -187,3 +198,79 @@ def test_a_moving_scene_moves_and_a_still_one_does_not(browser, study):
         tab.value("new Promise(done => setTimeout(done, 500))")
         assert least <= int(tab.value("window.shownOn.dataset.frames")) <= most
         tab.value("window.stopped()")
+
+
+def test_rows_for_polarised_displays_are_counted_on_the_screen(browser, study):
+    tab = browser.tab(study.server.address)
+    tab.until("!document.getElementById('welcome').hidden")
+    tab.value(
+        "window.lone = document.createElement('canvas'); document.body.append(window.lone);"
+        "window.lone.style.position = 'fixed'; window.above = () => window.screenY + outerHeight - innerHeight"
+    )
+    for top in (10, 11):
+        tab.value(f"window.lone.style.top = '{top}px'")
+        even = (int(tab.value("window.above()")) + top) % 2 == 0
+        assert tab.value("firstRightRow(window.lone)") == (1 if even else 0)
+
+
+@pytest.mark.parametrize(
+    ("sign", "told", "swapped"),
+    [
+        (1, "left and right are as they should be", False),
+        (-1, "Left and right are swapped", True),
+        (0, "not seen", False),
+    ],
+)
+def test_the_goggles_test_recognises_crossed_eyes(browser, study, sign, told, swapped):
+    tab = browser.tab(study.server.address)
+    tab.until("!document.getElementById('welcome').hidden")
+    tab.value("sessionStorage.clear()")
+    assert tab.value("Array.from(document.querySelectorAll('#technique option'), o => o.value)") == [
+        "anaglyph",
+        "shutter",
+        "polarised",
+    ]
+    tab.value("document.querySelector('#goggles-test button').click()")
+    tab.until("!document.getElementById('test').hidden")
+    assert sorted(tab.value("trial.truths")) == [-1, -1, -1, 1, 1, 1]
+    for _ in range(6):
+        truth = tab.value("trial.truths[trial.answers.length]")
+        tab.value(f"document.querySelector('#choices [data-answer=\"{sign * truth}\"]').click()")
+    assert told in tab.value("document.getElementById('verdict').textContent")
+    assert tab.value("swapped('anaglyph')") == swapped
+    tab.value("sessionStorage.clear()")
+
+
+def test_what_is_nearer_among_the_dots_is_farther_left_for_the_right_eye(browser, study):
+    """The square's dots are the same for both eyes, shifted by the disparity; all around there is none."""
+    for disparity_dots in (-2, 2):
+        pictures = drawn_dots(browser, study, disparity_dots)
+        left, right = (pictures[eye][4::8, 4::8] for eye in ("left", "right"))
+        rows, columns = left.shape
+        inner = np.s_[rows // 4 + 1 : rows // 4 + rows // 2 - 1, columns // 2 - rows // 8 : columns // 2 + rows // 8]
+        shifted = np.roll(right, -disparity_dots, axis=1)
+        np.testing.assert_array_equal(left[inner], shifted[inner])
+        np.testing.assert_array_equal(left[: rows // 4 - 1], right[: rows // 4 - 1])
+        assert (left[inner] != right[inner]).mean() > 0.3
+
+
+def drawn_dots(browser, study, disparity_dots):
+    tab = browser.tab(study.server.address)
+    tab.until("!document.getElementById('welcome').hidden")
+    values = tab.value(
+        f"""(() => {{
+          const canvas = document.createElement('canvas'), found = {{}};
+          canvas.width = 640; canvas.height = 320;
+          const context = canvas.getContext('2d'), draw = dotPictures(640, 320, {disparity_dots}, 8);
+          for (const eye of ['left', 'right']) {{
+            draw(context, eye);
+            const pixels = context.getImageData(0, 0, 640, 320).data;
+            found[eye] = btoa(Array.from(pixels, value => String.fromCharCode(value)).join(''));
+          }}
+          return found;
+        }})()"""
+    )
+    return {
+        eye: np.frombuffer(base64.b64decode(text), dtype=np.uint8).astype(float).reshape(320, 640, 4)[..., 0]
+        for eye, text in values.items()
+    }

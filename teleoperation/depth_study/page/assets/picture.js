@@ -101,42 +101,66 @@ function anaglyph(left, right, colours) {
   }
 }
 
-/** Replaces every second row of the first picture, from the second on, by that of the other. */
-function interleaveRows(left, right, width) {
-  for (let start = 4 * width; start < left.length; start += 8 * width) {
+/** Replaces every second row of the left picture by that of the right one, so that rows of one parity are the right eye's. */
+function interleaveRows(left, right, width, firstRight) {
+  for (let start = 4 * width * firstRight; start < left.length; start += 8 * width) {
     left.set(right.subarray(start, start + 4 * width), start);
   }
 }
 
-/** Shows a view on a canvas until stopped: returns a function that stops it. */
-function showView(canvas, view, scene) {
+/** The first row of a canvas for the right eye: displays polarise rows of the screen, even ones for the left eye. */
+function firstRightRow(canvas) {
+  if (!canvas.isConnected) return 1;
+  const above = window.mozInnerScreenY ?? window.screenY + window.outerHeight - window.innerHeight;
+  const row = Math.round((above + canvas.getBoundingClientRect().top) * window.devicePixelRatio);
+  return row % 2 === 0 ? 1 : 0;
+}
+
+/**
+ * Shows pictures for both eyes on a canvas, frame by frame if they move, by the output that the technique names.
+ * drawEye(context, eye, seconds) draws the picture of the "left" or "right" eye. Returns a function that ends it.
+ */
+function present(canvas, view, moving, drawEye) {
+  const { width, height } = canvas;
   const context = canvas.getContext("2d", { willReadFrequently: true });
   const other = document.createElement("canvas");
-  other.width = canvas.width;
-  other.height = canvas.height;
+  Object.assign(other, { width, height });
   const second = other.getContext("2d", { willReadFrequently: true });
+  const [first, last] = view.swapped ? ["right", "left"] : ["left", "right"];
   const begin = performance.now();
   let frame = 0, handle = 0;
   function draw(now) {
     const time = (now - begin) / 1000;
-    const angle = view.moving ? scene.swing.angle * Math.sin(2 * Math.PI * time / scene.swing.period) : 0;
-    if (view.technique === "shutter") {
-      drawEye(context, frame % 2 ? view.right : view.left, scene, angle);
+    if (view.technique === "plain" || view.technique === "shutter") {
+      drawEye(context, view.technique === "shutter" && frame % 2 ? last : first, time);
     } else {
-      drawEye(context, view.left, scene, angle);
-    }
-    if (view.technique === "anaglyph" || view.technique === "polarised") {
-      drawEye(second, view.right, scene, angle);
-      const mine = context.getImageData(0, 0, canvas.width, canvas.height);
-      const theirs = second.getImageData(0, 0, canvas.width, canvas.height);
-      if (view.technique === "anaglyph") anaglyph(mine.data, theirs.data, view.colours);
-      else interleaveRows(mine.data, theirs.data, canvas.width);
-      context.putImageData(mine, 0, 0);
+      drawEye(second, last, time);
+      if (view.technique === "side-by-side" || view.technique === "top-and-bottom") {
+        const half = view.technique === "side-by-side" ? [width / 2, height] : [width, height / 2];
+        const place = view.technique === "side-by-side" ? [width / 2, 0] : [0, height / 2];
+        context.drawImage(other, ...place, ...half);
+        drawEye(second, first, time);
+        context.drawImage(other, 0, 0, ...half);
+      } else {
+        drawEye(context, first, time);
+        const mine = context.getImageData(0, 0, width, height);
+        const theirs = second.getImageData(0, 0, width, height);
+        if (view.technique === "anaglyph") anaglyph(mine.data, theirs.data, view.colours);
+        else interleaveRows(mine.data, theirs.data, width, firstRightRow(canvas));
+        context.putImageData(mine, 0, 0);
+      }
     }
     frame += 1;
     canvas.dataset.frames = String(frame);
-    if (view.moving || view.technique === "shutter") handle = requestAnimationFrame(draw);
+    if (moving || view.technique === "shutter") handle = requestAnimationFrame(draw);
   }
   draw(begin);
   return () => cancelAnimationFrame(handle);
+}
+
+/** Shows the study's scene on a canvas until stopped: returns a function that stops it. */
+function showView(canvas, view, scene) {
+  const { angle, period } = scene.swing;
+  return present(canvas, view, view.moving, (context, eye, time) =>
+    drawEye(context, view[eye], scene, view.moving ? angle * Math.sin(2 * Math.PI * time / period) : 0));
 }

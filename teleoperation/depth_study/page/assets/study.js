@@ -3,7 +3,7 @@
 
 const by = id => document.getElementById(id);
 const tab = Array.from(crypto.getRandomValues(new Uint32Array(4)), n => n.toString(16)).join("");
-let scene = null, state = null, stop = () => {}, shown = 0;
+let scene = null, state = null, stop = () => {}, shown = 0, techniques = [], trial = null;
 
 function show(id) {
   for (const part of document.querySelectorAll("main")) part.hidden = part.id !== id;
@@ -85,6 +85,18 @@ function fitCanvas() {
   canvas.height = Math.round(canvas.width / aspect);
 }
 
+/** Whether a test of the goggles found left and right swapped; kept while the browser is open. */
+function swapped(technique, value) {
+  const key = `swapped ${technique}`;
+  if (value !== undefined) sessionStorage.setItem(key, value ? "yes" : "");
+  return Boolean(sessionStorage.getItem(key));
+}
+
+function showPicture() {
+  stop();
+  stop = showView(by("picture"), { ...state.view, swapped: swapped(state.view.technique) }, scene);
+}
+
 function showConstellation() {
   stop();
   if (state.finished) {
@@ -100,7 +112,7 @@ function showConstellation() {
   if (state.view) {
     by("goggles").textContent = state.view.goggles;
     fitCanvas();
-    stop = showView(by("picture"), state.view, scene);
+    showPicture();
   } else {
     by("goggles").textContent = Object.entries(state.levels).map(([name, level]) => `${name}: ${level}`).join(", ");
   }
@@ -117,8 +129,18 @@ async function begin(observer) {
   return true;
 }
 
+function showDots() {
+  stop();
+  const canvas = by("dots"), view = { ...trial.view, swapped: swapped(trial.view.technique) };
+  const dot = Math.max(3, Math.round(canvas.width / 160));
+  stop = present(canvas, view, false, dotPictures(canvas.width, canvas.height, 2 * trial.truths[trial.answers.length], dot));
+}
+
 function showWelcome(start) {
   scene = start.scene;
+  techniques = start.techniques;
+  by("goggles-test").hidden = !techniques.length;
+  by("technique").replaceChildren(...techniques.map(view => new Option(view.technique)));
   document.title = start.title;
   by("title").textContent = start.title;
   by("total").textContent = start.total;
@@ -131,6 +153,31 @@ function showWelcome(start) {
 by("begin").addEventListener("submit", event => {
   event.preventDefault();
   begin(Number(by("observer").value));
+});
+
+by("goggles-test").addEventListener("submit", event => {
+  event.preventDefault();
+  const view = techniques.find(known => known.technique === by("technique").value);
+  trial = { view, truths: shuffled(TRIALS), answers: [] };
+  by("test-goggles").textContent = view.goggles;
+  by("verdict").textContent = "";
+  by("choices").hidden = false;
+  show("test");
+  showDots();
+});
+
+by("choices").addEventListener("click", event => {
+  if (event.target.dataset.answer === undefined) return;
+  trial.answers.push(Number(event.target.dataset.answer));
+  if (trial.answers.length < trial.truths.length) {
+    showDots();
+    return;
+  }
+  stop();
+  const verdict = gogglesVerdict(trial.truths, trial.answers), technique = trial.view.technique;
+  if (verdict.crossed) swapped(technique, !swapped(technique));
+  by("choices").hidden = true;
+  by("verdict").textContent = verdict.text;
 });
 
 by("delete").addEventListener("submit", async event => {
@@ -161,13 +208,14 @@ by("answer").addEventListener("submit", async event => {
   showConstellation();
 });
 
-window.addEventListener("resize", () => {
-  if (state && !state.finished && state.view && !by("show").hidden) {
-    stop();
-    fitCanvas();
-    stop = showView(by("picture"), state.view, scene);
-  }
-});
+for (const change of ["resize", "scroll"]) {  // rows for polarised displays are counted on the screen
+  window.addEventListener(change, () => {
+    if (state && !state.finished && state.view && !by("show").hidden) {
+      if (change === "resize") fitCanvas();
+      showPicture();
+    }
+  });
+}
 
 makeScale("absolute", "1: none, flat", "9: as in reality");
 makeScale("relative", "1: much less", "9: much more (5: the same)");
