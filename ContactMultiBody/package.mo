@@ -6,6 +6,7 @@ package ContactMultiBody "Bodies of Modelica.Mechanics.MultiBody that collide"
     version="0.1.0",
     versionDate="2026-11-21",
     uses(Modelica(version="4.0.0")),
+    conversion(from(version="0.0.0", script="modelica://ContactMultiBody/Resources/Scripts/ConvertFromBefore0.1.0.mos")),
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
         Ellipse(extent={{-50,80},{50,-20}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.Sphere),
         Rectangle(extent={{-80,-16},{80,-60}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.HorizontalCylinder),

@@ -5,6 +5,7 @@ model FreeBody "Rigid body that moves freely and can collide; its orientation is
 
   Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame_a "Frame, fixed to the body"
     annotation (Placement(transformation(extent={{-116,-16},{-84,16}})));
+  parameter Boolean animation=true "= true, if the body is shown as a sphere" annotation (choices(checkBox=true));
   parameter SI.Mass m(min=Modelica.Constants.small, start=1) "Mass";
   parameter SI.Position r_CM[3](start={0,0,0}) "Centre of mass from the origin of frame_a, in its coordinates";
   parameter SI.Inertia I_11(min=0)=0.001 "Element (1,1) of the inertia tensor" annotation (Dialog(group="Inertia tensor about the centre of mass"));
@@ -26,6 +27,12 @@ model FreeBody "Rigid body that moves freely and can collide; its orientation is
     annotation (Evaluate=true, choices(checkBox=true), Dialog(tab="Initialization"));
   parameter SI.AngularVelocity w_0_start[3]={0,0,0} "Angular velocity of frame_a, in world axes"
     annotation (Dialog(tab="Initialization"));
+  parameter SI.Diameter sphereDiameter=world.defaultBodyDiameter "Diameter of the sphere about the centre of mass"
+    annotation (Dialog(tab="Animation", enable=animation));
+  input Modelica.Mechanics.MultiBody.Types.Color sphereColor=Modelica.Mechanics.MultiBody.Types.Defaults.BodyColor "Colour of the sphere"
+    annotation (Dialog(colorSelector=true, tab="Animation", enable=animation));
+  input Modelica.Mechanics.MultiBody.Types.SpecularCoefficient specularCoefficient=world.defaultSpecularCoefficient "Reflection of ambient light"
+    annotation (Dialog(tab="Animation", enable=animation));
   final parameter SI.Inertia I[3, 3]={{I_11,I_21,I_31},{I_21,I_22,I_32},{I_31,I_32,I_33}}
     "Inertia tensor about the centre of mass, in coordinates of frame_a";
   final parameter Inertia inertia(m=m, r_CM=r_CM, I=I) "Inertia, for contacts without events";
@@ -49,6 +56,18 @@ protected
   constant SI.Frequency stabilisation=1 "Rate at which the length of the quaternion returns to 1";
   outer Modelica.Mechanics.MultiBody.World world;
   Real s(unit="1") "2 by the square of the quaternion's length";
+  Modelica.Mechanics.MultiBody.Visualizers.Advanced.Shape sphere(
+    shapeType="sphere",
+    color=sphereColor,
+    specularCoefficient=specularCoefficient,
+    length=sphereDiameter,
+    width=sphereDiameter,
+    height=sphereDiameter,
+    lengthDirection={1,0,0},
+    widthDirection={0,1,0},
+    r_shape=r_CM - {sphereDiameter/2,0,0},
+    r=frame_a.r_0,
+    R=frame_a.R) if world.enableAnimation and animation and sphereDiameter > 0;
 equation
   Connections.root(frame_a.R);
   s = 2/(Q*Q);
@@ -78,7 +97,7 @@ equation
         Text(extent={{-150,-70},{150,-100}}, textString="m=%m")}),
     Documentation(info="<html>
 <p>
-Takes the place of <a href=\"modelica://ContactMultiBody.Parts.Body\">Body</a> where a body is not connected to the world by joints, with the same parameters and variables, but without animation.
+Takes the place of <a href=\"modelica://ContactMultiBody.Parts.Body\">Body</a> where a body is not connected to the world by joints, with the same parameters and variables; its animation is a sphere about the centre of mass.
 Its 13 states are position, velocity, quaternion and angular velocity, and each has a differential equation of its own. Body has the quaternion's unit length as an algebraic
 constraint, so that a tool has to choose three of the four components as states, and others during the simulation: some tools do not do that in FMUs that they export, see
 <a href=\"modelica://ContactMultiBody.UsersGuide.ToolNotes\">Tool notes</a>. The motion is the same.

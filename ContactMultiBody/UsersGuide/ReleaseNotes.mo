@@ -13,7 +13,9 @@ class ReleaseNotes "Release notes"
 <li>Joints that MultiBody has not (screw, couplings, closure of overconstrained loops); drives of joints with their controllers.</li>
 </ul>
 <p>
-Who extended classes of states before this version finds them under new names, with the same parameters and variables; no conversion is needed otherwise:
+Who extended classes of states before this version finds them under new names, with the same parameters and variables; no conversion is needed otherwise. Those states had no number of
+their own: tools that convert do so for models that state <code>uses(ContactMultiBody(version=\"0.0.0\"))</code>, by
+<a href=\"modelica://ContactMultiBody/Resources/Scripts/ConvertFromBefore0.1.0.mos\">a script</a>. The last line is for the hand: functions are private.
 </p>
 <table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
 <tr><th>was</th><th>is</th></tr>
@@ -21,6 +23,9 @@ Who extended classes of states before this version finds them under new names, w
 <tr><td>Internal.PartialCompiledContacts</td><td><a href=\"modelica://ContactMultiBody.Interfaces.PartialCompiledContacts\">Interfaces.PartialCompiledContacts</a>; extending models read <code>responseForce</code> and <code>responseTorque</code></td></tr>
 <tr><td>Internal.intern, query, ...</td><td><a href=\"modelica://ContactMultiBody.Internal\">sub-packages of Internal</a></td></tr>
 </table>
+<p>
+From here on a class, parameter or variable that users see changes its name only with a new version and a line in such a script.
+</p>
 <p>Changes of the whole project are in its file CHANGELOG.md.</p>
 </html>"));
 end ReleaseNotes;

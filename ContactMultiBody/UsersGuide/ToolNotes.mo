@@ -16,7 +16,7 @@ The engine is one static library, libContactMultiBody.a, that a C compiler links
 </p>
 <p>
 Geometry is not drawn: tools animate what MultiBody animates, boxes and cylinders of <a href=\"modelica://ContactMultiBody.Parts.BodyBox\">BodyBox</a> and
-<a href=\"modelica://ContactMultiBody.Parts.BodyCylinder\">BodyCylinder</a>, spheres of other bodies. Connect a Modelica.Mechanics.MultiBody.Visualizers.FixedShape to a frame to see its
+<a href=\"modelica://ContactMultiBody.Parts.BodyCylinder\">BodyCylinder</a>, spheres of other bodies, FreeBody among them. Connect a Modelica.Mechanics.MultiBody.Visualizers.FixedShape to a frame to see its
 shape, and set <code>animateGround=true</code> in the world to see a floor at z = 0.
 </p>
 <h4>OpenModelica</h4>
@@ -35,6 +35,32 @@ functions of arrays. Impact speeds of version 1.28 are right with this library; 
 initialization; nothing has to be done. The function is that of the ModelicaServices that come with the tool: another one does not resolve <code>modelica://</code>.</li>
 <li>Static libraries export into FMUs more reliably than shared ones.</li>
 </ul>
+<h4>Dymola</h4>
+<ul>
+<li>File &gt; Open &gt; Load the file package.mo; or put the package's folder into a folder of <code>MODELICAPATH</code>, where libraryinfo.mos enters it into File &gt; Libraries.</li>
+<li>On Windows choose GCC (MinGW-w64, 64 bit) in Simulation &gt; Setup &gt; Compiler: the engine is an archive of GCC, which Visual C++ cannot link. On Linux GCC is what Dymola takes.</li>
+<li>Solver Dassl, Radau IIa or Cvode at tolerance 1e-6. For an export with a solver inside choose Cvode.</li>
+</ul>
+<h4>SimulationX</h4>
+<ul>
+<li>Add the folder that holds the package to the Modelica libraries (Extras &gt; Options &gt; Directories).</li>
+<li>The compiler has to be GCC (MinGW-w64, 64 bit), as above; BDF or CVODE as solver, with events.</li>
+</ul>
+<h4>Wolfram System Modeler</h4>
+<ul>
+<li>File &gt; Open the file package.mo; or put the package into a folder of Tools &gt; Options &gt; Libraries.</li>
+<li>On Windows choose MinGW as compiler; solver DASSL or CVODES.</li>
+</ul>
+<h4>Modelon Impact</h4>
+<ul>
+<li>Import the package as a project or library of the workspace. It computes on Linux and takes linux64; solver CVode, for which it exports an FMU for model exchange.</li>
+<li>Modules of other back ends are found if <code>CMB_MODULE_PATH</code> is set in the environment of the server; the engine itself needs nothing.</li>
+</ul>
+<p>
+These four follow their documentation and the rules that <a href=\"modelica://ContactMultiBody.Internal.Unaliased\">Unaliased</a> states: the library has been run in OpenModelica and by the built-in builder. <strong>Every tool</strong>
+has to call functions with <code>external \"C\"</code> and arrays of Strings, give <code>each</code> and nested records of parameters, and find <code>Library</code> and <code>Include</code> below Resources; nothing else is asked for. Models of
+<a href=\"modelica://ContactMultiBody.PureModelica\">PureModelica</a> need none of it.
+</p>
 <h4>rumoca and the built-in FMU builder</h4>
 <ul>
 <li>Classes that extend ExternalObject are not translated, hence the Integer handle of a scene.</li>
