@@ -77,10 +77,11 @@ def fit_mixed_model(answers: Answers, confidence: float = 0.9) -> MixedModel:
             fit: Any = MixedLM(table[observers, constellations], design, groups=observers).fit(reml=True)
         except (np.linalg.LinAlgError, ValueError) as error:
             return MixedModel(f"the fit failed: {error}", *nothing)
-    if not fit.converged:
+    known = np.asarray(fit.cov_params())[: seen.size, : seen.size]
+    if not fit.converged or not np.isfinite(known).all() or (np.diag(known) < 0).any():
         return MixedModel("the fit did not converge", *nothing)
     levels, covariance = nothing
     levels[seen] = np.asarray(fit.fe_params)
-    covariance[np.ix_(seen, seen)] = np.asarray(fit.cov_params())[: seen.size, : seen.size]
+    covariance[np.ix_(seen, seen)] = known
     bias = float(np.sqrt(max(float(np.asarray(fit.cov_re)[0, 0]), 0.0)))
     return MixedModel("", levels, covariance, bias, float(np.sqrt(fit.scale)), confidence)

@@ -21,10 +21,11 @@ from depth_study.arrays import BoolArray, FloatArray
 from depth_study.evaluation.censored_normal import mean_beyond
 from depth_study.record.answers import GREATEST, LEAST
 
-MIN_ANSWERS = 3
+MIN_ANSWERS = 6
 """Observers with fewer answers have no spread that can be told from noise."""
 _ITERATIONS = 14
 _BEYOND = 0.5
+_FARTHEST = 1.0
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ class Panel:
         scale: spread of each observer's answers against the panel's; NaN where left out; shape (n,).
         bias: mean of each observer's answers less the mean of the levels answered; shape (n,).
         leverage: share of a score's variance that removing scale and bias took out; shape (p,).
-        used: whether an observer counts; those do not who gave fewer than three answers or all the same; shape (n,).
+        used: whether an observer counts; those do not who gave fewer than six answers or all the same; shape (n,).
     """
 
     scores: FloatArray
@@ -153,10 +154,11 @@ class _Fit:
         study, observer = where[:-2], where[:-1]
         mean, _ = self._levels_about()
         middle, gain, line = self.means[observer], self.gain[observer], mean[observer]
-        level = self.levels[(*study, where[-1])]
-        expected, hidden = mean_beyond(level, self.deviation[study], line + gain * (border - middle), sign)
-        answers[where] = middle + (expected - line) / gain
-        variance[where] = hidden / gain**2
+        level = middle + (self.levels[(*study, where[-1])] - line) / gain
+        deviation = np.minimum(self.deviation[study] / gain, (GREATEST - LEAST) / 2)
+        # Where all answered the end, any level beyond it would do: it is sought up to a step beyond.
+        level = np.clip(level, LEAST - _FARTHEST, GREATEST + _FARTHEST)
+        answers[where], variance[where] = mean_beyond(level, deviation, border, sign)
 
     def leverage(self) -> FloatArray:
         """Of each constellation, the mean share of a score's variance taken out with two parameters an observer."""

@@ -233,6 +233,7 @@ def create_database(path: Path, design_text: str, seed: int) -> StudyDatabase:
     if path.exists() and path.stat().st_size:
         raise InputError("is there already", place=Place(file=path), remedy="Name another file, or remove it first.")
     path.parent.mkdir(parents=True, exist_ok=True)
+    new = not path.exists()
     connection = _connect(path)
     try:
         with _errors_about(path):
@@ -243,6 +244,8 @@ def create_database(path: Path, design_text: str, seed: int) -> StudyDatabase:
         return StudyDatabase(path, connection)
     except BaseException:
         connection.close()
+        if new:
+            path.unlink(missing_ok=True)
         raise
 
 

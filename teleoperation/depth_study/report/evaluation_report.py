@@ -9,6 +9,7 @@ from contact_foundation.output import whole_file
 from fmu_regression.report.page import Cell, Column, Row, Section, Table, Tile, render_page
 from fmu_regression.report.plots import Plot, Series
 
+from depth_study.evaluation.panel import MIN_ANSWERS
 from depth_study.evaluation.published import Published
 from depth_study.evaluation.study import ContrastEffect, Evaluation
 from depth_study.report.text_table import number, percent, text_table
@@ -44,7 +45,7 @@ def _summary(evaluation: Evaluation) -> str:
     lines = [f"{len(evaluation.answers.observers)} observers, {count} answers"]
     if evaluation.left_out:
         names = ", ".join(map(str, evaluation.left_out))
-        lines.append(f"left out, for fewer than three answers or all of them the same: observer {names}")
+        lines.append(f"left out, for fewer than {MIN_ANSWERS} answers or all of them the same: observer {names}")
     used = evaluation.panel.used
     scale, bias = evaluation.panel.scale[used], evaluation.panel.bias[used]
     lines.append(

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from contact_foundation.errors import InputError
 from depth_study.design.sequences import make_sequences
+from depth_study.record import database as database_module
 from depth_study.record.database import Answer, AnsweredError, StorageError, create_database, open_database
 from small_designs import DESIGN_FILE, thesis
 
@@ -171,6 +172,17 @@ def test_databases_of_others_are_told(tmp_path):
         open_database(path)
     with pytest.raises(InputError, match="is there already"):
         create_database(path, TEXT, seed=1)
+
+
+def test_a_study_that_cannot_be_made_leaves_no_file(tmp_path, monkeypatch):
+    path = tmp_path / "study.db"
+    monkeypatch.setattr(database_module, "_SCHEMA", "PRAGMA max_page_count = 1; CREATE TABLE study (key, value);")
+    with pytest.raises(StorageError, match="the disk is full"):
+        create_database(path, TEXT, seed=1)
+    assert list(tmp_path.iterdir()) == []
+    monkeypatch.undo()
+    create_database(path, TEXT, seed=1).close()
+    assert open_database(path).observers() == {}
 
 
 def test_missing_files_are_told(tmp_path):

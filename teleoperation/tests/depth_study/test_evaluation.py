@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 import pytest
 from contact_foundation.errors import InputError
@@ -15,6 +17,7 @@ from depth_study.evaluation.panel import fit_panel
 from depth_study.evaluation.published import load_published
 from depth_study.evaluation.study import evaluate
 from depth_study.record.answers import Answers, by_constellation
+from depth_study.report.evaluation_report import evaluation_text, write_evaluation
 from scipy import stats
 from small_designs import PUBLISHED_FILE, thesis
 
@@ -109,6 +112,50 @@ def test_a_level_near_the_end_of_the_scale_is_found_beyond_the_answers():
     off = fit_panel(answers).levels[:, -1].mean() - 8.1
     assert short < -0.15
     assert abs(off) < 0.5 * abs(short)
+
+
+@pytest.mark.parametrize("end", [1.0, 9.0])
+def test_a_constellation_for_which_all_answered_the_end_is_at_most_a_step_beyond(end):
+    """Of such answers any level beyond the end is as likely; before, expectation-maximisation ran away."""
+    table = np.clip(np.rint(LEVELS + np.random.default_rng(3).normal(0, 0.7, (6, 20))), 2, 8)
+    table[:, 4] = end
+    panel = fit_panel(table)
+    assert 0.4 < abs(panel.levels[4] - 5) - 3 < 2.5
+    assert np.isfinite(fit_levels(panel).half_width).all()
+
+
+def test_any_answers_of_few_observers_are_evaluated_or_refused(tmp_path):
+    """Random, constant, extreme and unfinished answers: tables and page without warnings."""
+    chance = np.random.default_rng(0)
+    published = load_published(PUBLISHED_FILE, DESIGN)
+    evaluated = 0
+    for trial in range(24):
+        count = int(chance.integers(0, 7))
+        absolute, relative = chance.integers(1, 10, (2, count, 20)).astype(float)
+        kind = trial % 6
+        if kind == 1:
+            absolute[:] = 9
+        elif kind == 2:
+            absolute = np.where(absolute > 5, 9.0, 1.0)
+        elif kind == 3:
+            absolute, relative[:] = np.where(absolute > 1, 9.0, 8.0), 9
+        elif kind == 4:
+            relative[:] = 5
+        relative[:, 0] = np.nan
+        for row in range(count):
+            end = int(chance.integers(1, 21))
+            absolute[row, end:] = relative[row, end:] = np.nan
+        answers = Answers(DESIGN, tuple(range(1, count + 1)), SEQUENCES[:count], absolute, relative)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            try:
+                evaluation = evaluate(answers)
+            except InputError:
+                continue
+            assert evaluation_text(evaluation, published)
+            write_evaluation(evaluation, published, tmp_path / "study.html")
+        evaluated += 1
+    assert evaluated > 8
 
 
 def test_intervals_are_students_for_one_answer_each():
