@@ -11,6 +11,13 @@ from fmpy import simulate_fmu
 from modelica2fmu.build import build_fmu
 
 BLOWS_UP = "model Blow\n  Real x(start = 1, fixed = true);\nequation\n  der(x) = x^2;\nend Blow;\n"
+DEAD_CENTRE = """model Dead
+  Real x(start = 0, fixed = true), y(start = 1);
+equation
+  der(x) = 1;
+  x^2 + y^2 = 1;
+end Dead;
+"""
 BODY = """model Weight
   type Mass = Real(unit = "kg", min = 0);
   model Part
@@ -51,6 +58,19 @@ def test_a_solution_that_grows_without_bound(tmp_path: Path, capfd: pytest.Captu
     assert "x = " in told
     for word in ("/home", "CV_", "sundials", "cvode.c"):
         assert word not in told
+
+
+@pytest.mark.parametrize("mode", ["me", "cs"])
+def test_a_dead_centre_is_told_as_one(tmp_path: Path, capfd: pytest.CaptureFixture[str], mode: str) -> None:
+    fmu = tmp_path / "d.fmu"
+    build_fmu("Dead", [written(tmp_path, DEAD_CENTRE)], fmu)
+    capfd.readouterr()
+    assert main(["simulate", str(fmu), "--output", str(tmp_path / "d.csv"), "--stop", "2", "--mode", mode]) == 1
+    told = capfd.readouterr().err
+    assert "is singular at time" in told
+    assert "the equation in Dead.mo, line 5, holds" in told
+    assert "dead centre" in told
+    assert "status 2" not in told
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,7 @@ from cad2modelica.kinematics.planar_loops import Loop
 
 MOST_COLUMNS = 24  # of loops whose ways are followed
 MOST_CHOICES = 2000
+MOST_FREEDOMS = 2  # whose motions a few ways stand for
 FLAT = 0.02  # of a determinant, 1 at most: a dead centre
 ENDLESS = 10**6
 
@@ -32,10 +33,12 @@ class CoordinateChoice:
     Attributes:
         independent: numbers of columns.
         dead_centers: of a single state, its displacements from the start where it comes to a dead centre.
+        is_sampled: = true, if there are more freedoms than the ways that were followed can stand for.
     """
 
     independent: tuple[int, ...]
     dead_centers: tuple[float, ...] = ()
+    is_sampled: bool = False
 
 
 def choose_coordinates(
@@ -57,7 +60,7 @@ def choose_coordinates(
     count = len(preferred)
     small = len(columns) <= MOST_COLUMNS and comb(len(possible), count) <= MOST_CHOICES
     if count == 0 or not small:
-        return CoordinateChoice(tuple(preferred))
+        return CoordinateChoice(tuple(preferred), is_sampled=count > MOST_FREEDOMS)
     motion = LoopMotion(loops, columns, length)
     begin = motion.null_space(motion.start())
     if begin.shape[1] != count:
@@ -78,7 +81,7 @@ def choose_coordinates(
             if passed < ENDLESS:
                 # The first base of a way is that of the start.
                 found.append(float(way[passed - 1].coordinates[best[0]]) if passed > 0 else 0.0)
-    return CoordinateChoice(best, tuple(dict.fromkeys(found)))
+    return CoordinateChoice(best, tuple(dict.fromkeys(found)), is_sampled=count > MOST_FREEDOMS)
 
 
 def _along(bases: Sequence[Array]) -> list[Array]:

@@ -27,6 +27,8 @@ from cad2modelica.kinematics.planar_loops import Loop, Step
 from cad2modelica.mechanism.model import GROUND, Assembly, Joint, JointType
 from cad2modelica.source.lost import Lost
 
+_JOINTS_NAMED = 4  # of a loop, in notes
+
 
 @dataclass(frozen=True)
 class LoopAnalysis:
@@ -190,6 +192,14 @@ def _choose(
         notes.append(
             f"states of a loop are those of {', '.join(map(repr, names))}: those of {instead}, chosen first, come to a "
             "dead centre sooner"
+        )
+    if choice.is_sampled:
+        through = list(dict.fromkeys(joint.name for joint, _ in columns))
+        others = " and others" if len(through) > _JOINTS_NAMED else ""
+        notes.append(
+            f"the loop through {', '.join(map(repr, through[:_JOINTS_NAMED]))}{others} moves in "
+            f"{len(choice.independent)} ways, more than can be searched for dead centres: a simulation that comes to a "
+            "position in which its states do not determine the rest ends there"
         )
     for value in choice.dead_centers:
         joint, k = columns[choice.independent[0]]

@@ -256,8 +256,8 @@ class Cvode:
         status = CVode(self._memory, limit, self._x, ctypes.byref(reached), _CV_ONE_STEP)
         if status < 0:
             error, self._error = self._error, None
-            detail = _FAILURES.get(status, f"CVODE status {status}")
-            raise IntegrationError(f"{detail} ({self._message})" if self._message else detail) from error
+            detail = _FAILURES.get(status) or f"CVODE status {status} ({self._message})"
+            raise IntegrationError(detail) from error
         if self._first_step_limited:
             self._first_step_limited = False
             self._check(CVodeSetMaxStep(self._memory, self._max_step))

@@ -119,8 +119,9 @@ class _Master:
             try:
                 self._integrate(solver)
             except IntegrationError as error:
+                cause = None if self.instance.messages else error.__cause__  # the FMU says more
                 raise self.instance.failure(
-                    f"the integrator failed after t = {self.time:.9g}: {error}", error.__cause__
+                    f"the integrator failed after t = {self.time:.9g}: {error}", cause
                 ) from error
             counters = solver.counters(self.state_events, self.time_events)
         functions.terminate()

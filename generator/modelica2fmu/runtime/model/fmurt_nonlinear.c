@@ -156,6 +156,9 @@ int fmurt_solve_nonlinear(fmurt_values *values, const void *context, fmurt_resid
   return fail(values, MAXIMUM_ITERATIONS, norm);
 }
 
+/* Equations that are off by no more than this are solved. */
+static const double singular_residual = 1e-6;
+
 int fmurt_report_unsolved(fmurt_values *values, fmurt_residual residual, int n, const double *x, double *r,
                           const char *const *unknown, const char *const *equation, int result) {
   if (residual(values, NULL, x, r) != FMURT_RESULT_OK || !all_finite(n, r))
@@ -170,11 +173,20 @@ int fmurt_report_unsolved(fmurt_values *values, fmurt_residual residual, int n, 
     length +=
         (size_t)snprintf(names + length, sizeof names - length, "%s%s = %.6g", i > 0 ? ", " : "", unknown[i], x[i]);
   }
-  char message[700];
-  snprintf(message, sizeof message,
-           "A nonlinear system of %d equations has no solution near its start at time %.15g: the equation %s is off by "
-           "%.3g. Better start values or other states may help. Unknowns: %s%s",
-           n, values->time, equation[worst], r[worst], names, length >= sizeof names - 40 ? ", ..." : "");
+  const char *more = length >= sizeof names - 40 ? ", ..." : "";
+  char message[800];
+  if (fabs(r[worst]) <= singular_residual) {
+    snprintf(message, sizeof message,
+             "A nonlinear system of %d equations is singular at time %.9g: the equation %s holds, but the unknowns cannot "
+             "be followed on, as at a dead centre of a mechanism. Choose other states, such as other joints of the "
+             "loop. Unknowns: %s%s",
+             n, values->time, equation[worst], names, more);
+  } else {
+    snprintf(message, sizeof message,
+             "A nonlinear system of %d equations has no solution near its start at time %.9g: the equation %s is off by "
+             "%.3g. Better start values or other states may help. Unknowns: %s%s",
+             n, values->time, equation[worst], r[worst], names, more);
+  }
   fmurt_report_error(values, message);
   return result;
 }

@@ -18,6 +18,7 @@ from cad2modelica.kinematics.loops import LoopAnalysis, analyse_loops
 from cad2modelica.kinematics.spherical_axes import with_spherical_axes
 from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
+from loop_mechanisms import ring
 from mechanics_simulation import ROOT
 from modelica2fmu.build import BuildOptions, build_fmu
 
@@ -328,3 +329,17 @@ def test_cut_joint_does_not_depend_on_other_mechanisms(tmp_path: Path) -> None:
     other = joint("other", "revolute", "ground", "z", origin=(9, 9, 9), axis=(1, 0, 0))
     more, _ = analysed(write_assembly(tmp_path / "two.xml", [part("z"), *parts[::-1]], [other, *joints]))
     assert [j.name for j in tree.cut_joints] == [j.name for j in more.cut_joints] == ["j3"]
+
+
+def test_a_ring_of_many_freedoms_is_noted(tmp_path):
+    def notes(count: int) -> list[str]:
+        angles = 2 * np.pi * np.arange(count) / count
+        points = [(float(np.sin(angle)), 0.0, float(np.cos(angle))) for angle in angles]
+        mechanism = ring("r", ["revolute"] * count, points, [ACROSS] * count)
+        file = write_assembly(tmp_path / f"ring{count}.xml", mechanism.parts, mechanism.joints)
+        return [str(note) for note in analysed(file)[1].notes if "dead centres" in str(note)]
+
+    (said,) = notes(12)
+    assert "moves in 9 ways" in said
+    assert "ends there" in said
+    assert notes(4) == []
