@@ -14,6 +14,7 @@ from cmb.commands import (
     advise,
     assign,
     depth_study,
+    drive,
     effects,
     fmu,
     generate,
@@ -53,6 +54,7 @@ ALL_COMMANDS: tuple[Command, ...] = (
     study,
     effects,
     advise,
+    drive,
     depth_study,
     msl,
 )

@@ -17,6 +17,8 @@ LogMessage = Callable[[int, str, str], None]
 """Receives FMI status, category and text of a message."""
 Reader = Callable[[], FloatArray]
 """Reads the same variables each time, shape (n,)."""
+SavedState = Any
+"""A pointer that the FMU gave."""
 
 
 @dataclass(frozen=True)
@@ -114,8 +116,8 @@ class Binding(ABC):
         """A function that reads variables of one FMI type, not strings."""
 
     @abstractmethod
-    def enter_initialization(self, tolerance: float, start: float, stop: float) -> None:
-        """Says what will be simulated and enters initialization mode."""
+    def enter_initialization(self, tolerance: float, start: float, stop: float | None) -> None:
+        """Says what will be simulated, without an end if ``stop`` is None, and enters initialization mode."""
 
     def exit_initialization(self) -> None:
         """Ends initialization."""
@@ -124,6 +126,20 @@ class Binding(ABC):
     def terminate(self) -> None:
         """Ends the simulation."""
         self.raw.terminate()
+
+    # Whole states of the FMU, where its description says that it keeps them.
+
+    def save_state(self) -> SavedState:
+        """A copy of everything that the FMU knows, until ``free_state``."""
+        return self.raw.getFMUState()
+
+    def restore_state(self, state: SavedState) -> None:
+        """Puts the FMU where it was when the state was saved, its phase included."""
+        self.raw.setFMUState(state)
+
+    def free_state(self, state: SavedState) -> None:
+        """Frees a saved state; before the instance is freed."""
+        self.raw.freeFMUState(state)
 
     # Model exchange.
 

@@ -58,7 +58,7 @@ class Fmi2Binding(Binding):
 
         return read
 
-    def enter_initialization(self, tolerance: float, start: float, stop: float) -> None:
+    def enter_initialization(self, tolerance: float, start: float, stop: float | None) -> None:
         """See Binding."""
         self.raw.setupExperiment(tolerance=tolerance, startTime=start, stopTime=stop)
         self.raw.enterInitializationMode()

@@ -62,7 +62,7 @@ class Fmi3Binding(Binding):
 
         return read
 
-    def enter_initialization(self, tolerance: float, start: float, stop: float) -> None:
+    def enter_initialization(self, tolerance: float, start: float, stop: float | None) -> None:
         """See Binding."""
         self.raw.enterInitializationMode(tolerance=tolerance, startTime=start, stopTime=stop)
 

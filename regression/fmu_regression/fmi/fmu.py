@@ -96,6 +96,7 @@ class ModelDescription:
         variable_steps: whether the co-simulation takes communication steps of different lengths.
         start, stop, tolerance, interval: the default experiment, where given.
         generation_tool: the tool that wrote the FMU, or "".
+        keeps_states: whether the co-simulation saves and restores its whole state.
     """
 
     fmi: str
@@ -113,6 +114,7 @@ class ModelDescription:
     tolerance: float | None
     interval: float | None
     generation_tool: str
+    keeps_states: bool = False
 
 
 class Instance:
@@ -299,6 +301,7 @@ def read_description(path: Path) -> ModelDescription:
         tolerance=_number(experiment.tolerance if experiment else None),
         interval=_number(experiment.stepSize if experiment else None),
         generation_tool=raw.generationTool or "",
+        keeps_states=bool(raw.coSimulation is not None and raw.coSimulation.canGetAndSetFMUstate),
     )
 
 

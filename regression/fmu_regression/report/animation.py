@@ -1,6 +1,6 @@
-"""The animation's data: geometry, poses at frames and contact forces, as viewer.js reads them.
+"""The animation's data: geometry, poses at frames and contact forces, as viewer.js and playback.js read them.
 
-Every frame is a row of the result, so what is shown was simulated; between frames the viewer interpolates.
+Every frame is a row of the result, so what is shown was simulated; between frames playback.js interpolates.
 """
 
 from __future__ import annotations

@@ -79,7 +79,7 @@ class ColorKey:
 
 @dataclass(frozen=True)
 class Animation:
-    """The animation of a page: data for viewer.js, the key of colours and whether it has forces to show."""
+    """The animation of a page: data for viewer.js and playback.js, key of colours, whether it has forces to show."""
 
     data: dict[str, Any]
     key: tuple[ColorKey, ...]
@@ -108,10 +108,10 @@ def render_page(title: str, subtitle: str, sections: Sequence[Section]) -> str:
     scripts = ["plot.js"]
     if animation is not None:
         data["animation"] = animation.data
-        scripts.append("viewer.js")
+        scripts += ["viewer.js", "playback.js"]
     scripts.append("report.js")
     environment = Environment(autoescape=True, undefined=StrictUndefined, keep_trailing_newline=True)
-    template = environment.from_string(_asset("report.html.j2"))
+    template = environment.from_string(asset("report.html.j2"))
     text = template.render(
         title=title,
         subtitle=subtitle,
@@ -130,7 +130,7 @@ def render_page(title: str, subtitle: str, sections: Sequence[Section]) -> str:
         ],
         speeds=_SPEEDS,
         speed=_default_speed(animation.duration) if animation is not None else 1.0,
-        style=Markup(_asset("report.css")),
+        style=Markup(asset("report.css")),
         script=Markup("\n".join(_script(name) for name in scripts)),
         # "<" never appears in the data, so that it cannot end the script element.
         data=Markup(json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")),
@@ -145,12 +145,13 @@ def _default_speed(duration: float) -> float:
     return max((value for value, _ in _SPEEDS if value <= min(1.0, duration / 4)), default=_SPEEDS[0][0])
 
 
-def _asset(name: str) -> str:
+def asset(name: str) -> str:
+    """Text of a file of the page: a style, a script or the template."""
     return files("fmu_regression.report").joinpath("assets", name).read_text(encoding="utf-8")
 
 
 def _script(name: str) -> str:
-    return _asset(name).replace("</", "<\\/")
+    return asset(name).replace("</", "<\\/")
 
 
 def _version() -> str:

@@ -228,7 +228,7 @@ def test_quaternions_of_all_orientations() -> None:
 class TestScripts:
     """The page's JavaScript, in Node.js."""
 
-    @pytest.mark.parametrize("name", ["plot.js", "viewer.js", "report.js"])
+    @pytest.mark.parametrize("name", ["plot.js", "viewer.js", "playback.js", "report.js"])
     def test_syntax(self, name: str) -> None:
         subprocess.run([str(NODE), "--check", str(ASSETS / name)], check=True, capture_output=True)
 
@@ -236,6 +236,7 @@ class TestScripts:
         code = (
             f"const plot = require({json.dumps(str(ASSETS / 'plot.js'))});"
             f"const viewer = require({json.dumps(str(ASSETS / 'viewer.js'))});"
+            f"const playback = require({json.dumps(str(ASSETS / 'playback.js'))});"
             f"console.log(JSON.stringify((() => {{ {script} }})()));"
         )
         run = subprocess.run([str(NODE), "-e", code], check=True, capture_output=True, text=True)
@@ -246,7 +247,7 @@ class TestScripts:
         entry = next(b for b in page_data(folder / "report.html")["animation"]["bodies"] if b["label"] == "hammer")
         matrices = self.evaluate(
             f"const track = plot.decodeArray({json.dumps(entry['track'])}, Float32Array);"
-            "const matrix = k => viewer.poseMatrix(viewer.poseBetween(track, k, 0), new Float64Array(16));"
+            "const matrix = k => viewer.poseMatrix(playback.poseBetween(track, k, 0), new Float64Array(16));"
             "return [0, 100, 700].map(k => Array.from(matrix(k)));"
         )
         distinct = np.flatnonzero(np.diff(result.time, append=np.inf) > 0)
@@ -258,7 +259,7 @@ class TestScripts:
             assert shown[:3, 3] == pytest.approx(position, abs=1e-6)
 
     def test_poses_between_frames(self) -> None:
-        pose = self.evaluate("return viewer.poseBetween(new Float32Array([0,0,0, 0,0,0,1, 2,4,6, 0,0,1,0]), 0, 0.5);")
+        pose = self.evaluate("return playback.poseBetween(new Float32Array([0,0,0, 0,0,0,1, 2,4,6, 0,0,1,0]), 0, 0.5);")
         assert pose == pytest.approx([1, 2, 3, 0, 0, 0.5**0.5, 0.5**0.5])
 
     def test_spikes_survive_in_a_path_of_few_pixels(self) -> None:

@@ -10,9 +10,10 @@
   function startAnimation(animation, plotLinks) {
     const get = id => document.getElementById(id);
     const stage = get("stage"), canvas = get("canvas");
-    let viewer;
+    let viewer, playback;
     try {
       viewer = new Viewer(canvas, animation);
+      playback = new Playback(viewer, animation);
     } catch (error) {
       canvas.remove();
       const note = document.createElement("div");
@@ -22,7 +23,7 @@
       stage.append(note);
       return;
     }
-    const times = viewer.time, start = times[0], stop = times[times.length - 1];
+    const times = playback.time, start = times[0], stop = times[times.length - 1];
     const play = get("play"), scrub = get("scrub"), speed = get("speed"), clock = get("clock");
     let playing = false, last = 0;
     scrub.min = start;
@@ -31,7 +32,7 @@
 
     function show(time, fromScrub) {
       const t = Math.min(stop, Math.max(start, time));
-      viewer.seek(t);
+      playback.seek(t);
       clock.textContent = `t = ${t.toFixed(3)} s`;
       if (!fromScrub) scrub.value = t;
       for (const plot of plotLinks.plots) plot.setCursor(t);
@@ -40,14 +41,14 @@
       playing = on;
       play.textContent = on ? "Pause" : "Play";
       if (on) {
-        if (viewer.now >= stop) show(start);
+        if (playback.now >= stop) show(start);
         last = performance.now();
         requestAnimationFrame(step);
       }
     }
     function step(now) {
       if (!playing) return;
-      const time = viewer.now + (now - last) / 1000 * Number(speed.value);
+      const time = playback.now + (now - last) / 1000 * Number(speed.value);
       last = now;
       if (time >= stop) {
         show(stop);
@@ -57,8 +58,8 @@
     }
     function move(frames) {
       setPlaying(false);
-      let k = viewer.frame + frames;
-      if (frames < 0 && viewer.share > 0) k += 1;
+      let k = playback.frame + frames;
+      if (frames < 0 && playback.share > 0) k += 1;
       show(times[Math.min(times.length - 1, Math.max(0, k))]);
     }
 
@@ -66,7 +67,7 @@
     scrub.oninput = () => { setPlaying(false); show(Number(scrub.value), true); };
     get("view").onclick = () => { viewer.reset(); viewer.draw(); };
     get("follow").checked = viewer.follow;
-    get("follow").onchange = event => { viewer.follow = event.target.checked; viewer.seek(viewer.now); };
+    get("follow").onchange = event => { viewer.follow = event.target.checked; playback.seek(playback.now); };
     get("edges").onchange = event => { viewer.showEdges = event.target.checked; viewer.draw(); };
     get("grid").onchange = event => { viewer.showGrid = event.target.checked; viewer.draw(); };
     if (get("forces")) get("forces").onchange = event => { viewer.showForces = event.target.checked; viewer.draw(); };

@@ -49,17 +49,6 @@ function poseMatrix(pose, out) {
   return out;
 }
 
-/** Pose between two frames of a track of seven numbers a frame. */
-function poseBetween(track, frame, share) {
-  const a = 7 * frame, pose = new Array(7);
-  if (!(share > 0) || a + 14 > track.length) return Array.from(track.subarray(a, a + 7));
-  const b = a + 7;
-  for (let k = 0; k < 7; k++) pose[k] = track[a + k] + share * (track[b + k] - track[a + k]);
-  const n = Math.hypot(pose[3], pose[4], pose[5], pose[6]) || 1;
-  for (let k = 3; k < 7; k++) pose[k] /= n;
-  return pose;
-}
-
 /**
  * Shading normals and feature edges of a triangle mesh.
  * Corners share a normal where faces meet at less than 35 degrees; steeper or open edges are drawn as lines.
@@ -221,16 +210,19 @@ function program(gl, vertex, fragment) {
 const IDENTITY = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
 const SHADOW_SIZE = 2048;
 
-/** Shows a scene at a time. data: see animation.py; canvas: where. Throws if WebGL 2 is missing. */
+/**
+ * Draws bodies where `place` put them, and `forces`: arrays of six numbers, point and force in world axes.
+ * data: bodies with meshes, up, center, radius, floor, largestForce and follow as in animation.py; canvas: where.
+ * `way` is how far the machine went: the camera follows it where `follow` is set. Throws if WebGL 2 is missing.
+ */
 class Viewer {
   constructor(canvas, data) {
     this.canvas = canvas;
     this.data = data;
-    this.time = decodeArray(data.time, Float64Array);
     this.showEdges = this.showForces = this.showGrid = true;
-    this.travel = decodeArray(data.travel, Float32Array);
     this.follow = data.follow;
-    this.offset = [0, 0, 0];
+    this.way = [0, 0, 0];
+    this.forces = [];
     const gl = this.gl = canvas.getContext("webgl2", {antialias: true, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: true});
     if (!gl) throw new Error("This browser does not offer WebGL 2.");
     this.surface = program(gl, SURFACE_VERTEX, SURFACE_FRAGMENT);
@@ -238,19 +230,16 @@ class Viewer {
     this.depth = program(gl, LINE_VERTEX, DEPTH_FRAGMENT);
     this.floor = program(gl, FLOOR_VERTEX, FLOOR_FRAGMENT);
     this.bodies = data.bodies.map(body => ({
-      track: decodeArray(body.track, Float32Array),
-      matrix: new Float32Array(16),
+      matrix: Float32Array.from(IDENTITY),
       meshes: body.meshes.map(mesh => this.upload(
         prepareMesh(decodeArray(mesh.vertices, Float32Array), decodeArray(mesh.triangles, Uint32Array)), mesh.color)),
     }));
-    this.forces = data.forces.map(force => ({track: decodeArray(force.track, Float32Array)}));
     this.arrow = this.upload(arrowMesh(), [0.86, 0.16, 0.12]);
     const r = 1;
     this.plane = this.buffer(new Float32Array([-r, -r, 0, r, -r, 0, r, r, 0, -r, -r, 0, r, r, 0, -r, r, 0]), 3);
     this.makeShadowMap();
     this.axes();
     this.reset();
-    this.seek(this.time[0]);
     this.listen();
     new ResizeObserver(() => this.paint()).observe(canvas);
   }
@@ -306,19 +295,13 @@ class Viewer {
     this.lift = 0.36;
   }
 
-  seek(time) {
-    this.now = time;
-    const frame = lastNotAfter(this.time, time), next = Math.min(frame + 1, this.time.length - 1);
-    const span = this.time[next] - this.time[frame];
-    this.frame = frame;
-    this.share = span > 0 ? Math.min(1, Math.max(0, (time - this.time[frame]) / span)) : 0;
-    const to = 3 * Math.min(frame + 1, this.time.length - 1), t = this.travel;
-    this.way = [0, 1, 2].map(i => t[3 * frame + i] + this.share * (t[to + i] - t[3 * frame + i]));
-    this.offset = this.follow ? this.way : [0, 0, 0];
-    for (const body of this.bodies) {
-      poseMatrix(body.track.length === 7 ? body.track : poseBetween(body.track, frame, this.share), body.matrix);
-    }
-    this.draw();
+  /** Puts a body, counted as in the data, at a pose: position and quaternion x y z w, body to world. */
+  place(body, pose) {
+    poseMatrix(pose, this.bodies[body].matrix);
+  }
+
+  get offset() {
+    return this.follow ? this.way : [0, 0, 0];
   }
 
   focus() {
@@ -449,15 +432,14 @@ class Viewer {
 
   drawForces(view, light, eye) {
     const gl = this.gl, arrows = [];
-    for (const force of this.forces) {
-      const k = 6 * this.frame, t = force.track;
-      const f = [t[k + 3], t[k + 4], t[k + 5]], size = vector.length(f);
+    for (const t of this.forces) {
+      const f = [t[3], t[4], t[5]], size = vector.length(f);
       if (!(size > this.data.largestForce * 1e-4)) continue;
       const length = this.data.radius * (0.12 + 0.55 * Math.sqrt(size / this.data.largestForce));
       const z = vector.scale(f, 1 / size), helper = Math.abs(z[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0];
       const x = vector.unit(vector.cross(helper, z)), y = vector.cross(z, x);
       arrows.push(new Float32Array([...vector.scale(x, length), 0, ...vector.scale(y, length), 0, ...vector.scale(z, length), 0,
-        t[k], t[k + 1], t[k + 2], 1]));
+        t[0], t[1], t[2], 1]));
     }
     if (!arrows.length) return;
     this.useSurface(view, light, eye);
@@ -516,4 +498,4 @@ class Viewer {
   }
 }
 
-if (typeof module !== "undefined") module.exports = {poseMatrix, poseBetween, prepareMesh, multiply, lookAt};
+if (typeof module !== "undefined") module.exports = {poseMatrix, prepareMesh, multiply, lookAt};

@@ -1,0 +1,1 @@
+"""Deadlines, latency and jitter, measured without a browser."""

@@ -1,0 +1,1 @@
+"""The FMU as a machine: stepped, steered, saved and restored."""

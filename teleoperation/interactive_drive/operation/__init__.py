@@ -1,0 +1,1 @@
+"""Keys and gamepad axes that set inputs."""

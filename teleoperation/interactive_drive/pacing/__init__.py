@@ -1,0 +1,1 @@
+"""Simulated time paced by a monotonic clock."""

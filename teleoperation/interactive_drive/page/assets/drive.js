@@ -1,0 +1,184 @@
+"use strict";
+/* Puts the page together: machine, buttons, controls and plots. */
+
+(function () {
+  const get = id => document.getElementById(id);
+  const ALWAYS = ["follow", "edges", "grid", "forces", "view", "add", "clear"];
+  let viewer = null, scene = null, controls = null, plots = null, status = null, steering = {you: false, free: false}, start = null;
+  let latency = NaN, frame = null, waiting = false;
+  const stamps = new Map();
+
+  const link = new Link(message => {
+    ({frame: onFrame, hello: onHello, status: onStatus, steering: onSteering, plots: m => plots.show(m.names),
+      remark: onRemark, lost: onLost})[message.type](message);
+  });
+  const say = type => () => link.send({type});
+
+  function onHello(hello) {
+    get("model").textContent = document.title = hello.model;
+    frame = start = null;
+    plots = new LivePlots(get("live"), hello.units);
+    plots.show(hello.plots);
+    get("signals").replaceChildren(...hello.signals.map(name => new Option(name, name)));
+    get("inputs").hidden = !hello.controls.length;
+    if (!controls) controls = new DriveControls(get("sliders"), hello.controls, hello.keyMap, sendValues);
+    get("keys").textContent = hello.keyMap.keys.map(k => `${k.key}: ${k.control} ${valueText(k.value)}`).join(" · ");
+    if (!scene) loadScene();
+  }
+
+  async function loadScene() {
+    try {
+      const answer = await fetch("/scene.json");
+      scene = await answer.json();
+      if (!scene) { get("stage").hidden = true; return; }
+      viewer = new Viewer(get("canvas"), scene);
+      viewer.follow = true;
+      const still = scene.bodies.map((body, k) => [decodeArray(body.track, Float32Array), k]);
+      for (const [track, k] of still) viewer.place(k, track);
+      get("key").replaceChildren(...scene.key.map(entry => {
+        const item = document.createElement("span"), mark = document.createElement("i");
+        mark.style.background = entry.color;
+        item.append(mark, entry.label);
+        return item;
+      }));
+      if (frame) draw();
+    } catch (error) {
+      onRemark({text: `The machine cannot be drawn: ${error.message}`, bad: true});
+    }
+  }
+
+  function sendValues(values) {
+    const stamp = performance.now();
+    if (stamps.size > 200) stamps.clear();
+    stamps.set(stamp, stamp);
+    link.send({type: "values", values, stamp});
+  }
+
+  function onFrame(message) {
+    frame = message.frame;
+    if (plots) plots.add(frame.time, frame.signals);
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => { waiting = false; draw(); });
+  }
+
+  function draw() {
+    if (controls) controls.poll();
+    const now = performance.now();
+    for (const stamp of stamps.keys()) {
+      if (stamp <= frame.stamp) { latency = now - stamp; stamps.delete(stamp); }
+    }
+    if (viewer) {
+      scene.moving.forEach((body, k) => viewer.place(body, frame.poses[k]));
+      viewer.way = way();
+      viewer.forces = frame.forces;
+      viewer.draw();
+    }
+    // Told when it is drawn, not when it comes: what is under way is never more than what can be drawn.
+    link.send({type: "seen", number: frame.number});
+    get("clock").textContent = `t = ${frame.time.toFixed(3)} s`;
+    const age = Math.max(0, Date.now() - frame.sent), parts = [];
+    if (status && status.mode === "running" && isFinite(frame.factor)) parts.push(`real-time factor ${frame.factor.toFixed(2)}`);
+    if (frame.steps) parts.push(`${frame.missed} of ${frame.steps} deadlines missed`);
+    parts.push(`picture ${age.toFixed(0)} ms old`);
+    if (isFinite(latency)) parts.push(`input to picture ${latency.toFixed(0)} ms`);
+    get("figures").textContent = parts.join(" · ");
+  }
+
+  /** How far the middle of the moving bodies is from where it was first, along the floor. */
+  function way() {
+    if (!frame.poses.length) return [0, 0, 0];
+    const middle = [0, 1, 2].map(i => frame.poses.reduce((sum, pose) => sum + pose[i], 0) / frame.poses.length);
+    if (!start) {
+      const tracks = scene.moving.map(body => decodeArray(scene.bodies[body].track, Float32Array));
+      start = [0, 1, 2].map(i => tracks.reduce((sum, pose) => sum + pose[i], 0) / tracks.length);
+    }
+    const moved = vector.subtract(middle, start);
+    return vector.subtract(moved, vector.scale(viewer.up, vector.dot(moved, viewer.up)));
+  }
+
+  function onStatus(message) {
+    status = message;
+    get("run").textContent = status.mode === "running" ? "Pause" : "Run";
+    get("record").textContent = status.recording ? "End the record" : "Record";
+    get("record").classList.toggle("on", status.recording);
+    const chosen = get("saved").value;
+    get("saved").replaceChildren(...status.saved.slice().reverse().map(state =>
+      new Option(`t = ${state.time.toFixed(2)} s${state.automatic ? " (automatic)" : ""}`, state.number)));
+    if ([...get("saved").options].some(option => option.value === chosen)) get("saved").value = chosen;
+    const stopped = status.mode === "failed" || status.mode === "ended";
+    get("alarm").hidden = !stopped;
+    get("alarm-text").textContent = stopped ? status.message : "";
+    get("alarm-actions").replaceChildren(...(status.mode === "failed" ? offers() : stopped ? [button("Start again", {type: "restart"})] : []));
+    if (status.message && !stopped) onRemark({text: status.message});
+    refresh();
+  }
+
+  function offers() {
+    const last = status.saved[status.saved.length - 1];
+    const back = last ? [button(`Go back to the last good state, t = ${last.time.toFixed(2)} s`, {type: "restore", number: last.number})] : [];
+    return [...back, button("Reset", {type: "reset"})];
+  }
+
+  function button(text, message) {
+    const made = document.createElement("button");
+    made.type = "button";
+    made.textContent = text;
+    made.onclick = () => link.send(message);
+    return made;
+  }
+
+  function onSteering(message) {
+    steering = message;
+    refresh();
+  }
+
+  function refresh() {
+    const words = {starting: "starting", running: "running", paused: "paused", failed: "stopped with an error", ended: "ended"};
+    const others = steering.operators > 1 ? `, ${steering.operators} operators` : "";
+    get("state").textContent = `${status ? words[status.mode] : "connecting"} · ${steering.you ? "you steer" : "you watch"}${others}`;
+    get("steer").hidden = steering.you || !steering.free;
+    for (const node of document.querySelectorAll("main button, main select")) {
+      if (!ALWAYS.includes(node.id) && node.id !== "steer" && !node.closest(".legend, .plot")) node.disabled = !steering.you;
+    }
+    if (status && !status.keeps_states) get("save").disabled = get("restore").disabled = true;
+    if (controls) controls.enable(steering.you);
+  }
+
+  function onRemark({text, bad}) {
+    const item = document.createElement("li");
+    item.textContent = text;
+    item.className = bad ? "bad" : "";
+    get("remarks").prepend(item);
+    while (get("remarks").children.length > 5) get("remarks").lastChild.remove();
+  }
+
+  function onLost() {
+    steering = {you: false, free: false};
+    get("state").textContent = "the connection is lost; the program ended, or this page must be opened with a new address";
+    if (controls) controls.enable(false);
+  }
+
+  const toggle = () => link.send({type: status && status.mode === "running" ? "pause" : "run"});
+  const reset = () => { link.send({type: "reset"}); if (controls) controls.rest(); };
+  get("run").onclick = toggle;
+  get("step").onclick = say("step");
+  get("reset").onclick = reset;
+  get("save").onclick = say("save");
+  get("steer").onclick = say("steer");
+  get("restore").onclick = () => link.send({type: "restore", number: Number(get("saved").value)});
+  get("speed").onchange = event => link.send({type: "speed", value: Number(event.target.value)});
+  get("record").onclick = () => link.send({type: "record", on: !(status && status.recording)});
+  get("view").onclick = () => { if (viewer) { viewer.reset(); viewer.draw(); } };
+  get("add").onclick = () => { link.send({type: "signals", names: [...plots.names, get("signal").value]}); get("signal").value = ""; };
+  get("clear").onclick = () => link.send({type: "signals", names: []});
+  for (const [id, name] of [["follow", "follow"], ["edges", "showEdges"], ["grid", "showGrid"], ["forces", "showForces"]]) {
+    get(id).onchange = event => { if (viewer) { viewer[name] = event.target.checked; viewer.draw(); } };
+  }
+  window.addEventListener("keydown", event => {
+    if (event.target.type === "text" || event.target.tagName === "SELECT" || event.target.tagName === "BUTTON") return;
+    if (event.ctrlKey || event.metaKey || event.altKey || !steering.you) return;
+    const action = {Space: toggle, Period: say("step"), KeyR: reset}[event.code];
+    if (action) { event.preventDefault(); action(); }
+  });
+})();

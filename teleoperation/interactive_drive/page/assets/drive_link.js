@@ -1,0 +1,46 @@
+"use strict";
+/* The connection to the server: messages as JSON, frames as bytes (see frame_encoder.py). */
+
+const FRAME_HEADER = 48;
+
+/** A frame's numbers. buffer: little-endian bytes as frame_encoder.py writes them. */
+function decodeFrame(buffer) {
+  const view = new DataView(buffer);
+  const bodies = view.getUint16(40, true), forces = view.getUint16(42, true), signals = view.getUint16(44, true);
+  const numbers = new Float32Array(buffer, FRAME_HEADER);
+  return {
+    time: view.getFloat64(0, true), stamp: view.getFloat64(8, true), sent: view.getFloat64(16, true),
+    factor: view.getFloat32(24, true), number: view.getUint32(28, true),
+    steps: view.getUint32(32, true), missed: view.getUint32(36, true),
+    poses: Array.from({length: bodies}, (_, k) => numbers.subarray(7 * k, 7 * k + 7)),
+    forces: Array.from({length: forces}, (_, k) => numbers.subarray(7 * bodies + 6 * k, 7 * bodies + 6 * k + 6)),
+    signals: numbers.subarray(7 * bodies + 6 * forces, 7 * bodies + 6 * forces + signals),
+  };
+}
+
+/** Hands frames and messages on, sends messages, and connects again when the connection is lost. */
+class Link {
+  constructor(hear) {
+    this.hear = hear;
+    this.connect();
+  }
+
+  connect() {
+    this.socket = new WebSocket(`ws://${location.host}/drive`);
+    this.socket.binaryType = "arraybuffer";
+    this.socket.onmessage = event => {
+      if (typeof event.data === "string") { this.hear(JSON.parse(event.data)); return; }
+      this.hear({type: "frame", frame: decodeFrame(event.data)});
+    };
+    this.socket.onclose = () => {
+      this.hear({type: "lost"});
+      setTimeout(() => this.connect(), 1000);
+    };
+  }
+
+  send(message) {
+    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
+  }
+}
+
+if (typeof module !== "undefined") module.exports = {decodeFrame};

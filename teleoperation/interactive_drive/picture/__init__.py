@@ -1,0 +1,1 @@
+"""Rows of values as poses and forces for the page."""

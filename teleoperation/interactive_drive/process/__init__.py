@@ -1,0 +1,1 @@
+"""The simulation in a process of its own, and what it and the server tell each other."""

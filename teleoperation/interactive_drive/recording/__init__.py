@@ -1,0 +1,1 @@
+"""Records of a drive: result.csv and the report."""

@@ -1,0 +1,1 @@
+"""Here, so that all tests of the folders below find headless_browser.py."""

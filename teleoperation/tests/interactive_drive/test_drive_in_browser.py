@@ -1,0 +1,110 @@
+"""The page in a real browser, with a real simulation behind it."""
+
+from __future__ import annotations
+
+import json
+import threading
+from dataclasses import replace
+
+import pytest
+from fmu_regression.scene.scene_file import load_scene
+from headless_browser import Browser, find_browser
+from interactive_drive.server.drive_server import DriveServer
+from interactive_drive.server.serving import bind
+
+pytestmark = pytest.mark.skipif(find_browser() is None, reason="no Chromium is installed (Debian package chromium)")
+
+TRIANGLES = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]
+MESH = {"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "triangles": TRIANGLES, "color": [1, 0.5, 0]}
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory):
+    running = Browser(find_browser(), tmp_path_factory.mktemp("profile"))
+    yield running
+    running.close()
+
+
+@pytest.fixture
+def server(plan, session, tmp_path):
+    body = {"name": "block", "fixed": True, "position": [0, 0, 0], "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}
+    file = tmp_path / "scene.json"
+    bodies = [{**body, "meshes": [MESH]}]
+    file.write_text(json.dumps({"format": 1, "name": "Block", "gravity": [0, 0, -9.81], "bodies": bodies}))
+    session = replace(session, scene=load_scene(file), scene_file=file)
+    with bind(0) as bound:
+        server = DriveServer(plan, session, bound, lambda _address: None)
+        thread = threading.Thread(target=server.serve, daemon=True)
+        thread.start()
+        yield server
+        server.end()
+        thread.join(10)
+        assert not thread.is_alive()
+
+
+def state(text):
+    return f"document.getElementById('state').textContent.includes('{text}')"
+
+
+def click(tab, identity):
+    tab.value(f"document.getElementById('{identity}').click()")
+
+
+def slide(tab, value):
+    tab.value(
+        f"(() => {{ const i = document.getElementById('control-0'); i.value = {value}; i.oninput(); return true; }})()"
+    )
+
+
+def clock(tab):
+    return float(tab.value("document.getElementById('clock').textContent.split(' ')[2]"))
+
+
+def test_a_drive_from_the_first_step_to_a_failure_and_back(browser, server, session):
+    tab = browser.tab(server.address)
+    tab.until(state("paused · you steer"))
+    tab.until("document.getElementById('key').textContent === 'block'")  # the machine is drawn
+    assert tab.value("location.search") == ""  # the token does not stay in the address
+    click(tab, "step")
+    tab.until("document.getElementById('clock').textContent === 't = 0.010 s'")
+    slide(tab, 40)
+    click(tab, "record")
+    click(tab, "run")
+    tab.until(state("running"))
+    tab.until("parseFloat(document.getElementById('clock').textContent.split(' ')[2]) > 1.1")
+    assert "input to picture" in tab.value("document.getElementById('figures').textContent")
+    assert tab.value("document.querySelectorAll('#live path.curve').length") == 1
+    slide(tab, 95)
+    tab.until(state("stopped with an error"))
+    assert "the rope is torn by 95 N" in tab.value("document.getElementById('alarm-text').textContent")
+    failed = clock(tab)
+    back = "document.querySelector('#alarm-actions button')"
+    assert tab.value(f"{back}.textContent") == "Go back to the last good state, t = 1.00 s"
+    tab.value(f"{back}.click()")
+    tab.until(state("paused"))
+    tab.until("document.getElementById('clock').textContent === 't = 1.000 s'")
+    assert failed > 1.1
+    tab.until("document.getElementById('remarks').textContent.includes('recorded: ')")
+    assert (session.output / "record-1" / "report.html").is_file()
+
+
+def test_keys_push_and_a_second_page_watches(browser, server):
+    tab = browser.tab(server.address)
+    tab.until(state("paused · you steer"))
+    second = browser.tab(server.access.address)
+    second.until(state("you watch, 2 operators"))
+    assert second.value("document.getElementById('run').disabled")
+    assert second.value("document.getElementById('control-0').disabled")
+    tab.value("window.dispatchEvent(new KeyboardEvent('keydown', {code: 'ArrowUp'}))")
+    assert tab.value("document.getElementById('control-0').value") == "100"
+    tab.value("window.dispatchEvent(new KeyboardEvent('keyup', {code: 'ArrowUp'}))")
+    assert tab.value("document.getElementById('control-0').value") == "0"
+    tab.value("window.dispatchEvent(new KeyboardEvent('keydown', {code: 'ArrowDown'}))")
+    tab.value("window.dispatchEvent(new Event('blur'))")
+    assert tab.value("document.getElementById('control-0').value") == "0"
+    tab.go("about:blank")
+    second.until("!document.getElementById('steer').hidden")
+    click(second, "steer")
+    second.until(state("you steer"))
+    click(second, "step")
+    second.until("document.getElementById('clock').textContent === 't = 0.010 s'")
