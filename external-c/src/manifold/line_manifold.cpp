@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "manifold/rod_end_share.hpp"
+#include "math/index.hpp"
+#include "shape/plane_section.hpp"
 
 namespace cmb {
 
@@ -15,6 +17,8 @@ using Station = LineManifoldScratch::Station;
 constexpr double rounding = 1e-13;
 // A polytope is thin at a line where it is thinner than this part of the depth.
 constexpr double sharp_part = 0.1;
+// Of so many faces all are looked at.
+constexpr std::size_t few_faces = 48;
 
 using Slope = LineManifoldScratch::Slope;
 
@@ -192,7 +196,7 @@ void line_on_polytope(const ContactLine &line, const convex::Polytope &other, co
   roofs.clear(), floors.clear();
   // The stretch over the polytope: what goes in through its lower side along the normal comes out through the upper.
   double begin = -line.half() - place, end = line.half() - place;
-  for (const convex::Polytope::Face &face : other.faces()) {
+  const auto bound = [&](const convex::Polytope::Face &face) {
     const double cosine = dot(face.normal, up), rate = dot(face.normal, ahead);
     const double inside = std::max(0.0, face.offset - dot(face.normal, above));
     if (cosine > wall_cosine) {
@@ -204,6 +208,17 @@ void line_on_polytope(const ContactLine &line, const convex::Polytope &other, co
     } else if (rate < 0.0) {
       begin = std::max(begin, inside / rate);
     }
+  };
+  // Of many faces only those count that the plane of the line and the normal cuts.
+  std::vector<std::int32_t> &cut = scratch.faces;
+  cut.clear();
+  const Vec3 across = cross(up, ahead);
+  const double width = norm(across);
+  if (other.faces().size() > few_faces && width > 1e-6 * norm(ahead) &&
+      convex::append_section_faces(other, above, (1.0 / width) * across, up, cut)) {
+    for (const std::int32_t face : cut) bound(other.faces()[index(face)]);
+  } else {
+    for (const convex::Polytope::Face &face : other.faces()) bound(face);
   }
   const double slack = rounding * (other.radius() + line.half());
   begin = enter(begin, 1.0, 0.0, slack, roofs, floors);

@@ -1,6 +1,7 @@
 // Contact along a line: of capsules, and of cylinders and cones that lie on their side, with bounded convex shapes.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "backend/distance_backend.hpp"
@@ -43,6 +44,7 @@ struct LineManifoldScratch {
   };
   std::vector<Station> stations;
   std::vector<Slope> roofs, floors;
+  std::vector<std::int32_t> faces;
 };
 
 // Sine of the inclination at which a cylinder or cone no longer touches with its flat end, and with its side: a sixth of a

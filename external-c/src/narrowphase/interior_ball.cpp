@@ -123,11 +123,14 @@ void around_cone(const Vec3 &half, const Vec3 &p, const Vec3 &n, const Vec3 &u, 
 // A face of a polytope; its edges and vertices are left to the other body.
 void around_polytope(const Polytope &polytope, const Vec3 &p, const Vec3 &n, double slack, Surroundings &s) {
   s.ball = INFINITY;
+  double least_room = INFINITY;
   for (const Polytope::Face &face : polytope.faces()) {
     const double room = face.offset - dot(face.normal, p), turn = 1.0 - dot(face.normal, n);
-    s.inside = s.inside && room >= -slack;
-    if (turn > 1e-20) s.ball = std::min(s.ball, std::max(room, 0.0) / turn);
+    least_room = std::min(least_room, room);
+    // Few faces bound the ball more than all before: others need no division.
+    if (turn > 1e-20 && room < s.ball * turn) s.ball = std::max(room, 0.0) / turn;
   }
+  s.inside = least_room >= -slack;
 }
 
 Surroundings around(const ConvexBody &body, const Vec3 &p, const Vec3 &n, const Vec3 &u, const Vec3 &v, double slack) {
