@@ -1,12 +1,46 @@
-# Merges ARCHIVES (a list with commas) into OUTPUT, with "cmb." before the name of every symbol that they define but those
-# of KEEP. A script for cmake -P.
-string(REPLACE "," ";" archives "${ARCHIVES}")
+# Merges the archive OBJECTS and what it needs of the archives RUNTIME (a list with commas) into OUTPUT, with "cmb." before
+# the name of every symbol that they define but those of KEEP. A script for cmake -P.
+string(REPLACE "," ";" runtime "${RUNTIME}")
 string(REPLACE "," ";" keep "${KEEP}")
 get_filename_component(folder "${OUTPUT}" DIRECTORY)
 set(merged "${folder}/merged.a")
-set(commands "create ${merged}\n")
-foreach(archive IN LISTS archives)
-  string(APPEND commands "addlib ${archive}\n")
+
+# Which members of the runtime are needed: the linker's list of those it takes.
+set(map "${folder}/members.map")
+execute_process(COMMAND ${LD} -r -o "${folder}/members.o" "-Map=${map}" --whole-archive "${OBJECTS}" --no-whole-archive
+                        --start-group ${runtime} --end-group
+                COMMAND_ERROR_IS_FATAL ANY)
+file(STRINGS "${map}" lines)
+set(needed)
+foreach(line IN LISTS lines)
+  if(line MATCHES "^Discarded|^Memory|^Linker script")
+    break()
+  elseif(line MATCHES "^([^ ].*)\\(([^()]+)\\)")
+    list(APPEND needed "${CMAKE_MATCH_1}|${CMAKE_MATCH_2}")
+  endif()
+endforeach()
+list(REMOVE_DUPLICATES needed)
+file(REMOVE "${folder}/members.o")
+
+set(commands "create ${merged}\naddlib ${OBJECTS}\n")
+set(count 0)
+foreach(archive IN LISTS runtime)
+  set(members ${needed})
+  string(REPLACE "." "\\." pattern "${archive}")
+  string(REPLACE "+" "\\+" pattern "${pattern}")
+  list(FILTER members INCLUDE REGEX "^${pattern}\\|")
+  list(TRANSFORM members REPLACE "^.*\\|" "")
+  list(SORT members)
+  math(EXPR count "${count} + 1")
+  set(extracted "${folder}/runtime${count}")
+  file(REMOVE_RECURSE "${extracted}")
+  file(MAKE_DIRECTORY "${extracted}")
+  if(members)
+    execute_process(COMMAND ${AR} x "${archive}" ${members} WORKING_DIRECTORY "${extracted}" COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+  foreach(member IN LISTS members)
+    string(APPEND commands "addmod ${extracted}/${member}\n")
+  endforeach()
 endforeach()
 file(WRITE "${folder}/merge.mri" "${commands}save\nend\n")
 execute_process(COMMAND ${AR} -M INPUT_FILE "${folder}/merge.mri" COMMAND_ERROR_IS_FATAL ANY)

@@ -40,9 +40,9 @@ function(cmb_self_contained_archive name)
     add_custom_command(OUTPUT ${file} COMMAND_EXPAND_LISTS VERBATIM
       COMMAND ${CMAKE_COMMAND} -E rm -f ${name}.objects.a
       COMMAND ${CMAKE_AR} qcD ${name}.objects.a ${archive_OBJECTS}
-      COMMAND ${CMAKE_COMMAND} -DAR=${CMAKE_AR} -DNM=${CMAKE_NM} -DOBJCOPY=${CMAKE_OBJCOPY}
-              "-DARCHIVES=${name}.objects.a,$<JOIN:${runtime},$<COMMA>>,${path}" "-DKEEP=$<JOIN:${functions},$<COMMA>>"
-              -DOUTPUT=${file} -P ${script}
+      COMMAND ${CMAKE_COMMAND} -DAR=${CMAKE_AR} -DLD=${CMAKE_LINKER} -DNM=${CMAKE_NM} -DOBJCOPY=${CMAKE_OBJCOPY}
+              -DOBJECTS=${name}.objects.a "-DRUNTIME=$<JOIN:${runtime},$<COMMA>>,${path}"
+              "-DKEEP=$<JOIN:${functions},$<COMMA>>" -DOUTPUT=${file} -P ${script}
       DEPENDS ${archive_OBJECTS} ${script})
   else()
     list(TRANSFORM functions PREPEND -Wl,-u, OUTPUT_VARIABLE roots)

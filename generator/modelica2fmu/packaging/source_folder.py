@@ -26,7 +26,7 @@ _CMAKE: Final = Template("""\
 cmake_minimum_required(VERSION 3.20)
 project($identifier C CXX)
 
-set(CMAKE_FIND_LIBRARY_SUFFIXES .a .so)
+set(CMAKE_FIND_LIBRARY_SUFFIXES .a .so .dylib)
 set(libraries)
 foreach(name IN ITEMS $libraries)
   find_library(library_$${name} $${name})
@@ -41,10 +41,17 @@ file(GLOB sources CONFIGURE_DEPENDS "$${CMAKE_CURRENT_SOURCE_DIR}/*.c")
 add_library($identifier MODULE $${sources})
 target_include_directories($identifier PRIVATE $${CMAKE_CURRENT_SOURCE_DIR} $${CMAKE_CURRENT_SOURCE_DIR}/$external)
 target_compile_options($identifier PRIVATE $options)
-target_link_options($identifier PRIVATE -Wl,--exclude-libs,ALL -Wl,--gc-sections)
-target_link_libraries($identifier PRIVATE -Wl,--start-group $${libraries} -Wl,--end-group m pthread)
-set_target_properties($identifier PROPERTIES PREFIX "" SUFFIX .so LINKER_LANGUAGE CXX
-  BUILD_RPATH "$$ORIGIN")
+if(APPLE) # not tried: no compiler for it was at hand
+  target_link_options($identifier PRIVATE -Wl,-dead_strip)
+  target_link_libraries($identifier PRIVATE $${libraries} m)
+  set_target_properties($identifier PROPERTIES PREFIX "" SUFFIX .dylib LINKER_LANGUAGE CXX
+    BUILD_RPATH "@loader_path")
+else()
+  target_link_options($identifier PRIVATE -Wl,--exclude-libs,ALL -Wl,--gc-sections)
+  target_link_libraries($identifier PRIVATE -Wl,--start-group $${libraries} -Wl,--end-group m pthread)
+  set_target_properties($identifier PROPERTIES PREFIX "" SUFFIX .so LINKER_LANGUAGE CXX
+    BUILD_RPATH "$$ORIGIN")
+endif()
 """)
 
 
