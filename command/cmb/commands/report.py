@@ -16,6 +16,7 @@ DESCRIPTION = (
 EXAMPLES = """examples:
   cmb report out/hammer/result.csv \\
     --scene out/hammer/model/scene.json --output hammer.html
+  cmb report drop.csv --scene Drop.fmu --output drop.html
   cmb report ball.csv --output ball.html
 """
 
@@ -23,7 +24,12 @@ EXAMPLES = """examples:
 def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
     parser.add_argument("result", type=Path, metavar="CSV", help="trajectories as `cmb simulate` writes them")
-    parser.add_argument("--scene", type=Path, metavar="JSON", help="scene file of the generated package")
+    parser.add_argument(
+        "--scene",
+        type=Path,
+        metavar="FILE",
+        help="scene file of the generated package, or the FMU itself where its model is hand-written",
+    )
     parser.add_argument(
         "--experiment", type=Path, metavar="TOML", help="experiment file with further plots and numbers (see cmb run)"
     )

@@ -44,8 +44,9 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--scene",
         type=Path,
-        metavar="JSON",
-        help="scene file of the generated package: what `cmb report --scene` needs is recorded too",
+        metavar="FILE",
+        help="scene file of the generated package, or the FMU itself where its model is hand-written: what "
+        "`cmb report --scene` needs is recorded too",
     )
     parser.add_argument(
         "--set", action="append", default=[], metavar="NAME=VALUE", help="start value of a parameter, repeatable"
@@ -59,13 +60,13 @@ def run(arguments: Namespace) -> int:
     parameters = parse_assignments(arguments.set)
     from fmu_regression.fmi.fmu import read_description
     from fmu_regression.results.result import write_csv
-    from fmu_regression.scene.scene_file import load_scene
+    from fmu_regression.scene.fmu_scene import load_scene_of
     from fmu_regression.scene.signals import require_signals, signals_for
     from fmu_regression.simulate.simulation import default_signals, simulate
 
     signals = arguments.signal
     if arguments.scene is not None:
-        scene, description = load_scene(arguments.scene), read_description(arguments.fmu)
+        scene, description = load_scene_of(arguments.scene), read_description(arguments.fmu)
         require_signals(
             scene, description.variables, Place(file=arguments.fmu), f"Is {arguments.scene} the scene of this FMU?"
         )

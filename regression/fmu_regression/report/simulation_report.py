@@ -15,8 +15,9 @@ from fmu_regression.report.page import Section, Tile, render_page
 from fmu_regression.report.plots import TIME_LABEL, Plot, Series, plots_over_time
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.scene.energy import EnergyBalance, energy_balance
+from fmu_regression.scene.fmu_scene import load_scene_of
 from fmu_regression.scene.impacts import Impact, find_impacts
-from fmu_regression.scene.scene_file import Scene, load_scene
+from fmu_regression.scene.scene_file import Scene
 from fmu_regression.scene.signals import require_signals
 
 _MAX_PLOTS = 40
@@ -29,14 +30,15 @@ def write_report(
 
     Args:
         result: the simulation; signals as ``signals_for`` chooses them give the fullest report.
-        scene_file: ``scene.json``; without it the report has plots of all signals only.
+        scene_file: ``scene.json``, or the FMU of a model with a contact manager; without it the report has plots of all
+            signals only.
         target: the HTML file; it appears whole or not at all.
         figures: plots and numbers of the modeller's choice.
 
     Raises:
         InputError: the scene file is wrong, or the result lacks what the report would otherwise deny.
     """
-    scene = load_scene(scene_file) if scene_file is not None else None
+    scene = load_scene_of(scene_file) if scene_file is not None else None
     if scene is not None:
         require_signals(
             scene,

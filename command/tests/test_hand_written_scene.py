@@ -1,0 +1,68 @@
+"""A hand-written model gets animation, contacts and energy in its report: the FMU tells its scene."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cmb.main import main
+from fmu_regression.scene.fmu_scene import scene_of_fmu
+
+README = Path(__file__).resolve().parents[2] / "README.md"
+TWO = """model Two
+  inner Modelica.Mechanics.MultiBody.World world(n={0,0,-1});
+  ContactMultiBody.Parts.BodyBox box(
+    r={0.2,0,0}, width=0.2, height=0.2, r_0(start={-0.1,0,0.5}, each fixed=true), v_0(each fixed=true),
+    angles_fixed=true, w_0_fixed=true);
+  ContactMultiBody.Parts.Ground floor(r={0,0,0.1});
+  ContactMultiBody.ContactManager contacts(collider={box.collider, floor.collider});
+equation
+  connect(box.frame_a, contacts.frame[1]);
+  connect(floor.frame_a, contacts.frame[2]);
+end Two;
+"""
+
+
+def built(folder: Path, name: str, text: str, *words: str) -> Path:
+    (folder / f"{name}.mo").write_text(text)
+    fmu = folder / f"{name}.fmu"
+    assert main(["fmu", name, "--source", str(folder / f"{name}.mo"), "--output", str(fmu), *words]) == 0
+    return fmu
+
+
+@pytest.mark.parametrize("fmi", ["2", "3"])
+def test_the_readmes_drop_is_reported_as_a_generated_model(tmp_path: Path, fmi: str) -> None:
+    text = README.read_text().split("```modelica\n")[1].split("```")[0]
+    fmu = built(tmp_path, "Drop", text, "--fmi", fmi)
+    scene = scene_of_fmu(fmu)
+    ball, floor = scene.bodies
+    assert (ball.variable, ball.fixed, ball.mass) == ("ball", False, 1.0)
+    assert (floor.variable, floor.fixed) == ("floor", True)
+    assert ball.position == pytest.approx([0, 0, 1])
+    assert np.diag(ball.inertia) == pytest.approx([0.004] * 3)
+    assert scene.gravity == pytest.approx([0, 0, -9.80665], abs=1e-2)
+    (pair,) = scene.pairs
+    assert pair.bodies == ("ball", "floor")
+    assert np.abs(ball.meshes[0].vertices).max() == pytest.approx(0.1)
+    csv, html = tmp_path / "drop.csv", tmp_path / "drop.html"
+    assert main(["simulate", str(fmu), "--output", str(csv), "--stop", "1", "--scene", str(fmu)]) == 0
+    assert main(["report", str(csv), "--scene", str(fmu), "--output", str(html)]) == 0
+    page = html.read_text()
+    for word in ("ball – floor", "Energy", "Impacts", "viewer"):
+        assert word in page
+
+
+def test_masses_inside_and_poses_of_fixed_bodies(tmp_path: Path) -> None:
+    box, floor = scene_of_fmu(built(tmp_path, "Two", TWO)).bodies
+    assert box.variable == "box"
+    assert box.mass > 1
+    assert box.center_of_mass == pytest.approx([0.1, 0, 0])
+    assert np.diag(box.inertia) == pytest.approx([box.mass * 0.08 / 12] * 3)
+    assert (floor.fixed, floor.position.tolist()) == (True, [0, 0, 0.1])
+
+
+def test_an_fmu_without_contacts_has_no_scene(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    fmu = built(tmp_path, "Plain", "model Plain\n  Real x(start=1, fixed=true);\nequation\n  der(x)=-x;\nend Plain;\n")
+    assert main(["simulate", str(fmu), "--output", str(tmp_path / "p.csv"), "--scene", str(fmu)]) == 2
+    assert "has no contact manager" in capsys.readouterr().err

@@ -1,0 +1,152 @@
+"""The scene of an FMU of a hand-written model: bodies, shapes and pairs, as its variables tell them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from contact_foundation.errors import InputError, Place
+
+from fmu_regression.fmi.fmu import ModelDescription, Variable, open_fmu
+from fmu_regression.results.result import FloatArray
+from fmu_regression.scene.descriptor_mesh import descriptor_meshes
+from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody, load_scene
+
+_MANAGER: Final = re.compile(r"(.+)\.pairDistance\[1\]")
+_FRAME: Final = re.compile(r"(.+)\.frame_a\.r_0\[1\]")
+_MOVES: Final = ("continuous", "discrete")
+
+
+def load_scene_of(path: Path) -> Scene:
+    """The scene of a file: ``scene.json``, or an FMU that holds a contact manager.
+
+    Raises:
+        InputError: the file is wrong, or the FMU has no contact manager whose bodies are found.
+    """
+    return scene_of_fmu(path) if path.suffix == ".fmu" else load_scene(path)
+
+
+def scene_of_fmu(path: Path) -> Scene:
+    """The scene that the first contact manager of an FMU shows, as it is after initialization.
+
+    Bodies are the components whose ``frame_a`` has the variables of the manager's frames; what has no mass of its own
+    counts as fixed where it does not move.
+
+    Raises:
+        InputError: there is no contact manager, or a body of it is not found.
+    """
+    with open_fmu(path) as opened:
+        description = opened.description
+        found = next((match[1] for name in description.variables if (match := _MANAGER.fullmatch(name))), None)
+        if found is None:
+            raise InputError(
+                "the FMU has no contact manager, so there is no scene to report on",
+                place=Place(file=path),
+                remedy="Leave --scene out, or name a scene.json.",
+            )
+        mode = "me" if "me" in description.identifiers else "cs"
+        with opened.instantiate(mode) as instance:  # type: ignore[arg-type]
+            instance.functions.enter_initialization(1e-6, description.start, description.start + 1.0)
+            instance.functions.exit_initialization()
+            numbers = [v for v in description.variables.values() if v.kind in ("Real", "Integer")]
+            values: dict[str, float] = {}
+            for data_type in {variable.data_type for variable in numbers}:
+                chosen = [variable for variable in numbers if variable.data_type == data_type]
+                read = instance.functions.reader(data_type, [variable.reference for variable in chosen])
+                values.update(zip((v.name for v in chosen), map(float, read()), strict=True))
+    return _Reading(path, description, found, values).scene()
+
+
+class _Reading:
+    def __init__(self, path: Path, description: ModelDescription, manager: str, values: Mapping[str, float]) -> None:
+        self._path = path
+        self._description = description
+        self._variables = description.variables
+        self._manager = manager
+        self._values = values
+        self._components = [match[1] for name in self._variables if (match := _FRAME.fullmatch(name))]
+
+    def scene(self) -> Scene:
+        count = self._count("geometry[{}]")
+        bodies = [self._body(number) for number in range(1, count + 1)]
+        pairs = []
+        for index in range(1, self._count("pair[{},1]") + 1):
+            first, second = (int(self._values[f"{self._manager}.pair[{index},{side}]"]) for side in (1, 2))
+            restitution = self._values.get(f"{self._manager}.restitution[{index}]")
+            pairs.append(ContactPair(index, (bodies[first - 1].name, bodies[second - 1].name), restitution))
+        direction = self._numbers([f"world.n[{i}]" for i in (1, 2, 3)])
+        gravity = np.zeros(3) if direction is None else direction * self._values.get("world.g", 0.0)
+        name = self._description.name
+        return Scene(name, gravity, tuple(bodies), (), tuple(pairs), self._manager)
+
+    def _count(self, pattern: str) -> int:
+        count = 0
+        while f"{self._manager}.{pattern.format(count + 1)}" in self._variables:
+            count += 1
+        return count
+
+    def _body(self, number: int) -> SceneBody:
+        descriptor = self._variables[f"{self._manager}.geometry[{number}]"].start or ""
+        component = self._component(number, descriptor)
+        frame = f"{component}.frame_a"
+        position_names = [f"{frame}.r_0[{i}]" for i in (1, 2, 3)]
+        rotation_names = [f"{frame}.R.T[{i},{j}]" for i in (1, 2, 3) for j in (1, 2, 3)]
+        moves = any(self._variables[name].variability in _MOVES for name in (*position_names, *rotation_names))
+        # A BodyBox has its mass in a body inside.
+        massive = next(
+            (name for name in (component, f"{component}.body") if f"{name}.I[1,1]" in self._values), component
+        )
+        center = self._numbers([f"{massive}.r_CM[{i}]" for i in (1, 2, 3)])
+        inertia = self._numbers([f"{massive}.I[{i},{j}]" for i in (1, 2, 3) for j in (1, 2, 3)])
+        return SceneBody(
+            name=component,
+            label=component,
+            variable=component,
+            fixed=not moves,
+            position=self._required(position_names),
+            rotation=self._required(rotation_names).reshape(3, 3),
+            mass=self._values.get(f"{massive}.m", 0.0),
+            center_of_mass=np.zeros(3) if center is None else center,
+            inertia=np.zeros((3, 3)) if inertia is None else inertia.reshape(3, 3),
+            meshes=descriptor_meshes(descriptor, number),
+        )
+
+    def _component(self, number: int, descriptor: str) -> str:
+        """The component that a frame of the manager is connected to: its position is the same variable."""
+        own = [self._variables[f"{self._manager}.frame[{number}].r_0[{i}]"] for i in (1, 2, 3)]
+        same = [name for name in self._components if self._is_same(own, name)]
+        of_shape = [name for name in same or self._components if self._shape(name) == descriptor]
+        found = of_shape or same
+        if not found:
+            raise InputError(
+                f"no component's frame_a is found that {self._manager}.frame[{number}] is connected to",
+                place=Place(file=self._path),
+                remedy="Connect the manager with the bodies' own frame_a.",
+            )
+        return next((name for name in found if f"{name}.m" in self._values), found[0])
+
+    def _is_same(self, own: Sequence[Variable], component: str) -> bool:
+        names = [f"{component}.frame_a.r_0[{i}]" for i in (1, 2, 3)]
+        other = [self._variables[name] for name in names]
+        return all(
+            a.reference == b.reference or (a.variability not in _MOVES and self._values[a.name] == self._values[b.name])
+            for a, b in zip(own, other, strict=True)
+        )
+
+    def _shape(self, component: str) -> str | None:
+        variable = self._variables.get(f"{component}.geometry")
+        return None if variable is None else variable.start
+
+    def _numbers(self, names: Sequence[str]) -> FloatArray | None:
+        if any(name not in self._values for name in names):
+            return None
+        return np.array([self._values[name] for name in names])
+
+    def _required(self, names: Sequence[str]) -> FloatArray:
+        found = self._numbers(names)
+        if found is None:
+            raise InputError(f"the FMU has no {names[0]}", place=Place(file=self._path))
+        return found
