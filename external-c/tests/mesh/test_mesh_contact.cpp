@@ -318,6 +318,42 @@ TEST(BoxOnMesh, LoadDoesNotDependOnTheTrianglesOfAFace) {
   }
 }
 
+// On faces, over edges and corners, of 12 triangles against 108 and 192.
+TEST(BodiesOnMeshes, LoadAndDepthDoNotDependOnTheTrianglesOfAFace) {
+  const TriangleMesh coarse = mesh(box_mesh({1, 1, 1}, 1));
+  const Polytope box = Polytope::box({0.6, 0.5, 0.4});
+  const cmb::convex::ConvexBody round[] = {cmb::convex::make_cylinder(0.2, 0.5), cmb::convex::make_cone(0.25, 0.5),
+                                           cmb::convex::make_ellipsoid({0.2, 0.25, 0.3})};
+  for (const std::uint32_t cells : {3u, 4u}) {
+    const TriangleMesh fine = mesh(box_mesh({1, 1, 1}, cells));
+    for (std::size_t kind = 0; kind < 4; ++kind) {
+      Random random(12 + kind);
+      int touching = 0;
+      for (int i = 0; i < 300; ++i) {
+        const Pose pose{random_rotation(random), random.uniform(0.6, 1.0) * random.direction()};
+        const auto query = [&](const TriangleMesh &ground) {
+          static MeshContactScratch scratch;
+          ContactSet set;
+          if (kind == 0) {
+            polytope_contact(box, pose, ground, {}, scratch, set);
+          } else {
+            smooth_contact(round[kind - 1], pose, ground, {}, scratch, set);
+          }
+          return set;
+        };
+        const ContactSet a = query(coarse), b = query(fine);
+        if (a.distance >= 0.0 || a.distance < -0.1) continue;
+        ++touching;
+        const Wrench on_coarse = wrench(a), on_fine = wrench(b);
+        ASSERT_NEAR(a.distance, b.distance, 1e-13) << kind << " " << i;
+        ASSERT_NEAR(norm(on_coarse.force - on_fine.force), 0.0, 1e-12) << kind << " " << i;
+        ASSERT_NEAR(norm(on_coarse.torque - on_fine.torque), 0.0, 1e-12) << kind << " " << i;
+      }
+      EXPECT_GT(touching, 40) << kind;
+    }
+  }
+}
+
 TEST(BoxOnMesh, CubeGivesTheBoxsDistanceWhereApart) {
   Random random(8);
   const TriangleMesh cube = mesh(box_mesh({1, 2, 3}, 2));

@@ -60,7 +60,8 @@ INSTANTIATE_TEST_SUITE_P(OnMeshes, WithoutJumps,
                          testing::Values(Pair{"capsule", "box-mesh"}, Pair{"capsule", "divided-box-mesh"},
                                          Pair{"capsule", "sphere-mesh"}, Pair{"capsule", "torus-mesh"},
                                          Pair{"capsule", "heightfield"}, Pair{"sphere", "heightfield"},
-                                         Pair{"sphere", "torus-mesh"}));
+                                         Pair{"sphere", "torus-mesh"}, Pair{"box", "divided-box-mesh"},
+                                         Pair{"cone", "divided-box-mesh"}));
 
 class Elastic : public testing::TestWithParam<Pair> {};
 

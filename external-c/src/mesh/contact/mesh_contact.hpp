@@ -54,7 +54,7 @@ void capsule_contact(double radius, double length, const Pose &body_pose, const 
 
 // A convex polytope. The part of its surface behind the mesh's is divided among the triangles' wedges (TriangleWedge) and
 // carries as PatchLoad says. Weights sum to 1; the load is the mean depth. Sums of areas
-// do not depend on how a face is cut into triangles (within the depth of a sharp edge they do), and normals are those
+// do not depend on how a face is cut into triangles (of faces that are not convex within the depth of a sharp edge they do), and normals are those
 // of faces only. Depths count down to half the thickness of what lies behind a triangle.
 void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                       MeshContactScratch &scratch, ContactSet &result);

@@ -27,6 +27,8 @@ bool PatchLoad::push(const TriangleWedge &wedge, const Vec3 &normal, double fact
   std::vector<Vec3> &polygon = scratch_.polygon;
   wedge.clip(polygon, scratch_.clipped);
   if (polygon.size() < 3) return false;
+  wedge.clip_roof(polygon, scratch_.clipped);
+  if (polygon.size() < 3) return true;
   const double cosine = -dot(normal, wedge.normal());
   if (cosine > 0.0) {
     add_patch(wedge, cosine, factor);

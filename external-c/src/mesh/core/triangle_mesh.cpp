@@ -11,6 +11,9 @@ namespace cmb::mesh {
 
 namespace {
 
+// Part of the mesh's size that the vertices of a flat face may be off its plane.
+constexpr double flat_tolerance = 1e-9;
+
 // Hands the data on once it has passed.
 MeshData checked(MeshData data, MeshUse use, const std::string &source) {
   check_mesh(data, use, source);
@@ -66,6 +69,7 @@ TriangleMesh::TriangleMesh(MeshData data, MeshUse use, const std::string &source
   build_normals();
   measure();
   build_depth_limits();
+  faces_ = PlanarFaces(data_, neighbours_, face_normals_, depth_limits_, flat_tolerance * bound_radius_);
   build_clear_depths();
   build_interior_points();
 }
@@ -172,6 +176,11 @@ void TriangleMesh::build_depth_limits() {
 
 bool TriangleMesh::is_other_side(std::uint32_t t, std::uint32_t other) const {
   if (!(dot(face_normal(t), face_normal(other)) < 0.5)) return false;
+  // What the roof of its face parts from the triangle is not behind it.
+  const PlanarFaces::Roof roof = faces_.roof(t);
+  for (const std::uint32_t *k = roof.begin; k != roof.end; ++k) {
+    if (faces_.plane(*k).beyond == faces_.face_of(other)) return false;
+  }
   for (const std::uint32_t v : triangles()[t]) {
     for (const std::uint32_t w : triangles()[other]) {
       if (v == w) return false;

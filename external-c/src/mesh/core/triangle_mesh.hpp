@@ -8,6 +8,7 @@
 
 #include "mesh/core/mesh_check.hpp"
 #include "mesh/core/mesh_data.hpp"
+#include "mesh/core/planar_faces.hpp"
 #include "mesh/core/triangle_hierarchy.hpp"
 
 namespace cmb::mesh {
@@ -66,6 +67,9 @@ class TriangleMesh {
   // normal is more than 60 degrees off, but for those that share a corner with it. At most three lengths of a side.
   double clear_depth(std::uint32_t t) const { return clear_depths_[t]; }
 
+  // Flat faces of several triangles.
+  const PlanarFaces &faces() const { return faces_; }
+
   // A few places well inside a closed mesh, far from each other; of a sheet, one of its vertices. Never empty.
   const std::vector<Vec3> &interior_points() const { return interior_points_; }
   static constexpr std::size_t max_interior_points = 8;
@@ -96,6 +100,7 @@ class TriangleMesh {
   MeshData data_;
   std::vector<std::array<std::int32_t, 3>> neighbours_;
   TriangleHierarchy hierarchy_;
+  PlanarFaces faces_;
   std::vector<std::uint32_t> vertex_triangles_, vertex_begin_;
   std::vector<Vec3> face_normals_, vertex_normals_;
   std::vector<double> depth_limits_, clear_depths_;

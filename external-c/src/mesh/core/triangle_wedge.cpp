@@ -21,6 +21,7 @@ void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset,
 }
 
 void TriangleWedge::build_front(const TriangleMesh &mesh, std::uint32_t t, double deepest) {
+  mesh_ = &mesh;
   triangle_ = t;
   normal_ = mesh.face_normal(t);
   offset_ = dot(normal_, mesh.corner(t, 0));
@@ -69,6 +70,16 @@ void TriangleWedge::clip(std::vector<Vec3> &polygon, std::vector<Vec3> &room) co
   for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) clip_polygon(polygon, side_[k], side_offset_[k], room);
   if (!polygon.empty()) clip_polygon(polygon, -normal_, -offset_, room);
   if (!polygon.empty()) clip_polygon(polygon, normal_, offset_ - limit_, room);
+}
+
+void TriangleWedge::clip_roof(const PlanarFaces::Roof &roof, std::vector<Vec3> &polygon, std::vector<Vec3> &room) const {
+  double deepest = 0.0;
+  for (const Vec3 &p : polygon) deepest = std::max(deepest, depth(p));
+  if (deepest <= roof.clear_depth) return;
+  for (const std::uint32_t *k = roof.begin; k != roof.end && !polygon.empty(); ++k) {
+    const RoofPlane &plane = mesh_->faces().plane(*k);
+    clip_polygon(polygon, plane.normal, plane.offset, room);
+  }
 }
 
 }  // namespace cmb::mesh

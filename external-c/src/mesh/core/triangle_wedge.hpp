@@ -9,7 +9,7 @@
 namespace cmb::mesh {
 
 // The part of space behind a triangle, between the planes that halve the angles to its neighbours, down to a depth. The
-// wedges of neighbours share sides, so that they divide a body's surface among them. In the mesh's frame.
+// wedges of neighbours share sides, so that they divide a body's surface among them. In the mesh's frame. Borrows the mesh.
 class TriangleWedge {
  public:
   // `deepest`: no depth counts beyond it, nor beyond the mesh's depth limit for the triangle.
@@ -29,11 +29,19 @@ class TriangleWedge {
 
   // Keeps the part of the polygon in the wedge; `room` is overwritten.
   void clip(std::vector<Vec3> &polygon, std::vector<Vec3> &room) const;
+  // Of what clip() has left, keeps what is nearer to the plane of the triangle's flat face than to those beyond its sides. So
+  // what is behind a flat face does not depend on its triangles.
+  void clip_roof(std::vector<Vec3> &polygon, std::vector<Vec3> &room) const {
+    const PlanarFaces::Roof roof = mesh_->faces().roof(triangle_);
+    if (roof.begin != roof.end) clip_roof(roof, polygon, room);
+  }
 
  private:
   void build_front(const TriangleMesh &mesh, std::uint32_t t, double deepest);
+  void clip_roof(const PlanarFaces::Roof &roof, std::vector<Vec3> &polygon, std::vector<Vec3> &room) const;
   void build_side(const TriangleMesh &mesh, std::size_t k);
 
+  const TriangleMesh *mesh_ = nullptr;
   std::uint32_t triangle_ = 0;
   Vec3 normal_;
   double offset_ = 0.0, limit_ = 0.0;
