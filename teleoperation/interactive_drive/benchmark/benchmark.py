@@ -177,6 +177,7 @@ def table(figures: DriveFigures) -> str:
         ("by, median / 99 % / most", _spread(pacing.overruns), "ms"),
         ("time given up", f"{_MILLI * pacing.lost:.0f}", "ms"),
         ("a step takes, median / 99 % / most", _spread(pacing.durations), "ms"),
+        ("its processor time, median / 99 % / most", _spread(pacing.work), "ms"),
         ("jitter of its beginning, median / 99 % / most", _spread(pacing.delays), "ms"),
         ("input to frame, median / 99 % / most", _spread(figures.latencies), "ms"),
         ("between frames, median / 99 % / most", _spread(gaps), "ms"),

@@ -24,6 +24,7 @@ class PacingRecord:
         lost: wall time by which simulated time fell behind and which was given up, s.
         delays: from the planned to the real beginning of each step that had to wait, s.
         durations: of each step, s.
+        work: processor time of each step, s; what is missing to its duration was waited for the processor.
         overruns: of each missed deadline, s.
     """
 
@@ -32,6 +33,7 @@ class PacingRecord:
     lost: float
     delays: tuple[float, ...]
     durations: tuple[float, ...]
+    work: tuple[float, ...]
     overruns: tuple[float, ...]
 
 
@@ -45,6 +47,7 @@ class Pacer:
         step: length of a communication step, s of simulated time.
         clock: monotonic, s.
         sleep: waits for a number of seconds.
+        work_clock: processor time of this thread, s.
     """
 
     def __init__(
@@ -52,12 +55,15 @@ class Pacer:
         step: float,
         clock: Callable[[], float] = time.perf_counter,
         sleep: Callable[[float], None] = time.sleep,
+        work_clock: Callable[[], float] = time.thread_time,
     ) -> None:
-        self._step, self._clock, self._sleep = step, clock, sleep
+        self._step, self._clock, self._sleep, self._work_clock = step, clock, sleep, work_clock
         self.speed = 1.0
         self._delays: deque[float] = deque(maxlen=_KEPT)
         self._durations: deque[float] = deque(maxlen=_KEPT)
         self._overruns: deque[float] = deque(maxlen=_KEPT)
+        self._work: deque[float] = deque(maxlen=_KEPT)
+        self._work_begun = 0.0
         self.steps = self.missed = 0
         self._lost = 0.0
         self._recent: deque[float] = deque()
@@ -75,7 +81,7 @@ class Pacer:
 
     def clear_record(self) -> None:
         """Forgets what was measured."""
-        for measured in (self._delays, self._durations, self._overruns):
+        for measured in (self._delays, self._durations, self._overruns, self._work):
             measured.clear()
         self.steps = self.missed = 0
         self._lost = 0.0
@@ -94,6 +100,7 @@ class Pacer:
     def step_begins(self) -> None:
         """To be called when a step begins."""
         self._begun = self._clock()
+        self._work_begun = self._work_clock()
         self._delays.append(max(0.0, self._begun - self._release))
 
     def step_ended(self) -> None:
@@ -101,6 +108,7 @@ class Pacer:
         now = self._clock()
         self.steps += 1
         self._durations.append(now - self._begun)
+        self._work.append(self._work_clock() - self._work_begun)
         self._recent.append(now)
         while len(self._recent) > 2 and self._recent[-1] - self._recent[0] > _WINDOW:
             self._recent.popleft()
@@ -129,5 +137,6 @@ class Pacer:
             self._lost,
             tuple(self._delays),
             tuple(self._durations),
+            tuple(self._work),
             tuple(self._overruns),
         )

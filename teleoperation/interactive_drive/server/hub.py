@@ -166,6 +166,8 @@ class Hub:
             elif isinstance(report, Measured):
                 self.measured = report
         if frame is not None:
+            if self.frame is not None and frame.time < self.frame.time:
+                self._tell_all(self._values_of_controls(frame))
             self.frame = frame
             self._first.set()
             for operator in self.operators:
@@ -194,6 +196,12 @@ class Hub:
             self._remark(str(error), bad=True)
             return
         self._remark(f"recorded: {folder}, {recording.rows} rows, result.csv and report.html")
+
+    def _values_of_controls(self, frame: Frame) -> dict[str, Any]:
+        """What the sliders should show where time went back."""
+        names = [name for name in self._controls if name in self.session.signals]
+        places = self.encoder.places(names)
+        return {"type": "controls", "values": {n: float(frame.values[k]) for n, k in zip(names, places, strict=True)}}
 
     def _remark(self, text: str, bad: bool = False) -> None:
         self._tell_all({"type": "remark", "text": text, "bad": bad})

@@ -95,3 +95,14 @@ def test_late_beginnings_are_jitter(clock):
     pacer.clear_record()
     assert pacer.record().delays == ()
     assert math.isfinite(pacer.factor)
+
+
+def test_processor_time_is_told_apart_from_waiting(clock):
+    worked = [0.0]
+    pacer = Pacer(0.01, clock, clock.sleep, lambda: worked[0])
+    pacer.step_begins()
+    clock.now += 0.03
+    worked[0] += 0.002
+    pacer.step_ended()
+    assert pacer.record().durations == pytest.approx((0.03,))
+    assert pacer.record().work == pytest.approx((0.002,))

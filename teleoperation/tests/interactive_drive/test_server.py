@@ -310,6 +310,12 @@ class TestFrames:
         number = struct.unpack_from("<I", page.connection.receive_bytes(), 28)[0]
         assert number == MOST_IN_FLIGHT + 50
 
+    def test_where_time_goes_back_the_sliders_follow(self, drive, page):
+        drive.frame()
+        page.frame()
+        drive.hub.hear(Frame(0.0, np.array([0.0, 0.0, 25.0, 3.0, 0.0]), 0.0, 9, 1.0, 1, 0))
+        assert page.message("controls")["values"] == {"force": 25.0, "damping": 3.0, "pause": 0.0}
+
     def test_frames_before_the_server_stands_are_not_lost(self, session):
         drive = Drive(session)
         drive.frame(x=1.0)

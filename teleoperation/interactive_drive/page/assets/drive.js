@@ -9,7 +9,7 @@
   const stamps = new Map();
 
   const link = new Link(message => {
-    ({frame: onFrame, hello: onHello, status: onStatus, steering: onSteering, plots: m => plots.show(m.names),
+    ({frame: onFrame, hello: onHello, status: onStatus, steering: onSteering, plots: m => plots.show(m.names), controls: m => controls && controls.show(m.values),
       remark: onRemark, lost: onLost})[message.type](message);
   });
   const say = type => () => link.send({type});
@@ -30,7 +30,7 @@
     try {
       const answer = await fetch("/scene.json");
       scene = await answer.json();
-      if (!scene) { get("stage").hidden = true; return; }
+      if (!scene) { get("stage").hidden = get("drawing").hidden = true; return; }
       viewer = new Viewer(get("canvas"), scene);
       viewer.follow = true;
       const still = scene.bodies.map((body, k) => [decodeArray(body.track, Float32Array), k]);

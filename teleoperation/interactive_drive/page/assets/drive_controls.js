@@ -65,6 +65,13 @@ class DriveControls {
     row.output.textContent = valueText(value);
   }
 
+  /** Values as the machine has them: where time went back. */
+  show(values) {
+    for (const [name, value] of Object.entries(values)) {
+      if (this.rows.has(name)) this.display(this.rows.get(name), value);
+    }
+  }
+
   /** All controls at their start: after a reset. */
   rest() {
     for (const row of this.rows.values()) this.display(row, row.control.start);
