@@ -18,9 +18,11 @@ QUICK = {
     "incline_slides",
     "incline_sticks",
     "off_centre_impact",
+    "plate_pushed_turns",
     "rolling_sphere",
     "second_strike",
     "sliding_block_anchored",
+    "spinning_faces",
     "stack_of_boxes",
     "volume_impact",
 }
