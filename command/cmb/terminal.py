@@ -13,7 +13,7 @@ from contact_foundation.progress import Progress
 def progress_bars() -> Iterator[Progress]:
     """Yields a `Progress` that draws one bar a phase on standard error.
 
-    Where standard error is no terminal, each phase is one line when it ends.
+    Where standard error is no terminal, each phase is one line when it begins.
     """
     if not sys.stderr.isatty():
         yield _LinePerPhase()
@@ -43,10 +43,11 @@ def progress_bars() -> Iterator[Progress]:
 
 class _LinePerPhase:
     def __init__(self) -> None:
-        self._done: set[str] = set()
+        self._begun: set[str] = set()
 
     def __call__(self, phase: str, fraction: float, message: str = "") -> None:
-        if fraction >= 1.0 and phase not in self._done:
-            self._done.add(phase)
-            sys.stderr.write(f"{phase}{': ' + message if message else ''}\n")
+        if phase not in self._begun:
+            self._begun.add(phase)
+            remark = f": {message}" if message and fraction >= 1.0 else ""  # of one that began and ended at once
+            sys.stderr.write(f"{phase}{remark}\n")
             sys.stderr.flush()

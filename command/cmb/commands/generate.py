@@ -7,6 +7,7 @@ from pathlib import Path
 
 from cmb.assembly_file import find_assembly
 from cmb.generation_arguments import add_generation_arguments, generation_options
+from cmb.notes import grouped
 from cmb.terminal import progress_bars
 
 NAME = "generate"
@@ -49,6 +50,6 @@ def run(arguments: Namespace) -> int:
             progress,
         )
     print(f"{package.name}: {package.root}")
-    for note in package.notes:
+    for note in grouped(package.notes):
         print(f"- {note}")
     return 0

@@ -85,8 +85,7 @@ def _overview(
         if scene.pairs:
             tiles += _contact_tiles(scene, impacts)
     if energy is not None:
-        drift = energy.change / energy.scale
-        tiles.append(Tile("Energy change", f"{energy.change:+.3g}", "J", f"{drift:+.2%} of the energy exchanged"))
+        tiles.append(Tile("Energy change", f"{energy.change:+.3g}", "J", f"from {energy.total[0]:.5g} J at the start"))
         tiles.append(Tile("Largest energy rise", f"{energy.largest_rise:.2g}", "J", "above an earlier total"))
     if result.tolerance is not None:
         kind = {"me": "model exchange, CVODE", "cs": "co-simulation"}.get(result.mode, result.mode)

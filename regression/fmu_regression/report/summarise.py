@@ -61,7 +61,7 @@ def _energy_lines(result: SimulationResult, scene: Scene) -> list[str]:
     energy = energy_balance(scene, result)
     lines = [
         f"  energy {energy.total[0]:.6g} J at the start, {energy.total[-1]:.6g} J at the end; "
-        f"change {energy.change:+.3g} J ({energy.change / energy.scale:+.2%} of the exchange)"
+        f"change {energy.change:+.3g} J"
     ]
     if energy.notes:
         lines.append(f"    {energy.notes[0]}" + (f" (and {len(energy.notes) - 1} more)" if energy.notes[1:] else ""))

@@ -37,11 +37,6 @@ class EnergyBalance:
         return total if self.elastic is None else total + self.elastic
 
     @property
-    def scale(self) -> float:
-        """What an energy error is measured by: the largest range of one kind of energy, at least 1e-300 J."""
-        return float(max(np.ptp(self.kinetic), np.ptp(self.potential), self.kinetic.max(initial=0.0), 1e-300))
-
-    @property
     def change(self) -> float:
         """Total energy at the end less that at the start, J; positive if the simulation gained energy."""
         return float(self.total[-1] - self.total[0])
