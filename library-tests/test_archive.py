@@ -157,3 +157,27 @@ def test_a_library_is_found_beside_the_binary_or_by_the_environment_and_missed_c
     for library in module.parent.glob("*.so.*"):
         shutil.copyfile(library, tmp_path / library.name)
     assert run(program) == "found\n"
+
+
+WINDOWS = ARCHIVE.parents[1] / "win64" / ARCHIVE.name
+MINGW = "x86_64-w64-mingw32-"
+
+
+@pytest.mark.skipif(
+    not WINDOWS.is_file() or shutil.which(f"{MINGW}gcc-posix") is None,
+    reason="no engine for Windows (scripts/setup cross)",
+)
+def test_the_archive_for_windows_holds_what_the_engine_needs_alone(tmp_path: Path) -> None:
+    """A program needs the system's libraries alone; of the C++ runtime no member is there that nothing asks for."""
+    source = tmp_path / "user.c"
+    source.write_text(USER + "int main(void) { return use(); }\n")
+    program = tmp_path / "user.exe"
+    run(f"{MINGW}gcc-posix", f"-I{HEADERS}", source, WINDOWS, "-o", program)
+    needed = {
+        line.split()[-1].lower() for line in run(f"{MINGW}objdump", "-p", program).splitlines() if "DLL Name" in line
+    }
+    assert needed == {"kernel32.dll", "msvcrt.dll"}
+    members = set(run(f"{MINGW}ar", "t", WINDOWS).split())
+    assert "fstream-inst.o" in members  # files of geometry are read by it
+    assert not {"regex.o", "chrono.o", "memory_resource.o", "ios_init.o"} & members
+    assert WINDOWS.stat().st_size < 7.5e6
