@@ -174,7 +174,7 @@ class Hub:
                 operator.changed.set()
 
     def _new_status(self, status: Status) -> None:
-        ended = self.status.recording and not status.recording
+        ended = not status.recording and (self.status.recording or status.mode is Mode.ENDED)
         self.status = status
         self._tell_all(self._status_message())
         if ended:
@@ -350,7 +350,9 @@ class Hub:
         return admitted
 
     def _record(self, on: bool) -> None:
-        if on and self._recording is None:
+        if on and self.status.mode not in (Mode.RUNNING, Mode.PAUSED):
+            self._remark("a machine that does not run cannot be recorded", bad=True)
+        elif on and self._recording is None:
             try:
                 self._recording = Recording(self.session.output, self.session.signals)
             except CmbError as error:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from dataclasses import replace
 
+import numpy as np
 import pytest
-from interactive_drive.process.messages import Frame, Mode, RecordedRow, Run, SetValues, SingleStep, Status
+from interactive_drive.process.messages import Frame, Mode, Record, RecordedRow, Run, SetValues, SingleStep, Status
 from interactive_drive.process.outbox import Outbox
 from interactive_drive.process.simulator import Simulator
 
@@ -23,6 +25,9 @@ class Listener:
         with self._changed:
             self.reports.append(report)
             self._changed.notify_all()
+
+    def rows(self):
+        return [report for report in self.reports if isinstance(report, RecordedRow)]
 
     def wait_for(self, condition, limit=20.0):
         with self._changed:
@@ -52,7 +57,14 @@ def test_it_runs_in_real_time_and_a_crash_is_told(simulator, heard):
     heard.wait_for(status_is(Mode.PAUSED))
     simulator.send(SetValues({"force": 1.0}, 5.0))
     simulator.send(Run())
+    simulator.send(Record(on=True))
     frame = heard.wait_for(lambda report: isinstance(report, Frame) and report.time > 0.3)
+    simulator.send(Record(on=False))
+    heard.wait_for(lambda report: isinstance(report, Status) and report.recording)
+    heard.wait_for(lambda _: [r for r in heard.reports if isinstance(r, Status)][-1].recording is False)
+    time_, v = np.array([(row.time, row.values[1]) for row in heard.rows()]).T
+    assert np.diff(time_) == pytest.approx(0.01)  # every step, none twice
+    assert np.diff(v) == pytest.approx((1 - v[:-1]) * -math.expm1(-0.01))  # and as a batch run computes it
     assert frame.stamp == 5.0
     assert frame.values[2] == 1.0
     simulator.send(SetValues({"damping": 95.0}))

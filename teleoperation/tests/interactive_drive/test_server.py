@@ -333,6 +333,8 @@ class TestFrames:
 
 class TestRecord:
     def record(self, drive, page, rows):
+        drive.hub.hear(Status(Mode.RUNNING))
+        page.message("status", mode="running")
         page.send(type="record", on=True)
         drive.wait_for(Record(on=True))
         drive.hub.hear(Status(Mode.RUNNING, recording=True))
@@ -365,7 +367,9 @@ class TestRecord:
         drive = Drive(session)
         with drive.client:
             drive.log_in()
+            drive.hub.hear(Status(Mode.PAUSED))
             with drive.page() as page:
+                page.message("status", mode="paused")
                 page.send(type="record", on=True)
                 drive.wait_for(Record(on=True))
                 drive.hub.hear(Status(Mode.RUNNING, recording=True))
@@ -373,8 +377,32 @@ class TestRecord:
                     drive.hub.hear(RecordedRow(0.01 * k, np.zeros(5)))
         assert (session.output / "record-1" / "report.html").is_file()
 
+    def test_a_process_that_ends_before_it_records_ends_the_record(self, drive, page):
+        drive.hub.hear(Status(Mode.PAUSED))
+        page.message("status", mode="paused")
+        page.send(type="record", on=True)
+        drive.wait_for(Record(on=True))
+        drive.hub.hear(Status(Mode.ENDED, message="signal SIGSEGV in the FMU"))
+        while not (told := page.message("remark"))["bad"]:
+            pass
+        assert "fewer than two steps" in told["text"]
+        drive.simulation.commands.clear()
+        self.record(drive, page, 10)  # the next one is another one
+        while not (told := page.message("remark"))["text"].startswith("recorded"):
+            assert not told["bad"]
+        assert "record-2" in told["text"]
+
+    def test_a_machine_that_failed_is_not_recorded(self, drive, page, session):
+        drive.hub.hear(Status(Mode.FAILED, message="the rope is torn"))
+        page.message("status", mode="failed")
+        page.send(type="record", on=True)
+        assert "cannot be recorded" in page.message("remark")["text"]
+        assert not session.output.exists()
+
     def test_a_folder_that_cannot_be_written_is_told(self, drive, page, session):
         session.output.write_text("a file is in the way")
+        drive.hub.hear(Status(Mode.PAUSED))
+        page.message("status", mode="paused")
         page.send(type="record", on=True)
         told = page.message("remark")
         assert told["bad"]
@@ -395,7 +423,9 @@ def test_rows_of_a_record_are_written_in_the_simulations_thread(session):
     drive = Drive(session)
     with drive.client:
         drive.log_in()
+        drive.hub.hear(Status(Mode.PAUSED))
         with drive.page() as page:
+            page.message("status", mode="paused")
             page.send(type="record", on=True)
             drive.wait_for(Record(on=True))
             thread = threading.Thread(target=lambda: drive.hub.hear(RecordedRow(0.0, np.zeros(5))))
