@@ -148,6 +148,30 @@ def test_friction_is_tangential_and_within_its_limit(law: Law) -> None:
         assert np.abs(np.einsum("ki,ki->k", force, patch.normal)).max() <= 1e-12 * (sizes.max() + 1e-300)
 
 
+def test_the_order_of_the_points_does_not_matter(law: Law) -> None:
+    """Points that swap their places in the list, as beside a flat rest, keep their forces."""
+    rng = np.random.default_rng(7)
+    compared = 0
+    for _ in range(500):
+        patch = any_patch(rng)
+        force, rate = law(patch)
+        order = rng.permutation(4)
+        if not patch.normal_force.any() or (order == np.arange(4)).all():
+            continue
+        swapped = replace(
+            patch,
+            normal_force=patch.normal_force[order],
+            normal=patch.normal[order],
+            point=patch.point[order],
+            velocity=patch.velocity[order],
+        )
+        other_force, other_rate = law(swapped)
+        assert other_force == pytest.approx(force[order], rel=1e-6, abs=1e-9 * np.abs(force).max()), patch
+        assert other_rate == pytest.approx(rate, rel=1e-6, abs=1e-9 * np.abs(rate).max()), patch
+        compared += 1
+    assert compared > 300
+
+
 def test_a_motion_round_a_closed_way_takes_energy(law: Law) -> None:
     """Points that circle, rock and change their load; what goes in less what is stored never falls."""
     patch, lost_so_far, taken, dt = square(), 0.0, 0.0, 2e-6
