@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import sys
@@ -38,6 +39,22 @@ def test_holds_the_package_and_no_tests(unpacked: Path) -> None:
     assert modelica(unpacked) == modelica(modelica_library())
     assert not list(unpacked.rglob("*.py"))
     assert (unpacked / "LICENSE").is_file()
+
+
+TOOLS = ("OpenModelica", "Dymola", "SimulationX", "Modelon Impact")
+
+
+def test_says_how_to_open_it_in_each_tool(unpacked: Path) -> None:
+    """The zip's README, the file that enters it into Dymola's menu, and the guide's notes."""
+    readme = (unpacked / "README.txt").read_text("utf-8")
+    assert all(tool in readme for tool in TOOLS)
+    assert re.search(r"Wolfram System +File.*\n +Modeler", readme)
+    version = re.search(r'^ *version="([\d.]+)"', (unpacked / "package.mo").read_text("utf-8"), re.MULTILINE)
+    assert version is not None
+    assert f'version="{version[1]}"' in (unpacked / "libraryinfo.mos").read_text("utf-8")
+    headings = re.findall(r"<h4>(.*?)</h4>", (unpacked / "UsersGuide" / "ToolNotes.mo").read_text("utf-8"))
+    assert {*TOOLS, "Wolfram System Modeler"} <= set(headings)
+    assert list((unpacked / "Resources" / "Scripts").glob("*.mos"))
 
 
 def test_equal_files_give_equal_bytes(archive: Path, tmp_path: Path) -> None:
