@@ -281,6 +281,24 @@ TEST(CapsuleOnMesh, HangingOverAnEdgeCarriesWhatItDoesOnTheBox) {
   }
 }
 
+TEST(CapsuleOnMesh, LoadDoesNotDependOnTheTrianglesOfAFace) {
+  Random random(7);
+  const TriangleMesh coarse = mesh(box_mesh({1, 0.8, 0.6}, 1)), fine = mesh(box_mesh({1, 0.8, 0.6}, 4));
+  int touching = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Pose pose{i % 2 == 0 ? rotation_about(normalized(Vec3{1, random.uniform(-1, 1), 0}), 1.5707963267948966)
+                               : random_rotation(random),
+                    {random.uniform(-0.7, 0.7), random.uniform(-0.6, 0.6), random.uniform(0.37, 0.6)}};
+    const ContactSet set = capsule(0.1, 0.4, pose, coarse);
+    if (set.distance >= 0.0 || set.distance < -0.05) continue;
+    ++touching;
+    const Wrench a = wrench(set), b = wrench(capsule(0.1, 0.4, pose, fine));
+    ASSERT_NEAR(norm(a.force - b.force), 0.0, 1e-9) << i;
+    ASSERT_NEAR(norm(a.torque - b.torque), 0.0, 1e-9) << i;
+  }
+  EXPECT_GT(touching, 300);
+}
+
 // Convex polytopes.
 
 TEST(BoxOnMesh, RestsOnATriangulatedPlaneWithTheBoxsLoad) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "math/pose_algebra.hpp"
 #include "mesh/contact/ball_contacts.hpp"
@@ -18,6 +19,10 @@ class Stretch {
   double begin() const { return begin_; }
   double end() const { return end_; }
   bool none() const { return !(begin_ <= end_); }
+  void limit(double begin, double end) {
+    begin_ = begin;
+    end_ = end;
+  }
   // Keeps where a value is at least `least` that runs straight from `first` at part 0 to `last` at part 1.
   void keep(double first, double last, double least) {
     if (first >= least && last >= least) return;
@@ -75,6 +80,7 @@ class CapsuleQuery {
         body_(convex::make_capsule(radius, length), body_in_mesh, scratch.patch.polygon, scratch.patch.clipped),
         load_(scratch.rod),
         planes_(scratch.planes),
+        edges_(scratch.edges),
         result_(result),
         begin_(result.points.size()),
         same_(place_tolerance(mesh)),
@@ -85,6 +91,7 @@ class CapsuleQuery {
         along_(to_ - from_),
         per_length2_(1.0 / std::fmax(norm2(along_), 1e-300)) {
     load_.clear(axis_);
+    edges_.clear();
   }
 
   void run() {
@@ -92,6 +99,7 @@ class CapsuleQuery {
     end(1.0, to_);
     visit();
     planes_.carry(radius_, load_);
+    carry_edges();
     load_.solve();
     write_points();
     result_.normal = pose_.rotation * nearest_normal_;
@@ -183,11 +191,7 @@ class CapsuleQuery {
           Stretch part = beside;
           part.keep(-first_value, -last_value, 0.0);
           part.keep(dot(off_from, over), dot(off_to, over), 0.0);
-          if (part.none()) return;
-          three_places(part, nearest, [&](double place) {
-            const double distance = norm(offset(place));
-            if (distance < radius_) load_.add(place, pushed, radius_ - distance);
-          });
+          if (!part.none()) edges_.push_back({edge_of(t, k), part.begin(), part.end(), nearest, corner, side, pushed, t, k, false});
         };
         reach_on(inside_from, inside_to, beyond, normal);
         reach_on(over_from, over_to, normal, beyond);
@@ -199,7 +203,72 @@ class CapsuleQuery {
     const Vec3 middle = mesh_.edge_normal(t, k);
     stretch.keep(dot(off_from, middle), dot(off_to, middle), 0.0);
     if (stretch.none()) return;
-    round_feature(stretch, nearest, offset, [&](const Vec3 &direction) { return edge_share(mesh_, t, k, direction); });
+    three_places(stretch, nearest, [&](double part) {
+      const Vec3 off = offset(part);
+      const double distance = norm(off);
+      if (distance > same_) keep_nearest(distance - radius_, at(part), (1.0 / distance) * off);
+    });
+    edges_.push_back({edge_of(t, k), stretch.begin(), stretch.end(), nearest, corner, side, {}, t, k, true});
+  }
+
+  // The edge between two flat faces has a number; where there is but one triangle each side of a rim has.
+  std::uint64_t edge_of(std::uint32_t t, std::size_t k) const {
+    const std::int32_t other = mesh_.neighbour(t, k);
+    if (other < 0) return ~((std::uint64_t{t} << 2) + k);
+    const std::uint64_t own = mesh_.faces().face_of(t), beyond = mesh_.faces().face_of(static_cast<std::uint32_t>(other));
+    return (std::min(own, beyond) << 32) + std::max(own, beyond);
+  }
+
+  // Stretches over sides of one edge that follow each other are one.
+  void carry_edges() {
+    const auto order = [](const EdgeStretch &a) {
+      return std::tie(a.edge, a.round, a.pushed.x, a.pushed.y, a.pushed.z, a.begin, a.end, a.triangle, a.side_number);
+    };
+    std::sort(edges_.begin(), edges_.end(), [&](const EdgeStretch &a, const EdgeStretch &b) { return order(a) < order(b); });
+    for (std::size_t i = 0; i < edges_.size();) {
+      EdgeStretch whole = edges_[i];
+      for (++i; i < edges_.size(); ++i) {
+        const EdgeStretch &next = edges_[i];
+        if (next.edge != whole.edge || next.round != whole.round || norm2(next.pushed - whole.pushed) > 1e-18) break;
+        if (next.begin > whole.end + 1e-9) break;
+        whole.end = std::fmax(whole.end, next.end);
+      }
+      carry(whole);
+    }
+  }
+
+  void carry(const EdgeStretch &edge) {
+    const double length2 = norm2(edge.side);
+    Stretch stretch;
+    stretch.limit(edge.begin, edge.end);
+    three_places(stretch, edge.nearest, [&](double part) {
+      const Vec3 from_corner = at(part) - edge.corner;
+      const Vec3 off = from_corner - (dot(from_corner, edge.side) / length2) * edge.side;
+      const double distance = norm(off);
+      if (!(distance < radius_)) return;
+      if (!edge.round) {
+        load_.add(part, edge.pushed, radius_ - distance);
+      } else if (distance > same_) {
+        const Vec3 direction = (1.0 / distance) * off;
+        load_.add(part, direction, radius_ - distance, edge_share(mesh_, edge.triangle, edge.side_number, direction));
+      }
+    });
+  }
+
+  // Whether a vertex is but a point of a flat face, or of the edge between two.
+  bool is_plain(std::uint32_t v) const {
+    const std::uint32_t begin = mesh_.vertex_begin(v), end = mesh_.vertex_begin(v + 1);
+    const std::uint32_t first = mesh_.faces().face_of(mesh_.vertex_triangles()[begin]);
+    std::uint32_t second = first;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t t = mesh_.vertex_triangles()[i], face = mesh_.faces().face_of(t);
+      if (face != first && second == first) second = face;
+      if (face != first && face != second) return false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (mesh_.neighbour(t, k) < 0) return false;
+      }
+    }
+    return true;
   }
 
   void vertex(std::uint32_t v) {
@@ -215,7 +284,7 @@ class CapsuleQuery {
         stretch.keep(-dot(off_from, side), -dot(off_to, side), -slack_ * norm(side));
       }
     }
-    if (stretch.none()) return;
+    if (stretch.none() || is_plain(v)) return;
     const double nearest = -per_length2_ * dot(off_from, along_);
     round_feature(
         stretch, nearest, [&](double part) { return at(part) - corner; },
@@ -315,6 +384,7 @@ class CapsuleQuery {
   SectionedBody body_;
   RodLoad &load_;
   PlaneStretches planes_;
+  std::vector<EdgeStretch> &edges_;
   ContactSet &result_;
   std::size_t begin_;
   double same_, slack_;  // m: places that are one, and rounding

@@ -2,6 +2,7 @@
 // point out of the mesh. One-sided: the front of a triangle pushes, its back does not.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "manifold/contact_set.hpp"
@@ -26,11 +27,22 @@ struct PlaneStretch {
   End begin, end;
 };
 
+// And beside one side of a triangle.
+struct EdgeStretch {
+  std::uint64_t edge;
+  double begin, end, nearest;  // along the axis, 0 to 1
+  Vec3 corner, side, pushed;   // pushed: the normal of the side of a concave edge that reaches on
+  std::uint32_t triangle;
+  std::size_t side_number;
+  bool round;  // pushes away from the edge
+};
+
 // Room that queries work in; one for each thread. Grows in the first calls.
 struct MeshContactScratch {
   SharedLoad shared;
   RodLoad rod;
   std::vector<PlaneStretch> planes;
+  std::vector<EdgeStretch> edges;
   std::vector<Vec3> body_vertices, body_normals;  // in the mesh's frame
   PatchScratch patch;
   PairScratch pair;
