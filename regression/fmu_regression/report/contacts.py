@@ -10,7 +10,7 @@ from fmu_regression.scene.loads import pair_loads
 from fmu_regression.scene.scene_file import ContactPair, Scene
 from fmu_regression.scene.signals import pair_signal
 
-_MAX_TABLE_ROWS = 500
+_MAX_TABLE_ROWS = 20_000  # that browsers still show
 _CLOSE_RESTITUTION = 0.02
 _QUANTITIES = {
     "normalForce": ("Contact force", "normal force in N"),

@@ -1,0 +1,22 @@
+"""Tables of a report hold all that happened."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from fmu_regression.report.contacts import impact_section
+from fmu_regression.scene.impacts import find_impacts
+from fmu_regression.scene.scene_file import load_scene
+from synthetic import hammer, write_scene
+
+
+def test_many_impacts_are_all_in_the_table(tmp_path: Path) -> None:
+    content, result = hammer(rows=200)
+    scene = load_scene(write_scene(content, tmp_path / "scene.json"))
+    impacts = find_impacts(scene, result)
+    assert impacts
+    many = (impacts * (2000 // len(impacts) + 1))[:2000]
+    section = impact_section(scene, many)
+    assert section is not None
+    assert len(section.tables[0].rows) == 2000
+    assert not [note for note in section.notes if "left out" in note]
