@@ -11,6 +11,9 @@ from fmu_regression.fmi.fmu import Mode
 from accuracy_study.definition import ONE_AT_A_TIME, Scene, Study
 from accuracy_study.knobs import AS_MODELLED, SOLVERS, KnobValue, Part, part_of
 
+_PLAIN = (1e-3, 1e4)
+"""Numbers from the first to below the second are written without a power of ten."""
+
 
 @dataclass(frozen=True)
 class Variant:
@@ -24,7 +27,7 @@ class Variant:
 
     @property
     def label(self) -> str:
-        """For tables, e.g. "stiffness 1e+06, friction Anchored"; knobs as modelled are left out."""
+        """For tables, e.g. "stiffness 1e6, friction Anchored"; knobs as modelled are left out."""
         words = [f"{n} {value_text(v)}" for n, v in self.settings if v != AS_MODELLED]
         return ", ".join(words) or AS_MODELLED
 
@@ -41,8 +44,13 @@ class Run:
 
 
 def value_text(value: KnobValue) -> str:
-    """A value of a knob in tables."""
-    return value if isinstance(value, str) else f"{value:g}"
+    """A value of a knob in tables, e.g. "1e5", "0.02" or "Anchored"."""
+    if isinstance(value, str):
+        return value
+    if value == 0 or _PLAIN[0] <= abs(value) < _PLAIN[1]:
+        return f"{value:g}"
+    digits, power = f"{value:.5e}".split("e")
+    return f"{digits.rstrip('0').rstrip('.')}e{int(power)}"
 
 
 def base_variant(scene: Scene) -> Variant:

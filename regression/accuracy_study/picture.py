@@ -20,6 +20,10 @@ _LEFT, _RIGHT, _TOP, _BOTTOM = 76, 250, 40, 56
 _COLORS: Final = ("#1f5fa8", "#c4551d", "#2c8a4b", "#8a3fa0", "#a07c12", "#137d8a", "#b3324d", "#5b6770")
 _MARKS: Final = ("circle", "square", "diamond", "triangle")
 _LONGEST_LABEL = 36
+_PADDING = 0.06
+_LEAST_SPAN = 0.8
+_DECADES_OF_TICKS = 3
+_SUPERSCRIPTS: Final = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def write_pictures(findings: Findings, folder: Path) -> tuple[Path, ...]:
@@ -47,7 +51,7 @@ def picture(found: SceneFindings) -> str:
     every = [point for _, points in shown for point in points]
     if not every:
         return ""
-    axes = _Axes(_decades([x for x, _, _ in every]), _decades([y for _, y, _ in every]))
+    axes = _Axes(_padded([x for x, _, _ in every]), _decades([y for _, y, _ in every]))
     best = [(r.outcome.cpu_time or 0.0, r.outcome.error or 0.0, "") for r in front(found.rows) if r.outcome.error]
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH} {_HEIGHT}" width="{_WIDTH}" '
@@ -65,9 +69,9 @@ def picture(found: SceneFindings) -> str:
 
 @dataclass(frozen=True)
 class _Axes:
-    """Logarithmic axes over decades: (from, to) as exponents of ten."""
+    """Logarithmic axes: (from, to) as exponents of ten, of y whole ones."""
 
-    x: tuple[int, int]
+    x: tuple[float, float]
     y: tuple[int, int]
 
     def at(self, point: Point) -> tuple[float, float]:
@@ -79,10 +83,10 @@ class _Axes:
         """Grid lines at the decades, their numbers, and the axes' names."""
         right, bottom = _WIDTH - _RIGHT, _HEIGHT - _BOTTOM
         parts = []
-        for k in range(self.x[0], self.x[1] + 1):
-            x, _ = self.at((10.0**k, 10.0 ** self.y[0], ""))
+        for tick in _ticks(*self.x):
+            x, _ = self.at((tick, 10.0 ** self.y[0], ""))
             parts.append(f'<path d="M{x:.1f} {_TOP}V{bottom}" stroke="#dddddd"/>')
-            parts.append(f'<text x="{x:.1f}" y="{bottom + 18}" text-anchor="middle">{_power(k)}</text>')
+            parts.append(f'<text x="{x:.1f}" y="{bottom + 18}" text-anchor="middle">{tick:g}</text>')
         for k in range(self.y[0], self.y[1] + 1):
             _, y = self.at((10.0 ** self.x[0], 10.0**k, ""))
             parts.append(f'<path d="M{_LEFT} {y:.1f}H{right}" stroke="#dddddd"/>')
@@ -100,8 +104,21 @@ def _decades(values: Sequence[float]) -> tuple[int, int]:
     return (low, high) if high > low else (low, low + 1)
 
 
+def _padded(values: Sequence[float]) -> tuple[float, float]:
+    low, high = math.log10(min(values)), math.log10(max(values))
+    more = max(_PADDING * (high - low), _LEAST_SPAN / 2 - (high - low) / 2)
+    return low - more, high + more
+
+
+def _ticks(low: float, high: float) -> list[float]:
+    """1, 2 and 5 times powers of ten, over more than three decades the powers alone."""
+    steps = (1.0, 2.0, 5.0) if high - low < _DECADES_OF_TICKS else (1.0,)
+    every = [step * 10.0**k for k in range(math.floor(low), math.ceil(high) + 1) for step in steps]
+    return [tick for tick in every if low <= math.log10(tick) <= high]
+
+
 def _power(k: int) -> str:
-    return f'10<tspan dy="-5" font-size="9">{k}</tspan>'
+    return "10" + str(k).translate(_SUPERSCRIPTS)
 
 
 def _curve(axes: _Axes, curve: Curve, points: list[Point], number: int) -> list[str]:

@@ -37,7 +37,7 @@ def scene_sentences(found: SceneFindings) -> list[str]:
 
 
 def run_text(run: Run, scene: Scene) -> str:
-    """A run in words, e.g. "me, tolerance 1e-06, stiffness 1e+06"; knobs with one value are left out."""
+    """A run in words, e.g. "me, tolerance 1e-06, stiffness 1e6"; knobs with one value are left out."""
     words = [run.solver, f"tolerance {run.tolerance:g}"]
     if run.max_step is not None:
         words.append(f"longest step {run.max_step:g} s")

@@ -39,7 +39,7 @@ def test_volume_approaches_that_of_the_shape_from_below(shape, segments):
     # Closed: every edge once in each direction.
     edges = [(int(t[i]), int(t[(i + 1) % 3])) for t in triangles for i in range(3)]
     assert len(set(edges)) == len(edges)
-    assert all((j, i) in set(edges) for i, j in edges)
+    assert {(j, i) for i, j in edges} == set(edges)
     exact = VOLUMES[shape]
     if shape.startswith("box"):
         assert volume == pytest.approx(exact, rel=1e-12)
