@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from accuracy_study.definition import Scene
 from accuracy_study.grid import Run, Variant, value_text
-from accuracy_study.knobs import AS_MODELLED, KnobValue, Part, knob, part_of
+from accuracy_study.knobs import KnobValue, Part, knob, part_of
 from accuracy_study.pareto import cheapest_below, most_accurate
 from accuracy_study.study import Findings, Row, SceneFindings
 
@@ -41,14 +41,15 @@ def run_text(run: Run, scene: Scene) -> str:
     words = [run.solver, f"tolerance {run.tolerance:g}"]
     if run.max_step is not None:
         words.append(f"longest step {run.max_step:g} s")
-    words += [f"{label(name)} {value_text(v)}" for name, v in run.variant.settings if len(scene.knobs[name]) > 1]
+    if any(value != scene.knobs[name][0] for name, value in run.variant.settings):
+        words.append(variant_text(run.variant, scene))
     return ", ".join(words)
 
 
 def variant_text(variant: Variant, scene: Scene) -> str:
-    """A variant in words; knobs with one value are left out."""
-    words = [f"{label(name)} {value_text(v)}" for name, v in variant.settings if len(scene.knobs[name]) > 1]
-    return ", ".join(words) or AS_MODELLED
+    """What differs in a variant from the first value of every knob, in words; "base" if nothing does."""
+    words = [f"{label(n)} {value_text(v)}" for n, v in variant.settings if v != scene.knobs[n][0]]
+    return ", ".join(words) or "base"
 
 
 def label(name: str) -> str:
