@@ -1,7 +1,8 @@
 """A row of values as the bytes that the page draws: poses of moving bodies, contact forces, chosen signals.
 
 Little-endian: a header of 48 bytes, seven float32 a moving body (position, quaternion x y z w), six float32 a force
-(point, force on the pair's first body), a float32 a chosen signal. Lengths in m, forces in N, world axes.
+(point, force on the pair's first body), then a sample of the chosen signals for every frame since the last message,
+oldest first: its time less that of the frame, and a float32 a signal. Lengths in m, forces in N, world axes.
 """
 
 from __future__ import annotations
@@ -26,8 +27,8 @@ from numpy.typing import NDArray
 
 from interactive_drive.process.messages import Frame
 
-HEADER: Final = struct.Struct("<dddfIIIHHHxx")
-"""time, stamp, when sent (ms), real-time factor, number, steps, missed; counts of bodies, forces, signals."""
+HEADER: Final = struct.Struct("<dddfIIIHHHH")
+"""time, stamp, when sent (ms), real-time factor, number, steps, missed; counts of bodies, forces, signals, samples."""
 MOST_FORCES: Final = 500
 
 _Places = NDArray[np.intp]
@@ -72,12 +73,15 @@ class FrameEncoder:
         acting = forces[np.abs(forces[:, 3:]).max(axis=1, initial=0.0) > 0][:MOST_FORCES]
         return Picture(poses.tobytes(), acting.astype("<f4").tobytes(), len(acting))
 
-    def message(self, frame: Frame, picture: Picture, chosen: Sequence[int], sent: float) -> bytes:
+    def message(
+        self, frame: Frame, picture: Picture, samples: Sequence[Frame], chosen: Sequence[int], sent: float
+    ) -> bytes:
         """The bytes of a frame.
 
         Args:
             frame: the frame.
             picture: of its values.
+            samples: frames whose signals are sent, with this one as the last.
             chosen: places of signals in the row, as ``places`` gives them.
             sent: wall time, ms.
         """
@@ -92,9 +96,13 @@ class FrameEncoder:
             len(self.moving),
             picture.force_count,
             len(chosen),
+            len(samples),
         )
-        signals = frame.values[list(chosen)].astype("<f4").tobytes()
-        return header + picture.poses + picture.forces + signals
+        rows = np.empty((len(samples), 1 + len(chosen)), dtype="<f4")
+        for row, sample in zip(rows, samples, strict=True):
+            row[0] = sample.time - frame.time
+            row[1:] = sample.values[list(chosen)]
+        return header + picture.poses + picture.forces + rows.tobytes()
 
     def places(self, names: Sequence[str]) -> tuple[int, ...]:
         """Places of signals in the row; unknown names are left out."""

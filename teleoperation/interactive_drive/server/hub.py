@@ -39,6 +39,7 @@ from interactive_drive.recording.recording import Recording
 from interactive_drive.server.drive_session import DriveSession, Simulation
 
 MOST_PLOTTED = 12
+MOST_SAMPLES = 300  # frames that a slow page's plots are behind at most
 _SIMPLE: Mapping[str, Callable[[], Command]] = {
     "run": Run,
     "pause": Pause,
@@ -102,6 +103,7 @@ class Hub:
         self.status = Status(Mode.STARTING)
         self.operators: set[Operator] = set()
         self.steering: Operator | None = None
+        self._samples: deque[Frame] = deque(maxlen=MOST_SAMPLES)
         self._picture: tuple[int, Picture] | None = None
         self._controls = {control.name: control for control in session.controls}
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -168,7 +170,9 @@ class Hub:
         if frame is not None:
             if self.frame is not None and frame.time < self.frame.time:
                 self._tell_all(self._values_of_controls(frame))
+                self._samples.clear()
             self.frame = frame
+            self._samples.append(frame)
             self._first.set()
             for operator in self.operators:
                 operator.changed.set()
@@ -372,8 +376,9 @@ class Hub:
             return None
         if self._picture is None or self._picture[0] != frame.number:
             self._picture = (frame.number, self.encoder.picture(frame.values))
+        samples = [sample for sample in self._samples if sample.number > operator.number]
         operator.sent(frame.number)
-        return self.encoder.message(frame, self._picture[1], operator.places, sent)
+        return self.encoder.message(frame, self._picture[1], samples or [frame], operator.places, sent)
 
 
 def _parsed(text: str) -> Mapping[str, Any]:

@@ -61,19 +61,20 @@ def values(signals):
 def message(scene, signals, values):
     encoder = FrameEncoder(scene, signals)
     frame = Frame(1.5, values, 8.0, 3, 0.75, 20, 4)
-    return encoder.message(frame, encoder.picture(values), encoder.places(["other", "unknown"]), 1e12)
+    earlier = Frame(1.25, values + 1, 8.0, 2, 0.75, 19, 4)
+    return encoder.message(frame, encoder.picture(values), [earlier, frame], encoder.places(["other", "unknown"]), 1e12)
 
 
 def test_bodies_that_move_are_sent(scene, signals, message):
     assert FrameEncoder(scene, signals).moving == (1,)
     assert HEADER.size == 48
     header = HEADER.unpack_from(message)
-    assert header == (1.5, 8.0, 1e12, 0.75, 3, 20, 4, 1, 1, 1)
+    assert header == (1.5, 8.0, 1e12, 0.75, 3, 20, 4, 1, 1, 1, 2)
     numbers = np.frombuffer(message, "<f4", offset=48)
     assert numbers[:3] == pytest.approx([1, 2, 3])
     assert numbers[3:7] == pytest.approx([0, 0, math.sqrt(0.5), math.sqrt(0.5)])  # body to world
     assert numbers[7:13] == pytest.approx([0.5, 0, 0, 0, 0, 4])
-    assert numbers[13:] == pytest.approx([7])
+    assert numbers[13:] == pytest.approx([-0.25, 8, 0, 7])
 
 
 @pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
@@ -83,7 +84,7 @@ def test_the_page_reads_the_same(message):
         f"const {{decodeFrame}} = require({str(script)!r});"
         f"const frame = decodeFrame(Uint8Array.from({list(message)}).buffer);"
         "console.log(JSON.stringify({...frame, poses: frame.poses.map(p => Array.from(p)),"
-        "forces: frame.forces.map(f => Array.from(f)), signals: Array.from(frame.signals)}));"
+        "forces: frame.forces.map(f => Array.from(f)), samples: frame.samples.map(s => [s.time, ...s.signals])}));"
     )
     run = subprocess.run([str(NODE), "-e", code], check=True, capture_output=True, text=True)
     frame = json.loads(run.stdout)
@@ -92,7 +93,7 @@ def test_the_page_reads_the_same(message):
     }  # fmt: skip
     assert frame["poses"][0] == pytest.approx([1, 2, 3, 0, 0, math.sqrt(0.5), math.sqrt(0.5)])
     assert frame["forces"] == [pytest.approx([0.5, 0, 0, 0, 0, 4])]
-    assert frame["signals"] == [7]
+    assert frame["samples"] == [[1.25, 8], [1.5, 7]]
 
 
 @pytest.mark.skipif(NODE is None, reason="Node.js is not installed")

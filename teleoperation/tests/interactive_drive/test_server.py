@@ -293,22 +293,27 @@ class TestFrames:
         assert page.message("plots")["names"] == ["force", "x"]
         drive.frame(x=2.5, stamp=9.0)
         data = page.frame()
-        time_, stamp, sent, factor, number, steps, missed, *counts = struct.unpack_from("<dddfIIIHHH", data)
+        time_, stamp, sent, factor, number, steps, missed, *counts = struct.unpack_from("<dddfIIIHHHH", data)
         assert (time_, stamp, factor, number, steps, missed) == (0.01, 9.0, 1.0, 1, 1, 0)
         assert abs(sent / 1e3 - time.time()) < 10
-        assert counts == [0, 0, 2]
-        assert struct.unpack_from("<2f", data, 48) == (0.0, 2.5)
+        assert counts == [0, 0, 2, 1]
+        assert struct.unpack_from("<3f", data, 48) == (0.0, 0.0, 2.5)
 
     def test_a_page_that_sees_nothing_gets_few_frames_and_then_the_newest(self, drive, page):
         for _ in range(MOST_IN_FLIGHT):
             drive.frame()
             assert page.connection.receive_bytes()  # not acknowledged
-        for _ in range(50):
-            drive.frame()
+        for k in range(50):
+            drive.frame(x=float(k))
+            time.sleep(0.002)  # each is heard
         time.sleep(0.1)
         page.send(type="seen", number=MOST_IN_FLIGHT)
-        number = struct.unpack_from("<I", page.connection.receive_bytes(), 28)[0]
-        assert number == MOST_IN_FLIGHT + 50
+        data = page.connection.receive_bytes()
+        assert struct.unpack_from("<I", data, 28)[0] == MOST_IN_FLIGHT + 50
+        samples = np.frombuffer(data, "<f4", offset=48).reshape(-1, 2)
+        assert samples[-1] == pytest.approx([0, 49])  # the plot misses nothing that the server heard
+        assert len(samples) > 10
+        assert (np.diff(samples[:, 1]) > 0).all()
 
     def test_where_time_goes_back_the_sliders_follow(self, drive, page):
         drive.frame()

@@ -56,7 +56,7 @@
 
   function onFrame(message) {
     frame = message.frame;
-    if (plots) plots.add(frame.time, frame.signals);
+    if (plots) for (const sample of frame.samples) plots.add(sample.time, sample.signals);
     if (waiting) return;
     waiting = true;
     requestAnimationFrame(() => { waiting = false; draw(); });

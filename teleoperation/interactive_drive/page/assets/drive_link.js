@@ -7,14 +7,16 @@ const FRAME_HEADER = 48;
 function decodeFrame(buffer) {
   const view = new DataView(buffer);
   const bodies = view.getUint16(40, true), forces = view.getUint16(42, true), signals = view.getUint16(44, true);
-  const numbers = new Float32Array(buffer, FRAME_HEADER);
+  const samples = view.getUint16(46, true);
+  const numbers = new Float32Array(buffer, FRAME_HEADER), first = 7 * bodies + 6 * forces, time = view.getFloat64(0, true);
+  const sample = k => numbers.subarray(first + k * (1 + signals), first + (k + 1) * (1 + signals));
   return {
-    time: view.getFloat64(0, true), stamp: view.getFloat64(8, true), sent: view.getFloat64(16, true),
+    time, stamp: view.getFloat64(8, true), sent: view.getFloat64(16, true),
     factor: view.getFloat32(24, true), number: view.getUint32(28, true),
     steps: view.getUint32(32, true), missed: view.getUint32(36, true),
     poses: Array.from({length: bodies}, (_, k) => numbers.subarray(7 * k, 7 * k + 7)),
     forces: Array.from({length: forces}, (_, k) => numbers.subarray(7 * bodies + 6 * k, 7 * bodies + 6 * k + 6)),
-    signals: numbers.subarray(7 * bodies + 6 * forces, 7 * bodies + 6 * forces + signals),
+    samples: Array.from({length: samples}, (_, k) => ({time: time + sample(k)[0], signals: sample(k).subarray(1)})),
   };
 }
 

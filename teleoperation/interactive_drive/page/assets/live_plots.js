@@ -36,10 +36,9 @@ class LivePlots {
   clear() {
     this.time = [];
     this.values = this.names.map(() => []);
-    this.drawn = 0;
   }
 
-  /** Takes a frame's values; a time that goes back clears what came after it. */
+  /** Takes a sample of the signals; a time that goes back clears what came after it. */
   add(time, signals) {
     if (signals.length !== this.names.length || time === this.time[this.time.length - 1]) return;
     while (this.time.length && this.time[this.time.length - 1] > time) {
@@ -53,11 +52,11 @@ class LivePlots {
       this.time.splice(0, old);
       for (const values of this.values) values.splice(0, old);
     }
-    const now = performance.now();
-    if (now - this.drawn > LIVE_PERIOD) { this.drawn = now; this.draw(); }
+    if (!this.timer) this.timer = setTimeout(() => { this.timer = null; this.draw(); }, LIVE_PERIOD);
   }
 
   draw() {
+    if (!this.time.length) return;
     const time = Float64Array.from(this.time), last = time[time.length - 1];
     for (const {plot, members} of this.plots || []) {
       plot.spec.series.forEach((series, i) => {
