@@ -126,7 +126,7 @@ def _knobs(found: SceneFindings) -> Iterator[str]:
         if len(pairs) > 1:
             part = part_of(name).value
             told = ", ".join(f"{value_text(value)}: {error:.1e}" for value, error in pairs)
-            yield f"{label(name).capitalize()}, {part} error: {told}."
+            yield f"{label(name)[:1].upper()}{label(name)[1:]}, {part} error: {told}."
 
 
 def _seconds(row: Row) -> str:
