@@ -102,8 +102,14 @@ def _most_telling(found: SceneFindings, variant: Variant, part: Part) -> str:
 
 
 def _spread(found: SceneFindings, variant: Variant, name: str) -> float:
-    values = [error for _, error in _errors_over(found, variant, name)]
-    return max(values) / max(min(values), 1e-300) if len(values) > 1 else 1.0
+    """How the errors of a knob's values differ; of words, how much better another one than the variant's would be."""
+    pairs = _errors_over(found, variant, name)
+    values = [error for _, error in pairs]
+    if len(values) < 2:
+        return 1.0
+    own = dict(variant.settings)[name]
+    worst = next((error for value, error in pairs if value == own), 0.0) if isinstance(own, str) else max(values)
+    return worst / max(min(values), 1e-300)
 
 
 def _errors_over(found: SceneFindings, variant: Variant, name: str) -> list[tuple[KnobValue, float]]:
