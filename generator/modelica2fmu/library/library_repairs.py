@@ -81,6 +81,12 @@ REPAIRS: Final = (
         ),
         r"\1/*\2*/\3/*\4*/",
     ),
+    # A condition of a component that depends on another modifier than a number. A ball without extent is not seen.
+    Repair(
+        ("Modelica/Mechanics/MultiBody/Parts/Body.mo",),
+        re.compile(r"(\bif\s+world\.enableAnimation\s+and\s+animation\s+and\s+)sphereDiameter(\s*)>(\s*)0(\s*;)"),
+        r"\1true\2\3\4",
+    ),
     # A return in a loop under a condition.
     Repair(
         ("Modelica/Math/BooleanVectors.mo",),

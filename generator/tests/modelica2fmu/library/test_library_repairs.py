@@ -9,6 +9,7 @@ import pytest
 from modelica2fmu.library.library_repairs import REPAIRS, repaired_library
 from modelica2fmu.library.source_map import SourceMap, Span, source_number
 from modelica2fmu.library.standard_library import find_standard_library
+from modelica2fmu.translation import translate
 
 VECTORS = """within Modelica.Math;
 package BooleanVectors
@@ -88,3 +89,16 @@ def test_every_repair_finds_its_place_in_the_standard_library():
             changed, count = repair.pattern.subn(repair.replacement, text)
             assert count > 0, name
             assert len(re.findall("\n", changed)) == len(re.findall("\n", text)), name
+
+
+def test_diameters_of_bodies_may_follow_from_parameters(tmp_path):
+    library = find_standard_library()
+    if library.origin == "core subset":
+        pytest.skip("needs the Standard Library (MODELICAPATH)")
+    (tmp_path / "Ball.mo").write_text(
+        "model Ball\n  parameter Modelica.Units.SI.Radius radius=0.02;\n"
+        "  inner Modelica.Mechanics.MultiBody.World world;\n"
+        "  Modelica.Mechanics.MultiBody.Parts.Body ball(\n"
+        "    m=1, r_CM={0,0,0}, sphereDiameter=2*radius, r_0(each fixed=true), v_0(each fixed=true));\nend Ball;\n"
+    )
+    assert translate("Ball", [tmp_path / "Ball.mo"], library).systems.reduction.states
