@@ -12,6 +12,7 @@ import pytest
 from library_compiler import REPOSITORY
 from library_files import ClassFile, class_files
 from lxml import etree
+from modelica2fmu.description.icon_annotation import Call, read_annotation
 
 
 @pytest.fixture(scope="module")
@@ -51,13 +52,13 @@ def test_public_classes_have_an_icon(drawing: ModuleType, file: ClassFile) -> No
         assert drawing.Drawings().icon(name, "label")
 
 
-def test_the_reader_takes_what_annotations_are_made_of(drawing: ModuleType) -> None:
-    call = drawing.Reader('Text(extent={{-1,2},{3.5,-4e1}}, textString="a \\"b\\", c", visible=Types.x)', 0).value()
-    assert call.name == "Text"
+def test_texts_are_drawn_without_their_quotes(drawing: ModuleType) -> None:
+    call = read_annotation('Text(extent={{-1,2},{3.5,-4e1}}, textString="%name: a", visible=Types.x)')
+    assert isinstance(call, Call)
     assert call.named["extent"] == [[-1.0, 2.0], [3.5, -40.0]]
-    assert call.named["visible"] == "Types.x"
-    with pytest.raises(ValueError, match="not closed"):
-        drawing.Reader("Line(points={{0,0}}", 0).value()
+    assert ">block: a</text>" in drawing.draw(call, "block")
+    with pytest.raises(ValueError, match="does not end"):
+        read_annotation("Line(points={{0,0}}")
 
 
 def test_components_with_matrices_are_drawn(drawing: ModuleType) -> None:

@@ -65,15 +65,24 @@ def test_an_observer_is_deleted(cmb_here, tmp_path):
     assert "Known are 1, 2, 4." in done.stderr
 
 
+def hear_interrupts():
+    """Tests may run in the background of a shell, which has its programs ignore Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 def test_the_page_is_served_until_it_is_interrupted(tmp_path):
     study = tmp_path / "study.db"
     words = ["depth-study", "run", str(study), "--port", "0", "--no-browser"]
-    with subprocess.Popen([sys.executable, "-m", "cmb.main", *words], stdout=subprocess.PIPE, text=True) as process:
-        address = process.stdout.readline().split()[0]
-        with urllib.request.urlopen(address + "start", timeout=10) as reply:
-            assert b'"free": 1' in reply.read()
-        process.send_signal(signal.SIGINT)
-        rest, _ = process.communicate(timeout=20)
+    command = [sys.executable, "-m", "cmb.main", *words]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, preexec_fn=hear_interrupts) as process:
+        try:
+            address = process.stdout.readline().split()[0]
+            with urllib.request.urlopen(address + "start", timeout=10) as reply:
+                assert b'"free": 1' in reply.read()
+            process.send_signal(signal.SIGINT)
+            rest, _ = process.communicate(timeout=20)
+        finally:
+            process.kill()
     assert process.returncode == 0
     assert f"0 answers are kept in {study}" in rest
     assert study.exists()

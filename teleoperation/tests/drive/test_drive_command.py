@@ -19,11 +19,22 @@ from interactive_drive.server.serving import bind
 DESCRIPTION = Path(__file__).parent / "fixtures" / "pushed_mass.xml"
 
 
+def hear_interrupts():
+    """Tests may run in the background of a shell, which has its programs ignore Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 def test_it_serves_until_interrupted(pushed_mass, tmp_path):
     words = [sys.executable, "-m", "cmb.main", "drive", str(pushed_mass), "--no-browser", "--port", "0"]
     environment = {**os.environ, "TMPDIR": str(tmp_path)}
     with subprocess.Popen(
-        words, cwd=tmp_path, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        words,
+        cwd=tmp_path,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=hear_interrupts,
     ) as process:
         try:
             address = re.search(r"PushedMass: (http://127\.0\.0\.1:\d+/\?token=\S+)", process.stdout.readline())[1]
