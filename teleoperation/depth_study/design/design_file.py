@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from contact_foundation.errors import InputError, Place, ProblemList
+from contact_foundation.toml_text import parse_toml
 
 from depth_study.design.factors import Contrast, Design, Factor, Restriction
 
@@ -35,11 +35,7 @@ def parse_design(text: str, path: Path) -> Design:
     Raises:
         InputError: it is no TOML; ProblemList with all that is inconsistent in it.
     """
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"is no TOML: {error}", place=Place(file=path), remedy="Correct that place.") from error
-    return _Reader(path).design(data)
+    return _Reader(path).design(parse_toml(text, path))
 
 
 class _Reader:

@@ -7,7 +7,6 @@ differences.
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import Any, TypeGuard
 
 import numpy as np
 from contact_foundation.errors import InputError, Place, ProblemList
+from contact_foundation.toml_text import read_toml
 from scipy import stats
 
 from depth_study.arrays import FloatArray
@@ -85,12 +85,7 @@ def load_published(path: Path, design: Design) -> Published:
     Raises:
         InputError: the file cannot be read or is no TOML; ProblemList where it does not fit the design.
     """
-    try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"is no TOML: {error}", place=Place(file=path), remedy="Correct that place.") from error
-    except UnicodeDecodeError as error:
-        raise InputError("is no UTF-8 text", place=Place(file=path), remedy="Name a TOML file.") from error
+    data = read_toml(path)
     problems: list[InputError] = []
 
     def problem(component: str, message: str, remedy: str) -> None:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
 from contact_foundation.errors import InputError, Place, ProblemList
+from contact_foundation.toml_text import read_toml
 
 from depth_study.arrays import FloatArray, IntArray
 from depth_study.record.answers import GREATEST, LEAST, SAME
@@ -92,12 +92,7 @@ def load_population(path: Path) -> Population:
     Raises:
         InputError: the file cannot be read or is no TOML; ProblemList with all that is wrong in it.
     """
-    try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"is no TOML: {error}", place=Place(file=path), remedy="Correct that place.") from error
-    except UnicodeDecodeError as error:
-        raise InputError("is no UTF-8 text", place=Place(file=path), remedy="Name a TOML file.") from error
+    data = read_toml(path)
     names = [field.name for field in fields(Population)]
     problems = []
     for key, value in data.items():
