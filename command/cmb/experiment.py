@@ -11,15 +11,14 @@ the modeller; no generation touches them.
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
 from contact_foundation.errors import InputError, Place
+from contact_foundation.toml_text import read_toml
 from fmu_regression.report.figures import NO_FIGURES, Figures, read_figures
 
 FILE_NAME = "experiment.toml"
-MAXIMUM_BYTES = 2**20
 _KEYS = {"model", "sources", "plot", "number"}
 
 
@@ -57,17 +56,7 @@ def read_experiment(file: Path) -> Experiment:
         InputError: the file does not exist or is wrong.
     """
     place = Place(file=file)
-    try:
-        with file.open("rb") as stream:
-            data = stream.read(MAXIMUM_BYTES + 1)
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}", place=place, remedy="Name an experiment file.") from error
-    if len(data) > MAXIMUM_BYTES:
-        raise InputError("is larger than 1 MiB", place=place, remedy="Name an experiment file.")
-    try:
-        content = tomllib.loads(data.decode("utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f"is not TOML: {error}", place=place, remedy="Correct the file.") from error
+    content = read_toml(file, "an experiment file")
     unknown = sorted(set(content) - _KEYS)
     if unknown:
         raise InputError(

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from cmb.experiment import FILE_NAME, MAXIMUM_BYTES, Experiment, find_experiment, read_experiment
+from cmb.experiment import FILE_NAME, Experiment, find_experiment, read_experiment
 from contact_foundation.errors import InputError
+from contact_foundation.toml_text import MAXIMUM_BYTES
 
 
 def write(folder: Path, text: str) -> Path:
@@ -49,9 +50,9 @@ def test_model_sources_and_figures(tmp_path: Path) -> None:
         ("sources = ['../outside']", "outside the folder"),
         ("sources = ['/etc/passwd']", "outside the folder"),
         ("sources = ['link']", "outside the folder"),
-        ("model = ", "is not TOML"),
+        ("model = ", "is no TOML"),
         ("[[plot]]\ntitle = 'Heights'", "label, signals is missing"),
-        ("#" * (MAXIMUM_BYTES + 1), "larger than 1 MiB"),
+        ("#" * (MAXIMUM_BYTES + 1), "larger than 5 MB"),
     ],
 )
 def test_wrong_files(tmp_path: Path, text: str, message: str) -> None:

@@ -8,18 +8,32 @@ from typing import Any
 
 from contact_foundation.errors import InputError, Place
 
+MAXIMUM_BYTES = 5_000_000
+"""Size of the largest file that is read; hand-written files are far below."""
 
-def read_toml(path: Path) -> dict[str, Any]:
+
+def read_toml(path: Path, what: str = "a TOML file") -> dict[str, Any]:
     """The content of a TOML file.
 
+    Args:
+        path: the file.
+        what: what the file should be, such as "a case", for messages.
+
     Raises:
-        InputError: it is no UTF-8 text or no TOML.
-        OSError: it cannot be read.
+        InputError: it cannot be read, is larger than ``MAXIMUM_BYTES``, no UTF-8 text or no TOML.
     """
+    place, remedy = Place(file=path), f"Name {what}."
     try:
-        text = path.read_text(encoding="utf-8")
+        with path.open("rb") as stream:
+            data = stream.read(MAXIMUM_BYTES + 1)
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}", place=place, remedy=remedy) from error
+    if len(data) > MAXIMUM_BYTES:
+        raise InputError(f"is larger than {MAXIMUM_BYTES // 1_000_000} MB", place=place, remedy=remedy)
+    try:
+        text = data.decode("utf-8")
     except UnicodeDecodeError as error:
-        raise InputError("is no UTF-8 text", place=Place(file=path), remedy="Name a TOML file.") from error
+        raise InputError("is no UTF-8 text", place=place, remedy=remedy) from error
     return parse_toml(text, path)
 
 

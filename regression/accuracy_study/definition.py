@@ -10,7 +10,8 @@ from types import MappingProxyType
 from typing import Any, Final, cast
 
 from contact_foundation.errors import CmbError, InputError, Place, ProblemList
-from fmu_regression.cases.toml_table import TomlTable, read_toml
+from contact_foundation.toml_text import read_toml
+from fmu_regression.cases.toml_table import TomlTable
 from fmu_regression.compare.checks import Direction
 from fmu_regression.fmi.fmu import StartValue
 

@@ -13,7 +13,6 @@ inputs = { u = 12.0 }                       # optional: values of its inputs whi
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -21,6 +20,7 @@ from typing import Any
 
 from contact_foundation.errors import Place
 from contact_foundation.output import whole_file
+from contact_foundation.toml_text import read_toml
 
 from cad2modelica.actuators.catalogue import IDEAL, SENSOR, ComponentClass, Parameter, components_for
 from cad2modelica.kinematics.loops import LoopAnalysis
@@ -30,7 +30,6 @@ from cad2modelica.source.problems import Problems
 from cad2modelica.structure.renames import Renamed, closest
 
 FILE_NAME = "actuators.toml"
-MAXIMUM_BYTES = 2**20
 _KEYS = ("joint", "component", "name", "parameters", "inputs")
 HEADER = """# Components of ContactMultiBody.Actuators at the joints of {assembly}; values in SI units.
 # `cmb assign` changes this file by questions and answers, `cmb generate` writes the mechatronic model from it.
@@ -194,17 +193,7 @@ def _as_float(value: int | float) -> float:
 
 
 def _entries(file: Path, problems: Problems) -> list[dict[str, Any]]:
-    with file.open("rb") as stream:
-        data = stream.read(MAXIMUM_BYTES + 1)
-    if len(data) > MAXIMUM_BYTES:
-        problems.add(f"is larger than {MAXIMUM_BYTES} bytes", Place(file=file), "Name the actuator file.")
-        problems.raise_if_any()
-    try:
-        content = tomllib.loads(data.decode("utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
-        problems.add(f"is not TOML: {error}", Place(file=file), "Correct the file.")
-        problems.raise_if_any()
-        return []
+    content = read_toml(file, "an actuator file")
     unknown = sorted(set(content) - {"actuator"})
     entries: Any = content.get("actuator", [])
     if unknown or not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):

@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import Any, Literal, cast
 
 from contact_foundation.errors import CmbError, InputError, Place, ProblemList
+from contact_foundation.toml_text import read_toml
 
-from fmu_regression.cases.toml_table import TomlTable, read_toml
+from fmu_regression.cases.toml_table import TomlTable
 from fmu_regression.compare.checks import (
     BoundCheck,
     Check,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
@@ -13,30 +12,6 @@ from contact_foundation.errors import CmbError, InputError, Place
 
 from fmu_regression.compare.checks import Window
 from fmu_regression.fmi.fmu import StartValue
-
-_MAX_BYTES = 5_000_000
-
-
-def read_toml(path: Path, what: str) -> dict[str, Any]:
-    """The content of a TOML file.
-
-    Args:
-        path: the file.
-        what: what the file should be, e.g. "a case", for messages.
-
-    Raises:
-        InputError: the file is missing, too large, or no TOML.
-    """
-    try:
-        if path.stat().st_size > _MAX_BYTES:
-            raise InputError(f"the file is too large to be {what}", place=Place(file=path))
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"cannot read: {error.strerror}", place=Place(file=path)) from error
-    except UnicodeDecodeError as error:
-        raise InputError("the file is not UTF-8 text", place=Place(file=path)) from error
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"not a TOML file: {error}", place=Place(file=path)) from error
 
 
 class TomlTable:

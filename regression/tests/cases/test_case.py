@@ -131,7 +131,7 @@ def test_all_problems_are_told_at_once(tmp_path: Path) -> None:
     assert len(caught.value.problems) == 3
 
 
-@pytest.mark.parametrize(("content", "message"), [(b"[case", "not a TOML file"), (b"\xff", "not UTF-8")])
+@pytest.mark.parametrize(("content", "message"), [(b"[case", "is no TOML"), (b"\xff", "no UTF-8")])
 def test_no_toml(tmp_path: Path, content: bytes, message: str) -> None:
     path = tmp_path / "case.toml"
     path.write_bytes(content)

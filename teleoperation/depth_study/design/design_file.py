@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from contact_foundation.errors import InputError, Place, ProblemList
-from contact_foundation.toml_text import parse_toml
+from contact_foundation.toml_text import parse_toml, read_toml
 
 from depth_study.design.factors import Contrast, Design, Factor, Restriction
 
@@ -21,12 +21,7 @@ def load_design(path: Path) -> Design:
     Raises:
         InputError: the file cannot be read or is no TOML; ProblemList with all that is inconsistent in it.
     """
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "is no UTF-8 text"
-        raise InputError(str(reason), place=Place(file=path), remedy="Name a TOML file with a design.") from error
-    return parse_design(text, path)
+    return _Reader(path).design(read_toml(path, "a TOML file with a design"))
 
 
 def parse_design(text: str, path: Path) -> Design:

@@ -19,7 +19,6 @@ dead_zone = 0.1      # share of the axis around its middle that counts as the mi
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import zip_longest
@@ -27,11 +26,11 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from contact_foundation.errors import InputError, Place
+from contact_foundation.toml_text import read_toml
 from fmu_regression.results.result import close_names_remedy
 
 from interactive_drive.machine.controls import Control
 
-_MAXIMUM_BYTES = 2**20
 _KEY_PAIRS = (("ArrowUp", "ArrowDown"), ("ArrowRight", "ArrowLeft"), ("KeyW", "KeyS"), ("KeyD", "KeyA"))
 _AXES = (1, 0, 3, 2)
 _DOWN_IS_POSITIVE = {1, 3}
@@ -97,18 +96,7 @@ def read_key_map(file: Path, controls: Sequence[Control]) -> KeyMap:
     Raises:
         InputError: the file is wrong; the entry is named.
     """
-    place = Place(file=file)
-    try:
-        with file.open("rb") as stream:
-            data = stream.read(_MAXIMUM_BYTES + 1)
-        if len(data) > _MAXIMUM_BYTES:
-            raise InputError("is larger than 1 MiB", place=place, remedy="Name a file of keys and axes.")
-        content = tomllib.loads(data.decode("utf-8"))
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}", place=place, remedy="Correct the path.") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f"is no TOML: {error}", place=place, remedy="Correct the file.") from error
-    return _Reader(file, controls).key_map(content)
+    return _Reader(file, controls).key_map(read_toml(file, "a file of keys and axes"))
 
 
 class _Reader:

@@ -177,8 +177,8 @@ def test_catalogue_agrees_with_the_compiler(tmp_path: Path, kind: JointType) -> 
         ("[[actuator]]\ncomponent = 'Torque'", "the name of the joint is no text"),
         ("[[actuator]]\njoint = 'first'\ncomponent = ['Torque']", "is none for a revolute joint"),
         (f"[[actuator]]\njoint = 'first'\ncomponent = 'Friction'\nparameters = {{ d = {'9' * 400} }}", "at most 1e+30"),
-        pytest.param("a = " + "[" * 100_000, "not TOML", id="deep"),
-        ("[[actuator]", "not TOML"),
+        pytest.param("a = " + "[" * 100_000, "nested too deeply", id="deep"),
+        ("[[actuator]", "no TOML"),
         ("", "names no actuator"),
     ],
 )
