@@ -8,8 +8,6 @@
 // Printed: medians in microseconds of processor time, half the interquartile range, the engine's ratio to coal with patch, and to
 // libccd; and each one's largest error of the distance, the engine's exact path (checked against independent
 // references by the tests) being the measure.
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,6 +18,7 @@
 #include <vector>
 
 #include "backend/distance_backend.hpp"
+#include "bench_support.hpp"
 #include "contact_peer.hpp"
 #include "scene/descriptor.hpp"
 #include "support/random_bodies.hpp"
@@ -32,23 +31,6 @@ using random_bodies::Random;
 
 constexpr int sweeps = 31;
 
-std::string digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
-// The hull of points on a sphere of diameter 1.
-std::string hull_descriptor(int points) {
-  Random random(static_cast<std::uint64_t>(points));
-  std::string text = "cmb/1 hull vertices=";
-  for (int i = 0; i < points; ++i) {
-    const Vec3 p = 0.5 * random.direction();
-    text += (i > 0 ? "," : "") + digits(p.x) + "," + digits(p.y) + "," + digits(p.z);
-  }
-  return text;
-}
-
 enum class Attitude {
   any,   // both bodies anyhow
   flat,  // A's foot on B's top, turned about the vertical and moved within B's top
@@ -60,13 +42,6 @@ struct Row {
   double distance;
   Attitude attitude = Attitude::any;
 };
-
-// This thread's processor time: what else the machine does does not count.
-double processor_microseconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
 
 double lowest(const Shape &shape) {
   return (convex::core_support(shape.body, {0, 0, -1}).point).z - shape.body.radius;

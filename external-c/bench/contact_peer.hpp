@@ -18,6 +18,7 @@ struct PosedPair {
 
   // Equal bodies share their geometry, whoever is asked.
   bool is_of_equals() const { return descriptor_a == descriptor_b; }
+  bool has_mesh() const { return a.kind == ShapeKind::mesh || b.kind == ShapeKind::mesh; }
 };
 
 class ContactPeer {
@@ -30,8 +31,9 @@ class ContactPeer {
 // The pair is borrowed and must outlive the peer. Null where a peer has no answer for such shapes.
 std::unique_ptr<ContactPeer> make_engine(const PosedPair &pair);       // cmb_query_scene, with its manifold
 std::unique_ptr<ContactPeer> make_libccd_portal(const PosedPair &pair);  // ccdMPRPenetration: one point
-std::unique_ptr<ContactPeer> make_fcl_collide(const PosedPair &pair);  // fcl::collide, its own solver
-// coal::collide, with or without its contact patch. Null where the program is built without coal.
+std::unique_ptr<ContactPeer> make_fcl_collide(const PosedPair &pair);  // fcl::collide, its own solver; meshes: all contacts
+// coal::collide, with or without its contact patch; meshes, which it has no patches for, with all their contacts. Null where the
+// program is built without coal.
 std::unique_ptr<ContactPeer> make_coal_collide(const PosedPair &pair, bool with_patch);
 
 }  // namespace cmb::bench

@@ -1,9 +1,12 @@
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
 
 #include <cmath>
 
 #include "backend/fcl_geometry.hpp"
 #include "contact_peer.hpp"
+#include "mesh/core/triangle_mesh.hpp"
 
 namespace cmb::bench {
 
@@ -15,14 +18,30 @@ std::vector<fcl::Transform3d> transforms(const std::vector<Pose> &poses) {
   return result;
 }
 
+std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const Shape &shape) {
+  if (shape.kind != ShapeKind::mesh) return fcl_geometry(shape);
+  std::vector<fcl::Vector3d> vertices;
+  std::vector<fcl::Triangle> triangles;
+  for (const Vec3 &v : shape.mesh->vertices()) vertices.emplace_back(v.x, v.y, v.z);
+  for (const auto &t : shape.mesh->triangles()) triangles.emplace_back(t[0], t[1], t[2]);
+  auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  model->beginModel();
+  model->addSubModel(vertices, triangles);
+  model->endModel();
+  return model;
+}
+
+// Those of a mesh are its crossings: all of them.
+std::size_t contact_limit(const PosedPair &pair) { return pair.has_mesh() ? 1000000 : 8; }
+
 class FclPeer : public ContactPeer {
  public:
   explicit FclPeer(const PosedPair &pair)
-      : a_(fcl_geometry(pair.a)),
-        b_(pair.is_of_equals() ? a_ : fcl_geometry(pair.b)),
+      : a_(geometry_of(pair.a)),
+        b_(pair.is_of_equals() ? a_ : geometry_of(pair.b)),
         at_a_(transforms(pair.pose_a)),
         at_b_(transforms(pair.pose_b)),
-        request_(8, true) {
+        request_(contact_limit(pair), true) {
     // The other solver, built on libccd, ends the program on some inputs: Debian keeps FCL's asserts.
     request_.gjk_solver_type = fcl::GST_INDEP;
   }
