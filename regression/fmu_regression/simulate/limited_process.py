@@ -20,7 +20,9 @@ _LEAST_GRACE = 1.0
 _SHARE_OF_GRACE = 0.1
 
 
-def run_limited(work: Callable[[Progress], T], limit: float, progress: Progress, component: str) -> T:
+def run_limited(
+    work: Callable[[Progress], T], limit: float, progress: Progress, component: str, cpu_limit: float | None = None
+) -> T:
     """Runs ``work`` in a forked process.
 
     Args:
@@ -28,6 +30,7 @@ def run_limited(work: Callable[[Progress], T], limit: float, progress: Progress,
         limit: wall time in s; a second, or a tenth of it, later the process is ended.
         progress: receives what the work reports.
         component: named in errors.
+        cpu_limit: processor time in s, if that is limited too; the same grace later the process ends itself.
 
     Returns:
         What the work returns, which must be picklable.
@@ -39,11 +42,11 @@ def run_limited(work: Callable[[Progress], T], limit: float, progress: Progress,
     # Forked, so that nothing is imported anew; the work may be a closure over opened files.
     context = multiprocessing.get_context("fork")
     receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=_carry_out, args=(work, sender), daemon=True)
+    process = context.Process(target=_carry_out, args=(work, sender, cpu_limit), daemon=True)
     process.start()
     sender.close()
     place = Place(component=component)
-    deadline = time.monotonic() + limit + max(_LEAST_GRACE, _SHARE_OF_GRACE * limit)
+    deadline = time.monotonic() + _with_grace(limit)
     try:
         while receiver.poll(max(deadline - time.monotonic(), 0.0)):
             kind, content = receiver.recv()
@@ -55,6 +58,9 @@ def run_limited(work: Callable[[Progress], T], limit: float, progress: Progress,
             progress(*content)
     except EOFError:
         process.join()
+        if process.exitcode == -signal.SIGPROF:
+            text = f"given up after {cpu_limit:g} s of processor time: a call of the FMU did not return"
+            raise SimulationError(text, place=place) from None
         raise SimulationError(f"the simulation crashed: {_cause(process.exitcode)}", place=place) from None
     finally:
         if process.is_alive():
@@ -71,11 +77,18 @@ def end_with_parent() -> None:
     ctypes.CDLL(None).prctl(_END_WITH_PARENT, signal.SIGKILL)  # also if the parent has no time to
 
 
-def _carry_out(work: Callable[[Progress], T], sender: Connection) -> None:
+def _with_grace(limit: float) -> float:
+    return limit + max(_LEAST_GRACE, _SHARE_OF_GRACE * limit)
+
+
+def _carry_out(work: Callable[[Progress], T], sender: Connection, cpu_limit: float | None) -> None:
     def report(phase: str, fraction: float, message: str = "") -> None:
         sender.send(("progress", (phase, fraction, message)))
 
     end_with_parent()
+    if cpu_limit is not None:
+        signal.signal(signal.SIGPROF, signal.SIG_DFL)  # ends the process also within a call of the FMU
+        signal.setitimer(signal.ITIMER_PROF, _with_grace(cpu_limit))
     try:
         sender.send(("result", work(report)))
     except CmbError as error:

@@ -6,6 +6,7 @@ import math
 import time as clock
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import NoReturn
 
 from contact_foundation.errors import InputError, Place, SimulationError
 from contact_foundation.progress import Progress, silent
@@ -37,6 +38,7 @@ def simulate(
     max_step: float | None = None,
     parameters: Mapping[str, StartValue] | None = None,
     time_limit: float | None = None,
+    cpu_limit: float | None = None,
     progress: Progress = silent,
 ) -> SimulationResult:
     """Simulates an FMU.
@@ -54,6 +56,7 @@ def simulate(
         parameters: start values by name.
         time_limit: seconds of wall time after which the simulation is given up. With a limit it runs in a process of
             its own, so that a step that does not return is stopped too, and a crash of the FMU is an error.
+        cpu_limit: the same of processor time; together with ``time_limit`` only.
         progress: receives the phase "simulate" with the share of the time that is done.
 
     Returns:
@@ -69,14 +72,14 @@ def simulate(
         last = stop if stop is not None else description.stop if description.stop is not None else first + 1.0
         accuracy = tolerance if tolerance is not None else description.tolerance or DEFAULT_TOLERANCE
         step = interval if interval is not None else description.interval or (last - first) / DEFAULT_ROWS
-        _check_numbers(fmu, first, last, accuracy, step, max_step, time_limit)
+        _check_numbers(fmu, first, last, accuracy, step, max_step, time_limit, cpu_limit)
         grid = output_grid(first, last, step)
         variables = check_signals(description, default_signals(description) if signals is None else signals)
         values = check_start_values(description, parameters or {})
 
         def run(report: Progress) -> SimulationResult:
             began, began_cpu = clock.perf_counter(), clock.process_time()
-            watch = _Watch(first, last, began, time_limit, report, description.name)
+            watch = _Watch(first, last, began, (time_limit, cpu_limit), report, description.name)
             counters: SolverCounters | None
             with opened.instantiate(mode) as instance:
                 if mode == "me":
@@ -103,7 +106,9 @@ def simulate(
                 units={variable.name: variable.unit for variable in variables if variable.unit},
             )
 
-        return run(progress) if time_limit is None else run_limited(run, time_limit, progress, description.name)
+        if time_limit is None:
+            return run(progress)
+        return run_limited(run, time_limit, progress, description.name, cpu_limit)
 
 
 def default_signals(description: ModelDescription) -> list[str]:
@@ -128,9 +133,17 @@ class _Watch:
     """Reports progress, not too often, and stops a run that takes too long."""
 
     def __init__(
-        self, first: float, last: float, began: float, limit: float | None, progress: Progress, model: str
+        self,
+        first: float,
+        last: float,
+        began: float,
+        limits: tuple[float | None, float | None],
+        progress: Progress,
+        model: str,
     ) -> None:
-        self._first, self._last, self._began, self._limit = first, last, began, limit
+        self._first, self._last, self._began = first, last, began
+        self._limit, self._cpu_limit = limits
+        self._began_cpu = clock.process_time()
         self._progress, self._model = progress, model
         self._reported = began
 
@@ -141,9 +154,12 @@ class _Watch:
         self._reported = now
         self._progress("simulate", (time - self._first) / (self._last - self._first), f"t = {time:.4g} s")
         if self._limit is not None and now - self._began > self._limit:
-            raise SimulationError(
-                f"given up after {self._limit:g} s of wall time at t = {time:.6g}", place=Place(component=self._model)
-            )
+            self._give_up(f"{self._limit:g} s of wall time", time)
+        if self._cpu_limit is not None and clock.process_time() - self._began_cpu > self._cpu_limit:
+            self._give_up(f"{self._cpu_limit:g} s of processor time", time)
+
+    def _give_up(self, limit: str, time: float) -> NoReturn:
+        raise SimulationError(f"given up after {limit} at t = {time:.6g}", place=Place(component=self._model))
 
 
 def _check_numbers(
@@ -154,6 +170,7 @@ def _check_numbers(
     interval: float,
     max_step: float | None,
     time_limit: float | None,
+    cpu_limit: float | None,
 ) -> None:
     place = Place(file=fmu)
     for name, time in (("start", start), ("stop", stop)):
@@ -165,6 +182,10 @@ def _check_numbers(
         raise InputError(f"the tolerance {tolerance:g} must lie between 0 and 1", place=place)
     if time_limit is not None and not 0 < time_limit < math.inf:
         raise InputError(f"the time limit {time_limit:g} must be positive and finite", place=place)
+    if cpu_limit is not None and (time_limit is None or not 0 < cpu_limit < math.inf):
+        raise InputError(
+            f"the limit of processor time {cpu_limit:g} must be positive and finite, beside a time limit", place=place
+        )
     if not interval > 0:
         raise InputError(f"the output interval {interval:g} must be positive", place=place)
     if max_step is not None and not max_step > 0:

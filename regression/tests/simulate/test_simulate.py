@@ -11,7 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from contact_foundation.errors import InputError, SimulationError
+from contact_foundation.progress import silent
 from fmu_regression.fmi.fmu import Mode
+from fmu_regression.simulate.limited_process import run_limited
 from fmu_regression.simulate.simulation import simulate
 
 FIRST = math.sqrt(0.2)  # fall from 1 m at 10 m/s2
@@ -122,6 +124,15 @@ def test_numbers_that_make_no_sense_are_wrong_input(numbers: dict[str, float], b
 def test_time_limit(bouncing_mass: Path) -> None:
     with pytest.raises(SimulationError, match="given up"):
         simulate(bouncing_mass, stop=1000, interval=1e-4, mode="cs", time_limit=0.2)
+
+
+def test_processor_time_limit(bouncing_mass: Path) -> None:
+    with pytest.raises(SimulationError, match=r"given up after 0\.1 s of processor time at t ="):
+        simulate(bouncing_mass, stop=1000, interval=1e-4, mode="cs", time_limit=60, cpu_limit=0.1)
+    with pytest.raises(SimulationError, match=r"0\.1 s of processor time: a call of the FMU did not return"):
+        run_limited(lambda _: [None for _ in iter(int, 1)], 60, silent, "Endless", cpu_limit=0.1)
+    with pytest.raises(InputError, match="processor time"):
+        simulate(bouncing_mass, cpu_limit=1.0)
 
 
 @pytest.mark.parametrize("mode", ["me", "cs"])
