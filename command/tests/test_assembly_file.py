@@ -15,7 +15,7 @@ def test_folder_with_one_file(tmp_path: Path) -> None:
 
 
 def test_folder_without_or_with_several(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="no XML or URDF"):
+    with pytest.raises(InputError, match="no assembly file"):
         find_assembly(tmp_path)
     (tmp_path / "a.xml").touch()
     (tmp_path / "b.xml").touch()
@@ -26,3 +26,8 @@ def test_folder_without_or_with_several(tmp_path: Path) -> None:
     assert find_assembly(tmp_path / "urdf") == tmp_path / "urdf" / "robot.urdf"
     with pytest.raises(InputError, match="does not exist"):
         find_assembly(tmp_path / "c")
+
+
+def test_endings_in_capitals_count(tmp_path: Path) -> None:
+    (tmp_path / "ROBOT.XML").touch()
+    assert find_assembly(tmp_path) == tmp_path / "ROBOT.XML"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from contact_foundation.errors import InputError, Place
 
-from cmb.assembly_file import find_assembly
+from cmb.assembly_file import ASSEMBLY_HELP, find_assembly
 
 NAME = "assign"
 SUMMARY = "assign actuators to the joints of an assembly by questions and answers"
@@ -25,9 +25,7 @@ EXAMPLES = """examples:
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
-    parser.add_argument(
-        "assembly", type=Path, metavar="ASSEMBLY", help="the assembly's XML or URDF file, or its folder"
-    )
+    parser.add_argument("assembly", type=Path, metavar="ASSEMBLY", help=ASSEMBLY_HELP)
     parser.add_argument(
         "--actuators", type=Path, metavar="TOML", help="file to read and write (actuators.toml beside the assembly)"
     )

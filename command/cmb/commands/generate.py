@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from cmb.assembly_file import find_assembly
+from cmb.assembly_file import ASSEMBLY_HELP, find_assembly
 from cmb.generation_arguments import add_generation_arguments, generation_options
 from cmb.notes import grouped
 from cmb.terminal import progress_bars
@@ -30,9 +30,7 @@ EXAMPLES = """examples:
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
-    parser.add_argument(
-        "assembly", type=Path, metavar="ASSEMBLY", help="the assembly's XML or URDF file, or its folder"
-    )
+    parser.add_argument("assembly", type=Path, metavar="ASSEMBLY", help=ASSEMBLY_HELP)
     parser.add_argument("--output", type=Path, required=True, metavar="FOLDER", help="folder to write the package into")
     add_generation_arguments(parser)
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from contact_foundation.errors import CmbError, InputError, Place
 from contact_foundation.output import MARKER, whole_folder
 
-from cmb.assembly_file import find_assembly
+from cmb.assembly_file import ASSEMBLY_HELP, find_assembly
 from cmb.build_arguments import add_build_arguments
 from cmb.generation_arguments import add_generation_arguments
 from cmb.run_folder import PACKAGE_FOLDER, REPORT, RESULT
@@ -35,9 +35,7 @@ EXAMPLES = """examples:
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
-    parser.add_argument(
-        "assembly", type=Path, metavar="ASSEMBLY", help="the assembly's XML or URDF file, or its folder"
-    )
+    parser.add_argument("assembly", type=Path, metavar="ASSEMBLY", help=ASSEMBLY_HELP)
     parser.add_argument("--output", type=Path, metavar="FOLDER", help="folder to write (out/NAME if left out)")
     parser.add_argument("--stop", type=float, metavar="S", help="stop time in s (the assembly's own if left out)")
     parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the solver")
