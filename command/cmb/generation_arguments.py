@@ -64,19 +64,20 @@ def add_generation_arguments(parser: ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="FOLDER",
-        help="URDF: meshes may also be read from this folder: a package that the file names, or a folder that holds "
+        help="meshes may also be read from this folder: URDF: a package that the file names, or a folder that holds "
         "such packages; may be given several times",
     )
     parser.add_argument(
         "--allow-missing",
         action="store_true",
-        help="URDF: leave out meshes that cannot be read, with a note; without it they are an error",
+        help="leave out meshes that cannot be read, and mates that no joint stands for, with a note; without it they "
+        "are an error",
     )
     parser.add_argument(
         "--density",
         type=float,
         metavar="KG/M3",
-        help="URDF: density of links that have geometry and no mass (2700: aluminium); the root stands in the world",
+        help="density of parts that have geometry and no mass (2700: aluminium); URDF: the root stands in the world",
     )
     parser.add_argument(
         "--exclude",

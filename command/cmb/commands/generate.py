@@ -11,10 +11,11 @@ from cmb.notes import grouped
 from cmb.terminal import progress_bars
 
 NAME = "generate"
-SUMMARY = "CAD assembly (XML and VRML, or URDF) to a Modelica package"
+SUMMARY = "CAD assembly (XML and VRML, URDF, Simscape XML) to a Modelica package"
 DESCRIPTION = (
-    "Reads an assembly (XML with parts, joints, masses and inertias and VRML geometry; or URDF) and writes a Modelica "
-    "package with the mechanical model and the mechatronic model that extends it. In a package that is there already "
+    "Reads an assembly (XML with parts, joints, masses and inertias and VRML geometry; URDF; or what CAD plug-ins "
+    "export for Simscape Multibody) and writes a Modelica package with the mechanical model and the mechatronic model "
+    "that extends it. In a package that is there already "
     "the mechanical model is written anew; the mechatronic one only if the assignment of actuators has changed. Where "
     "parts or joints are others than before, nothing is written without consent."
 )

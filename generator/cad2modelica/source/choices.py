@@ -13,8 +13,9 @@ class SourceChoices:
     Attributes:
         package_paths: folders whose files may be read beside those of the source's own folder: packages that references
             name, or folders that hold such packages.
-        allow_missing: whether geometry that is named but cannot be read is left out with a note, instead of an error.
-        density: of links that have geometry and no mass, kg/m3; None: they have no mass.
+        allow_missing: whether geometry that is named but cannot be read, and mates that no joint stands for, are left
+            out with a note, instead of an error.
+        density: of bodies that have geometry and no mass, kg/m3; None: they have no mass.
     """
 
     package_paths: tuple[Path, ...] = ()

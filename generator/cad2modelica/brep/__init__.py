@@ -1,0 +1,1 @@
+"""STEP files through a CAD kernel that is an optional extra of the package."""

@@ -1,0 +1,1 @@
+"""Simscape Multibody import files, as CAD plug-ins export them."""
