@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 from cad2modelica.actuators.catalogue import IDEAL, SENSOR, ComponentClass, Parameter, Signal, components_for
-from cad2modelica.actuators.file import Assignment, finite_number, parameter_value
+from cad2modelica.actuators.file import finite_number, parameter_value
 from cad2modelica.actuators.placement import rated_parameters
-from cad2modelica.mechanism.model import Joint
+from cad2modelica.mechanism.model import Assignment, Joint
 from contact_foundation.errors import InputError
 
 Ask = Callable[[str], str]

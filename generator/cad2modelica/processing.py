@@ -13,6 +13,7 @@ from cad2modelica.collision.part_geometries import part_geometries
 from cad2modelica.collision.start_overlaps import StartCheck, start_overlaps, without_start_overlaps
 from cad2modelica.emit.mechanism_building import mechanism_view
 from cad2modelica.kinematics.assembling import assembled, require_closed
+from cad2modelica.kinematics.coupled_loops import without_looped_couplings
 from cad2modelica.kinematics.joint_couplings import with_couplings
 from cad2modelica.kinematics.kinematic_graph import KinematicTree, kinematic_tree
 from cad2modelica.kinematics.loops import LoopAnalysis, analyse_loops
@@ -57,7 +58,7 @@ def prepare(assembly: Assembly, options: GenerateOptions) -> Assembly:
     """
     assembly = with_grounded(assembly, options.ground)
     assembly = with_pairs(with_stops(assembly, options.stops), options.exclude, options.include)
-    assembly = with_couplings(assembly, options.couple)
+    assembly = with_couplings(without_looped_couplings(assembly), options.couple)
     if options.assemble:
         assembly = assembled(assembly, kinematic_tree(assembly))
     require_closed(assembly)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from cad2modelica.actuators.file import FILE_NAME, Assignment, named_joints, read_assignments
-from cad2modelica.mechanism.model import Assembly
+from cad2modelica.actuators.file import FILE_NAME, named_joints, read_assignments
+from cad2modelica.mechanism.model import Assembly, Assignment
 from cad2modelica.options import GenerateOptions
 from cad2modelica.processing import Mechanism
 from cad2modelica.regenerate.own_files import ORDER, SCENE, OwnFiles, find_own_files
@@ -69,7 +69,7 @@ def revise(mechanism: Mechanism, name: str, assembly_path: Path, output: Path, o
     assigned = named_joints(file) if file is not None else None
     renamed = _renames(earlier, structure, output, assembly)
     changes = require_same_structure(earlier, structure, own, renamed, assigned, options.accept_structure)
-    assignments: tuple[Assignment, ...] = ()
+    assignments = assembly.drives
     if file is not None:
         assignments = read_assignments(file, assembly, mechanism.loops, renamed.joints)
     signature = actuator_signature(assignments, assembly)

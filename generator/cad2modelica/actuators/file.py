@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +24,7 @@ from contact_foundation.toml_text import read_toml
 
 from cad2modelica.actuators.catalogue import IDEAL, SENSOR, ComponentClass, Parameter, components_for
 from cad2modelica.kinematics.loops import LoopAnalysis
-from cad2modelica.mechanism.model import Assembly, Joint
+from cad2modelica.mechanism.model import Assembly, Assignment, Joint
 from cad2modelica.source.number_limits import LARGEST, are_usable
 from cad2modelica.source.problems import Problems
 from cad2modelica.structure.renames import Renamed, closest
@@ -34,25 +34,6 @@ _KEYS = ("joint", "component", "name", "parameters", "inputs")
 HEADER = """# Components of ContactMultiBody.Actuators at the joints of {assembly}; values in SI units.
 # `cmb assign` changes this file by questions and answers, `cmb generate` writes the mechatronic model from it.
 """
-
-
-@dataclass(frozen=True)
-class Assignment:
-    """One component at one joint.
-
-    Attributes:
-        joint: name in the assembly.
-        component: name in the library, without its package.
-        name: wanted name of the instance; None: made of joint and component.
-        parameters: numbers and Booleans by name.
-        inputs: start values of inputs by name.
-    """
-
-    joint: str
-    component: str
-    name: str | None = None
-    parameters: dict[str, float | bool] = field(default_factory=dict)
-    inputs: dict[str, float] = field(default_factory=dict)
 
 
 def read_assignments(

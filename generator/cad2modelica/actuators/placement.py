@@ -7,8 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from cad2modelica.actuators.catalogue import SENSOR, ComponentClass, Signal, components_for
-from cad2modelica.actuators.file import Assignment
-from cad2modelica.mechanism.model import Assembly, Joint
+from cad2modelica.mechanism.model import Assembly, Assignment, Joint
 from cad2modelica.modelica.names import NamePool
 from cad2modelica.modelica.text import number
 

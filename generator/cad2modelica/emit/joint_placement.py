@@ -143,8 +143,9 @@ class JointPlacement:
             own = self._draft.names.instance(f"{name} {item.suffix}")
             label = f"{joint.name}: {item.suffix}"
             self._draft.place(item.class_name, own, item.modifiers, label, column, place)
-            self._draft.connect(f"{own}.flange", f"{name}.axis")
-            self._draft.connect(f"{own}.support", f"{name}.support")
+            self._draft.connect(f"{own}.{item.flange}", f"{name}.axis")
+            if item.has_support:
+                self._draft.connect(f"{own}.support", f"{name}.support")
         for coupling in couplings:
             if coupling.follower == joint.name:
                 self._add_coupling(coupling, joint, column, len(found) + 1)

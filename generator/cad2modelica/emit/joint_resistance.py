@@ -1,4 +1,4 @@
-"""End stops and friction of joints, as components of the library at the joint's axis."""
+"""End stops, friction, springs and rotors of joints, as components of the library at the joint's axis."""
 
 from __future__ import annotations
 
@@ -6,11 +6,9 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-import numpy as np
-
 from cad2modelica.actuators.catalogue import DOMAINS, PACKAGE
-from cad2modelica.geometry.spatial import Array
 from cad2modelica.mechanism.model import Joint, JointType, Part
+from cad2modelica.mechanism.moved_inertia import inertia_about
 from cad2modelica.modelica.text import number
 
 STOP_FREQUENCY = 20.0  # Hz, of the moved parts against a stop whose stiffness is not given
@@ -23,11 +21,15 @@ class Resistance:
 
     Attributes:
         suffix: completes the joint's name to the component's.
+        flange: its connector at the joint's axis.
+        has_support: whether it has a housing, which is the joint's.
     """
 
     class_name: str
     suffix: str
     modifiers: tuple[str, ...]
+    flange: str = "flange"
+    has_support: bool = True
 
 
 def resistances(joint: Joint, moved: Iterable[Part]) -> tuple[Resistance, ...]:
@@ -56,24 +58,22 @@ def resistances(joint: Joint, moved: Iterable[Part]) -> tuple[Resistance, ...]:
         modifiers = [f"d={number(friction.viscous)}"] if friction.viscous > 0 else []
         modifiers += [f"{speed_effort}_dry={number(friction.dry)}"] if friction.dry > 0 else []
         found.append(Resistance(f"{domain}.Friction", "friction", ("useSupport=true", *modifiers)))
+    spring = joint.spring
+    if spring is not None:
+        modifiers = [f"c={number(spring.stiffness)}", f"{coordinate}_rest={number(spring.rest)}"]
+        found.append(Resistance(f"{domain}.SpringDamper", "spring", ("useSupport=true", *modifiers)))
+    if joint.rotor_inertia > 0:
+        kind, inertia = ("Rotational.Components.Inertia", "J") if turning else ("Translational.Components.Mass", "m")
+        modifiers = [f"{inertia}={number(joint.rotor_inertia)}"]
+        rotor = Resistance(
+            f"Modelica.Mechanics.{kind}", "rotor", tuple(modifiers), flange="flange_a", has_support=False
+        )
+        found.append(rotor)
     return tuple(found)
 
 
 def _stop_stiffness(joint: Joint, moved: Iterable[Part]) -> float:
     """Stiffness that makes the moved parts swing with ``STOP_FREQUENCY``, to three digits."""
-    inertia = sum(_inertia(joint, part) for part in moved)
+    inertia = sum(inertia_about(joint, part) for part in moved)
     stiffness = inertia * (2 * math.pi * STOP_FREQUENCY) ** 2
     return float(f"{stiffness:.3g}")
-
-
-def _inertia(joint: Joint, part: Part) -> float:
-    """Inertia of a part in the joint's coordinate: kg, or kg.m2 about the axis."""
-    properties = part.mass_properties
-    if joint.type is JointType.PRISMATIC or joint.axis is None:
-        return properties.mass
-    axis: Array = joint.axis
-    arm = np.cross(part.pose.point(properties.center_of_mass) - joint.origin, axis)
-    turned = part.pose.rotation.T @ axis
-    about = float(turned @ properties.inertia @ turned) + properties.mass * float(arm @ arm)
-    along = joint.pitch / (2 * math.pi)
-    return about + properties.mass * along**2

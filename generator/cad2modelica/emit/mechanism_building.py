@@ -156,6 +156,7 @@ class _Builder:
             pairs=tuple((index[first], index[second]) for first, second in self._pairs),
             stiffness=self._assembly.contacts.stiffness,
             friction=self._assembly.contacts.friction,
+            friction_rule=self._assembly.contacts.friction_rule,
         )
         for name in bodies:
             self._draft.connect(f"{names[name]}.frame_a", f"contacts.frame[{index[name]}]")

@@ -24,6 +24,7 @@ GEOMETRY = "Geometry"
 CLASSES = (MECHANICS, MECHATRONICS, GEOMETRY)
 OUTPUT_POINTS = 1000
 
+_RULES = {"geometric mean": "GeometricMean", "minimum": "Minimum", "maximum": "Maximum"}
 _FRICTION = {"none": "None", "regularised": "Regularised", "anchored": "Anchored"}
 
 
@@ -155,4 +156,6 @@ def _contact_modifiers(contacts: ContactView) -> list[str]:
         ]
     if contacts.friction is not None:
         modifiers.append(f"friction=ContactMultiBody.Types.Friction.{_FRICTION[contacts.friction]}")
+    if contacts.friction_rule is not None:
+        modifiers.append(f"frictionRule=ContactMultiBody.Types.CombinationRule.{_RULES[contacts.friction_rule]}")
     return modifiers

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
+from cad2modelica.geometry.mesh import Indices
 from cad2modelica.geometry.spatial import Array
 
 FLAT = 1e-9  # thickness over size below which points span no solid
@@ -22,3 +23,17 @@ def convex_hull(vertices: Array) -> ConvexHull | None:
         return ConvexHull(vertices)
     except QhullError:
         return None
+
+
+def hull_surface(vertices: Array) -> tuple[Array, Indices] | None:
+    """The hull's corners and triangles, which face outwards; None if the points span no solid."""
+    hull = convex_hull(vertices)
+    if hull is None:
+        return None
+    triangles: Indices = hull.simplices.astype(np.int64)
+    corners = vertices[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    inward = np.einsum("ij,ij->i", normals, hull.equations[:, :3]) < 0
+    triangles[inward] = triangles[inward][:, ::-1]
+    used, renumbered = np.unique(triangles, return_inverse=True)
+    return vertices[used], renumbered.reshape(triangles.shape)

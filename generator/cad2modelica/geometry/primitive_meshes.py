@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from cad2modelica.geometry.mesh import Indices
-from cad2modelica.geometry.spatial import Array
+from cad2modelica.geometry.spatial import Array, rotation_about
 
 Surface = tuple[Array, Indices]
 
@@ -42,6 +42,18 @@ def capsule_surface(radius: float, height: float) -> Surface:
 def cone_surface(radius: float, height: float) -> Surface:
     """A cone along y, its tip up, centred at half its height."""
     return revolved_surface(np.array([0.0, radius, 0.0]), np.array([1.0, -1.0, -1.0]) * height / 2)
+
+
+def along_z(surface: Surface) -> Surface:
+    """A surface of revolution about y, turned to z, as robot descriptions have it."""
+    vertices, triangles = surface
+    return vertices @ rotation_about([1, 0, 0], np.pi / 2).T, triangles
+
+
+def ellipsoid_surface(semi_axes: Array) -> Surface:
+    """An ellipsoid about the origin."""
+    vertices, triangles = sphere_surface(1.0)
+    return vertices * semi_axes, triangles
 
 
 def revolved_surface(radii: Array, heights: Array) -> Surface:

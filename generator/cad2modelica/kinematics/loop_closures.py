@@ -117,7 +117,7 @@ def resisting_closures(assembly: Assembly, loops: Sequence[Loop], length: float)
     found = {}
     for loop in loops:
         joint = loop.joint
-        if loop.normal is not None and (joint.limits is not None or joint.friction is not None):
+        if loop.normal is not None and joint.has_resistance:
             across = np.abs(assembly.part(joint.child).pose.rotation.T @ loop.normal)
             axis = int(np.argmax(np.round(across, SURE_DIGITS)))  # rounding must not decide between equals
             angle = MARGIN * PARALLEL_TOLERANCE

@@ -105,7 +105,7 @@ def _rank(joint: Joint) -> int:
     """Fixed joints first, and last those that may close a loop: plain revolute ones."""
     if joint.type is not JointType.REVOLUTE:
         return 0 if joint.type is JointType.FIXED else 1
-    return 2 if joint.limits is not None or joint.friction is not None else 3
+    return 2 if joint.has_resistance else 3
 
 
 def _path(start: str, end: str, neighbours: dict[str, list[Step]], grounded: set[str]) -> list[Step]:

@@ -87,9 +87,9 @@ def with_stops(assembly: Assembly, wanted: bool | None) -> Assembly:
         wanted: whether limits are stops; None: as the source's format has it.
     """
     limited = [joint for joint in assembly.joints if joint.limits is not None]
-    if not limited or (wanted is None and assembly.limits_stop):
+    if not limited:
         return assembly
-    if not wanted:
+    if not (assembly.limits_stop if wanted is None else wanted):
         count = f"{len(limited)} joints move" if len(limited) > 1 else "1 joint moves"
         note = Lost(f"{count} without stops at the limits; --stops adds them, --no-stops does without")
         return _without_limits(assembly, {joint.name for joint in limited}, (note,) if wanted is None else ())

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from cad2modelica.geometry.convex_hull import convex_hull
-from cad2modelica.geometry.mesh import Mesh, VolumeIntegrals, bodies, is_closed, volume_integrals, weld
+from cad2modelica.geometry.convex_hull import hull_surface
+from cad2modelica.geometry.mesh import Mesh, bodies, is_closed, volume_integrals, weld
 from cad2modelica.geometry.spatial import Array, Pose
 from cad2modelica.mechanism.model import MassProperties
 
@@ -53,20 +53,8 @@ def solid_mass(meshes: Sequence[Mesh], density: float) -> tuple[MassProperties, 
             integrals = volume_integrals(vertices, triangles) if is_closed(triangles) else None
             if integrals is None or integrals.volume <= 0:
                 closed = False
-                integrals = _hull_integrals(vertices)
+                hull = hull_surface(vertices)
+                integrals = volume_integrals(*hull) if hull is not None else None
             if integrals is not None:
                 found.append(MassProperties(density * integrals.volume, integrals.center, density * integrals.inertia))
     return together(found), closed
-
-
-def _hull_integrals(vertices: Array) -> VolumeIntegrals | None:
-    """Of the points' convex hull; None if they span no solid."""
-    hull = convex_hull(vertices)
-    if hull is None:
-        return None
-    triangles = hull.simplices.astype(np.int64)
-    corners = vertices[triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    inward = np.einsum("ij,ij->i", normals, hull.equations[:, :3]) < 0
-    triangles[inward] = triangles[inward][:, ::-1]
-    return volume_integrals(vertices, triangles)

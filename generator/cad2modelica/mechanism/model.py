@@ -190,6 +190,14 @@ class JointFriction:
     dry: float
 
 
+@dataclass(frozen=True)
+class JointSpring:
+    """A spring at a joint: stiffness (N.m/rad, N/m), and the coordinate where it is relaxed (rad, m)."""
+
+    stiffness: float
+    rest: float
+
+
 @dataclass(frozen=True, eq=False)
 class Joint:
     """A joint, in the world's coordinates at the start.
@@ -204,7 +212,8 @@ class Joint:
         velocity: of the child against the parent at the origin, world axes, m/s (other types).
         angular_velocity: of the child against the parent, world axes, rad/s (other types).
         pitch: way along the axis in one turn, m, screw joints only.
-        limits, friction, rating: None where nothing is said.
+        limits, friction, rating, spring: None where nothing is said.
+        rotor_inertia: of the drive's rotor, as the joint feels it through the gear: kg.m2, or kg.
         child_origin, child_axis: point and axis as the child has them, in the world's coordinates; None where the child
             says nothing.
     """
@@ -227,6 +236,13 @@ class Joint:
     child_origin: Array | None = None
     child_axis: Array | None = None
     rating: JointRating | None = None
+    spring: JointSpring | None = None
+    rotor_inertia: float = 0.0
+
+    @property
+    def has_resistance(self) -> bool:
+        """Whether something acts along the joint's coordinate: stops, friction, a spring, or a rotor."""
+        return (self.limits, self.friction, self.spring) != (None, None, None) or self.rotor_inertia > 0.0
 
     @property
     def is_turning(self) -> bool:
@@ -242,6 +258,25 @@ class Coupling:
     leader: str
     ratio: float
     offset: float
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """One component of ContactMultiBody.Actuators at one joint.
+
+    Attributes:
+        joint: name in the assembly.
+        component: name in the library, without its package.
+        name: wanted name of the instance; None: made of joint and component.
+        parameters: numbers and Booleans by name.
+        inputs: start values of inputs by name.
+    """
+
+    joint: str
+    component: str
+    name: str | None = None
+    parameters: dict[str, float | bool] = field(default_factory=dict)
+    inputs: dict[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
@@ -263,6 +298,8 @@ class ContactSettings:
         stiffness: of every pair, N/m, linear law; None: by Hertz from the materials.
         friction: "none", "regularised" or "anchored"; None: the library's default.
         decomposition: limits for parts that have none of their own.
+        friction_rule: how friction of two materials combines: "geometric mean", "minimum" or "maximum"; None: the
+            library's default.
     """
 
     all_pairs: bool = True
@@ -271,6 +308,7 @@ class ContactSettings:
     stiffness: float | None = None
     friction: str | None = None
     decomposition: DecompositionLimits = NO_LIMITS
+    friction_rule: str | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -284,6 +322,7 @@ class Assembly:
         length_unit: the source's unit of length, m.
         limits_stop: whether joints have stops at their limits unless the user says otherwise.
         couplings: joints with one coordinate that follow others, none of them in a loop.
+        drives: components at joints that the source itself names; a file of actuators counts instead.
         aliases: names that the source has beside those of parts, and the part (or ``GROUND``) that each belongs to.
     """
 
@@ -304,6 +343,7 @@ class Assembly:
     limits_stop: bool = True
     couplings: tuple[Coupling, ...] = ()
     aliases: Mapping[str, str] = field(default_factory=dict)
+    drives: tuple[Assignment, ...] = ()
 
     @cached_property
     def _by_name(self) -> dict[str, Part]:

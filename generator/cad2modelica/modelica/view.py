@@ -42,6 +42,7 @@ class ContactView:
     pairs: tuple[tuple[int, int], ...]
     stiffness: float | None
     friction: str | None
+    friction_rule: str | None
 
 
 @dataclass

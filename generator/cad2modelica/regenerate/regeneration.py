@@ -17,8 +17,8 @@ from typing import Any
 
 from contact_foundation.errors import InputError, Place
 
-from cad2modelica.actuators.file import Assignment, NamedJoints
-from cad2modelica.mechanism.model import Assembly
+from cad2modelica.actuators.file import NamedJoints
+from cad2modelica.mechanism.model import Assembly, Assignment
 from cad2modelica.regenerate.own_files import OwnFiles, declared_names
 from cad2modelica.structure.changes import differences
 from cad2modelica.structure.entries import Structure, structure_from

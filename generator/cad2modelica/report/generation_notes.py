@@ -26,7 +26,9 @@ def unit_notes(assembly: Assembly) -> tuple[str, ...]:
         return ()
     notes = []
     for part in assembly.parts:
-        finding = check_against_mechanism(part.mass_properties, length) if not part.meshes else None
+        if part.meshes or part.mass_properties.mass == 0.0:
+            continue
+        finding = check_against_mechanism(part.mass_properties, length)
         if finding is not None:
             notes.append(f"part {part.name!r}: {finding.message}; {finding.remedy}")
     return tuple(notes)

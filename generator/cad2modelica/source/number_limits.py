@@ -11,6 +11,17 @@ SMALLEST = 1e-30
 """Smallest mass (kg) and size (m) that is no zero."""
 
 
+def plain_number(text: str) -> float:
+    """A number as XML and C have it; Python would take more, as ``1_000`` and digits of other scripts.
+
+    Raises:
+        ValueError: it is none.
+    """
+    if not text.isascii() or "_" in text:
+        raise ValueError(f"{text!r} is no number")
+    return float(text)
+
+
 def are_usable(values: ArrayLike) -> bool:
     """Whether all numbers are finite and of at most ``LARGEST``."""
     return bool((np.abs(np.asarray(values, dtype=np.float64)) <= LARGEST).all())

@@ -12,7 +12,7 @@ from lxml import etree
 
 from cad2modelica.geometry.spatial import Array, Pose, rotation_of_roll_pitch_yaw
 from cad2modelica.source.lost import Lost
-from cad2modelica.source.number_limits import LARGEST, are_usable
+from cad2modelica.source.number_limits import LARGEST, are_usable, plain_number
 from cad2modelica.source.problems import Problems
 from cad2modelica.source.xml_document import line_of, nearest_name
 
@@ -98,14 +98,3 @@ class UrdfElements:
         if element is None:
             return Place(file=self.file, component=component)
         return Place(file=self.file, line=line_of(element), component=component or nearest_name(element))
-
-
-def plain_number(text: str) -> float:
-    """A number as XML and C have it; Python would take more, as ``1_000`` and digits of other scripts.
-
-    Raises:
-        ValueError: it is none.
-    """
-    if not text.isascii() or "_" in text:
-        raise ValueError(f"{text!r} is no number")
-    return float(text)

@@ -6,30 +6,26 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from contact_foundation.errors import InputError, Place
+from contact_foundation.errors import InputError
 from lxml import etree
 
 from cad2modelica.geometry.mesh import Mesh
 from cad2modelica.geometry.primitive_meshes import (
     Surface,
+    along_z,
     box_surface,
     capsule_surface,
     cylinder_surface,
     sphere_surface,
 )
-from cad2modelica.geometry.spatial import Array, Pose, rotation_about
-from cad2modelica.meshio.mesh_files import read_mesh
-from cad2modelica.source.number_limits import LARGEST, are_usable
+from cad2modelica.geometry.spatial import Array, Pose
+from cad2modelica.meshio.mesh_library import MeshLibrary, scaled
+from cad2modelica.meshio.mesh_reference import MeshReferences
 from cad2modelica.urdf.elements import UrdfElements
-from cad2modelica.urdf.mesh_reference import MeshReferences
 
 DEFAULT_COLOR = (0.7, 0.7, 0.7)
 
 _LENGTHS = {"box": ("size",), "sphere": ("radius",), "cylinder": ("radius", "length"), "capsule": ("radius", "length")}
-
-
-class UnreadableMesh(InputError):
-    """A mesh file that is named, and is not there, must not be read, or holds no mesh."""
 
 
 class UrdfGeometry:
@@ -43,9 +39,8 @@ class UrdfGeometry:
 
     def __init__(self, root: etree._Element, elements: UrdfElements, opened: Sequence[Path]) -> None:
         self._elements = elements
-        self._references = MeshReferences(elements.file, opened)
+        self._library = MeshLibrary(MeshReferences(elements.file, opened))
         self._materials = {element.get("name"): element for element in root.iterchildren("material")}
-        self._surfaces: dict[Path, Surface] = {}
 
     def mesh(self, element: etree._Element, link: str, inner: Pose) -> Mesh:
         """The geometry of one ``visual`` or ``collision``.
@@ -76,15 +71,8 @@ class UrdfGeometry:
         kind = str(shape.tag)
         place = self._elements.place(shape, link)
         if kind == "mesh":
-            vertices, triangles = self._read(shape, place)
-            scale = self._elements.numbers(shape, "scale", (1.0, 1.0, 1.0))
-            if not scale.all():
-                raise InputError("scale is zero", place=place, remedy="Correct the scale.")
-            placed = vertices * scale
-            if not are_usable(placed):
-                message = f"scaled coordinates are beyond {LARGEST:g}"
-                raise InputError(message, place=place, remedy="Correct the scale or the mesh.")
-            return placed, triangles[:, ::-1] if np.prod(scale) < 0 else triangles
+            surface = self._library.surface(shape.get("filename", ""), place)
+            return scaled(surface, self._elements.numbers(shape, "scale", (1.0, 1.0, 1.0)), place)
         if kind not in _LENGTHS:
             remedy = f"Known: {', '.join(_LENGTHS)}, mesh."
             raise InputError(f"geometry of type {kind!r} is not known", place=place, remedy=remedy)
@@ -94,20 +82,6 @@ class UrdfGeometry:
         if any((value <= 0).any() for value in values):
             raise InputError(f"a {kind} needs positive lengths", place=place, remedy="Correct them.")
         return _primitive(kind, values)
-
-    def _read(self, shape: etree._Element, place: Place) -> Surface:
-        """The surface in a mesh file, read once.
-
-        Raises:
-            UnreadableMesh: there is no such file, it must not be read, or it holds no mesh.
-        """
-        try:
-            file = self._references.find(shape.get("filename", ""), place)
-            if file not in self._surfaces:
-                self._surfaces[file] = read_mesh(file)
-        except InputError as error:
-            raise UnreadableMesh(error.message, place=error.place, remedy=error.remedy) from error
-        return self._surfaces[file]
 
     def _color(self, element: etree._Element) -> tuple[float, float, float]:
         material = element.find("material")
@@ -127,6 +101,4 @@ def _primitive(kind: str, values: list[Array]) -> Surface:
     if kind == "sphere":
         return sphere_surface(radius)
     build = cylinder_surface if kind == "cylinder" else capsule_surface
-    vertices, triangles = build(radius, float(values[1][0]))
-    # URDF's axis lies along z, the mesh's along y.
-    return vertices @ rotation_about([1, 0, 0], np.pi / 2).T, triangles
+    return along_z(build(radius, float(values[1][0])))

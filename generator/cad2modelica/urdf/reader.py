@@ -10,13 +10,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from contact_foundation.errors import CmbError, InputError, Place
+from contact_foundation.errors import CmbError, Place
 from contact_foundation.progress import Progress, silent
 from lxml import etree
 
 from cad2modelica.geometry.mesh import Mesh
 from cad2modelica.geometry.spatial import IDENTITY, Pose
 from cad2modelica.mechanism.mass_properties import NO_MASS, placed, solid_mass, together
+from cad2modelica.mechanism.mass_repair import usable
 from cad2modelica.mechanism.model import (
     GROUND,
     Assembly,
@@ -32,14 +33,15 @@ from cad2modelica.mechanism.model import (
     MassProperties,
     Part,
 )
+from cad2modelica.meshio.mesh_library import UnreadableMesh, report_unreadable
 from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
 from cad2modelica.source.lost import Lost
 from cad2modelica.source.number_limits import SMALLEST
 from cad2modelica.source.problems import Problems
 from cad2modelica.source.xml_document import unbound_prefixes
 from cad2modelica.urdf.elements import UrdfElements
-from cad2modelica.urdf.geometry import UnreadableMesh, UrdfGeometry
-from cad2modelica.urdf.mass import has_mass, read_mass_properties, usable
+from cad2modelica.urdf.geometry import UrdfGeometry
+from cad2modelica.urdf.mass import has_mass, read_mass_properties
 from cad2modelica.urdf.mimic import start_position
 from cad2modelica.urdf.tree import TYPES, Link, UrdfJoint, UrdfTree, read_tree
 
@@ -96,7 +98,7 @@ class _UrdfReader:
         self._elements = UrdfElements(path, self._problems, self._notes)
         self._geometry = UrdfGeometry(root, self._elements, choices.package_paths)
         self._choices = choices
-        self._missing: dict[str, list[UnreadableMesh]] = {}
+        self._missing: list[UnreadableMesh] = []
         self._read_links = 0
 
     def read(self) -> Assembly:
@@ -148,7 +150,7 @@ class _UrdfReader:
         for name, link in tree.links.items():
             members.setdefault(tree.hosts[name].part, []).append(link)
         found = {host: [self._found(link, tree) for link in links] for host, links in members.items()}
-        self._report_missing()
+        report_unreadable(self._missing, self._problems)
         parts = []
         ground = GROUND
         for name, link in tree.links.items():
@@ -191,18 +193,11 @@ class _UrdfReader:
                 meshes.append(self._geometry.mesh(element, link.name, inner))
             except CmbError as error:
                 if isinstance(error, UnreadableMesh) and not self._choices.allow_missing:
-                    self._missing.setdefault(error.message, []).append(error)
+                    self._missing.append(error)
                     continue
                 reason = ". ".join(line.strip().rstrip(".") for line in str(error).splitlines())
                 self._notes.append(Lost(f"link {link.name!r}: {kind} geometry left out: {reason}"))
         return meshes
-
-    def _report_missing(self) -> None:
-        """Each mesh that cannot be read, or each package that is not there, is one problem."""
-        for message, errors in self._missing.items():
-            more = f" ({len(errors)} meshes)" if len(errors) > 1 else ""
-            remedy = f"{errors[0].remedy or ''}\n  --allow-missing does without the geometry.".strip()
-            self._problems.record(InputError(message + more, place=errors[0].place, remedy=remedy))
 
     def _standing_part(self, link: Link, members: list[_Found]) -> Part:
         """What stands in the world: it needs no mass."""
