@@ -28,6 +28,7 @@ from cmb.terminal import progress_bars
 if TYPE_CHECKING:
     from interactive_drive.process.worker import Plan
     from interactive_drive.server.drive_session import DriveSession
+    from interactive_drive.server.listening import Listening
 
 _PACKAGES = ("starlette", "uvicorn", "websockets")
 _MOST_PLOTS = 6
@@ -55,15 +56,18 @@ class _Machine:
 def drive(arguments: Namespace) -> int:
     """Serves a drive until it is interrupted."""
     from interactive_drive.server.drive_server import DriveServer
-    from interactive_drive.server.serving import DEFAULT_PORT, bind
+    from interactive_drive.server.listening import DEFAULT_PORT
 
-    socket = bind(DEFAULT_PORT if arguments.port is None else arguments.port)
+    listening = _listening(arguments)
+    socket = listening.bind(DEFAULT_PORT if arguments.port is None else arguments.port)
     with socket:
         plan, session = _prepare(arguments)
-        server = DriveServer(plan, session, socket, lambda address: print(f"for a further operator: {address}"))
+        server = DriveServer(
+            plan, session, socket, lambda address: print(f"for a further operator: {address}", flush=True), listening
+        )
         address = server.address
         print(f"{session.model}: {address}\nCtrl-C ends it.", flush=True)
-        if not arguments.no_browser:
+        if not arguments.no_browser and listening.is_loopback:
             threading.Timer(0.5, webbrowser.open, [address]).start()
         try:
             server.serve()
@@ -76,9 +80,11 @@ def drive(arguments: Namespace) -> int:
 def measure(arguments: Namespace) -> int:
     """Measures a drive without a browser and prints the table."""
     from interactive_drive.benchmark.benchmark import measure_drive, table
-    from interactive_drive.server.serving import bind
+    from interactive_drive.server.listening import Listening
 
-    with bind(0 if arguments.port is None else arguments.port) as socket:
+    if arguments.listen is not None or arguments.certificate is not None:
+        raise InputError("--headless measures on this machine alone", remedy="Leave --listen and --certificate out.")
+    with Listening().bind(0 if arguments.port is None else arguments.port) as socket:
         plan, session = _prepare(arguments)
         with progress_bars() as progress:
             figures = measure_drive(plan, session, socket, 60 * arguments.minutes, progress)
@@ -86,12 +92,27 @@ def measure(arguments: Namespace) -> int:
     return 0
 
 
+def _listening(arguments: Namespace) -> Listening:
+    """Where the page is served, as the user says it."""
+    from interactive_drive.server.listening import LOOPBACK, Listening
+
+    if arguments.key is not None and arguments.certificate is None:
+        raise InputError("--key is that of a certificate", remedy="Give --certificate too.")
+    if arguments.insecure and arguments.certificate is not None:
+        raise InputError("--insecure and --certificate exclude each other", remedy="Leave one of them out.")
+    listening = Listening(arguments.listen or LOOPBACK, arguments.certificate, arguments.key)
+    listening.require_protection(arguments.insecure)
+    return listening
+
+
 def _prepare(arguments: Namespace) -> tuple[Plan, DriveSession]:
+    from interactive_drive.channel.conditions import parse_conditions
     from interactive_drive.machine.controls import choose_controls
     from interactive_drive.operation.key_map import default_key_map, read_key_map
     from interactive_drive.process.worker import Plan
     from interactive_drive.server.drive_session import DriveSession
 
+    channel = parse_conditions(arguments.channel) if arguments.channel is not None else None
     machine = _find(arguments)
     description, scene = machine.description, machine.scene
     if "cs" not in description.identifiers:
@@ -119,6 +140,7 @@ def _prepare(arguments: Namespace) -> tuple[Plan, DriveSession]:
         output=machine.output,
         plots=tuple(plots),
         units=units,
+        channel=channel,
     )
     return plan, session
 

@@ -16,13 +16,15 @@ DESCRIPTION = (
     "Simulates an FMU, or an assembly's, in real time and opens a page on this machine: the machine in 3-D with its "
     "contact forces, live plots, inputs as sliders, keys and gamepad axes; pause, step, speed, reset, saved states, "
     "records with a report. The page's address holds a token and opens once; the terminal shows one for a further "
-    "operator, who watches. Ctrl-C ends it."
+    "operator, who watches. Ctrl-C ends it. Other machines reach it by --listen alone."
 )
 EXAMPLES = """examples:
   cmb drive Resources/cad/anton
   cmb drive out/hammer/hammer.fmu --set shoulder.phi0=0.5
   cmb drive robot.fmu --controls controls.toml --tune gain
   cmb drive Resources/cad/anton --headless --minutes 1
+  cmb drive robot.fmu --listen 192.168.1.5 --certificate server.pem --key server.key
+  cmb drive robot.fmu --channel bandwidth=64kbit,delay=200ms,jitter=20ms,loss=1%
 """
 _DEFAULT_STEP = 0.01
 _LARGEST_PORT = 65535
@@ -35,6 +37,19 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--scene", type=Path, metavar="JSON", help="what is drawn (model/scene.json beside the FMU if left out)"
     )
     parser.add_argument("--port", type=_port, metavar="PORT", help="of this machine (8420; 0: any free one)")
+    parser.add_argument(
+        "--listen",
+        metavar="ADDRESS",
+        help="address or name of this machine by which others reach the page (127.0.0.1, for this machine alone)",
+    )
+    parser.add_argument("--certificate", type=Path, metavar="PEM", help="certificate of the address, for encryption")
+    parser.add_argument("--key", type=Path, metavar="PEM", help="its key, if it is not in the certificate's file")
+    parser.add_argument(
+        "--insecure", action="store_true", help="listen for others without encryption, on a network that you trust"
+    )
+    parser.add_argument(
+        "--channel", metavar="LIMITS", help="simulate a poor channel: bandwidth=64kbit,delay=200ms,jitter=20ms,loss=1%%"
+    )
     parser.add_argument("--step", type=_step, default=_DEFAULT_STEP, metavar="S", help="communication step in s (0.01)")
     parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the FMU's solver")
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="start value, repeatable")
@@ -55,7 +70,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Serves until interrupted, or measures."""
-    check_input(arguments.machine, arguments.scene, arguments.controls)
+    check_input(arguments.machine, arguments.scene, arguments.controls, arguments.certificate, arguments.key)
     parse_assignments(arguments.set)
     from cmb.drive_preparation import require_packages
 

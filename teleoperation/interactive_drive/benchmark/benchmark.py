@@ -42,7 +42,10 @@ class DriveFigures:
         pacing: of the simulation's process.
         latencies: from an input to the first frame in which it counts, s, shape (n,).
         gaps: between frames that arrive, s, shape (m,).
+        ages: of frames when they arrive, since the server heard of them, s, shape (m + 1,).
         received: bytes of frames that arrived.
+        poses: those among them that are poses, with the frames' headers.
+        channel: that was simulated, "" if none was.
     """
 
     model: str
@@ -52,7 +55,10 @@ class DriveFigures:
     pacing: PacingRecord
     latencies: NDArray[np.float64]
     gaps: NDArray[np.float64]
+    ages: NDArray[np.float64]
     received: int
+    poses: int
+    channel: str
 
 
 def measure_drive(plan: Plan, session: DriveSession, bound: socket, seconds: float, progress: Progress) -> DriveFigures:
@@ -88,7 +94,8 @@ def _measure(
     server.simulator.send(Measure(afresh=True))
     latencies: list[float] = []
     arrivals: list[float] = []
-    received = 0
+    ages: list[float] = []
+    received = poses = 0
     waiting: list[float] = []
     began = now = last_input = time.perf_counter()
     first_time = last_time = np.nan
@@ -102,6 +109,8 @@ def _measure(
         if isinstance(message, ReceivedFrame):
             arrivals.append(now)
             received += message.size
+            poses += message.poses
+            ages.append(message.age)
             first_time = message.time if np.isnan(first_time) else first_time
             last_time = message.time
             latencies += [now - stamp for stamp in waiting if stamp * _MILLI <= message.stamp]
@@ -117,7 +126,10 @@ def _measure(
         _pacing(page, server),
         np.array(latencies),
         np.diff(arrivals),
+        np.array(ages),
         received,
+        poses,
+        str(session.channel) if session.channel is not None else "",
     )
 
 
@@ -181,9 +193,13 @@ def table(figures: DriveFigures) -> str:
         ("jitter of its beginning, median / 99 % / most", _spread(pacing.delays), "ms"),
         ("input to frame, median / 99 % / most", _spread(figures.latencies), "ms"),
         ("between frames, median / 99 % / most", _spread(gaps), "ms"),
+        ("age of a frame, median / 99 % / most", _spread(figures.ages), "ms"),
         ("frames a second", f"{gaps.size / figures.wall:.1f}", ""),
-        ("kilobytes a second", f"{figures.received / figures.wall / 1e3:.1f}", ""),
+        ("bytes a second, all", f"{figures.received / figures.wall:.0f}", ""),
+        ("bytes a second, poses alone", f"{figures.poses / figures.wall:.0f}", ""),
     ]
+    if figures.channel:
+        rows.insert(0, ("simulated channel", figures.channel, ""))
     width = max(len(name) for name, _, _ in rows)
     return "\n".join(
         [figures.model, *(f"  {name:<{width}}  {value:>20}  {unit}".rstrip() for name, value, unit in rows)]

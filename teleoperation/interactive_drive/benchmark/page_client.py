@@ -7,6 +7,7 @@ import json
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from time import time as now
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -15,19 +16,30 @@ from websockets.exceptions import WebSocketException
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
-from interactive_drive.picture.frame_encoder import HEADER
+from interactive_drive.picture.frame_encoder import HEADER, POSE_BYTES
 
 _TIMEOUT = 10.0
 
 
 @dataclass(frozen=True)
 class ReceivedFrame:
-    """What a benchmark needs of a frame; see ``picture.frame_encoder``."""
+    """What a benchmark needs of a frame; see ``picture.frame_encoder``.
+
+    Attributes:
+        time: simulated, s.
+        stamp: of the newest input that counts in it.
+        number: of the frame.
+        size: bytes.
+        poses: bytes of them without forces and signals.
+        age: since the server heard of it, s.
+    """
 
     time: float
     stamp: float
     number: int
     size: int
+    poses: int
+    age: float
 
 
 class PageClient:
@@ -59,9 +71,10 @@ class PageClient:
         if isinstance(data, str):
             message: Mapping[str, Any] = json.loads(data)
             return message
-        time, stamp, _, _, number, *_ = HEADER.unpack_from(data)
+        time, stamp, heard, _, number, _, _, bodies, *_ = HEADER.unpack_from(data)
         self.send({"type": "seen", "number": number})
-        return ReceivedFrame(time, stamp, number, len(data))
+        poses = HEADER.size + POSE_BYTES * bodies
+        return ReceivedFrame(time, stamp, number, len(data), poses, now() - heard / 1e3)
 
 
 @contextmanager

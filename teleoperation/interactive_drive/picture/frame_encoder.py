@@ -28,7 +28,9 @@ from numpy.typing import NDArray
 from interactive_drive.process.messages import Frame
 
 HEADER: Final = struct.Struct("<dddfIIIHHHH")
-"""time, stamp, when sent (ms), real-time factor, number, steps, missed; counts of bodies, forces, signals, samples."""
+"""Time, stamp, when the server heard of it (ms), real-time factor, number, steps, missed; counts of bodies, forces,
+signals, samples."""
+POSE_BYTES: Final = 28
 MOST_FORCES: Final = 500
 
 _Places = NDArray[np.intp]
@@ -74,7 +76,7 @@ class FrameEncoder:
         return Picture(poses.tobytes(), acting.astype("<f4").tobytes(), len(acting))
 
     def message(
-        self, frame: Frame, picture: Picture, samples: Sequence[Frame], chosen: Sequence[int], sent: float
+        self, frame: Frame, picture: Picture, samples: Sequence[Frame], chosen: Sequence[int], heard: float
     ) -> bytes:
         """The bytes of a frame.
 
@@ -83,12 +85,12 @@ class FrameEncoder:
             picture: of its values.
             samples: frames whose signals are sent, with this one as the last.
             chosen: places of signals in the row, as ``places`` gives them.
-            sent: wall time, ms.
+            heard: wall time when the server heard of it, ms.
         """
         header = HEADER.pack(
             frame.time,
             frame.stamp,
-            sent,
+            heard,
             frame.factor,
             frame.number & 0xFFFFFFFF,
             frame.steps & 0xFFFFFFFF,

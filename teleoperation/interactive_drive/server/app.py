@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
-import asyncio
-import time
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager, suppress
+from contextlib import asynccontextmanager
 
-from contact_foundation.errors import CmbError
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route, WebSocketRoute
-from starlette.websockets import WebSocket, WebSocketDisconnect
+from starlette.websockets import WebSocket
 
 from interactive_drive.page.page_files import page_file
 from interactive_drive.server.access import Access, Guard
-from interactive_drive.server.hub import Hub, Operator
-
-MOST_IN_FLIGHT = 2
-MOST_TEXTS = 500
-LEAST_PERIOD = 1 / 60
-_REFUSED_MESSAGE = 1008
+from interactive_drive.server.hub import Hub
+from interactive_drive.server.streaming import stream
 
 
 def make_app(hub: Hub, access: Access, begin: Callable[[], None] | None = None) -> Starlette:
@@ -53,15 +46,7 @@ def make_app(hub: Hub, access: Access, begin: Callable[[], None] | None = None) 
 
     async def connect(socket: WebSocket) -> None:
         await socket.accept()
-        operator = hub.join()
-        sender = asyncio.create_task(_send(socket, hub, operator))
-        try:
-            await _receive(socket, hub, operator)
-        finally:
-            hub.leave(operator)
-            sender.cancel()
-            with suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError):
-                await sender
+        await stream(socket, hub)
 
     return Starlette(
         routes=[
@@ -73,37 +58,3 @@ def make_app(hub: Hub, access: Access, begin: Callable[[], None] | None = None) 
         middleware=[Middleware(Guard, access=access)],
         lifespan=lifespan,
     )
-
-
-async def _receive(socket: WebSocket, hub: Hub, operator: Operator) -> None:
-    try:
-        while True:
-            try:
-                hub.take(operator, await socket.receive_text())
-            except (CmbError, KeyError) as error:
-                operator.tell({"type": "remark", "text": f"refused: {error}", "bad": True})
-    except (WebSocketDisconnect, RuntimeError):
-        return
-
-
-async def _send(socket: WebSocket, hub: Hub, operator: Operator) -> None:
-    """Sends what is new; at most two frames are under way, and of those that wait the newest is sent."""
-    last = 0.0
-    with suppress(WebSocketDisconnect, RuntimeError):
-        while True:
-            await operator.changed.wait()
-            operator.changed.clear()
-            if len(operator.texts) > MOST_TEXTS:
-                await socket.close(_REFUSED_MESSAGE, "the page does not read")
-                return
-            while operator.texts:
-                await socket.send_text(operator.texts.pop(0))
-            if operator.in_flight >= MOST_IN_FLIGHT:
-                continue
-            early = last + LEAST_PERIOD - time.monotonic()
-            if early > 1e-3:
-                await asyncio.sleep(early)
-            message = hub.newest_message(operator, time.time() * 1e3)
-            if message is not None:
-                last = time.monotonic()
-                await socket.send_bytes(message)

@@ -11,6 +11,7 @@ from interactive_drive.server.access import Access
 from interactive_drive.server.app import make_app
 from interactive_drive.server.drive_session import DriveSession
 from interactive_drive.server.hub import Hub
+from interactive_drive.server.listening import Listening
 from interactive_drive.server.serving import make_server
 
 
@@ -22,6 +23,7 @@ class DriveServer:
         session: what is driven.
         bound: socket that listens.
         announce: told the address for a further operator whenever one was used.
+        listening: where the socket listens; the loopback address if None.
 
     Attributes:
         hub: of the drive.
@@ -29,12 +31,20 @@ class DriveServer:
         access: sessions.
     """
 
-    def __init__(self, plan: Plan, session: DriveSession, bound: socket, announce: Callable[[str], None]) -> None:
+    def __init__(
+        self,
+        plan: Plan,
+        session: DriveSession,
+        bound: socket,
+        announce: Callable[[str], None],
+        listening: Listening | None = None,
+    ) -> None:
         self._socket = bound
+        listening = listening or Listening()
         self.simulator = Simulator(plan, lambda report: self.hub.hear(report))
         self.hub = Hub(session, self.simulator)
-        self.access = Access(bound.getsockname()[1], announce)
-        self._server = make_server(make_app(self.hub, self.access))
+        self.access = Access(bound.getsockname()[1], announce, listening)
+        self._server = make_server(make_app(self.hub, self.access), listening.certificate, listening.key)
 
     @property
     def address(self) -> str:

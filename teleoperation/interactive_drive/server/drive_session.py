@@ -9,6 +9,7 @@ from typing import Protocol
 
 from fmu_regression.scene.scene_file import Scene
 
+from interactive_drive.channel.conditions import Conditions
 from interactive_drive.machine.controls import Control
 from interactive_drive.operation.key_map import KeyMap
 from interactive_drive.process.messages import Command
@@ -39,6 +40,7 @@ class DriveSession:
         output: folder of records.
         plots: names of the signals plotted at first.
         units: of the signals.
+        channel: poor one that is simulated between the server and each page, or None.
     """
 
     model: str
@@ -51,3 +53,4 @@ class DriveSession:
     output: Path
     plots: tuple[str, ...]
     units: Mapping[str, str] = field(default_factory=dict)
+    channel: Conditions | None = None

@@ -6,6 +6,7 @@ import asyncio
 import json
 import math
 import threading
+import time
 from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
@@ -37,9 +38,11 @@ from interactive_drive.process.messages import (
 )
 from interactive_drive.recording.recording import Recording
 from interactive_drive.server.drive_session import DriveSession, Simulation
+from interactive_drive.server.operators import Operator
 
 MOST_PLOTTED = 12
 MOST_SAMPLES = 300  # frames that a slow page's plots are behind at most
+_MILLI = 1e3
 _SIMPLE: Mapping[str, Callable[[], Command]] = {
     "run": Run,
     "pause": Pause,
@@ -47,45 +50,6 @@ _SIMPLE: Mapping[str, Callable[[], Command]] = {
     "reset": Reset,
     "save": Save,
 }
-
-
-class Operator:
-    """A connected page.
-
-    Attributes:
-        texts: messages for it, as JSON.
-        changed: set when there is something to send.
-        places: of the signals that it plots.
-        number: of the frame sent last.
-    """
-
-    def __init__(self) -> None:
-        self.texts: list[str] = []
-        self.changed = asyncio.Event()
-        self.places: tuple[int, ...] = ()
-        self.number = 0
-        self._unseen: deque[int] = deque()
-
-    @property
-    def in_flight(self) -> int:
-        """Frames sent that it has not drawn yet."""
-        return len(self._unseen)
-
-    def sent(self, number: int) -> None:
-        """A frame was sent."""
-        self.number = number
-        self._unseen.append(number)
-
-    def seen(self, number: float) -> None:
-        """It has drawn a frame; those before it are gone too."""
-        while self._unseen and self._unseen[0] <= number:
-            self._unseen.popleft()
-        self.changed.set()
-
-    def tell(self, message: Mapping[str, Any]) -> None:
-        """Hands it a message."""
-        self.texts.append(json.dumps(message, allow_nan=False))
-        self.changed.set()
 
 
 class Hub:
@@ -110,6 +74,7 @@ class Hub:
         self._lock = threading.Lock()
         self._heard: list[Report] = []
         self._newest: Frame | None = None
+        self._newest_heard_at = self._heard_at = 0.0
         self._woken = False
         self._recording: Recording | None = None
         self._first = asyncio.Event()
@@ -125,7 +90,7 @@ class Hub:
             return
         with self._lock:
             if isinstance(report, Frame):
-                self._newest = report
+                self._newest, self._newest_heard_at = report, _MILLI * time.time()
             else:
                 self._heard.append(report)
             if self._woken or self._loop is None:
@@ -160,7 +125,7 @@ class Hub:
 
     def _take(self) -> None:
         with self._lock:
-            reports, frame = self._heard, self._newest
+            reports, frame, heard_at = self._heard, self._newest, self._newest_heard_at
             self._heard, self._newest, self._woken = [], None, False
         for report in reports:
             if isinstance(report, Status):
@@ -171,7 +136,7 @@ class Hub:
             if self.frame is not None and frame.time < self.frame.time:
                 self._tell_all(self._values_of_controls(frame))
                 self._samples.clear()
-            self.frame = frame
+            self.frame, self._heard_at = frame, heard_at
             self._samples.append(frame)
             self._first.set()
             for operator in self.operators:
@@ -268,6 +233,7 @@ class Hub:
                 "keyMap": session.key_map.as_data(),
                 "signals": session.signals,
                 "units": dict(session.units),
+                "channel": str(session.channel) if session.channel is not None else "",
                 "plots": [session.signals[place] for place in operator.places],
             }
         )
@@ -310,6 +276,8 @@ class Hub:
         kind = message.get("type")
         if kind == "seen":
             operator.seen(_number(message, "number"))
+        elif kind == "clock":
+            operator.tell({"type": "clock", "page": _number(message, "page"), "server": _MILLI * time.time()})
         elif kind == "signals":
             names = message.get("names")
             names = names if isinstance(names, list) else []
@@ -369,16 +337,17 @@ class Hub:
 
     # Frames.
 
-    def newest_message(self, operator: Operator, sent: float) -> bytes | None:
-        """The newest frame for an operator, None if it has it already."""
+    def newest_message(self, operator: Operator) -> tuple[int, bytes] | None:
+        """Number and bytes of the newest frame for an operator, None if it was chosen for it already."""
         frame = self.frame
         if frame is None or frame.number == operator.number:
             return None
         if self._picture is None or self._picture[0] != frame.number:
             self._picture = (frame.number, self.encoder.picture(frame.values))
         samples = [sample for sample in self._samples if sample.number > operator.number]
-        operator.sent(frame.number)
-        return self.encoder.message(frame, self._picture[1], samples or [frame], operator.places, sent)
+        operator.number = frame.number
+        message = self.encoder.message(frame, self._picture[1], samples or [frame], operator.places, self._heard_at)
+        return frame.number, message
 
 
 def _parsed(text: str) -> Mapping[str, Any]:

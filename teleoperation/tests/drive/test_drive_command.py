@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 from cmb.main import main
 from interactive_drive.benchmark.page_client import ReceivedFrame, open_page
-from interactive_drive.server.serving import bind
+from interactive_drive.server.listening import Listening
 
 DESCRIPTION = Path(__file__).parent / "fixtures" / "pushed_mass.xml"
 
@@ -84,7 +84,7 @@ def test_numbers_out_of_range_are_told(pushed_mass, capsys, words):
 
 
 def test_a_port_in_use_is_told(pushed_mass, capsys):
-    with bind(0) as bound:
+    with Listening().bind(0) as bound:
         port = bound.getsockname()[1]
         assert main(["drive", str(pushed_mass), "--no-browser", "--port", str(port)]) == 2
     error = capsys.readouterr().err

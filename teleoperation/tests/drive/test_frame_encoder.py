@@ -78,6 +78,20 @@ def test_bodies_that_move_are_sent(scene, signals, message):
 
 
 @pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
+def test_the_page_knows_the_servers_clock_by_the_quickest_round_trip():
+    script = files("interactive_drive.page").joinpath("assets", "drive_link.js")
+    # The server is 1000 ms ahead. Trips of 40 + 60 ms and 5 + 5 ms; then one of 10 + 300 ms that is not to be believed.
+    code = (
+        f"const {{ServerClock}} = require({str(script)!r}); const clock = new ServerClock();"
+        "const before = clock.age(1, 2);"
+        "clock.hear(0, 1040, 100); clock.hear(200, 1205, 210); clock.hear(400, 1410, 710);"
+        "console.log(JSON.stringify({before, age: clock.age(1500, 800), trip: clock.trip}));"
+    )
+    run = subprocess.run([str(NODE), "-e", code], check=True, capture_output=True, text=True)
+    assert json.loads(run.stdout) == {"before": None, "age": 300, "trip": 10}
+
+
+@pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
 def test_the_page_reads_the_same(message):
     script = files("interactive_drive.page").joinpath("assets", "drive_link.js")
     code = (
@@ -88,8 +102,8 @@ def test_the_page_reads_the_same(message):
     )
     run = subprocess.run([str(NODE), "-e", code], check=True, capture_output=True, text=True)
     frame = json.loads(run.stdout)
-    assert {name: frame[name] for name in ("time", "stamp", "sent", "factor", "number", "steps", "missed")} == {
-        "time": 1.5, "stamp": 8, "sent": 1e12, "factor": 0.75, "number": 3, "steps": 20, "missed": 4,
+    assert {name: frame[name] for name in ("time", "stamp", "heard", "factor", "number", "steps", "missed")} == {
+        "time": 1.5, "stamp": 8, "heard": 1e12, "factor": 0.75, "number": 3, "steps": 20, "missed": 4,
     }  # fmt: skip
     assert frame["poses"][0] == pytest.approx([1, 2, 3, 0, 0, math.sqrt(0.5), math.sqrt(0.5)])
     assert frame["forces"] == [pytest.approx([0.5, 0, 0, 0, 0, 4])]

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import socket
 import struct
 import threading
 import time
-from contextlib import contextmanager
 
 import numpy as np
 import pytest
@@ -29,94 +27,17 @@ from interactive_drive.process.messages import (
     SingleStep,
     Status,
 )
-from interactive_drive.server.access import Access
-from interactive_drive.server.app import MOST_IN_FLIGHT, make_app
-from interactive_drive.server.hub import Hub
-from interactive_drive.server.serving import bind
+from interactive_drive.server.listening import Listening
+from interactive_drive.server.streaming import MOST_IN_FLIGHT
+from interactive_drive.server.token_limit import MOST_WRONG
+from served_drive import BASE, ORIGIN, SOCKET, ServedDrive
 from starlette.testclient import TestClient
 from starlette.websockets import WebSocketDisconnect
-
-PORT = 8420
-BASE = f"http://127.0.0.1:{PORT}"
-SOCKET = f"ws://127.0.0.1:{PORT}/drive"
-ORIGIN = {"origin": BASE}
-
-
-class NotingSimulation:
-    """Notes commands."""
-
-    def __init__(self) -> None:
-        self.commands = []
-        self.restarts = 0
-
-    def send(self, command) -> None:
-        self.commands.append(command)
-
-    def restart(self) -> None:
-        self.restarts += 1
-
-
-class Drive:
-    """A served drive."""
-
-    def __init__(self, session) -> None:
-        self.simulation = NotingSimulation()
-        self.announced = []
-        self.hub = Hub(session, self.simulation)
-        self.access = Access(PORT, self.announced.append)
-        self.client = TestClient(make_app(self.hub, self.access), base_url=BASE)
-        self.numbers = 0
-
-    def log_in(self, client=None) -> None:
-        client = client or self.client
-        answer = client.get(self.access.address.removeprefix(BASE))
-        assert answer.status_code == 200
-
-    def frame(self, x=0.0, stamp=0.0) -> None:
-        self.numbers += 1
-        values = np.array([x, 0.0, 0.0, 1.0, 0.0])
-        self.hub.hear(Frame(0.01 * self.numbers, values, stamp, self.numbers, 1.0, self.numbers, 0))
-
-    @contextmanager
-    def page(self):
-        with self.client.websocket_connect(SOCKET, headers=ORIGIN) as page:
-            yield Page(page)
-
-    def wait_for(self, command, limit=5.0) -> None:
-        until = time.monotonic() + limit
-        while command not in self.simulation.commands:
-            assert time.monotonic() < until, self.simulation.commands
-            time.sleep(0.005)
-
-
-class Page:
-    """A connected page."""
-
-    def __init__(self, connection) -> None:
-        self.connection = connection
-
-    def send(self, **message) -> None:
-        self.connection.send_text(json.dumps(message))
-
-    def message(self, kind, **wanted):
-        while True:
-            received = self.connection.receive()
-            if "text" in received and received["text"] is not None:
-                message = json.loads(received["text"])
-                if message["type"] == kind and all(message[k] == v for k, v in wanted.items()):
-                    return message
-
-    def frame(self):
-        while True:
-            data = self.connection.receive().get("bytes")
-            if data:
-                self.send(type="seen", number=struct.unpack_from("<I", data, 28)[0])
-                return data
 
 
 @pytest.fixture
 def drive(session):
-    drive = Drive(session)
+    drive = ServedDrive(session)
     with drive.client:
         yield drive
 
@@ -153,6 +74,16 @@ class TestAccess:
         assert answer.status_code == 403
         assert "used already" in answer.text
         drive.log_in(other)  # the next address opens
+
+    def test_wrong_tokens_are_limited(self, drive):
+        for _ in range(MOST_WRONG):
+            assert drive.client.get("/?token=wrong").status_code == 403
+        answer = drive.client.get(drive.access.address.removeprefix(BASE))
+        assert answer.status_code == 429
+        assert 1 <= int(answer.headers["retry-after"]) <= 60
+        assert not drive.announced
+        other = TestClient(drive.client.app, base_url=BASE, client=("10.0.0.7", 5000))
+        drive.log_in(other)  # who comes from elsewhere is not kept out
 
     def test_a_wrong_token_opens_nothing(self, drive):
         assert drive.client.get("/?token=wrong").status_code == 403
@@ -299,6 +230,17 @@ class TestFrames:
         assert counts == [0, 0, 2, 1]
         assert struct.unpack_from("<3f", data, 48) == (0.0, 0.0, 2.5)
 
+    def test_frames_of_a_new_simulation_are_counted_anew(self, drive, page):
+        for number in (500, 501):  # drawn never: the page had newer ones before
+            drive.numbers = number - 1
+            drive.frame()
+            assert page.connection.receive_bytes()
+        drive.numbers = 0
+        page.send(type="seen", number=500)
+        for _ in range(5):
+            drive.frame()
+            assert page.frame()
+
     def test_a_page_that_sees_nothing_gets_few_frames_and_then_the_newest(self, drive, page):
         for _ in range(MOST_IN_FLIGHT):
             drive.frame()
@@ -322,7 +264,7 @@ class TestFrames:
         assert page.message("controls")["values"] == {"force": 25.0, "damping": 3.0, "pause": 0.0}
 
     def test_frames_before_the_server_stands_are_not_lost(self, session):
-        drive = Drive(session)
+        drive = ServedDrive(session)
         drive.frame(x=1.0)
         with drive.client:
             drive.log_in()
@@ -369,7 +311,7 @@ class TestRecord:
         assert "fewer than two steps" in told["text"]
 
     def test_a_record_that_runs_when_the_server_ends_gets_its_report(self, session):
-        drive = Drive(session)
+        drive = ServedDrive(session)
         with drive.client:
             drive.log_in()
             drive.hub.hear(Status(Mode.PAUSED))
@@ -416,16 +358,16 @@ class TestRecord:
 
 
 def test_a_port_in_use_is_told():
-    with bind(0) as bound:
+    with Listening().bind(0) as bound:
         port = bound.getsockname()[1]
         with pytest.raises(InputError, match=rf"port {port}: is in use by another program(?s:.*)--port"):
-            bind(port)
+            Listening().bind(port)
         assert bound.getsockname()[0] == "127.0.0.1"
         assert isinstance(bound, socket.socket)
 
 
 def test_rows_of_a_record_are_written_in_the_simulations_thread(session):
-    drive = Drive(session)
+    drive = ServedDrive(session)
     with drive.client:
         drive.log_in()
         drive.hub.hear(Status(Mode.PAUSED))

@@ -4,8 +4,9 @@
 (function () {
   const get = id => document.getElementById(id);
   const ALWAYS = ["follow", "edges", "grid", "forces", "view", "add", "clear"];
+  const OLD_PICTURE = 500;
   let viewer = null, scene = null, controls = null, plots = null, status = null, steering = {you: false, free: false}, start = null;
-  let latency = NaN, frame = null, waiting = false;
+  let latency = NaN, frame = null, waiting = false, channel = "";
   const stamps = new Map();
 
   const link = new Link(message => {
@@ -17,6 +18,7 @@
   function onHello(hello) {
     get("model").textContent = document.title = hello.model;
     frame = start = null;
+    channel = hello.channel;
     plots = new LivePlots(get("live"), hello.units);
     plots.show(hello.plots);
     get("signals").replaceChildren(...hello.signals.map(name => new Option(name, name)));
@@ -77,13 +79,22 @@
     // Told when it is drawn, not when it comes: what is under way is never more than what can be drawn.
     link.send({type: "seen", number: frame.number});
     get("clock").textContent = `t = ${frame.time.toFixed(3)} s`;
-    const age = Math.max(0, Date.now() - frame.sent), parts = [];
-    if (status && status.mode === "running" && isFinite(frame.factor)) parts.push(`real-time factor ${frame.factor.toFixed(2)}`);
-    if (frame.steps) parts.push(`${frame.missed} of ${frame.steps} deadlines missed`);
-    parts.push(`picture ${age.toFixed(0)} ms old`);
-    if (isFinite(latency)) parts.push(`input to picture ${latency.toFixed(0)} ms`);
-    get("figures").textContent = parts.join(" · ");
+    showFigures();
   }
+
+  /** Also between frames: a picture that no newer one replaces grows old. */
+  function showFigures() {
+    if (!frame) return;
+    const parts = [], age = link.clock.age(frame.heard, Date.now()), running = status && status.mode === "running";
+    if (running && isFinite(frame.factor)) parts.push(`real-time factor ${frame.factor.toFixed(2)}`);
+    if (frame.steps) parts.push(`${frame.missed} of ${frame.steps} deadlines missed`);
+    if (running && isFinite(age)) parts.push(`picture ${age.toFixed(0)} ms old`);
+    if (isFinite(latency)) parts.push(`input to picture ${latency.toFixed(0)} ms`);
+    if (channel) parts.push(`simulated channel: ${channel}`);
+    get("figures").textContent = parts.join(" · ");
+    get("figures").classList.toggle("old", running && age > OLD_PICTURE);
+  }
+  setInterval(showFigures, 100);
 
   /** How far the middle of the moving bodies is from where it was first, along the floor. */
   function way() {
