@@ -11,12 +11,13 @@
 # make promises  measures what the library promises into docs/promises.md
 # make response measures contact response at all tolerances into docs/response.md
 # make study    what accuracy costs, scene by scene, into docs/accuracy-scenes.md; an hour, resumes
+# make bench-peers   the same scenes in MuJoCo, Drake and Bullet, from PyPI, into docs/peers.md; half an hour, resumes
 # make soak     200 random scenes at all tolerances, modes and importers into out/soak; hours, resumes (SCENES=...)
 # make large     lets a thousand spheres fill a box: builds and runs regression/cases/large, some minutes
 # make test-msl  passes the tests with the Standard Library's examples (MODELICAPATH; about fifteen minutes)
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc icons
+.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc icons bench-peers
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -38,6 +39,9 @@ release: setup
 
 study: setup
 	.venv/bin/python scripts/study
+
+bench-peers: setup
+	.venv/bin/python scripts/bench-peers --docs
 
 promises: setup
 	.venv/bin/python scripts/promises

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from accuracy_study.chart import Point
 from accuracy_study.grid import Run
 from accuracy_study.sentences import variant_text
 from accuracy_study.study import Row, SceneFindings
-
-Point = tuple[float, float, str]
-"""Across, up, and what the point is called."""
 
 
 @dataclass(frozen=True)
