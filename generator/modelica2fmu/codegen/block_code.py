@@ -43,6 +43,7 @@ class BlockCode:
     Attributes:
         functions: residuals of nonlinear blocks, which the statements call.
         factors: of the linear systems, by their unknowns; of the last block that has these.
+        followed: slots of the unknowns of nonlinear blocks, which the runtime keeps of accepted steps.
     """
 
     def __init__(self, places: SymbolPlaces, variables: Mapping[str, ScalarVariable], place: PlaceOf) -> None:
@@ -52,6 +53,8 @@ class BlockCode:
         self._evaluated = 0
         self.functions: list[Function] = []
         self.factors: dict[tuple[str, ...], Factors] = {}
+        self.followed: list[int] = []
+        self._accepted: dict[tuple[str, ...], int] = {}
 
     def statements(self, block: Block) -> list[Statement]:
         """The statements that solve a block."""
@@ -192,6 +195,7 @@ class BlockCode:
         ]
         nominals = ", ".join(number(value) for value in nominal)
         unknowns = ", ".join(c_text(torn) for torn in block.torn)
+        accepted = self._followed_from(block.torn)
         equations = ", ".join(c_text(self._stated(span)) for span in block.spans)
 
         def solve(_: Write) -> list[str]:
@@ -200,8 +204,9 @@ class BlockCode:
                 "{",
                 f"  double x[{n}] = {{{starts}}}, residual[{n}];",
                 f"  static const double nominal[{n}] = {{{nominals}}};",
-                f"  int result = fmurt_solve_nonlinear(v, NULL, {name}, {n}, x, nominal, {number(_NEWTON_TOLERANCE)},",
-                f"                                   w + {work}, v->integer_work + {integers});",
+                f"  int result = fmurt_follow_nonlinear(v, NULL, {name}, {n}, {accepted}, x, nominal,",
+                f"                                    {number(_NEWTON_TOLERANCE)}, w + {work},",
+                f"                                    v->integer_work + {integers});",
                 "  if (result != FMURT_RESULT_OK) {",
                 f"    static const char *const unknown[{n}] = {{{unknowns}}}, *const equation[{n}] = {{{equations}}};",
                 f"    return fmurt_report_unsolved(v, {name}, {n}, x, residual, unknown, equation, result);",
@@ -212,6 +217,13 @@ class BlockCode:
             ]
 
         return Statement((), solve, calls_model=True)
+
+    def _followed_from(self, torn: tuple[str, ...]) -> int:
+        """Where the unknowns begin among those that the runtime keeps of accepted steps."""
+        if torn not in self._accepted:
+            self._accepted[torn] = len(self.followed)
+            self.followed.extend(self._places.slots.of[name].index for name in torn)
+        return self._accepted[torn]
 
     def _stated(self, span: Span | None) -> str:
         """Where an equation stands, without its folder, which would make the code depend on the machine."""

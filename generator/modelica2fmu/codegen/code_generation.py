@@ -45,6 +45,7 @@ class GeneratedModel:
         slots: where variables live.
         states: names of the states, in order.
         operations: number of lines of C that one evaluation of the derivatives executes.
+        follows_steps: whether there are nonlinear systems, which are followed from accepted step to accepted step.
     """
 
     sources: tuple[GeneratedSource, ...]
@@ -52,6 +53,7 @@ class GeneratedModel:
     slots: Slots
     states: tuple[str, ...]
     operations: int
+    follows_steps: bool
 
 
 def generate(reduced: ReducedModel, systems: Systems, includes: Sequence[str], place: PlaceOf) -> GeneratedModel:
@@ -199,7 +201,16 @@ class _Generator:
     def _assemble(self, jacobian: str, operations: int) -> GeneratedModel:
         work, slots = self._places.work, self._places.slots
         main = model_file(
-            ModelParts(self._reduced, slots, self._states, self._functions, jacobian, work.reals, work.integers)
+            ModelParts(
+                self._reduced,
+                slots,
+                self._states,
+                self._functions,
+                jacobian,
+                work.reals,
+                work.integers,
+                self._blocks.followed,
+            )
         )
         sources = [GeneratedSource("model_parts.h", model_header(self._functions)), *self._part_files()]
         digest = hashlib.blake2b(digest_size=16)
@@ -208,7 +219,7 @@ class _Generator:
         text = digest.hexdigest()
         guid = f"{{{text[:8]}-{text[8:12]}-{text[12:16]}-{text[16:20]}-{text[20:]}}}"
         sources.append(GeneratedSource("model.c", main.replace(GUID_PLACE, guid)))
-        return GeneratedModel(tuple(sources), guid, slots, self._states, operations)
+        return GeneratedModel(tuple(sources), guid, slots, self._states, operations, bool(self._blocks.followed))
 
     def _part_files(self) -> list[GeneratedSource]:
         includes = '#include "model_parts.h"\n' + "".join(f"{text}\n" for text in self._includes)

@@ -29,6 +29,7 @@ class ModelParts:
         jacobian: text of the function ``jacobian``; empty if there is none.
         reals: size of the work array.
         integers: size of that of integers.
+        followed: slots of the unknowns of nonlinear systems.
     """
 
     reduced: ReducedModel
@@ -38,6 +39,7 @@ class ModelParts:
     jacobian: str
     reals: int
     integers: int
+    followed: Sequence[int]
 
 
 def model_header(functions: Iterable[Function]) -> str:
@@ -89,6 +91,7 @@ static const double real_start[] = {{{_wrapped(real)}}};
 static const int integer_start[] = {{{_wrapped(integer)}}};
 static const int boolean_start[] = {{{_wrapped(boolean)}}};
 static const char *const string_start[] = {{{_wrapped(string)}}};
+static const unsigned followed[] = {{{_wrapped([str(slot) for slot in parts.followed])}}};
 static const char *const indicator_text[] = {{{_wrapped(texts)}}};
 
 static fmurt_result parameters(fmurt_values *v)
@@ -153,6 +156,8 @@ static inline fmurt_result settle(fmurt_values *v)
   .discrete = discrete,
   .indicator_text = indicator_text,
   .settle = {"settle" if model.relations else "NULL"},
+  .followed_count = {len(parts.followed)},
+  .followed = followed,
   .jacobian = {"jacobian" if parts.jacobian else "NULL"},
 }};
 """

@@ -144,6 +144,7 @@ class ModelDescription:
         resources: files for the ``resources`` folder.
         internal_parameters: Real slots that no variable shows and that parameters decide; the runtime keeps them
             over the initialization.
+        needs_completed_steps: whether importers have to tell of each step that they accept in model exchange.
         icon: the model's icon, a PNG; ``None`` if it has none.
     """
 
@@ -161,4 +162,5 @@ class ModelDescription:
     external: ExternalCode = field(default_factory=ExternalCode)
     resources: tuple[Resource, ...] = ()
     internal_parameters: tuple[int, ...] = ()
+    needs_completed_steps: bool = False
     icon: bytes | None = None

@@ -104,7 +104,8 @@ def fmi2_description(description: ModelDescription) -> bytes:
         "canSerializeFMUstate": "true",
         "providesDirectionalDerivative": "true",
     }
-    etree.SubElement(root, "ModelExchange", {**shared, "completedIntegratorStepNotNeeded": "true"})
+    not_needed = "false" if description.needs_completed_steps else "true"
+    etree.SubElement(root, "ModelExchange", {**shared, "completedIntegratorStepNotNeeded": not_needed})
     co_simulation = {
         "canHandleVariableCommunicationStepSize": "true",
         "canInterpolateInputs": "false",

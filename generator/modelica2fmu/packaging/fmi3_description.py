@@ -258,7 +258,8 @@ def fmi3_description(description: ModelDescription) -> bytes:
         "canSerializeFMUState": "true",
         "providesDirectionalDerivatives": "true",
     }
-    etree.SubElement(root, "ModelExchange", {**shared, "needsCompletedIntegratorStep": "false"})
+    needed = "true" if description.needs_completed_steps else "false"
+    etree.SubElement(root, "ModelExchange", {**shared, "needsCompletedIntegratorStep": needed})
     co_simulation = {
         "canHandleVariableCommunicationStepSize": "true",
         "maxOutputDerivativeOrder": "0",

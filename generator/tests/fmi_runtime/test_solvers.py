@@ -172,3 +172,75 @@ def test_a_singular_jacobian_at_the_root_is_no_failure(solve_system: Callable[..
     result, _, message = solve_system(5, [3.0, 7.0])
     assert result == DISCARD
     assert "singular in unknown 2" in message
+
+
+@pytest.fixture(scope="session")
+def follow_system(library: ctypes.CDLL) -> Callable[[int, list[float], int], tuple[int, Array]]:
+    def run(number: int, accepted: list[float], following: int) -> tuple[int, Array]:
+        n = len(accepted)
+        x, work = np.array(accepted) + 7.0, np.full(n * n + 7 * n + 1, 0.25)
+        integers = np.zeros(n, dtype=np.int32)
+        kept = np.array(accepted)
+        result = library.follow_system(
+            number, n, pointer(kept), following, pointer(x), pointer(work), pointer(integers)
+        )
+        assert work[-1] == 0.25  # not a number more than promised
+        assert kept.tolist() == accepted
+        return result, x
+
+    return run
+
+
+SOLVE, FOLLOW_OR_SOLVE, FOLLOW = 0, 1, 2
+CLOSURES = np.array([[0.86321, 0.38976], [-0.86321, -0.38976]])  # of system 4, a triangle of sides 1, 2 and 2.5
+
+
+def test_solutions_are_followed_from_the_accepted_ones(follow_system: Callable[..., tuple[int, Array]]) -> None:
+    for closure in CLOSURES:
+        for way in np.random.default_rng(4).uniform(-0.05, 0.05, (20, 2)):
+            result, x = follow_system(4, [*(closure + way)], FOLLOW)
+            assert result == OK
+            assert np.cos(x[0]) + 2.0 * np.cos(x[1]) == pytest.approx(2.5, abs=1e-11)
+            assert np.sin(x[0]) == pytest.approx(2.0 * np.sin(x[1]), abs=1e-11)
+            assert x == pytest.approx(closure, abs=2e-3)
+
+
+def residuals_in_a_triangle(x: Array) -> tuple[Array, Array]:
+    """System 4 and its Jacobian."""
+    first, second = np.cos(x[0]) + 2.0 * np.cos(x[1]) - 2.5, np.sin(x[0]) - 2.0 * np.sin(x[1])
+    matrix = [[-np.sin(x[0]), -2.0 * np.sin(x[1])], [np.cos(x[0]), -2.0 * np.cos(x[1])]]
+    return np.array([first, second]), np.array(matrix)
+
+
+def gone_slowly(start: list[float]) -> Array:
+    """What x becomes while the residual that it starts with vanishes by and by; not a number where it cannot."""
+    x, whole = np.array(start), residuals_in_a_triangle(np.array(start))[0]
+    for share in np.linspace(1.0, 0.0, 2001)[1:]:
+        for _ in range(2):
+            residual, matrix = residuals_in_a_triangle(x)
+            change = np.linalg.solve(matrix, residual - share * whole)
+            if np.max(np.abs(change)) > 0.05:
+                return np.full(2, np.nan)
+            x = x - change
+    return x
+
+
+def test_following_takes_no_other_solution(follow_system: Callable[..., tuple[int, Array]]) -> None:
+    """Where Newton's iteration would come to another closure, or to the same after turns, a step is too long."""
+    random, refused = np.random.default_rng(5), 0
+    near = CLOSURES[0] + random.uniform(-0.3, 0.3, (300, 2))
+    starts = [*near.tolist(), *random.uniform(-3.0, 3.0, (300, 2)).tolist()]
+    for start in starts:
+        result, x = follow_system(4, start, FOLLOW)
+        refused += result == DISCARD
+        if result == OK:
+            assert x == pytest.approx(gone_slowly(start), abs=1e-6)
+    assert 300 < refused < 550
+    assert follow_system(4, [0.1, -2.5], FOLLOW)[0] == DISCARD
+    assert follow_system(4, [0.1, -2.5], FOLLOW_OR_SOLVE)[0] == OK
+
+
+def test_a_kink_is_followed_in_small_steps(follow_system: Callable[..., tuple[int, Array]]) -> None:
+    """System 8: x + 10 max(x, 0) = 0.1. The Jacobian beside the kink is wrong beyond it, however short the step."""
+    assert follow_system(8, [-1e-3], FOLLOW)[1] == pytest.approx([0.1 / 11.0])
+    assert follow_system(8, [-1e-3], FOLLOW)[0] == OK

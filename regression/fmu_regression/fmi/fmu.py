@@ -45,6 +45,7 @@ MOST_KINDS = 4
 _FOLDERS = re.compile(r"(?<![\w/])/(?:[^\s/:]+/)+(?=[^\s/:])")
 _NUMBER = re.compile(r"[-+]?\d[\d.]*(?:[eE][-+]?\d+)?")
 _STATUS_NAMES = ("ok", "warning", "discard", "error", "fatal", "pending")
+_DISCARDED = "[discard]"
 
 _BINDINGS: Mapping[str, type[Fmi2Binding] | type[Fmi3Binding]] = {"2.0": Fmi2Binding, "3.0": Fmi3Binding}
 
@@ -142,6 +143,10 @@ class Instance:
         if lines:
             text += "\n" + "\n".join(f"  {line}" for line in lines)
         return SimulationError(text, place=Place(component=self.description.name))
+
+    def forget_discards(self) -> None:
+        """Forgets what was told of points that could not be evaluated and that a shorter step has avoided."""
+        self.messages[:] = [message for message in self.messages if not message.startswith(_DISCARDED)]
 
     def set_start_values(self, values: Mapping[str, StartValue]) -> None:
         """Sets start values; names and types must have been checked by ``check_start_values``."""

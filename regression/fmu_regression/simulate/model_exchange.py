@@ -97,6 +97,7 @@ class _Master:
         self.chatter_begin = -np.inf
         self.chatter_events = 0
         self.time = float(grid[0])
+        self.discarded = False
 
     def run(self, start_values: Mapping[str, StartValue]) -> tuple[Recorder, SolverCounters]:
         functions = self.functions
@@ -135,7 +136,10 @@ class _Master:
         while self.time < stop:
             limit = min(stop, self.next_time_event)
             if limit > self.time:
+                self.discarded = False
                 reached, end = solver.step(limit)
+                if self.discarded and reached > self.time:
+                    self.instance.forget_discards()
                 stalled = stalled + 1 if reached <= self.time else 0
                 if stalled > _MAX_STEPS_AT_A_TIME:
                     raise IntegrationError(
@@ -241,6 +245,7 @@ class _Master:
             self.functions.get_derivatives(derivatives, self.state_count)
         except FMICallException as error:
             if error.status == _FMI_DISCARD:
+                self.discarded = True
                 raise RecoverableError(str(error)) from error
             raise
 

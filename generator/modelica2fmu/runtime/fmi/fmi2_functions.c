@@ -206,7 +206,7 @@ fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean no_rewind, f
   if (enter_event_mode == NULL || terminate == NULL) return (fmi2Status)fmurt_fmu_refuse(c, __func__, "null pointer");
   *enter_event_mode = fmi2False;
   *terminate = fmi2False;
-  return fmi2OK;
+  return (fmi2Status)fmurt_fmu_completed_step(c, __func__);
 }
 
 fmi2Status fmi2SetTime(fmi2Component c, fmi2Real time) { return (fmi2Status)fmurt_fmu_set_time(c, __func__, time); }

@@ -569,7 +569,7 @@ fmi3Status fmi3CompletedIntegratorStep(fmi3Instance c, fmi3Boolean no_rewind, fm
   if (enter_event_mode == NULL || terminate == NULL) return (fmi3Status)fmurt_fmu_refuse(c, __func__, "null pointer");
   *enter_event_mode = fmi3False;
   *terminate = fmi3False;
-  return fmi3OK;
+  return (fmi3Status)fmurt_fmu_completed_step(c, __func__);
 }
 
 fmi3Status fmi3SetTime(fmi3Instance c, fmi3Float64 time) { return (fmi3Status)fmurt_fmu_set_time(c, __func__, time); }

@@ -138,6 +138,7 @@ fmurt_fmu_status fmurt_fmu_exit_initialization(fmurt_fmu *fmu, const char *call)
     instance->values.initial = 0;
     instance->situation.continuous_stale = 1;
     instance->situation.phase = events_inside ? FMURT_PHASE_STEP : FMURT_PHASE_EVENT;
+    fmurt_accept(instance);
     int states_changed = 0;
     if (events_inside) result = fmurt_iterate_events(instance, &states_changed);
   }
@@ -360,6 +361,14 @@ static int accepts(fmurt_fmu *fmu, const char *call, int phases, const double *a
   if (count == expected && (count == 0 || array != NULL)) return 1;
   fmurt_fmu_refuse(fmu, call, count == expected ? "null pointer" : "wrong number of values");
   return 0;
+}
+
+fmurt_fmu_status fmurt_fmu_completed_step(fmurt_fmu *fmu, const char *call) {
+  if (!fmurt_fmu_permits(fmu, call, FMURT_PHASE_CONTINUOUS)) return FMURT_FMU_ERROR;
+  if (fmurt_model.followed_count == 0) return FMURT_FMU_OK;
+  /* What cannot be evaluated is told when it is read. */
+  if (fmurt_update_values(fmu->instance) == FMURT_RESULT_OK) fmurt_accept(fmu->instance);
+  return FMURT_FMU_OK;
 }
 
 fmurt_fmu_status fmurt_fmu_set_time(fmurt_fmu *fmu, const char *call, double time) {

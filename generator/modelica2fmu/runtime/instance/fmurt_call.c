@@ -73,6 +73,15 @@ static fmurt_result adopt_strings(fmurt_instance *instance) {
   return result;
 }
 
+/* While time goes on nothing jumps. At events parameters and inputs, and with them lengths of a loop, may; and who only
+ * looks at other states, as one does who linearizes a model, does so at the same time. */
+static fmurt_following following(const fmurt_instance *instance, fmurt_model_function function) {
+  if (function == FMURT_CALL_PARAMETERS || function == FMURT_CALL_INITIALIZE) return FMURT_SOLVE;
+  const int between_events = instance->situation.phase & (FMURT_PHASE_CONTINUOUS | FMURT_PHASE_STEP);
+  const int has_moved = instance->values.time != instance->values.accepted[fmurt_model.followed_count];
+  return between_events && has_moved && !instance->at_event ? FMURT_FOLLOW : FMURT_FOLLOW_OR_SOLVE;
+}
+
 fmurt_result fmurt_call_model(fmurt_instance *instance, fmurt_model_function function, void *argument) {
   call_frame frame;
   frame.instance = instance;
@@ -80,6 +89,7 @@ fmurt_result fmurt_call_model(fmurt_instance *instance, fmurt_model_function fun
   frame.allocations = NULL;
   current_frame = &frame;
   instance->message[0] = '\0';
+  instance->values.following = following(instance, function);
   fmurt_result result = call_in_frame(&frame, function, argument);
   current_frame = frame.outer;
   if (fmurt_model.string_count > 0) {

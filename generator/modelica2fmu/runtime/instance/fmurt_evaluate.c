@@ -143,3 +143,10 @@ void fmurt_set_point(fmurt_instance *instance, double time, const double *state)
   }
   if (changed) instance->situation.continuous_stale = 1;
 }
+
+void fmurt_accept(fmurt_instance *instance) {
+  for (size_t i = 0; i < fmurt_model.followed_count; ++i) {
+    instance->values.accepted[i] = instance->values.real[fmurt_model.followed[i]];
+  }
+  instance->values.accepted[fmurt_model.followed_count] = instance->values.time;
+}

@@ -18,6 +18,9 @@ fmurt_result fmurt_update_continuous(fmurt_instance *instance);
 /* Whatever of these the instance's phase needs before values are read. */
 fmurt_result fmurt_update_values(fmurt_instance *instance);
 
+/* The values at hand are those of an accepted step: nonlinear systems are followed from them. */
+void fmurt_accept(fmurt_instance *instance);
+
 /* Sets time and states, [state_count], NULL if there are none; marks values out of date only if something differs. */
 void fmurt_set_point(fmurt_instance *instance, double time, const double *state);
 

@@ -137,7 +137,7 @@ static fmurt_result settle(fmurt_instance *instance) {
   return FMURT_RESULT_OK;
 }
 
-fmurt_result fmurt_iterate_events(fmurt_instance *instance, int *states_changed) {
+static fmurt_result iterate_events(fmurt_instance *instance, int *states_changed) {
   fmurt_values *values = &instance->values;
   values->initial = 0;
   meet_time_event(values, &instance->situation);
@@ -176,6 +176,14 @@ fmurt_result fmurt_iterate_events(fmurt_instance *instance, int *states_changed)
            "The event iteration at time %.15g does not settle in %d iterations (last changed: %s)", values->time,
            MAXIMUM_EVENT_ITERATIONS, changing != NULL ? changing : "a relation or a reinitialized state");
   return FMURT_RESULT_ERROR;
+}
+
+fmurt_result fmurt_iterate_events(fmurt_instance *instance, int *states_changed) {
+  instance->at_event = 1;
+  const fmurt_result result = iterate_events(instance, states_changed);
+  instance->at_event = 0;
+  if (result == FMURT_RESULT_OK) fmurt_accept(instance);
+  return result;
 }
 
 fmurt_result fmurt_terminate(fmurt_instance *instance) {

@@ -35,7 +35,7 @@ static int allocate_arrays(fmurt_instance *instance) {
   const size_t reals = fmurt_model.real_count, integers = fmurt_model.integer_count,
                booleans = fmurt_model.boolean_count;
   const size_t delays = fmurt_model.delay_count * FMURT_DELAY_SIZE;
-  instance->double_block_count = 4 * reals + fmurt_model.work_count + delays;
+  instance->double_block_count = 4 * reals + fmurt_model.work_count + delays + fmurt_model.followed_count + 1;
   instance->int_block_count =
       5 * integers + 5 * booleans + reals + fmurt_model.indicator_count + fmurt_model.integer_work_count;
   instance->double_block = calloc(instance->double_block_count + 1, sizeof(double));
@@ -59,6 +59,7 @@ static int allocate_arrays(fmurt_instance *instance) {
   instance->set_real = take_doubles(&next_double, reals);
   instance->values.work = take_doubles(&next_double, fmurt_model.work_count);
   instance->values.delay = take_doubles(&next_double, delays);
+  instance->values.accepted = take_doubles(&next_double, fmurt_model.followed_count + 1);
 
   int *next_int = instance->int_block;
   instance->values.integer = take_ints(&next_int, integers);
@@ -162,6 +163,7 @@ fmurt_result fmurt_instance_reset(fmurt_instance *instance) {
   instance->values.terminal = 0;
   instance->values.terminate = 0;
   instance->chatter.events = 0;
+  instance->at_event = 0;
   instance->message[0] = '\0';
   return FMURT_RESULT_OK;
 }

@@ -54,6 +54,7 @@ struct fmurt_solver {
   double step_at_root; /* in which the latest root was found, if that is why the next start is; else 0 */
   fmurt_result cause; /* of the last failed evaluation */
   long counted[FMURT_SOLVER_INTEGER_COUNT];
+  long steps_accepted;       /* since the latest start, as far as the instance knows */
   long steps_left;           /* that are still allowed */
   long quotient_evaluations; /* of the right-hand side, since the last count */
 };
@@ -86,10 +87,30 @@ static int right_hand_side(realtype time, N_Vector state, N_Vector derivative, v
   return 0;
 }
 
+/* CVODE asks for the indicators at the end of each accepted step first, before it looks for roots inside. */
+static int is_end_of_step(fmurt_solver *solver) {
+  long steps = 0;
+  if (CVodeGetNumSteps(solver->memory, &steps) != CV_SUCCESS || steps == solver->steps_accepted) return 0;
+  solver->steps_accepted = steps;
+  return 1;
+}
+
 static int roots(realtype time, N_Vector state, realtype *indicator, void *data) {
   fmurt_solver *solver = data;
   fmurt_set_point(solver->instance, time, NV_DATA_S(state));
-  return to_cvode(solver, fmurt_event_indicators(solver->instance, indicator));
+  const fmurt_result result = fmurt_event_indicators(solver->instance, indicator);
+  if (result == FMURT_RESULT_OK && is_end_of_step(solver)) fmurt_accept(solver->instance);
+  return to_cvode(solver, result);
+}
+
+/* Models without events: an indicator without zeros tells of accepted steps. The point that was evaluated last differs
+ * from the accepted one by a correction that the integrator takes for none. */
+static int no_roots(realtype time, N_Vector state, realtype *indicator, void *data) {
+  fmurt_solver *solver = data;
+  (void)state;
+  indicator[0] = 1.0;
+  if (is_end_of_step(solver) && solver->instance->values.time == time) fmurt_accept(solver->instance);
+  return 0;
 }
 
 /* Difference quotients with increments by the states' values or nominal values, whichever is larger. CVODE's own shrink
@@ -249,6 +270,8 @@ static int first_start(fmurt_solver *solver) {
   if (flag == CV_SUCCESS && fmurt_model.indicator_count > 0) {
     flag = CVodeRootInit(solver->memory, (int)fmurt_model.indicator_count, roots);
     if (flag == CV_SUCCESS) flag = CVodeSetNoInactiveRootWarn(solver->memory);
+  } else if (flag == CV_SUCCESS && fmurt_model.followed_count > 0) {
+    flag = CVodeRootInit(solver->memory, 1, no_roots);
   }
   solver->initialized = flag == CV_SUCCESS;
   return flag;
@@ -265,6 +288,7 @@ static int start(fmurt_solver *solver) {
   }
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinConvCoef(solver->memory, usual_newton_share);
   memset(solver->counted, 0, sizeof solver->counted);
+  solver->steps_accepted = 0;
   solver->quotients = 0;
   solver->restart = flag != CV_SUCCESS;
   return flag;

@@ -61,7 +61,8 @@ fmurt_result fmurt_do_step(fmurt_instance *instance, double target, int stop_at_
       situation->event_pending = 1; /* carried out by the next step if the importer does not do it before */
       break;
     }
-    result = carry_out_event(instance);
+    result = fmurt_update_continuous(instance); /* up to here nothing jumps */
+    if (result == FMURT_RESULT_OK) result = carry_out_event(instance);
     if (result == FMURT_RESULT_OK && fmurt_chatter_found(instance)) result = FMURT_RESULT_ERROR;
   }
   if (result == FMURT_RESULT_OK) return fmurt_update_values(instance);

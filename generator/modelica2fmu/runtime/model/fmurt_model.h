@@ -15,6 +15,13 @@ typedef enum fmurt_result {
   FMURT_RESULT_ERROR = 2    /* the model cannot go on; the message is in the instance */
 } fmurt_result;
 
+/* How unknowns of nonlinear systems are found. */
+typedef enum fmurt_following {
+  FMURT_SOLVE,           /* from the values they have: initialization */
+  FMURT_FOLLOW_OR_SOLVE, /* followed from the last accepted step; solved from there where that fails: events */
+  FMURT_FOLLOW           /* followed from the last accepted step, so that the solution never changes to another one */
+} fmurt_following;
+
 /* Values of one instance. Arrays belong to the runtime, which allocates them by the sizes of
  * fmurt_model_description and fills them from its start tables. */
 typedef struct fmurt_values {
@@ -32,6 +39,8 @@ typedef struct fmurt_values {
   double *work;           /* [work_count] scratch and warm starts of the solved blocks */
   int *integer_work;      /* [integer_work_count] */
   double *delay;          /* [delay_count * FMURT_DELAY_SIZE]: what delay() remembers (fmurt_delay.h) */
+  double *accepted;       /* [followed_count + 1]: unknowns of nonlinear systems at the last accepted step; its time */
+  int following;          /* fmurt_following */
   int initial;            /* 1 while initial() is true */
   int terminal;           /* 1 while terminal() is true */
   double next_time_event; /* set by `discrete`: next time event, or HUGE_VAL */
@@ -74,7 +83,13 @@ fmurt_result fmurt_solve_linear(fmurt_values *values, const fmurt_linear_system 
 typedef int (*fmurt_residual)(fmurt_values *values, const void *context, const double *x, double *r);
 int fmurt_solve_nonlinear(fmurt_values *values, const void *context, fmurt_residual residual, int n, double *x,
                           const double *nominal, double tolerance, double *work, int *integer_work);
-/* After fmurt_solve_nonlinear has failed at x: reports the equation with the largest residual, by the place where the
+/* The same as values->following asks for: x from its values or from values->accepted + offset. Following, each
+ * correction must be small beside the one before, as it is where the equations are nearly linear over all that the
+ * unknowns change by; so the solution is the one that the accepted one changes to continuously, and no other.
+ * FMURT_RESULT_DISCARD where that cannot be told: a shorter step helps. */
+int fmurt_follow_nonlinear(fmurt_values *values, const void *context, fmurt_residual residual, int n, int offset,
+                           double *x, const double *nominal, double tolerance, double *work, int *integer_work);
+/* After one of these has failed at x: reports the equation with the largest residual, by the place where the
  * model states it (equation[n]), and the unknowns by their names (unknown[n]). r has n doubles. Gives back `result`. */
 int fmurt_report_unsolved(fmurt_values *values, fmurt_residual residual, int n, const double *x, double *r,
                           const char *const *unknown, const char *const *equation, int result);
@@ -117,6 +132,8 @@ typedef struct fmurt_model_description {
   /* The equations of `discrete`, without its actions: reinitializations, assertions, terminations, next_time_event. The
    * runtime repeats it with the same pre() values until the relations agree with what it solves. */
   fmurt_result (*settle)(fmurt_values *values);
+  size_t followed_count;    /* unknowns of nonlinear systems */
+  const unsigned *followed; /* [followed_count] value references into real */
 } fmurt_model_description;
 
 extern const fmurt_model_description fmurt_model;

@@ -47,6 +47,12 @@ static double scaled_norm(const newton *solver, const double *r) {
   return norm;
 }
 
+static double scaled_size(const newton *solver, const double *change) {
+  double size = 0.0;
+  for (int i = 0; i < solver->n; ++i) size = fmax(size, fabs(change[i]) / solver->x_scale[i]);
+  return size;
+}
+
 /* Forward differences, backward where the model cannot be evaluated forward. */
 static int compute_jacobian(newton *solver) {
   const int n = solver->n;
@@ -92,25 +98,30 @@ static int fail(fmurt_values *values, int iteration, double norm) {
   return FMURT_RESULT_DISCARD;
 }
 
+static newton solver_of(fmurt_values *values, const void *context, fmurt_residual residual, int n, double *x,
+                        const double *nominal, double *work) {
+  const size_t size = (size_t)n;
+  double *vectors = work + size * size;
+  return (newton){.values = values,
+                  .context = context,
+                  .residual = residual,
+                  .n = n,
+                  .x = x,
+                  .nominal = nominal,
+                  .jacobian = work,
+                  .r = vectors,
+                  .r_trial = vectors + size,
+                  .x_trial = vectors + 2 * size,
+                  .step = vectors + 3 * size,
+                  .row_scale = vectors + 4 * size,
+                  .x_scale = vectors + 5 * size,
+                  .linear_scale = vectors + 6 * size};
+}
+
 int fmurt_solve_nonlinear(fmurt_values *values, const void *context, fmurt_residual residual, int n, double *x,
                           const double *nominal, double tolerance, double *work, int *integer_work) {
   const size_t size = (size_t)n;
-  double *vectors = work + size * size;
-  newton solver = {.values = values,
-                   .context = context,
-                   .residual = residual,
-                   .n = n,
-                   .x = x,
-                   .nominal = nominal,
-                   .jacobian = work,
-                   .r = vectors,
-                   .r_trial = vectors + size,
-                   .x_trial = vectors + 2 * size,
-                   .step = vectors + 3 * size,
-                   .row_scale = vectors + 4 * size,
-                   .x_scale = vectors + 5 * size,
-                   .linear_scale = vectors + 6 * size};
-
+  newton solver = solver_of(values, context, residual, n, x, nominal, work);
   int result = evaluate(&solver, x, solver.r);
   if (result != FMURT_RESULT_OK) return result;
 
@@ -132,9 +143,7 @@ int fmurt_solve_nonlinear(fmurt_values *values, const void *context, fmurt_resid
     }
     fmurt_substitute(n, solver.jacobian, solver.linear_scale, integer_work, solver.step);
 
-    double step_size = 0.0;
-    for (int i = 0; i < n; ++i) step_size = fmax(step_size, fabs(solver.step[i]) / solver.x_scale[i]);
-
+    const double step_size = scaled_size(&solver, solver.step);
     double damping = 1.0;
     int accepted = 0;
     for (int halving = 0; halving < MAXIMUM_HALVINGS && !accepted; ++halving, damping *= 0.5) {
@@ -156,6 +165,115 @@ int fmurt_solve_nonlinear(fmurt_values *values, const void *context, fmurt_resid
   return fail(values, MAXIMUM_ITERATIONS, norm);
 }
 
+/* -- following -- */
+
+enum { MAXIMUM_JACOBIANS = 20 };
+
+/* A correction by the Jacobian of the one before may be so large beside it; from the next on, a new Jacobian is worth
+ * its evaluations. All of them together may be so large beside the first. */
+static const double largest_ratio = 0.25, largest_ratio_without_jacobian = 0.03, longest_way = 1.4;
+/* Of a correction that is larger than this share of the unknowns' size, points on the way are tried too: angles that go
+ * round come back to the same equations, which says nothing of what lies between. */
+static const double large_step = 0.1, largest_error_on_way = 0.06;
+static const double points_on_way[] = {0.5, 0.21, 0.77};
+/* Where following fails since the equations have a kink, so small a change is no leap. */
+static const double small_change = 0.1;
+
+static int sign_of_determinant(int n, const double *factors, const int *pivot) {
+  int sign = 1;
+  for (int k = 0; k < n; ++k) {
+    if ((factors[k + (size_t)k * (size_t)n] < 0.0) != (pivot[k] != k)) sign = -sign;
+  }
+  return sign;
+}
+
+/* 1 if the equations change as the Jacobian says, nearly, on the way of the step. */
+static int is_straight(newton *solver, double step_size, const int *pivot) {
+  const int n = solver->n;
+  for (size_t k = 0; k < sizeof points_on_way / sizeof points_on_way[0]; ++k) {
+    const double share = points_on_way[k];
+    for (int i = 0; i < n; ++i) solver->x_trial[i] = solver->x[i] - share * solver->step[i];
+    if (evaluate(solver, solver->x_trial, solver->r_trial) != FMURT_RESULT_OK) return 0;
+    fmurt_substitute(n, solver->jacobian, solver->linear_scale, pivot, solver->r_trial);
+    for (int i = 0; i < n; ++i) solver->r_trial[i] -= (1.0 - share) * solver->step[i];
+    if (scaled_size(solver, solver->r_trial) > largest_error_on_way * step_size) return 0;
+  }
+  return 1;
+}
+
+/* x: accepted solution in, present one out. *sign: of the first Jacobian's determinant, 0 if it is singular. */
+static int follow(newton *solver, double tolerance, int *pivot, int *sign) {
+  const int n = solver->n;
+  const size_t size = (size_t)n;
+  double way_left = HUGE_VAL;
+  *sign = 0;
+  int result = evaluate(solver, solver->x, solver->r);
+  for (int count = 0; count < MAXIMUM_JACOBIANS && result == FMURT_RESULT_OK; ++count) {
+    update_scale(solver);
+    result = compute_jacobian(solver);
+    if (result != FMURT_RESULT_OK) return result;
+    const double norm = scaled_norm(solver, solver->r);
+    if (fmurt_factorize(n, solver->jacobian, solver->linear_scale, pivot) != 0) {
+      return norm <= tolerance ? FMURT_RESULT_OK : FMURT_RESULT_DISCARD;
+    }
+    if (count == 0) *sign = sign_of_determinant(n, solver->jacobian, pivot);
+    memcpy(solver->step, solver->r, size * sizeof(double));
+    fmurt_substitute(n, solver->jacobian, solver->linear_scale, pivot, solver->step);
+    double step_size = scaled_size(solver, solver->step);
+    if (step_size > large_step && !is_straight(solver, step_size, pivot)) return FMURT_RESULT_DISCARD;
+    if (count == 0) way_left = longest_way * step_size;
+
+    for (double ratio = 0.0; ratio <= largest_ratio_without_jacobian;) {
+      for (int i = 0; i < n; ++i) solver->x[i] -= solver->step[i];
+      if (step_size <= tolerance) return FMURT_RESULT_OK;
+      way_left -= step_size;
+      result = evaluate(solver, solver->x, solver->r);
+      if (result != FMURT_RESULT_OK) return result;
+      memcpy(solver->step, solver->r, size * sizeof(double));
+      fmurt_substitute(n, solver->jacobian, solver->linear_scale, pivot, solver->step);
+      const double next_size = scaled_size(solver, solver->step);
+      ratio = next_size / step_size;
+      if (ratio > largest_ratio || next_size > way_left) {
+        return scaled_norm(solver, solver->r) <= tolerance ? FMURT_RESULT_OK : FMURT_RESULT_DISCARD;
+      }
+      step_size = next_size;
+    }
+  }
+  return result == FMURT_RESULT_OK ? FMURT_RESULT_DISCARD : result;
+}
+
+/* 1 if x, which was solved for, is beside the accepted solution and on the same side of where solutions meet. */
+static int is_near(newton *solver, const double *accepted, int sign, int *pivot) {
+  double change = 0.0;
+  update_scale(solver);
+  for (int i = 0; i < solver->n; ++i) {
+    change = fmax(change, fabs(solver->x[i] - accepted[i]) / solver->x_scale[i]);
+  }
+  if (sign == 0 || change > small_change || evaluate(solver, solver->x, solver->r) != FMURT_RESULT_OK) return 0;
+  return compute_jacobian(solver) == FMURT_RESULT_OK &&
+         fmurt_factorize(solver->n, solver->jacobian, solver->linear_scale, pivot) == 0 &&
+         sign_of_determinant(solver->n, solver->jacobian, pivot) == sign;
+}
+
+int fmurt_follow_nonlinear(fmurt_values *values, const void *context, fmurt_residual residual, int n, int offset,
+                           double *x, const double *nominal, double tolerance, double *work, int *integer_work) {
+  if (values->following == FMURT_SOLVE) {
+    return fmurt_solve_nonlinear(values, context, residual, n, x, nominal, tolerance, work, integer_work);
+  }
+  const double *accepted = values->accepted + offset;
+  newton solver = solver_of(values, context, residual, n, x, nominal, work);
+  int sign = 0;
+  memcpy(x, accepted, (size_t)n * sizeof(double));
+  int result = follow(&solver, tolerance, integer_work, &sign);
+  if (result != FMURT_RESULT_DISCARD) return result;
+  memcpy(x, accepted, (size_t)n * sizeof(double));
+  result = fmurt_solve_nonlinear(values, context, residual, n, x, nominal, tolerance, work, integer_work);
+  if (result != FMURT_RESULT_OK || values->following == FMURT_FOLLOW_OR_SOLVE) return result;
+  return is_near(&solver, accepted, sign, integer_work) ? FMURT_RESULT_OK : FMURT_RESULT_DISCARD;
+}
+
+/* -- messages -- */
+
 /* Equations that are off by no more than this are solved. */
 static const double singular_residual = 1e-6;
 
@@ -174,13 +292,19 @@ int fmurt_report_unsolved(fmurt_values *values, fmurt_residual residual, int n, 
         (size_t)snprintf(names + length, sizeof names - length, "%s%s = %.6g", i > 0 ? ", " : "", unknown[i], x[i]);
   }
   const char *more = length >= sizeof names - 40 ? ", ..." : "";
-  char message[800];
+  char message[900];
   if (fabs(r[worst]) <= singular_residual) {
     snprintf(message, sizeof message,
-             "A nonlinear system of %d equations is singular at time %.9g: the equation %s holds, but the unknowns cannot "
-             "be followed on, as at a dead centre of a mechanism. Choose other states, such as other joints of the "
-             "loop. Unknowns: %s%s",
+             "A nonlinear system of %d equations is singular at time %.9g, or its solution cannot be followed there in one "
+             "step: the equation %s holds, but the unknowns would leap, as at a dead centre of a mechanism or where a loop "
+             "would close in another way than before. Take shorter steps, or choose other states, such as other joints of "
+             "the loop. Unknowns: %s%s",
              n, values->time, equation[worst], names, more);
+  } else if (values->following == FMURT_FOLLOW) {
+    snprintf(message, sizeof message,
+             "The solution of a nonlinear system of %d equations cannot be followed from the last step to time %.9g: the "
+             "equation %s is off by %.3g. Shorter steps or other states may help. Unknowns: %s%s",
+             n, values->time, equation[worst], r[worst], names, more);
   } else {
     snprintf(message, sizeof message,
              "A nonlinear system of %d equations has no solution near its start at time %.9g: the equation %s is off by "

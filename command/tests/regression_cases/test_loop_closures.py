@@ -1,0 +1,80 @@
+"""A kinematic loop stays in the closure that it starts in, at every tolerance and step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fmu_regression.fmi.fmu import Mode
+from fmu_regression.results.result import SimulationResult
+from fmu_regression.simulate.simulation import simulate
+from modelica2fmu.build import BuildOptions, build_fmu
+from program import ROOT
+
+LOOPS = Path(__file__).parent / "fixtures" / "ClosingLoops.mo"
+STUDIES = (ROOT / "Resources" / "studies" / "StudyScenes.mo", ROOT / "Resources" / "reference" / "ReferenceModels.mo")
+QUICK, FULL = 12, 400
+MODES: tuple[Mode, ...] = ("cs", "me")
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A loop that strikes a stop: its model, and the angles and speeds that follow from the closure."""
+
+    model: str
+    sources: tuple[Path, ...]
+    angles: tuple[str, ...]
+    speeds: tuple[str, ...]
+
+
+FOUR_BAR = Loop("StudyScenes.FourBarOnStop", STUDIES, ("j2.phi", "j4.phi"), ("j2.w", "j4.w"))
+SLIDER = Loop("ClosingLoops.SliderCrank", (LOOPS,), ("j2.phi", "j4.s"), ("j2.w", "j4.v"))
+SPATIAL = Loop(
+    "ClosingLoops.SpatialFourBar", (LOOPS,), ("j4.phi", "j2.phi_a", "j2.phi_b"), ("j4.w", "j2.w_a", "j2.w_b")
+)
+Build = Callable[[Loop], Path]
+
+
+@pytest.fixture(scope="module")
+def build(engine: None, fmu_cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Build:  # noqa: ARG001
+    made: dict[str, Path] = {}
+
+    def run(loop: Loop) -> Path:
+        if loop.model not in made:
+            fmu = tmp_path_factory.mktemp("loops") / f"{loop.model}.fmu"
+            sources = [*loop.sources, ROOT / "ContactMultiBody"]
+            made[loop.model] = build_fmu(loop.model, sources, fmu, BuildOptions(cache=fmu_cache)).fmu
+        return made[loop.model]
+
+    return run
+
+
+def largest_leap(loop: Loop, result: SimulationResult) -> float:
+    """How much more than the speeds at its ends allow an angle changes between two rows; strikes change speeds."""
+    lasted = np.diff(result.time)
+    leaps = []
+    for angle, speed in zip(loop.angles, loop.speeds, strict=True):
+        rate = np.abs(result[speed])
+        leaps.append(np.abs(np.diff(result[angle])) - 2.0 * np.maximum(rate[1:], rate[:-1]) * lasted)
+    return float(np.max(leaps))
+
+
+@pytest.mark.parametrize("count", [QUICK, pytest.param(FULL, marks=pytest.mark.full)])
+@pytest.mark.parametrize("loop", [FOUR_BAR, SLIDER, SPATIAL], ids=lambda loop: loop.model.split(".")[1])
+def test_no_loop_changes_its_closure(loop: Loop, count: int, build: Build) -> None:
+    fmu = build(loop)
+    random = np.random.default_rng(1)
+    for _ in range(count):
+        settings = {
+            "mode": MODES[random.integers(2)],
+            "tolerance": float(10.0 ** random.uniform(-8, -2)),
+            "interval": float(10.0 ** random.uniform(np.log10(0.5e-3), np.log10(20e-3))),
+        }
+        start = {"j1.phi": float(random.uniform(0.5, 1.2)), "j1.w": float(random.uniform(-4, 8))}
+        signals = [*loop.angles, *loop.speeds]
+        result = simulate(fmu, signals=signals, stop=1.0, parameters=start, time_limit=60, **settings)
+        assert largest_leap(loop, result) < 0.3, (settings, start)
+        assert not result.log, "what a shorter step avoids is nothing to tell"
