@@ -15,6 +15,7 @@ from lxml import etree
 from cad2modelica.assembly.reader import read_assembly_xml
 from cad2modelica.mechanism.model import Assembly
 from cad2modelica.mjcf.reader import read_mjcf
+from cad2modelica.sdf.reader import read_sdf
 from cad2modelica.simscape.reader import read_simscape
 from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
 from cad2modelica.source.xml_document import read_xml
@@ -28,6 +29,7 @@ BY_ROOT: Final[Mapping[str, XmlReader]] = {
     "SimscapeMultibodyImportXML": read_simscape,
     "SimMechanicsImportXML": read_simscape,
     "mujoco": read_mjcf,
+    "sdf": read_sdf,
 }
 """Readers of XML formats by the root element's name without its namespace; of any other, this project's own."""
 

@@ -9,6 +9,7 @@ from contact_foundation.errors import InputError
 
 from cad2modelica.geometry.convex_hull import hull_surface
 from cad2modelica.geometry.mesh import Mesh
+from cad2modelica.geometry.primitive_integrals import solid_moments
 from cad2modelica.geometry.primitive_meshes import (
     Surface,
     along_z,
@@ -178,27 +179,7 @@ def _mass(item: Item, kind: str, size: Array, assets: MjcfAssets, elements: Mjcf
     else:
         if item.text("shellinertia") == "true":
             elements.notes.append(f"{elements.place(item.element)}: shellinertia was read as a solid's")
-        volume, moments = _solid(kind, size)
+        volume, moments = solid_moments(kind, size)
         center, inertia = np.zeros(3), np.diag(moments)
     factor = given / volume if given is not None else density
     return MassProperties(factor * volume, center, factor * inertia)
-
-
-def _solid(kind: str, size: Array) -> tuple[float, Array]:
-    """Volume and principal moments about the centre at density 1."""
-    a, b, c = size
-    if kind in ("box", "ellipsoid"):
-        share = 3.0 if kind == "box" else 5.0
-        volume = 8.0 * a * b * c if kind == "box" else 4.0 / 3.0 * np.pi * a * b * c
-        return float(volume), volume / share * np.array([b * b + c * c, a * a + c * c, a * a + b * b])
-    ball = 4.0 / 3.0 * np.pi * a**3
-    if kind == "sphere":
-        return float(ball), np.full(3, 0.4 * ball * a * a)
-    tube = np.pi * a * a * 2 * b
-    across = tube * (3 * a * a + 4 * b * b) / 12.0
-    along = tube * a * a / 2.0
-    if kind == "cylinder":
-        return float(tube), np.array([across, across, along])
-    # Two half balls, whose centres lie 3/8 of the radius beyond the cylinder's ends.
-    across += ball * (0.4 * a * a + 0.75 * a * b + b * b)
-    return float(tube + ball), np.array([across, across, along + 0.4 * ball * a * a])

@@ -21,6 +21,7 @@ _BROKEN_PATTERN = re.compile(
     re.S,
 )
 _DECLARATION = re.compile(rb"""<\?xml\s+version\s*=\s*["']([0-9.]+)["'][^>]*\?>""")
+_COMMENT = re.compile(rb"<!--.*?-->", re.S)
 _FIRST_ELEMENT = re.compile(rb"<[A-Za-z_]")
 _UNBOUND = re.compile(r"Namespace prefix (\S+)")
 _UNBOUND_NAMESPACE = "urn:unbound-prefix:"
@@ -51,10 +52,10 @@ def read_xml(file: Path, maximum_bytes: int = MAXIMUM_BYTES) -> etree._Element:
         try:
             root = etree.fromstring(data, parser)
         except etree.XMLSyntaxError:
-            bound = _with_bound_prefixes(data)
-            if bound is None:
+            mended = _with_bound_prefixes(_without_odd_comments(data))
+            if mended == data:
                 raise
-            root = etree.fromstring(bound, parser)
+            root = etree.fromstring(mended, parser)
     except etree.XMLSyntaxError as error:
         _refuse_document_type(data, file)
         message = (error.msg or "syntax error").split(", line ")[0]
@@ -156,8 +157,18 @@ def _without_odd_declaration(data: bytes) -> bytes:
     return data[: found.start()] + b" " * (found.end() - found.start()) + data[found.end() :]
 
 
-def _with_bound_prefixes(data: bytes) -> bytes | None:
-    """The text with prefixes that are bound to no namespace bound in the root; None if there are none.
+def _without_odd_comments(data: bytes) -> bytes:
+    """The text without comments that hold a double hyphen, which XML forbids and many programs write."""
+
+    def blank(found: re.Match[bytes]) -> bytes:
+        inside = found[0][4:-3]
+        return re.sub(rb"[^\n]", b" ", found[0]) if b"--" in inside or inside.endswith(b"-") else found[0]
+
+    return _COMMENT.sub(blank, data)
+
+
+def _with_bound_prefixes(data: bytes) -> bytes:
+    """The text with prefixes that are bound to no namespace bound in the root; itself if there are none.
 
     Robot descriptions carry elements of programs (``drake:``, ``gazebo:``) whose prefix nobody declares.
     """
@@ -169,13 +180,13 @@ def _with_bound_prefixes(data: bytes) -> bytes | None:
         prefixes = sorted({found[1] for text in messages if (found := _UNBOUND.match(text)) is not None})
         root = _FIRST_ELEMENT.search(data)
         if not prefixes or root is None:
-            return None
+            return data
         name = re.compile(rb"[^\s/>]+").match(data, root.start() + 1)
         if name is None:
-            return None
+            return data
         bindings = "".join(f' xmlns:{prefix}="{_UNBOUND_NAMESPACE}{prefix}"' for prefix in prefixes)
         return data[: name.end()] + bindings.encode() + data[name.end() :]
-    return None
+    return data
 
 
 def _refuse_document_type(data: bytes, file: Path, *, certain: bool = False) -> None:

@@ -1,0 +1,1 @@
+"""SDFormat, the description format of Gazebo, to the mechanism."""
