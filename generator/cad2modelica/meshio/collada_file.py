@@ -36,6 +36,7 @@ def read_collada(file: Path) -> tuple[Array, Indices]:
     root = read_xml(file, MAXIMUM_BYTES)  # refuses what pycollada's own parser would let through
     if etree.QName(root).localname != "COLLADA":
         raise InputError("is no COLLADA document", place=Place(file=file), remedy="Export the mesh again.")
+    _drop_materials(root)
     try:
         document = collada.Collada(io.BytesIO(etree.tostring(root)), ignore=_IGNORED)
         found = [
@@ -61,6 +62,16 @@ def read_collada(file: Path) -> tuple[Array, Indices]:
         if count > 3 * MAXIMUM_TRIANGLES:
             raise InputError("holds too many triangles", place=Place(file=file), remedy="Export coarser.")
     return np.concatenate(vertices), np.concatenate(triangles)
+
+
+def _drop_materials(root: etree._Element) -> None:
+    """Takes materials and pictures out: geometry bound to one that is broken would be left out."""
+    for element in list(
+        root.iter("{*}bind_material", "{*}library_materials", "{*}library_effects", "{*}library_images")
+    ):
+        parent = element.getparent()
+        if parent is not None:
+            parent.remove(element)
 
 
 def _triangles(primitive: object) -> tuple[Array, Indices] | None:

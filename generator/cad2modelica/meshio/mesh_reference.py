@@ -48,7 +48,7 @@ class MeshReferences:
             raise InputError(f"{reference!r} is not a file name", place=place, remedy="Name a mesh file.")
         for scheme in PACKAGE_SCHEMES:
             if text.startswith(scheme):
-                return self._in_package(text.removeprefix(scheme), reference, place)
+                return self._in_package(text.removeprefix(scheme).lstrip("/"), reference, place)
         path = text.removeprefix(FILE_SCHEME)
         if path.startswith("/"):
             return self._absolute(path, reference, place)

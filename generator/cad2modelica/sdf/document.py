@@ -17,7 +17,7 @@ from cad2modelica.source.lost import Lost
 from cad2modelica.source.problems import Problems
 from cad2modelica.source.xml_document import read_xml
 
-MOST_MODELS = 2000
+MOST_MODELS = 5000
 DEEPEST = 16
 CONFIGURATION = "model.config"
 MODEL_FILE = "model.sdf"

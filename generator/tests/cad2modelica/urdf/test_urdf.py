@@ -259,6 +259,15 @@ def test_collada(tmp_path: Path) -> None:
     np.testing.assert_allclose(solid.center, [0.010 - 0.05, 0.025, 0.075], atol=1e-8)  # single precision inside
 
 
+def test_collada_bound_to_a_material_that_is_not_there(tmp_path: Path) -> None:
+    bound = """<instance_geometry url="#g"><bind_material><technique_common>
+      <instance_material symbol="m" target="#missing"/></technique_common></bind_material></instance_geometry>"""
+    text = COLLADA.replace('<instance_geometry url="#g"/>', bound)
+    text = text.replace('<triangles count="4">', '<triangles material="m" count="4">')
+    (tmp_path / "tetrahedron.dae").write_text(text)
+    assert len(read_mesh(tmp_path / "tetrahedron.dae")[1]) == 4
+
+
 @pytest.mark.parametrize("first", range(6))
 def test_concave_faces_of_a_collada_file(tmp_path: Path, first: int) -> None:
     """An L of area 3, 1 high, from any of its corners on: triangles that reach out of it have a larger surface."""
