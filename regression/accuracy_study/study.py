@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import time as clock
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from contact_foundation.errors import CmbError, ProblemList
@@ -16,12 +17,13 @@ from fmu_regression.fmi.fmu import Mode
 
 from accuracy_study.answers import GivenTrajectory
 from accuracy_study.attribution import VariantErrors, attribute
+from accuracy_study.cluster import carry_out_on_cluster
 from accuracy_study.definition import Scene, Study
 from accuracy_study.grid import Run, Variant, base_variant, runs, variants
 from accuracy_study.run import Experiment, RunTask, TightTask, first_line
 from accuracy_study.scene_models import Builder, SceneModels
 from accuracy_study.store import Outcome, Store
-from accuracy_study.workers import Task, carry_out
+from accuracy_study.workers import Lost, Task, carry_out
 
 _TIGHTER = 1000.0
 _TIGHTEST = 1e-12
@@ -90,7 +92,9 @@ class _Prepared:
     tight: Mapping[Variant, TightTask]
 
 
-def carry_out_study(study: Study, build: Builder, folder: Path, jobs: int = 1, progress: Progress = silent) -> Findings:
+def carry_out_study(
+    study: Study, build: Builder, folder: Path, jobs: int = 1, progress: Progress = silent, scheduler: str = ""
+) -> Findings:
     """Carries out a study, or what is missing of it.
 
     Args:
@@ -99,9 +103,11 @@ def carry_out_study(study: Study, build: Builder, folder: Path, jobs: int = 1, p
         folder: keeps every run as soon as it is whole; what is found there is not run again.
         jobs: worker processes.
         progress: receives the phases "models", "trajectories" and "runs".
+        scheduler: address of a scheduler of Dask, whose workers then do what worker processes here would, or "".
 
     Raises:
         ProblemList: a scene does not have what the study asks of it.
+        InputError: the scheduler or its workers cannot be used.
         CmbError: the model of a scene, as it is, cannot be built or started.
     """
     store = Store(folder)
@@ -109,10 +115,11 @@ def carry_out_study(study: Study, build: Builder, folder: Path, jobs: int = 1, p
     prepared = _prepare(study, build, store, progress)
     tight = {task.key: task for scene in prepared for task in scene.tight.values()}
     missing = {key: task for key, task in tight.items() if store.tight(key) is None}
-    _carry_out("trajectories", missing, jobs, progress)
+    carry = partial(carry_out_on_cluster, scheduler, folder) if scheduler else partial(_carry_out_here, jobs)
+    _carry_out("trajectories", missing, carry, progress)
     tasks = {run: task for scene in prepared for run, task in _run_tasks(study, scene, folder).items()}
     to_do = {task.key: task for task in tasks.values() if store.outcome(task.key) is None}
-    lost = _carry_out("runs", to_do, jobs, progress)
+    lost = _carry_out("runs", to_do, carry, progress)
     scenes = tuple(_findings(study, scene, store, tasks, lost) for scene in prepared)
     return Findings(study, scenes, machine(), versions(""))
 
@@ -195,7 +202,15 @@ def _run_tasks(study: Study, prepared: _Prepared, folder: Path) -> dict[Run, Run
     }
 
 
-def _carry_out(phase: str, by_key: Mapping[str, Task], jobs: int, progress: Progress) -> dict[str, str]:
+_Carry = Callable[[Sequence[Task], Callable[[int], None]], list[Lost]]
+"""Carries out tasks; calls the function with the number of those done; the tasks that were lost."""
+
+
+def _carry_out_here(jobs: int, tasks: Sequence[Task], done: Callable[[int], None]) -> list[Lost]:
+    return carry_out(tasks, min(jobs, len(tasks)), done)
+
+
+def _carry_out(phase: str, by_key: Mapping[str, Task], carry: _Carry, progress: Progress) -> dict[str, str]:
     """Carries out tasks with progress and time left; by key, how the process of those ended that were lost."""
     keys, tasks = list(by_key), list(by_key.values())
     began = clock.monotonic()
@@ -204,7 +219,7 @@ def _carry_out(phase: str, by_key: Mapping[str, Task], jobs: int, progress: Prog
         left = (clock.monotonic() - began) / count * (len(tasks) - count)
         progress(phase, count / len(tasks), f"{count} of {len(tasks)}, {left:.0f} s left")
 
-    lost = carry_out(tasks, min(jobs, max(1, len(tasks))), done) if tasks else []
+    lost = carry(tasks, done) if tasks else []
     progress(phase, 1.0, f"{len(tasks)} done now")
     return {keys[entry.number]: entry.cause for entry in lost}
 

@@ -25,7 +25,7 @@ Builder = Callable[[str], Path]
 """The FMU of a Modelica model, built or found."""
 _FORMAT: Final = 1
 _MODULES: Final = Path(__file__).parent / "programs"
-_LONG: Final = 3.0
+_LONG: Final = 1.0
 """Processor time of a run that is not repeated, s: its spread says nothing that is looked for."""
 
 

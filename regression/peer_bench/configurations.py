@@ -194,6 +194,53 @@ def _rod() -> tuple[Configuration, ...]:
     )
 
 
+def _dominoes() -> tuple[Configuration, ...]:
+    return (
+        *_ours("DominoRow", (1e5, 1e6)),
+        _mujoco("Euler, elliptic", integrator="Euler", cone="elliptic"),
+        _mujoco("RK4, elliptic", integrator="RK4", cone="elliptic"),
+        _mujoco("Euler, elliptic, 1e4 N/m", integrator="Euler", cone="elliptic", stiffness=1e6),
+        _mujoco("discrete, elliptic", integrator="discrete", cone="elliptic"),
+        _drake("CENIC, hydroelastic, 1e5 N/m", _ACCURACIES, integrator="cenic", contact="hydroelastic", stiffness=1e5),
+        _drake("discrete, SAP, hydroelastic", _FEW_STEPS, integrator="sap", contact="hydroelastic", stiffness=1e5),
+        _drake("discrete, TAMSI, hydroelastic", _FEW_STEPS, integrator="tamsi", contact="hydroelastic", stiffness=1e5),
+        _bullet("rigid"),
+        _bullet("rigid, maximal coordinates", coordinates="maximal"),
+    )
+
+
+def _hexapod() -> tuple[Configuration, ...]:
+    small = (5e-3, 2e-3, 1e-3, 5e-4, 1e-4)
+    return (
+        Configuration(OURS, "2e4 N/m", {}, "tolerance", (*_TOLERANCES[:5], 1e-7), "ReferenceModels.Hexapod.Walk"),
+        _mujoco("Euler, default compliance", small, integrator="Euler", cone="elliptic", stiffness=2500),
+        _mujoco("implicitfast, default compliance", small, integrator="implicitfast", cone="elliptic", stiffness=2500),
+        _mujoco("Euler, 2e4 N/m", small, integrator="Euler", cone="elliptic", stiffness=2e4 / 1.3, damping_ratio=0.03),
+        _mujoco("RK4, default compliance", (5e-4, 2e-4, 1e-4), integrator="RK4", cone="elliptic", stiffness=2500),
+        _mujoco("discrete, default compliance", small, integrator="discrete", cone="elliptic", stiffness=2500),
+        _drake("RK3", (1e-2, 1e-3), integrator="runge_kutta3", stiction=1e-2),
+        _drake("CENIC", _ACCURACIES, integrator="cenic", stiction=1e-2),
+        _drake("discrete, TAMSI", (2e-3, 1e-3, 5e-4, 2e-4), integrator="tamsi", stiction=1e-2),
+        _drake("discrete, SAP", (5e-3, 2e-3, 1e-3), integrator="sap", stiction=1e-2),
+        _bullet("rigid, servos by torque", (5e-4, 2e-4, 1e-4)),
+    )
+
+
+def _spheres() -> tuple[Configuration, ...]:
+    steps = (1e-2, 5e-3, 2e-3, 1e-3, 5e-4)
+    return (
+        Configuration(OURS, "2e4 N/m", {}, "tolerance", (1e-2, 1e-3, 1e-4, 1e-5, 1e-6), "PeerScenes.HundredSpheres"),
+        _mujoco("Euler, elliptic, 2e4 N/m", steps, integrator="Euler", cone="elliptic", stiffness=4e4),
+        _mujoco("Euler, pyramidal, 2e4 N/m", steps, integrator="Euler", cone="pyramidal", stiffness=4e4),
+        _mujoco("Euler, elliptic, 20 steps an impact", steps, integrator="Euler", cone="elliptic"),
+        _drake("CENIC", _ACCURACIES[:3], integrator="cenic", stiffness=2e4),
+        _drake("discrete, SAP", (1e-2, 5e-3, 2e-3), integrator="sap", stiffness=2e4),
+        _drake("discrete, lagged", (1e-2, 5e-3, 2e-3), integrator="lagged", stiffness=2e4),
+        _bullet("rigid", steps),
+        _bullet("rigid, maximal coordinates", steps, coordinates="maximal"),
+    )
+
+
 CONFIGURATIONS: Final[Mapping[str, tuple[Configuration, ...]]] = {
     "ball, first apex": _balls(),
     "ball, three impacts": _balls(),
@@ -203,5 +250,8 @@ CONFIGURATIONS: Final[Mapping[str, tuple[Configuration, ...]]] = {
     "stack of five boxes": _stack(),
     "Newton's cradle": _cradle(),
     "falling rod": _rod(),
+    "row of dominoes": _dominoes(),
+    "hexapod": _hexapod(),
+    "hundred spheres": _spheres(),
 }
 """By the scene's name."""

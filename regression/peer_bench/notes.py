@@ -28,5 +28,18 @@ NOTES: Final[Mapping[str, tuple[str, ...]]] = {
     "Newton's cradle": (
         "The balls stand 1 mm apart, so that impacts follow each other and rigid impacts have one outcome.",
     ),
+    "row of dominoes": (
+        "Programs agree on the course but not on digits: each has its own contact law, so that each is measured "
+        "against itself. The error is that of solver and step alone.",
+    ),
+    "hexapod": (
+        "The same bodies, servos and gait; feet are points of 2e4 N/m here and in Drake, of MuJoCo's default "
+        "compliance and of about the same one, and rigid in Bullet. Friction has a slip speed of 1e-2 m/s here and in "
+        "Drake. Joint damping is treated implicitly by MuJoCo's and Drake's discrete solvers and by the solver here, "
+        "explicitly by Bullet, which needs small steps for it.",
+    ),
+    "hundred spheres": (
+        "Spheres run into each other, which no program reproduces sphere by sphere: the mean over all is compared.",
+    ),
 }
 """By the scene's name."""

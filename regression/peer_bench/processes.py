@@ -6,6 +6,7 @@ import json
 import os
 import select
 import subprocess
+import tempfile
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -27,7 +28,7 @@ class Program:
     """
 
     def __init__(self, python: Path, module: str, paths: Sequence[Path] = ()) -> None:
-        self._command = [str(python), "-m", "peer_bench.worker", module]
+        self._command = [os.path.abspath(python), "-m", "peer_bench.worker", module]
         self._environment = dict(os.environ, PYTHONPATH=os.pathsep.join(map(str, (_PACKAGES, *paths))))
         self._process: subprocess.Popen[bytes] | None = None
         self._unread = b""
@@ -39,6 +40,7 @@ class Program:
         self._process = subprocess.Popen(
             self._command,
             env=self._environment,
+            cwd=tempfile.gettempdir(),  # some write logs into the folder where they run
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,

@@ -42,6 +42,16 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--jobs", type=_jobs, default=1, metavar="N", help="worker processes (1 if left out, the most exact times)"
     )
+    parser.add_argument(
+        "--scheduler",
+        default="",
+        metavar="ADDRESS",
+        help="run on the workers of this scheduler of Dask, as tcp://host:8786, in place of processes here "
+        "(contactmultibody[cluster]); they must see the output folder",
+    )
+    parser.add_argument(
+        "--parquet", action="store_true", help="write table.parquet beside table.csv (contactmultibody[parquet])"
+    )
     add_build_arguments(parser)
 
 
@@ -53,14 +63,18 @@ def run(arguments: Namespace) -> int:
     from accuracy_study.picture import write_pictures
     from accuracy_study.sentences import study_sentences
     from accuracy_study.study import carry_out_study
-    from accuracy_study.table import write_table
+    from accuracy_study.table import check_parquet, write_parquet, write_table
 
+    if arguments.parquet:
+        check_parquet()
     study = load_study(arguments.study)
     folder: Path = arguments.output or Path("out") / "study" / arguments.study.stem
     with progress_bars() as progress:
         build = partial(_build, build_options(arguments), progress)
-        findings = carry_out_study(study, build, folder, arguments.jobs, progress)
+        findings = carry_out_study(study, build, folder, arguments.jobs, progress, arguments.scheduler)
     write_table(findings, folder / "table.csv")
+    if arguments.parquet:
+        write_parquet(findings, folder / "table.parquet")
     write_page(findings, folder / "study.html")
     write_pictures(findings, folder / "pictures")
     print("\n".join(study_sentences(findings)))

@@ -26,10 +26,26 @@ from pydrake.multibody.plant import (
     CoulombFriction,
     DiscreteContactApproximation,
 )
-from pydrake.multibody.tree import RevoluteJoint, SpatialInertia, UnitInertia
+from pydrake.multibody.tree import FixedOffsetFrame, RevoluteJoint, RotationalInertia, SpatialInertia, UnitInertia
 from pydrake.systems.analysis import ResetIntegratorFromFlags, Simulator
 from pydrake.systems.framework import DiagramBuilder
+from pydrake.systems.primitives import Adder, MatrixGain, TrajectorySource
+from pydrake.trajectories import PiecewisePolynomial
 
+from peer_bench.programs.mechanisms import (
+    FOOT_DISSIPATION,
+    FOOT_FRICTION,
+    FOOT_OFFSET,
+    FOOT_RADIUS,
+    FOOT_STIFFNESS,
+    HEXAPOD_DAMPING,
+    HEXAPOD_STIFFNESS,
+    LEGS,
+    TORSO_HEIGHT,
+    TORSO_INERTIA,
+    TORSO_MASS,
+    servo_targets,
+)
 from peer_bench.programs.simulation import Settings, Simulation, whole_steps
 from peer_bench.restitution import hunt_crossley_damping
 from peer_bench.scenes import (
@@ -41,12 +57,15 @@ from peer_bench.scenes import (
     CRADLE_START,
     Body,
     Scene,
+    Vector,
     World,
 )
 
 VERSION: Final = metadata.version("drake")
 _CORNER: Final = 1e-6
 """Radius of the spheres that stand for the corners of a box, m."""
+_TARGETS: Final = 1e-3
+"""Between the points through which the servos' targets are splined, s."""
 _WHOLLY_INELASTIC: Final = 50.0
 """Dissipation where no restitution is wanted, s/m."""
 _APPROXIMATIONS: Final = {
@@ -212,7 +231,7 @@ class _Cradle(_Diagram):
                 self.plant.AddJoint(
                     RevoluteJoint(
                         f"string{k}",
-                        self.plant.AddFrame(_fixed_frame(f"hook{k}", self.plant.world_frame(), hook)),
+                        self.plant.AddFrame(FixedOffsetFrame(f"hook{k}", self.plant.world_frame(), hook)),
                         ball.body_frame(),
                         [0, 1, 0],
                     )
@@ -226,10 +245,66 @@ class _Cradle(_Diagram):
         self.initialize()
 
 
-def _fixed_frame(name: str, parent: Any, place: Any) -> Any:
-    from pydrake.multibody.tree import FixedOffsetFrame
+class _Hexapod(_Diagram):
+    """Servos of native blocks; their damping is the joints' own, which discrete solvers treat implicitly."""
 
-    return FixedOffsetFrame(name, parent, place)
+    def __init__(self, scene: Scene, settings: Settings) -> None:
+        super().__init__(scene, settings)
+        plant = self.plant
+        plant.mutable_gravity_field().set_gravity_vector([0.0, 0.0, -9.81])
+        properties = ProximityProperties()
+        friction = CoulombFriction(FOOT_FRICTION, FOOT_FRICTION)
+        AddContactMaterial(FOOT_DISSIPATION, 2 * FOOT_STIFFNESS, friction, properties)
+        plant.RegisterCollisionGeometry(plant.world_body(), RigidTransform(), HalfSpace(), "floor", properties)
+        torso = plant.AddRigidBody("torso", _inertia(TORSO_MASS, (0.0, 0.0, 0.0), TORSO_INERTIA))
+        self._joints: list[Any] = []
+        foot = RigidTransform([0.0, 0.0, FOOT_RADIUS - FOOT_OFFSET])
+        for leg in LEGS:
+            before = torso
+            for link in leg.links:
+                name = f"link{len(self._joints)}"
+                body = plant.AddRigidBody(name, _inertia(link.mass, link.centre, link.inertia))
+                place = plant.AddFrame(
+                    FixedOffsetFrame(f"place{name}", before.body_frame(), RigidTransform(link.origin))
+                )
+                joint = RevoluteJoint(f"joint{name}", place, body.body_frame(), link.axis, damping=HEXAPOD_DAMPING)
+                self._joints.append(plant.AddJoint(joint))
+                plant.AddJointActuator(name, self._joints[-1])
+                before = body
+            plant.RegisterCollisionGeometry(before, foot, Sphere(FOOT_RADIUS), f"foot{name}", properties)
+        context = self.start()
+        plant.SetFreeBodyPose(context, torso, RigidTransform([0.0, 0.0, TORSO_HEIGHT]))
+        self._torso = torso
+        self.initialize()
+
+    def finish_plant(self) -> None:
+        """Torques of the servos: stiffness times what is left to the target."""
+        plant, count = self.plant, len(self._joints)
+        times = np.arange(0.0, self.scene.stop + 2 * _TARGETS, _TARGETS)
+        targets = HEXAPOD_STIFFNESS * np.array([servo_targets(time) for time in times.tolist()]).T
+        path = PiecewisePolynomial.CubicShapePreserving(times, targets)
+        source = self.builder.AddSystem(TrajectorySource(path))
+        pick = np.zeros((count, plant.num_multibody_states()))
+        for k, joint in enumerate(self._joints):
+            pick[k, joint.position_start()] = -HEXAPOD_STIFFNESS
+        gain = self.builder.AddSystem(MatrixGain(pick))
+        adder = self.builder.AddSystem(Adder(2, count))
+        self.builder.Connect(source.get_output_port(), adder.get_input_port(0))
+        self.builder.Connect(plant.get_state_output_port(), gain.get_input_port())
+        self.builder.Connect(gain.get_output_port(), adder.get_input_port(1))
+        self.builder.Connect(adder.get_output_port(), plant.get_actuation_input_port())
+
+    def values(self) -> list[float]:
+        """The position of the torso."""
+        return [float(value) for value in self.plant.GetFreeBodyPose(self._context, self._torso).translation()]
 
 
-_MECHANISMS: Final[Mapping[str, Callable[[Scene, Settings], Simulation]]] = {"Newton's cradle": _Cradle}
+def _inertia(mass: float, centre: Vector, moments: Vector) -> Any:
+    """Of a body with moments about its centre."""
+    return SpatialInertia.MakeFromCentralInertia(mass, np.array(centre), RotationalInertia(*moments))
+
+
+_MECHANISMS: Final[Mapping[str, Callable[[Scene, Settings], Simulation]]] = {
+    "Newton's cradle": _Cradle,
+    "hexapod": _Hexapod,
+}

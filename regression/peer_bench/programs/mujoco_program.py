@@ -3,13 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
 import mujoco
 import numpy as np
+from mujoco import rollout
 
-from peer_bench.programs.mechanisms import servo_targets
+from peer_bench.programs.mechanisms import (
+    FOOT_FRICTION,
+    FOOT_OFFSET,
+    FOOT_RADIUS,
+    HEXAPOD_DAMPING,
+    HEXAPOD_STIFFNESS,
+    LEGS,
+    TORSO_HEIGHT,
+    TORSO_INERTIA,
+    TORSO_MASS,
+    Link,
+    servo_targets,
+)
 from peer_bench.programs.simulation import Settings, Simulation, whole_steps
 from peer_bench.restitution import damping_ratio
 from peer_bench.scenes import (
@@ -25,6 +38,11 @@ from peer_bench.scenes import (
 )
 
 VERSION: Final = str(mujoco.__version__)
+_UNSTABLE: Final = (
+    mujoco.mjtWarning.mjWARN_BADQPOS,
+    mujoco.mjtWarning.mjWARN_BADQVEL,
+    mujoco.mjtWarning.mjWARN_BADQACC,
+)
 _GEOMS: Final = {"sphere": "sphere", "box": "box", "capsule": "capsule"}
 
 
@@ -58,6 +76,7 @@ class _Stepped:
         del until
         mujoco.mj_step(self.model, self.data, nstep=self._steps)
         self._count += self._steps
+        self.check()
 
     def values(self) -> list[float]:
         """The coordinates of a mechanism."""
@@ -69,6 +88,15 @@ class _Stepped:
 
     def close(self) -> None:
         """Nothing is held."""
+
+    def check(self) -> None:
+        """MuJoCo starts anew where a state is not finite, and goes on; that is a failure.
+
+        Raises:
+            ArithmeticError: it did.
+        """
+        if any(self.data.warning[kind].number for kind in _UNSTABLE):
+            raise ArithmeticError("MuJoCo says: the simulation is unstable")
 
 
 class _FreeBodies(_Stepped):
@@ -87,26 +115,41 @@ class _FreeBodies(_Stepped):
 
 
 class _Hexapod(_Stepped):
-    """The servo's damping is the joints' own, which implicit integrators treat implicitly."""
+    """Targets of the servos are known at every step beforehand, so that many steps are taken a call (``rollout``)."""
 
     def __init__(self, scene: Scene, settings: Settings) -> None:
-        model = _model(scene, settings, 0.0, 0.7, (0.0, 0.0, -9.81), _FLOOR + _hexapod())
+        servos = "".join(f'<position joint="joint{k}" kp="{HEXAPOD_STIFFNESS!r}"/>' for k in range(3 * len(LEGS)))
+        model = _model(
+            scene,
+            settings,
+            0.0,
+            FOOT_FRICTION,
+            (0.0, 0.0, -9.81),
+            _FLOOR + _hexapod(),
+            f"<actuator>{servos}</actuator>",
+        )
         super().__init__(scene, settings, model)
-        self.data.qpos[2] = 0.149
-        self._substep = float(self.model.opt.timestep)
+        self.data.qpos[2] = TORSO_HEIGHT
+        mujoco.mj_forward(self.model, self.data)
+        step = float(self.model.opt.timestep)
+        times = step * np.arange(self._steps * scene.intervals)
+        self._targets = np.array([servo_targets(time) for time in times.tolist()])
+        kind = mujoco.mjtState.mjSTATE_FULLPHYSICS
+        self._state = np.empty(mujoco.mj_stateSize(self.model, kind))
+        mujoco.mj_getState(self.model, self.data, self._state, kind)
 
     def advance(self, until: float) -> None:
         """Takes the steps of an interval with the servos' targets of each."""
         del until
-        data, model = self.data, self.model
-        for _ in range(self._steps):
-            data.ctrl[:] = servo_targets(data.time)
-            mujoco.mj_step(model, data)
+        targets = self._targets[self._count : self._count + self._steps]
+        states, _ = rollout.rollout(self.model, [self.data], self._state, targets[None])
+        self._state = states[0, -1]
         self._count += self._steps
+        self.check()
 
     def values(self) -> list[float]:
-        """The position of the torso."""
-        return [float(value) for value in self.data.qpos[:3]]
+        """The position of the torso; a state is time, positions and velocities."""
+        return [float(value) for value in self._state[1:4]]
 
 
 _FLOOR: Final = '<geom type="plane" size="0 0 1"/>'
@@ -172,7 +215,24 @@ def _cradle(scene: Scene, settings: Settings) -> Simulation:
 
 
 def _hexapod() -> str:
-    raise NotImplementedError
+    legs = "".join(_leg(3 * k, leg.links) for k, leg in enumerate(LEGS))
+    torso = f'<inertial pos="0 0 0" mass="{TORSO_MASS!r}" diaginertia="{_row(TORSO_INERTIA)}"/>'
+    return f"<body><freejoint/>{torso}{legs}</body>"
+
+
+def _leg(first: int, links: Sequence[Link]) -> str:
+    """Nested bodies; only feet touch anything, and only the floor."""
+    link = links[0]
+    inner = (
+        _leg(first + 1, links[1:])
+        if len(links) > 1
+        else f'<geom type="sphere" size="{FOOT_RADIUS!r}" pos="0 0 {FOOT_RADIUS - FOOT_OFFSET!r}" contype="0"/>'
+    )
+    return (
+        f'<body pos="{_row(link.origin)}"><joint name="joint{first}" type="hinge" axis="{_row(link.axis)}" '
+        f'damping="{HEXAPOD_DAMPING!r}"/><inertial pos="{_row(link.centre)}" mass="{link.mass!r}" '
+        f'diaginertia="{_row(link.inertia)}"/>{inner}</body>'
+    )
 
 
 _MECHANISMS: Final[Mapping[str, Callable[[Scene, Settings], Simulation]]] = {

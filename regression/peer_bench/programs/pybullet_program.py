@@ -11,6 +11,18 @@ import numpy as np
 import pybullet
 from pybullet_utils.bullet_client import BulletClient
 
+from peer_bench.programs.mechanisms import (
+    FOOT_FRICTION,
+    FOOT_OFFSET,
+    FOOT_RADIUS,
+    HEXAPOD_DAMPING,
+    HEXAPOD_STIFFNESS,
+    LEGS,
+    TORSO_HEIGHT,
+    TORSO_INERTIA,
+    TORSO_MASS,
+    servo_targets,
+)
 from peer_bench.programs.simulation import Settings, Simulation, whole_steps
 from peer_bench.scenes import (
     CRADLE_BALLS,
@@ -174,4 +186,64 @@ class _Cradle(_Client):
         return [float(self.client.getJointState(string, 0)[0]) for string in self._strings]
 
 
-_MECHANISMS: Final[Mapping[str, Callable[[Scene, Settings], Simulation]]] = {"Newton's cradle": _Cradle}
+class _Hexapod(_Client):
+    """Servos by torques, set from Python before every step; their damping is the joints' own."""
+
+    def __init__(self, scene: Scene, settings: Settings) -> None:
+        super().__init__(scene, settings)
+        client = self.client
+        client.setGravity(0.0, 0.0, -9.81)
+        friction = math.sqrt(FOOT_FRICTION)
+        floor = client.createMultiBody(0.0, client.createCollisionShape(pybullet.GEOM_PLANE))
+        self.surface(floor, -1, friction, 0.0)
+        place = [0.0, 0.0, FOOT_RADIUS - FOOT_OFFSET]
+        foot = client.createCollisionShape(pybullet.GEOM_SPHERE, radius=FOOT_RADIUS, collisionFramePosition=place)
+        links = [(link, number) for leg in LEGS for number, link in enumerate(leg.links)]
+        self._robot = client.createMultiBody(
+            TORSO_MASS,
+            -1,
+            -1,
+            [0.0, 0.0, TORSO_HEIGHT],
+            linkMasses=[link.mass for link, _ in links],
+            linkCollisionShapeIndices=[foot if number == 2 else -1 for _, number in links],
+            linkVisualShapeIndices=[-1] * len(links),
+            linkPositions=[link.origin for link, _ in links],
+            linkOrientations=[[0.0, 0.0, 0.0, 1.0]] * len(links),
+            linkInertialFramePositions=[link.centre for link, _ in links],
+            linkInertialFrameOrientations=[[0.0, 0.0, 0.0, 1.0]] * len(links),
+            linkParentIndices=[0 if number == 0 else k for k, (_, number) in enumerate(links)],
+            linkJointTypes=[pybullet.JOINT_REVOLUTE] * len(links),
+            linkJointAxis=[link.axis for link, _ in links],
+        )
+        self._joints = list(range(len(links)))
+        client.changeDynamics(
+            self._robot, -1, localInertiaDiagonal=TORSO_INERTIA, linearDamping=0.0, angularDamping=0.0
+        )
+        for k, (link, _) in enumerate(links):
+            self.surface(self._robot, k, friction, 0.0)
+            client.changeDynamics(self._robot, k, localInertiaDiagonal=link.inertia, jointDamping=HEXAPOD_DAMPING)
+            client.setJointMotorControl2(self._robot, k, pybullet.VELOCITY_CONTROL, force=0.0)
+        step = scene.stop / scene.intervals / self._steps
+        times = step * np.arange(self._steps * scene.intervals)
+        self._targets = np.array([servo_targets(time) for time in times.tolist()])
+
+    def advance(self, until: float) -> None:
+        """Takes the steps of an interval."""
+        del until
+        client, robot, joints = self.client, self._robot, self._joints
+        for targets in self._targets[self._count : self._count + self._steps]:
+            angles = np.array([state[0] for state in client.getJointStates(robot, joints)])
+            torques = HEXAPOD_STIFFNESS * (targets - angles)
+            client.setJointMotorControlArray(robot, joints, pybullet.TORQUE_CONTROL, forces=torques)
+            client.stepSimulation()
+        self._count += self._steps
+
+    def values(self) -> list[float]:
+        """The position of the torso."""
+        return [float(value) for value in self.client.getBasePositionAndOrientation(self._robot)[0]]
+
+
+_MECHANISMS: Final[Mapping[str, Callable[[Scene, Settings], Simulation]]] = {
+    "Newton's cradle": _Cradle,
+    "hexapod": _Hexapod,
+}

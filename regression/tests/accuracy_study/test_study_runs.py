@@ -22,7 +22,7 @@ from accuracy_study.page import write_page
 from accuracy_study.picture import write_pictures
 from accuracy_study.sentences import study_sentences
 from accuracy_study.study import Findings, carry_out_study
-from accuracy_study.table import CPU_COLUMNS, write_table
+from accuracy_study.table import CPU_COLUMNS, write_parquet, write_table
 from contact_foundation.errors import InputError
 
 # h(0) = 1 m, g = 10 m/s2, e = 0.5: up again at 2.236 m/s from t = 0.4472 s on.
@@ -62,10 +62,11 @@ def copied(fmu: Path, _model: str, _sources: Sequence[Path], target: Path) -> No
     shutil.copyfile(fmu, target)
 
 
-def carried_out(folder: Path, fmu: Path, text: str = TEXT, jobs: int = 1) -> Findings:
+def carried_out(folder: Path, fmu: Path, text: str = TEXT, jobs: int = 1, scheduler: str = "") -> Findings:
     folder.mkdir(exist_ok=True)
     (folder / "study.toml").write_text(text)
-    findings = carry_out_study(load_study(folder / "study.toml"), partial(copied, fmu), folder / "out", jobs)
+    study = load_study(folder / "study.toml")
+    findings = carry_out_study(study, partial(copied, fmu), folder / "out", jobs, scheduler=scheduler)
     write_table(findings, folder / "out" / "table.csv")
     return findings
 
@@ -141,6 +142,30 @@ def test_sentences_page_and_pictures(clean):
 
 def test_any_number_of_processes_gives_the_same(clean, bouncing_mass, tmp_path):
     carried_out(tmp_path, bouncing_mass, jobs=3)
+    assert table(tmp_path) == table(clean[0])
+
+
+def test_parquet_holds_the_same_rows(clean, tmp_path):
+    parquet = pytest.importorskip("pyarrow.parquet", reason="pyarrow is not installed")
+    folder, findings = clean
+    write_parquet(findings, tmp_path / "table.parquet")
+    found = parquet.read_table(tmp_path / "table.parquet").to_pylist()
+    rows = table(folder)
+    assert len(found) == len(rows)
+    for have, row in zip(found, rows, strict=True):
+        for name, text in row.items():
+            value = have[name]
+            assert ("" if value is None else repr(value) if isinstance(value, float) else str(value)) == text
+    assert isinstance(found[0]["error"], float)
+    assert isinstance(found[0]["steps"], int)
+
+
+def test_a_cluster_gives_the_same(clean, bouncing_mass, tmp_path):
+    distributed = pytest.importorskip("distributed", reason="distributed is not installed")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1"
+    ) as cluster:
+        carried_out(tmp_path, bouncing_mass, scheduler=cluster.scheduler_address)
     assert table(tmp_path) == table(clean[0])
 
 
