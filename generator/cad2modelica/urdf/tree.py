@@ -230,7 +230,9 @@ class _TreeReader:
                 hosts[joint.child] = Host(joint.child, IDENTITY, world)
                 continue
             if joint.type != "fixed":
-                self._notes.append(Lost(f"joint {joint.name!r} moves nothing that has mass: it was taken as fixed"))
+                advice = "; --density makes masses" if gets_mass_by_density(links[joint.child].element) else ""
+                note = f"joint {joint.name!r} moves nothing that has mass: it was taken as fixed{advice}"
+                self._notes.append(Lost(note))
             hosts[joint.child] = Host(parent.part, parent.inner @ origin, world)
         return hosts
 

@@ -9,6 +9,8 @@ from typing import Any, Final
 
 from modelica2fmu.frontend.runner import Request
 
+_COUNTED: Final = re.compile(r"\bContactManager\s+(?P<name>\w+)\s*\([^;]*?\bn\s*=\s*(?P<count>\d+)\b", re.S)
+_MOST_FRAMES: Final = 1000
 _PARTIAL: Final = "cmb partial model"
 _UNBALANCED: Final = re.compile(r"unbalanced model: (\d+) equations, (\d+) unknowns")
 
@@ -28,6 +30,21 @@ def unbalanced_form(request: Request) -> Request | None:
         return None
     partial = f"partial model '{_PARTIAL}'\n  extends {request.model};\nend '{_PARTIAL}';\n"
     return replace(request, text=request.text + partial, model=f"'{_PARTIAL}'")
+
+
+def frames_without_connect(text: str) -> list[str]:
+    """Elements ``manager.frame[k]`` of components declared with ``n=N`` that no ``connect`` of the text names.
+
+    Only where every connect names its element by a number; for models that cannot even be flattened as they are.
+    """
+    found = []
+    for declared in _COUNTED.finditer(text):
+        name, count = declared["name"], int(declared["count"])
+        subscripts = re.findall(rf"\b{name}\.frame\[\s*([^\]]*?)\s*\]", text)
+        if not subscripts or count > _MOST_FRAMES or not all(item.isdecimal() for item in subscripts):
+            continue
+        found += [f"{name}.frame[{number}]" for number in range(1, count + 1) if str(number) not in subscripts]
+    return found
 
 
 def unplaced_frames(flat: Mapping[str, Any]) -> list[str]:

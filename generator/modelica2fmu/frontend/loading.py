@@ -19,7 +19,7 @@ from modelica2fmu.crosscheck.flat_check import added_components, check_flat_mode
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.frontend import ir
-from modelica2fmu.frontend.balance import lacks_equations, unbalanced_form, unplaced_frames
+from modelica2fmu.frontend.balance import frames_without_connect, lacks_equations, unbalanced_form, unplaced_frames
 from modelica2fmu.frontend.concatenation import have_values, with_arrays_written_out
 from modelica2fmu.frontend.errors import FrontEndError, front_end_error, misplaced_error, unconnected_error
 from modelica2fmu.frontend.flat_reader import read_flat_model
@@ -108,7 +108,8 @@ def _check_connections(error: str, request: Request, file: Path, remark: Callabl
     """Raises InputError if frames that are connected to nothing are why the model lacks equations."""
     unbalanced = unbalanced_form(request) if lacks_equations(error) else None
     flat = None if unbalanced is None else ask(unbalanced, remark).flat
-    frames = [] if flat is None else unplaced_frames(flat)
+    frames = [] if unbalanced is None else frames_without_connect(unbalanced.text or "")
+    frames = frames if flat is None else unplaced_frames(flat)
     if frames:
         raise unconnected_error(frames, request.model, file)
 

@@ -45,6 +45,13 @@ def test_frames_that_are_connected_to_nothing_are_named(tmp_path, left_out):
     assert (caught.value.place.file, caught.value.place.line) == (tmp_path / "Drop.mo", 6)
 
 
+def test_frames_beyond_those_that_are_connected_are_named(tmp_path):
+    """Here the lists are shorter than n, so that the front end does not flatten the model at all."""
+    with pytest.raises(InputError) as caught:
+        translated(tmp_path, DROP.replace("n=2", "n=3"))
+    assert caught.value.message.startswith("contacts.frame[3] is connected to nothing")
+
+
 def test_a_missing_world_is_warned_of(tmp_path):
     said = translated(tmp_path, DROP.replace(WORLD, "")).scalar.warnings
     assert [warning for warning in said if "no component world is declared as inner" in warning]
