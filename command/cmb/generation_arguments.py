@@ -32,6 +32,21 @@ def add_generation_arguments(parser: ArgumentParser) -> None:
         help="hold this part (URDF: link) in the world where it stands; may be given several times",
     )
     parser.add_argument(
+        "--up",
+        choices=("x", "y", "z", "-x", "-y", "-z"),
+        help="the axis of the source that points up, which CAD systems do not say (if left out z, or what the XML "
+        "format's gravity says); write --up=-y",
+    )
+    parser.add_argument(
+        "--no-contacts", action="store_true", help="parts do not touch each other, except pairs that --include names"
+    )
+    parser.add_argument(
+        "--tessellation",
+        type=float,
+        metavar="MM",
+        help="STEP: largest distance of the triangles from the faces (a thousandth of each part's size if left out)",
+    )
+    parser.add_argument(
         "--stops",
         action=BooleanOptionalAction,
         help="joints have elastic stops at the limits of their range, or not (XML: they do, URDF: they do not)",
@@ -122,7 +137,14 @@ def generation_options(arguments: Namespace) -> GenerateOptions:
         stops=arguments.stops,
         couple=arguments.couple,
         strict=arguments.strict,
-        source=SourceChoices(tuple(arguments.package_path), arguments.allow_missing, arguments.density),
+        source=SourceChoices(
+            tuple(arguments.package_path),
+            arguments.allow_missing,
+            arguments.density,
+            None if arguments.tessellation is None else arguments.tessellation / 1000,
+        ),
         exclude=tuple(arguments.exclude),
         include=tuple(arguments.include),
+        up=arguments.up,
+        contacts=not arguments.no_contacts,
     )

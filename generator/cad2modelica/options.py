@@ -36,6 +36,8 @@ class GenerateOptions:
         source: where a robot description's meshes may lie, and what becomes of links without mesh or mass.
         exclude: pairs of parts (URDF: links) that do not touch each other.
         include: pairs that touch each other although they would be left out.
+        up: the source's axis that points up ("x", "-x", "y", ...), against gravity; None: as the source has it.
+        contacts: whether parts touch each other at all, beside the pairs of ``include``.
     """
 
     package: str | None = None
@@ -53,6 +55,8 @@ class GenerateOptions:
     source: SourceChoices = DEFAULT_CHOICES
     exclude: tuple[tuple[str, str], ...] = ()
     include: tuple[tuple[str, str], ...] = ()
+    up: str | None = None
+    contacts: bool = True
 
 
 DEFAULT_OPTIONS: Final = GenerateOptions()
@@ -65,6 +69,9 @@ def check_options(options: GenerateOptions) -> None:
     density = options.source.density
     if density is not None and not 0.0 < density < float("inf"):
         raise InputError(f"the density is {density} kg/m3", remedy="Give a positive one: 2700 is aluminium.")
+    tessellation = options.source.tessellation
+    if tessellation is not None and not 1e-7 < tessellation < float("inf"):
+        raise InputError(f"the tessellation is {tessellation:g} m", remedy="Give a positive distance: 0.1 (mm).")
     for folder in options.source.package_paths:
         if not folder.is_dir():
             raise InputError("is no folder", place=Place(file=folder), remedy="Correct --package-path.")

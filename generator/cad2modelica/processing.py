@@ -18,7 +18,7 @@ from cad2modelica.kinematics.joint_couplings import with_couplings
 from cad2modelica.kinematics.kinematic_graph import KinematicTree, kinematic_tree
 from cad2modelica.kinematics.loops import LoopAnalysis, analyse_loops
 from cad2modelica.kinematics.spherical_axes import with_spherical_axes
-from cad2modelica.mechanism.assembly_choices import with_grounded, with_pairs, with_stops
+from cad2modelica.mechanism.assembly_choices import with_grounded, with_pairs, with_stops, with_up, without_contacts
 from cad2modelica.mechanism.extent_check import require_tractable
 from cad2modelica.mechanism.joint_distance import distance_notes
 from cad2modelica.mechanism.model import Assembly, DecompositionLimits
@@ -56,7 +56,7 @@ def prepare(assembly: Assembly, options: GenerateOptions) -> Assembly:
     Raises:
         InputError: a choice names what is not there, a joint does not close, or nothing can be computed at this size.
     """
-    assembly = with_grounded(assembly, options.ground)
+    assembly = without_contacts(with_up(with_grounded(assembly, options.ground), options.up), options.contacts)
     assembly = with_pairs(with_stops(assembly, options.stops), options.exclude, options.include)
     assembly = with_couplings(without_looped_couplings(assembly), options.couple)
     if options.assemble:

@@ -19,6 +19,7 @@ from cad2modelica.sdf.reader import read_sdf
 from cad2modelica.simscape.reader import read_simscape
 from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
 from cad2modelica.source.xml_document import read_xml
+from cad2modelica.step.reader import read_step_assembly
 from cad2modelica.urdf.reader import read_urdf
 
 XmlReader = Callable[[etree._Element, Path, Progress, SourceChoices], Assembly]
@@ -33,7 +34,10 @@ BY_ROOT: Final[Mapping[str, XmlReader]] = {
 }
 """Readers of XML formats by the root element's name without its namespace; of any other, this project's own."""
 
-BY_ENDING: Final[Mapping[str, FileReader]] = {}
+BY_ENDING: Final[Mapping[str, FileReader]] = {
+    ".step": read_step_assembly,
+    ".stp": read_step_assembly,
+}
 """Readers of files that are no XML, by ending in small letters."""
 
 

@@ -19,6 +19,7 @@ from cmb.commands import (
     fmu,
     generate,
     hard,
+    joints,
     msl,
     regress,
     report,
@@ -46,6 +47,7 @@ class Command(Protocol):
 ALL_COMMANDS: tuple[Command, ...] = (
     run,
     generate,
+    joints,
     assign,
     fmu,
     simulate,

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
 from contact_foundation.errors import InputError, Place
 
 from cad2modelica.mechanism.model import GROUND, Assembly, Joint
 from cad2modelica.source.lost import Lost
 
 LISTED = 30  # parts named in a message
+STANDARD_GRAVITY = 9.81  # m/s2
 
 
 def with_grounded(assembly: Assembly, names: Sequence[str]) -> Assembly:
@@ -42,6 +44,29 @@ def with_grounded(assembly: Assembly, names: Sequence[str]) -> Assembly:
         if assembly.aliases.get(name, name) in standing
     )
     return replace(assembly, parts=parts, notes=(*notes, *already))
+
+
+AXES = ("x", "y", "z", "-x", "-y", "-z")
+
+
+def with_up(assembly: Assembly, up: str | None) -> Assembly:
+    """The assembly with gravity against an axis of its source: CAD systems do not say which one points up.
+
+    Raises:
+        InputError: there is no such axis.
+    """
+    if up is None:
+        return assembly
+    if up not in AXES:
+        raise InputError(f"{up!r} is no axis that could point up", remedy=f"Give one of {', '.join(AXES)}.")
+    axis = np.eye(3)["xyz".index(up[-1])] * (-1.0 if up.startswith("-") else 1.0)
+    strength = float(np.linalg.norm(assembly.gravity)) or STANDARD_GRAVITY
+    return replace(assembly, gravity=-strength * axis + 0.0)
+
+
+def without_contacts(assembly: Assembly, contacts: bool) -> Assembly:
+    """The assembly in which only pairs touch that are included one by one, unless contacts are wanted."""
+    return assembly if contacts else replace(assembly, contacts=replace(assembly.contacts, all_pairs=False))
 
 
 def with_pairs(assembly: Assembly, exclude: Sequence[tuple[str, str]], include: Sequence[tuple[str, str]]) -> Assembly:

@@ -9,12 +9,12 @@ import networkx as nx
 import numpy as np
 
 from cad2modelica.geometry.spatial import IDENTITY, Array, Pose
+from cad2modelica.mates.allowed_motion import MatedPair, allowed_twists, mated_pair
+from cad2modelica.mates.joint_chains import Chain, joint_chain
+from cad2modelica.mates.mate_equation import PLANE, SHAPES, Feature, MateEquation, mate_equation
 from cad2modelica.mechanism.model import GROUND
-from cad2modelica.simscape.allowed_motion import MatedPair, allowed_twists, mated_pair
 from cad2modelica.simscape.document import Document, FrameJoint, Mate, MateSide, Path
 from cad2modelica.simscape.elements import Elements
-from cad2modelica.simscape.joint_chains import Chain, joint_chain
-from cad2modelica.simscape.mates import PLANE, SHAPES, Feature, MateEquation, mate_equation
 from cad2modelica.source.lost import Lost
 
 FIXED_KINDS = ("Weld", "Fixed", "Rigid")

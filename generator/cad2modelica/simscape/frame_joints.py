@@ -7,8 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from cad2modelica.geometry.spatial import Array, Pose
+from cad2modelica.mates.joint_chains import Chain, ChainJoint
 from cad2modelica.mechanism.model import JointType
-from cad2modelica.simscape.joint_chains import Chain, ChainJoint
 
 FREE_KINDS = ("Free", "SixDof", "SixDOF", "Bushing")
 X, Y, Z = 0, 1, 2

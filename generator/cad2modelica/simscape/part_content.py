@@ -61,7 +61,7 @@ class PartReader:
             if element is not None and element.get("name"):
                 files[part] = self._file(element)
         step = [file for file in files.values() if isinstance(file, Path) and file.suffix.lower() in STEP_ENDINGS]
-        self._step = read_step_files(step)
+        self._step = read_step_files(step, self._choices.tessellation)
         lost: dict[str, list[tuple[str, CmbError]]] = {}
         for part in distinct:
             meshes: tuple[Mesh, ...] = ()

@@ -16,6 +16,7 @@ from contact_foundation.progress import Progress, silent
 from lxml import etree
 
 from cad2modelica.geometry.spatial import IDENTITY, Pose
+from cad2modelica.mates.joint_chains import Chain
 from cad2modelica.mechanism.mass_properties import NO_MASS, placed, together
 from cad2modelica.mechanism.model import (
     GROUND,
@@ -32,7 +33,6 @@ from cad2modelica.simscape import document as tree
 from cad2modelica.simscape.bodies import ROOT, Bodies, find_bodies
 from cad2modelica.simscape.elements import Elements, read_units
 from cad2modelica.simscape.frame_joints import FREE_KINDS, coordinate, frame_chain, second_axis
-from cad2modelica.simscape.joint_chains import Chain
 from cad2modelica.simscape.part_content import PartContent, PartReader, placed_meshes
 from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
 from cad2modelica.source.lost import Lost

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cad2modelica.geometry.spatial import Array, Pose, rotation_about
-from cad2modelica.simscape.mates import MateEquation
+from cad2modelica.mates.mate_equation import MateEquation
 
 STEP = 1e-5  # rad, sizes; of the central difference
 RANK_TOLERANCE = 1e-5  # what exports round must not look like a condition

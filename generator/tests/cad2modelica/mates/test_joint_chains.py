@@ -7,9 +7,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from cad2modelica.geometry.spatial import Array, Pose, rotation_about
-from cad2modelica.simscape.allowed_motion import allowed_twists, mated_pair
-from cad2modelica.simscape.joint_chains import Chain, joint_chain
-from cad2modelica.simscape.mates import AXIS, CIRCLE, PLANE, POINT, Feature, MateEquation, mate_equation
+from cad2modelica.mates.allowed_motion import allowed_twists, mated_pair
+from cad2modelica.mates.joint_chains import Chain, joint_chain
+from cad2modelica.mates.mate_equation import AXIS, CIRCLE, PLANE, POINT, Feature, MateEquation, mate_equation
 
 FIRST = Pose(np.array([0.3, -1.2, 0.5]), rotation_about([1, 2, -1], 1.1))
 SECOND = Pose(np.array([-0.4, 0.6, 1.5]), rotation_about([0.3, -1, 2], 0.7))

@@ -14,8 +14,8 @@ from itertools import permutations, product
 import numpy as np
 
 from cad2modelica.geometry.spatial import Array, Pose, perpendicular, rotation_about
+from cad2modelica.mates.allowed_motion import MatedPair, TwistSpace, allowed_twists
 from cad2modelica.mechanism.model import JointType
-from cad2modelica.simscape.allowed_motion import MatedPair, TwistSpace, allowed_twists
 
 HELD = 1e-6  # rad, sizes: how far mates may be from fulfilled on the way
 POSITIONS = ((0.3, -0.2, 0.25, 0.15, -0.35), (-0.5, 0.4, -0.1, 0.3, 0.2))  # rad, or tenths of the size

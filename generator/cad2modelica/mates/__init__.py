@@ -1,0 +1,1 @@
+"""Mates between bodies, and joints that move as they allow."""

@@ -1,0 +1,1 @@
+"""STEP assemblies: parts from the file, joints from a file beside it or proposed from faces."""
