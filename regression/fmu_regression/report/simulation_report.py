@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from pathlib import Path
 
+import numpy as np
 from contact_foundation.errors import Place
 from contact_foundation.output import whole_file
 
@@ -17,6 +18,7 @@ from fmu_regression.results.result import SimulationResult
 from fmu_regression.scene.energy import EnergyBalance, energy_balance
 from fmu_regression.scene.fmu_scene import load_scene_of
 from fmu_regression.scene.impacts import Impact, find_impacts
+from fmu_regression.scene.joint_power import JointPower, joint_power
 from fmu_regression.scene.scene_file import Scene
 from fmu_regression.scene.signals import require_signals
 
@@ -68,7 +70,7 @@ def report_html(result: SimulationResult, scene: Scene | None, figures: Figures 
             impact_section(scene, impacts),
             contact_section(scene, result),
             _joint_section(scene, result),
-            _energy_section(energy),
+            _energy_section(energy, joint_power(scene, result)),
         ]
         sections = [section for section in candidates if section is not None]
         title = scene.name
@@ -153,7 +155,7 @@ def _joint_section(scene: Scene, result: SimulationResult) -> Section | None:
     return Section("joints", "Joints", plots=tuple(plots[:_MAX_PLOTS])) if plots else None
 
 
-def _energy_section(energy: EnergyBalance | None) -> Section | None:
+def _energy_section(energy: EnergyBalance | None, power: JointPower | None) -> Section | None:
     if energy is None:
         return None
     series = [
@@ -163,19 +165,32 @@ def _energy_section(energy: EnergyBalance | None) -> Section | None:
     if energy.elastic is not None:
         series.append(Series("elastic, in the contacts", energy.time, energy.elastic))
     series.append(Series("total", energy.time, energy.total))
-    total = Plot(
-        "energy-total",
-        "Total energy against its start",
-        TIME_LABEL,
-        "energy in J",
-        (Series("total less total at the start", energy.time, energy.total - energy.total[0], color=3),),
+    gained = energy.total - energy.total[0]
+    against = [Series("total less total at the start", energy.time, gained, color=3)]
+    plots = [Plot("energy-kinds", "Energy", TIME_LABEL, "energy in J", tuple(series))]
+    lead = (
+        "Computed from masses, inertias and the recorded motion of all moving bodies. Falls are losses in "
+        "impacts, friction and damping; rises come from drives, or from the integration."
     )
+    if power is not None:
+        work = power.work
+        against.append(Series("work of drives, stops, springs and friction at the joints", energy.time, work, color=1))
+        against.append(Series("difference: contacts, and the integration", energy.time, gained - work, color=2))
+        sides = (
+            Series("in, at joints that push", power.time, power.supplied),
+            Series("out, at joints that brake", power.time, power.taken),
+        )
+        plots.append(Plot("joint-power", "Power through the joints", TIME_LABEL, "power in W", sides))
+        lead += (
+            f" Through the axes of the joints {np.trapezoid(power.supplied, power.time):.4g} J came in and "
+            f"{np.trapezoid(power.taken, power.time):.4g} J went out, by the trapezoidal rule over the rows."
+        )
+    plots.insert(1, Plot("energy-total", "Total energy against its start", TIME_LABEL, "energy in J", tuple(against)))
     return Section(
         "energy",
         "Energy",
-        lead="Computed from masses, inertias and the recorded motion of all moving bodies. Falls are losses in "
-        "impacts, friction and damping; rises come from drives, or from the integration.",
-        plots=(Plot("energy-kinds", "Energy", TIME_LABEL, "energy in J", tuple(series)), total),
+        lead=lead,
+        plots=tuple(plots),
         notes=energy.notes,
     )
 

@@ -7,7 +7,7 @@ from collections.abc import Container, Sequence
 from contact_foundation.errors import InputError, Place
 
 from fmu_regression.fmi.fmu import ModelDescription
-from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody
+from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody, SceneJoint
 
 _AXES = (1, 2, 3)
 _LISTED = 4  # signals named in a message
@@ -56,6 +56,11 @@ def point_names(scene: Scene, pair: ContactPair, slot: int) -> list[str]:
 def point_force_names(scene: Scene, pair: ContactPair, slot: int) -> list[str]:
     """Names of the force on the first body at a contact point, world axes; not every FMU shows them."""
     return [f"{scene.manager}.pointForce[{pair.index},{slot},{i}]" for i in _AXES]
+
+
+def effort_name(joint: SceneJoint) -> str:
+    """Name of the torque or force that acts along a joint's coordinate."""
+    return f"{joint.variable.rpartition('.')[0]}.{'f' if joint.unit == 'm' else 'tau'}"
 
 
 def elastic_energy_name(scene: Scene) -> str:
@@ -127,7 +132,7 @@ def signals_for(scene: Scene, description: ModelDescription) -> list[str]:
         wanted += first_present(velocity_candidates(body), known) or []
         wanted += first_present(angular_velocity_candidates(body), known) or []
     for joint in scene.joints:
-        wanted += [joint.variable, joint.rate]
+        wanted += [joint.variable, joint.rate, effort_name(joint)]
     for pair in scene.pairs:
         wanted += [
             pair_signal(scene, pair, quantity)
