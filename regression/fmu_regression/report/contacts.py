@@ -12,6 +12,8 @@ from fmu_regression.scene.signals import pair_signal
 
 _MAX_TABLE_ROWS = 20_000  # that browsers still show
 _CLOSE_RESTITUTION = 0.02
+_LEAST_OVERLAP = 1e-9  # m; less is rounding
+_MOST_NOTES = 20
 _QUANTITIES = {
     "normalForce": ("Contact force", "normal force in N"),
     "distance": ("Distance between the bodies", "signed distance in m"),
@@ -93,8 +95,23 @@ def contact_section(scene: Scene, result: SimulationResult) -> Section | None:
     if not plots:
         return None
     left_out = len(scene.pairs) - len(touching)
-    notes = (f"{left_out} pairs that never touch are left out",) if left_out and len(scene.pairs) > PER_PLOT else ()
-    return Section("contacts", "Contacts", plots=tuple(plots), tables=_load_tables(scene, result), notes=notes)
+    notes = [f"{left_out} pairs that never touch are left out"] if left_out and len(scene.pairs) > PER_PLOT else []
+    notes += start_overlap_notes(scene, result)
+    return Section("contacts", "Contacts", plots=tuple(plots), tables=_load_tables(scene, result), notes=tuple(notes))
+
+
+def start_overlap_notes(scene: Scene, result: SimulationResult) -> list[str]:
+    """Pairs that are in each other at the start: what drives them apart is no gain of energy, but was there before."""
+    found = []
+    for pair in scene.pairs:
+        name = pair_signal(scene, pair, "distance")
+        depth = -float(result[name][0]) if name in result and result.time.size else 0.0
+        if depth > _LEAST_OVERLAP:
+            found.append((depth, scene.pair_label(pair)))
+    return [
+        f"{label} overlap at the start by {1000 * depth:.3g} mm: the elastic energy of that counts as there from the start"
+        for depth, label in sorted(found, reverse=True)[:_MOST_NOTES]
+    ]
 
 
 def _ever_touches(scene: Scene, pair: ContactPair, result: SimulationResult) -> bool:

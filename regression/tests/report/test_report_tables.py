@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from fmu_regression.report.contacts import impact_section
+import pytest
+from fmu_regression.report.contacts import contact_section, impact_section
 from fmu_regression.scene.impacts import find_impacts
 from fmu_regression.scene.scene_file import load_scene
-from synthetic import hammer, write_scene
+from synthetic import bouncing_ball, hammer, write_scene
 
 
 def test_many_impacts_are_all_in_the_table(tmp_path: Path) -> None:
@@ -20,3 +21,13 @@ def test_many_impacts_are_all_in_the_table(tmp_path: Path) -> None:
     assert section is not None
     assert len(section.tables[0].rows) == 2000
     assert not [note for note in section.notes if "left out" in note]
+
+
+@pytest.mark.parametrize(("distance", "told"), [(-0.0095, True), (-1e-12, False), (0.2, False)])
+def test_an_overlap_at_the_start_is_named(tmp_path: Path, distance: float, told: bool) -> None:
+    content, result, _ = bouncing_ball(0.5)
+    scene = load_scene(write_scene(content, tmp_path / "scene.json"))
+    result.signals["contacts.distance[1]"][0] = distance
+    section = contact_section(scene, result)
+    assert section is not None
+    assert bool([note for note in section.notes if "overlap at the start by 9.5 mm" in note]) == told
