@@ -23,6 +23,7 @@ from cad2modelica.kinematics.loops import mechanism_length
 from cad2modelica.mechanism.model import GROUND, Assembly, Joint, JointType
 from cad2modelica.source.problems import Problems
 
+NOTED = 1e-9  # m or rad: parts that were moved by less are no note
 POSITION_TOLERANCE = 1e-5  # of the mechanism's size: exports round
 ANGLE_TOLERANCE = 1e-4  # rad
 CLOSED = 1e-12  # of the mechanism's size, rad: where the iteration ends
@@ -222,7 +223,7 @@ def _with_poses(
     for name, pose in after.items():
         way = float(np.linalg.norm(pose.position - before[name].position))
         turn = float(Rotation.from_matrix(pose.rotation @ before[name].rotation.T).magnitude())
-        if way > 1e-12 or turn > 1e-12:
+        if way > NOTED or turn > NOTED:
             moved = f"moved by {1000 * way:.4g} mm and turned by {np.degrees(turn):.4g} degrees"
             notes.append(f"part {name!r} was {moved} to close the joints")
     parts = tuple(replace(part, pose=after[part.name]) for part in assembly.parts)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from fmu_regression.report.contacts import contact_section, impact_section
+from fmu_regression.results.result import SimulationResult
 from fmu_regression.scene.impacts import find_impacts
 from fmu_regression.scene.scene_file import load_scene
 from synthetic import bouncing_ball, hammer, write_scene
@@ -27,7 +28,9 @@ def test_many_impacts_are_all_in_the_table(tmp_path: Path) -> None:
 def test_an_overlap_at_the_start_is_named(tmp_path: Path, distance: float, told: bool) -> None:
     content, result, _ = bouncing_ball(0.5)
     scene = load_scene(write_scene(content, tmp_path / "scene.json"))
-    result.signals["contacts.distance[1]"][0] = distance
-    section = contact_section(scene, result)
+    shifted = result["contacts.distance[1]"].copy()
+    shifted[0] = distance
+    signals = {**result.signals, "contacts.distance[1]": shifted}
+    section = contact_section(scene, SimulationResult(time=result.time, signals=signals))
     assert section is not None
     assert bool([note for note in section.notes if "overlap at the start by 9.5 mm" in note]) == told
