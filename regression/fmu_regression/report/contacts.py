@@ -109,7 +109,7 @@ def start_overlap_notes(scene: Scene, result: SimulationResult) -> list[str]:
         if depth > _LEAST_OVERLAP:
             found.append((depth, scene.pair_label(pair)))
     return [
-        f"{label} overlap at the start by {1000 * depth:.3g} mm: its elastic energy is there from the start, and no gain"
+        f"{label} overlap at the start by {1000 * depth:.3g} mm: its elastic energy is there from the start"
         for depth, label in sorted(found, reverse=True)[:_MOST_NOTES]
     ]
 
