@@ -160,6 +160,8 @@ def _find(arguments: Namespace) -> _Machine:
     given: Path = arguments.machine
     if given.is_file() and given.suffix.lower() == ".fmu":
         return _given_fmu(given, arguments)
+    if given.suffix.lower() == ".toml":
+        return _mission(given, arguments)
     assembly = find_assembly(given)
     if arguments.scene is not None:
         raise InputError(
@@ -175,6 +177,20 @@ def _find(arguments: Namespace) -> _Machine:
         built = build_machine(arguments, assembly, find_experiment(assembly.parent), staging, progress)
     fmu, scene_file = (folder / path.relative_to(staging) for path in (built.fmu, built.scene_file))
     return _Machine(fmu, built.description, built.scene, scene_file, output)
+
+
+def _mission(file: Path, arguments: Namespace) -> _Machine:
+    from interactive_drive.mission.mission_file import read_mission
+    from interactive_drive.mission.score import watched_signals
+
+    from cmb.mission_machine import build_mission
+
+    mission = read_mission(file)
+    output = arguments.output or Path("out") / f"{file.stem}-drive"
+    with progress_bars() as progress:
+        built = build_mission(arguments, mission, output, progress)
+    watched_signals(mission, built.scene)  # names in the mission are checked before it is driven
+    return _Machine(built.fmu, built.description, built.scene, built.scene_file, output)
 
 
 def _given_fmu(fmu: Path, arguments: Namespace) -> _Machine:

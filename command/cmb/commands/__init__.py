@@ -20,6 +20,7 @@ from cmb.commands import (
     generate,
     hard,
     joints,
+    mission,
     msl,
     regress,
     report,
@@ -59,6 +60,7 @@ ALL_COMMANDS: tuple[Command, ...] = (
     effects,
     advise,
     drive,
+    mission,
     depth_study,
     msl,
 )

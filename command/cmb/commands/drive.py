@@ -20,6 +20,7 @@ DESCRIPTION = (
 )
 EXAMPLES = """examples:
   cmb drive Resources/cad/anton
+  cmb drive Resources/missions/cart.toml
   cmb drive out/hammer/hammer.fmu --set shoulder.phi0=0.5
   cmb drive robot.fmu --controls controls.toml --tune gain
   cmb drive Resources/cad/anton --headless --minutes 1
@@ -32,7 +33,9 @@ _LARGEST_PORT = 65535
 
 def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
-    parser.add_argument("machine", type=Path, metavar="FMU|ASSEMBLY", help="an FMU, an assembly's file or its folder")
+    parser.add_argument(
+        "machine", type=Path, metavar="FMU|ASSEMBLY|MISSION", help="FMU, assembly or its folder, mission (TOML)"
+    )
     parser.add_argument(
         "--scene", type=Path, metavar="JSON", help="what is drawn (model/scene.json beside the FMU if left out)"
     )
