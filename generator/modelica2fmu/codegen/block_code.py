@@ -38,6 +38,7 @@ class BlockCode:
     Args:
         places: where symbols live.
         variables: of the model, for nominal values.
+        followed: the blocks whose solutions are followed from step to step where they are nonlinear.
         place: place of a span.
 
     Attributes:
@@ -46,7 +47,13 @@ class BlockCode:
         followed: slots of the unknowns of nonlinear blocks, which the runtime keeps of accepted steps.
     """
 
-    def __init__(self, places: SymbolPlaces, variables: Mapping[str, ScalarVariable], place: PlaceOf) -> None:
+    def __init__(
+        self,
+        places: SymbolPlaces,
+        variables: Mapping[str, ScalarVariable],
+        followed: Sequence[Block],
+        place: PlaceOf,
+    ) -> None:
         self._places = places
         self._variables = variables
         self._place = place
@@ -55,6 +62,10 @@ class BlockCode:
         self.factors: dict[tuple[str, ...], Factors] = {}
         self.followed: list[int] = []
         self._accepted: dict[tuple[str, ...], int] = {}
+        for block in followed:
+            if isinstance(block, NonlinearBlock):
+                self._accepted[block.torn] = len(self.followed)
+                self.followed.extend(places.slots.of[name].index for name in block.torn)
 
     def statements(self, block: Block) -> list[Statement]:
         """The statements that solve a block."""
@@ -195,7 +206,10 @@ class BlockCode:
         ]
         nominals = ", ".join(number(value) for value in nominal)
         unknowns = ", ".join(c_text(torn) for torn in block.torn)
-        accepted = self._followed_from(block.torn)
+        accepted = self._accepted.get(block.torn)
+        function = (
+            "fmurt_solve_nonlinear(v, NULL" if accepted is None else f"fmurt_follow_nonlinear(v, {accepted}, NULL"
+        )
         equations = ", ".join(c_text(self._stated(span)) for span in block.spans)
 
         def solve(_: Write) -> list[str]:
@@ -204,9 +218,8 @@ class BlockCode:
                 "{",
                 f"  double x[{n}] = {{{starts}}}, residual[{n}];",
                 f"  static const double nominal[{n}] = {{{nominals}}};",
-                f"  int result = fmurt_follow_nonlinear(v, NULL, {name}, {n}, {accepted}, x, nominal,",
-                f"                                    {number(_NEWTON_TOLERANCE)}, w + {work},",
-                f"                                    v->integer_work + {integers});",
+                f"  int result = {function}, {name}, {n}, x, nominal, {number(_NEWTON_TOLERANCE)},",
+                f"                                   w + {work}, v->integer_work + {integers});",
                 "  if (result != FMURT_RESULT_OK) {",
                 f"    static const char *const unknown[{n}] = {{{unknowns}}}, *const equation[{n}] = {{{equations}}};",
                 f"    return fmurt_report_unsolved(v, {name}, {n}, x, residual, unknown, equation, result);",
@@ -217,13 +230,6 @@ class BlockCode:
             ]
 
         return Statement((), solve, calls_model=True)
-
-    def _followed_from(self, torn: tuple[str, ...]) -> int:
-        """Where the unknowns begin among those that the runtime keeps of accepted steps."""
-        if torn not in self._accepted:
-            self._accepted[torn] = len(self.followed)
-            self.followed.extend(self._places.slots.of[name].index for name in torn)
-        return self._accepted[torn]
 
     def _stated(self, span: Span | None) -> str:
         """Where an equation stands, without its folder, which would make the code depend on the machine."""

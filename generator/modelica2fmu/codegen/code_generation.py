@@ -79,7 +79,7 @@ class _Generator:
         self._functions: list[Function] = []
         self._simulation, self._initialization = self._needed()
         self._places = SymbolPlaces(self._assigned_slots(), WorkSpace())
-        self._blocks = BlockCode(self._places, self._model.variables, place)
+        self._blocks = BlockCode(self._places, self._model.variables, self._simulation, place)
 
     def run(self) -> GeneratedModel:
         frame = self._places.frame()

@@ -87,7 +87,7 @@ int fmurt_solve_nonlinear(fmurt_values *values, const void *context, fmurt_resid
  * correction must be small beside the one before, as it is where the equations are nearly linear over all that the
  * unknowns change by; so the solution is the one that the accepted one changes to continuously, and no other.
  * FMURT_RESULT_DISCARD where that cannot be told: a shorter step helps. */
-int fmurt_follow_nonlinear(fmurt_values *values, const void *context, fmurt_residual residual, int n, int offset,
+int fmurt_follow_nonlinear(fmurt_values *values, int offset, const void *context, fmurt_residual residual, int n,
                            double *x, const double *nominal, double tolerance, double *work, int *integer_work);
 /* After one of these has failed at x: reports the equation with the largest residual, by the place where the
  * model states it (equation[n]), and the unknowns by their names (unknown[n]). r has n doubles. Gives back `result`. */

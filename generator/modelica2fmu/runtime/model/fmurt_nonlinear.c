@@ -255,7 +255,7 @@ static int is_near(newton *solver, const double *accepted, int sign, int *pivot)
          sign_of_determinant(solver->n, solver->jacobian, pivot) == sign;
 }
 
-int fmurt_follow_nonlinear(fmurt_values *values, const void *context, fmurt_residual residual, int n, int offset,
+int fmurt_follow_nonlinear(fmurt_values *values, int offset, const void *context, fmurt_residual residual, int n,
                            double *x, const double *nominal, double tolerance, double *work, int *integer_work) {
   if (values->following == FMURT_SOLVE) {
     return fmurt_solve_nonlinear(values, context, residual, n, x, nominal, tolerance, work, integer_work);
