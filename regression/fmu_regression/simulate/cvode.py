@@ -35,6 +35,7 @@ from fmpy.sundials.sunlinsol_dense import SUNLinSol_Dense
 from fmpy.sundials.sunmatrix_dense import SUNDenseMatrix
 
 from fmu_regression.results.result import FloatArray, SolverCounters
+from fmu_regression.simulate.indicator_watch import IndicatorWatch
 from fmu_regression.simulate.newton import Newton
 
 _CV_ONE_STEP = 2
@@ -52,11 +53,12 @@ _CREEPING_SHARE = 0.1
 _GROWTH_AFTER_START = 10.0
 _ROOT_OF_ROUNDING = float(np.sqrt(np.finfo(float).eps))
 
+_WHAT_HELPS = "The tolerance may be too coarse for a contact's penetration, or the contact's stiffness too high"
 _FAILURES = {
     -1: "too many steps",
     -2: "the tolerance asks for more accuracy than the numbers have",
-    -3: "the error test failed repeatedly: the step became too small",
-    -4: "Newton's iteration failed repeatedly: the step became too small",
+    -3: f"the error test failed repeatedly: the step became too small. {_WHAT_HELPS}",
+    -4: f"Newton's iteration failed repeatedly: the step became too small. {_WHAT_HELPS}",
     -6: "the Jacobian is singular or could not be set up",
     -8: "the model cannot be evaluated",
     -9: "the model cannot be evaluated at the start of a step",
@@ -142,7 +144,7 @@ class Cvode:
     Args:
         derivatives: (t, states pointer, derivatives pointer); writes the derivatives. Raises RecoverableError where
             a smaller step may help, anything else to stop.
-        indicators: (t, states pointer, values pointer); writes the event indicators.
+        indicators: (t, states pointer, values pointer); writes the event indicators. Raises as ``derivatives`` does.
         time: start time.
         states: shape (n,), n >= 1.
         indicator_count: number of event indicators.
@@ -171,6 +173,7 @@ class Cvode:
         self._message = ""
         self._tolerance = tolerance
         self._indicator_count = indicator_count
+        self._indicator_watch = IndicatorWatch(indicator_count)
         self._max_step = max_step
         self._last_step = ctypes.c_double(0.0)
         self._steps_alike = 0
@@ -194,6 +197,7 @@ class Cvode:
         self._x = self._vector(states)
         self._absolute = self._vector(absolute * nominal)
         self._interpolated = self._vector(states)
+        self._between = self._vector(states)
         self._memory = CVodeCreate(CV_BDF, self._context)
         self._check(CVodeInit(self._memory, self._rhs, time, self._x))
         self._check(CVodeSVtolerances(self._memory, tolerance, self._absolute))
@@ -299,6 +303,7 @@ class Cvode:
         if self._root_found:
             self._check(CVodeSetMaxStep(self._memory, min(self._last_step.value, self._max_step)))
             self._first_step_limited = True
+        self._indicator_watch.restart()
         self._check(CVodeReInit(self._memory, time, self._x))
         self._check(_set_newton_share(self._memory, _USUAL_NEWTON_SHARE))
         self._steps_alike = 0
@@ -371,9 +376,24 @@ class Cvode:
         return 0
 
     def _guard_root(self, indicators: Callable[[float, Any, Any], None]) -> Callable[..., int]:
+        watch = self._indicator_watch
+        found = np.zeros(self._indicator_count)
+
+        def between(time: float) -> FloatArray | None:
+            if _get_dky(self._memory, time, 0, self._between) != 0:
+                return None
+            try:
+                indicators(time, NV_DATA_S(self._between), found.ctypes.data_as(ctypes.POINTER(ctypes.c_double)))
+            except RecoverableError:
+                return None
+            return found.copy()
+
         def root(time: float, x: Any, values: Any, _data: Any) -> int:
             try:
                 indicators(time, NV_DATA_S(x), values)
+                here = np.ctypeslib.as_array(values, (self._indicator_count,))
+                watch.step(time, here, between)
+                here[:] = watch.shown(time, here)
             except BaseException as error:
                 self._error = error
                 return -1

@@ -240,15 +240,18 @@ class _Master:
         if not self.state_count:
             derivatives[0] = 0.0
             return
+        self._evaluate(time, states, lambda: self.functions.get_derivatives(derivatives, self.state_count))
+
+    def _indicators(self, time: float, states: Any, values: Any) -> None:
+        count = self.instance.description.indicator_count
+        self._evaluate(time, states, lambda: self.functions.get_indicators(values, count))
+
+    def _evaluate(self, time: float, states: Any, get: Callable[[], None]) -> None:
         try:
             self._move(time, states)
-            self.functions.get_derivatives(derivatives, self.state_count)
+            get()
         except FMICallException as error:
             if error.status == _FMI_DISCARD:
                 self.discarded = True
                 raise RecoverableError(str(error)) from error
             raise
-
-    def _indicators(self, time: float, states: Any, values: Any) -> None:
-        self._move(time, states)
-        self.functions.get_indicators(values, self.instance.description.indicator_count)

@@ -17,6 +17,7 @@
 #include "fmurt_event.h"
 #include "fmurt_newton.h"
 #include "fmurt_vector.h"
+#include "fmurt_watch.h"
 
 enum { MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
 
@@ -47,6 +48,8 @@ struct fmurt_solver {
   SUNMatrix matrix; /* NULL with GMRES */
   SUNLinearSolver linear;
   SUNNonlinearSolver newton;
+  fmurt_watch *watch;
+  N_Vector between; /* states within a step */
   int quotients; /* how many of the next Jacobians are computed by difference quotients */
   double *entry; /* [state_count] states at the start of an advance */
   size_t state_count;
@@ -54,7 +57,7 @@ struct fmurt_solver {
   double step_at_root; /* in which the latest root was found, if that is why the next start is; else 0 */
   fmurt_result cause; /* of the last failed evaluation */
   long counted[FMURT_SOLVER_INTEGER_COUNT];
-  long steps_accepted;       /* since the latest start, as far as the instance knows */
+  long steps_accepted;       /* since the latest start, as far as the instance knows; -1 before that */
   long steps_left;           /* that are still allowed */
   long quotient_evaluations; /* of the right-hand side, since the last count */
 };
@@ -87,7 +90,7 @@ static int right_hand_side(realtype time, N_Vector state, N_Vector derivative, v
   return 0;
 }
 
-/* CVODE asks for the indicators at the end of each accepted step first, before it looks for roots inside. */
+/* CVODE asks for the indicators at the start, and at the end of each accepted step before it looks for roots inside. */
 static int is_end_of_step(fmurt_solver *solver) {
   long steps = 0;
   if (CVodeGetNumSteps(solver->memory, &steps) != CV_SUCCESS || steps == solver->steps_accepted) return 0;
@@ -95,11 +98,22 @@ static int is_end_of_step(fmurt_solver *solver) {
   return 1;
 }
 
+static int indicators_between(void *context, double time, double *indicator) {
+  fmurt_solver *solver = context;
+  if (CVodeGetDky(solver->memory, time, 0, solver->between) != CV_SUCCESS) return -1;
+  fmurt_set_point(solver->instance, time, NV_DATA_S(solver->between));
+  return fmurt_event_indicators(solver->instance, indicator) == FMURT_RESULT_OK ? 0 : -1;
+}
+
 static int roots(realtype time, N_Vector state, realtype *indicator, void *data) {
   fmurt_solver *solver = data;
   fmurt_set_point(solver->instance, time, NV_DATA_S(state));
   const fmurt_result result = fmurt_event_indicators(solver->instance, indicator);
-  if (result == FMURT_RESULT_OK && is_end_of_step(solver)) fmurt_accept(solver->instance);
+  if (result == FMURT_RESULT_OK) {
+    if (is_end_of_step(solver) && solver->steps_accepted > 0) fmurt_accept(solver->instance);
+    fmurt_watch_step(solver->watch, time, indicator, indicators_between, solver);
+  }
+  fmurt_watch_show(solver->watch, time, indicator);
   return to_cvode(solver, result);
 }
 
@@ -109,7 +123,8 @@ static int no_roots(realtype time, N_Vector state, realtype *indicator, void *da
   fmurt_solver *solver = data;
   (void)state;
   indicator[0] = 1.0;
-  if (is_end_of_step(solver) && solver->instance->values.time == time) fmurt_accept(solver->instance);
+  const int is_there = solver->instance->values.time == time;
+  if (is_end_of_step(solver) && solver->steps_accepted > 0 && is_there) fmurt_accept(solver->instance);
   return 0;
 }
 
@@ -177,6 +192,8 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
   solver->entry = calloc(vector_size(solver), sizeof(double));
   solver->state = N_VNew_Serial(size, solver->context);
   solver->tolerance = N_VNew_Serial(size, solver->context);
+  solver->between = N_VNew_Serial(size, solver->context);
+  solver->watch = fmurt_watch_create(fmurt_model.indicator_count);
   solver->memory = CVodeCreate(CV_BDF, solver->context);
   if (solver->state != NULL) {
     fmurt_speed_up_vector(solver->state);
@@ -195,8 +212,8 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
   } else if (solver->state != NULL) {
     solver->linear = SUNLinSol_SPGMR(solver->state, SUN_PREC_NONE, 0, solver->context);
   }
-  if (solver->entry == NULL || solver->state == NULL || solver->tolerance == NULL || solver->memory == NULL ||
-      solver->linear == NULL || solver->newton == NULL ||
+  if (solver->entry == NULL || solver->state == NULL || solver->tolerance == NULL || solver->between == NULL ||
+      solver->watch == NULL || solver->memory == NULL || solver->linear == NULL || solver->newton == NULL ||
       CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
     fmurt_solver_destroy(solver);
     return NULL;
@@ -212,6 +229,8 @@ void fmurt_solver_destroy(fmurt_solver *solver) {
   if (solver->matrix != NULL) SUNMatDestroy(solver->matrix);
   if (solver->state != NULL) N_VDestroy(solver->state);
   if (solver->tolerance != NULL) N_VDestroy(solver->tolerance);
+  if (solver->between != NULL) N_VDestroy(solver->between);
+  fmurt_watch_destroy(solver->watch);
   free(solver->entry);
   SUNContext_Free(&solver->context);
   free(solver);
@@ -288,7 +307,8 @@ static int start(fmurt_solver *solver) {
   }
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinConvCoef(solver->memory, usual_newton_share);
   memset(solver->counted, 0, sizeof solver->counted);
-  solver->steps_accepted = 0;
+  solver->steps_accepted = -1;
+  fmurt_watch_restart(solver->watch);
   solver->quotients = 0;
   solver->restart = flag != CV_SUCCESS;
   return flag;
