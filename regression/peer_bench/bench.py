@@ -6,9 +6,10 @@ import hashlib
 import json
 import statistics
 import time as clock
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
+from itertools import count
 from pathlib import Path
 from typing import Any, Final, Protocol
 
@@ -135,7 +136,7 @@ def carry_out(
         programs: by name; one that is missing is left out and told.
         build: gives FMUs.
         folder: keeps every run; what is found there is not run again.
-        repeats: runs of each; the median counts.
+        repeats: runs of each, but of long ones; the median of all that are kept counts.
         limit: wall time of a run, s.
         progress: receives the phases "FMUs" and "runs".
     """
@@ -150,7 +151,7 @@ def carry_out(
                 _run(run, repeat, programs, versions, folder, limit)
                 left = (clock.monotonic() - began) / done * (total - done)
                 progress("runs", done / total, f"{done} of {total}, {left:.0f} s left")
-    rows = _rows(runs, versions, folder, repeats)
+    rows = _rows(runs, versions, folder)
     return Findings(
         rows, tuple(scene for scene in scenes if configurations.get(scene.name)), machine(), versions, missing
     )
@@ -225,13 +226,13 @@ def _read(path: Path) -> dict[str, Any] | None:
     return found
 
 
-def _rows(runs: Sequence[_Run], versions: Mapping[str, str], folder: Path, repeats: int) -> tuple[Row, ...]:
+def _rows(runs: Sequence[_Run], versions: Mapping[str, str], folder: Path) -> tuple[Row, ...]:
     truths: dict[tuple[str, str], FloatArray | None] = {}
     rows = []
     for run in runs:
         version = versions[run.configuration.program]
-        found = [_read(folder / f"{run.key(version, repeat)}.json") for repeat in range(repeats)]
-        whole = [one for one in found if one is not None]
+        kept = (_read(folder / f"{run.key(version, repeat)}.json") for repeat in count())
+        whole = list(_until_none(kept))
         if not whole or "failure" in whole[0]:
             failure = whole[0]["failure"] if whole else "is missing"
             rows.append(Row(run.scene, run.configuration, run.value, None, (), {}, failure))
@@ -257,6 +258,13 @@ def _rows(runs: Sequence[_Run], versions: Mapping[str, str], folder: Path, repea
             )
         )
     return tuple(rows)
+
+
+def _until_none(found: Iterable[dict[str, Any] | None]) -> Iterator[dict[str, Any]]:
+    for one in found:
+        if one is None:
+            return
+        yield one
 
 
 def _truth(run: _Run, versions: Mapping[str, str], folder: Path) -> FloatArray | None:

@@ -24,6 +24,10 @@ NOTES: Final[Mapping[str, tuple[str, ...]]] = {
     "creep on an incline": (_FRICTION,),
     "stack of five boxes": (
         "Each program has its own stiffness, and rigid boxes are the reference: what is compressed counts as error.",
+        "Where the time goes here (1e6 N/m, tolerance 1e-4): 808 of 890 steps and nine tenths of the time lie in the "
+        "first 0.1 s, while the boxes strike each other: error control follows each stroke with small steps, with a "
+        "Jacobian of 95 states every ten steps. From 0.5 s on one step fills an output interval and costs 0.1 ms; a "
+        "program of fixed steps goes on paying for all of them: the longer boxes stand, the cheaper they are here.",
     ),
     "Newton's cradle": (
         "The balls stand 1 mm apart, so that impacts follow each other and rigid impacts have one outcome.",
@@ -40,6 +44,9 @@ NOTES: Final[Mapping[str, tuple[str, ...]]] = {
     ),
     "hundred spheres": (
         "Spheres run into each other, which no program reproduces sphere by sphere: the mean over all is compared.",
+        "Where the time goes here (tolerance 1e-3): 4592 steps of 4.6 evaluations, each of 40 to 100 µs, 1300 states. "
+        "One step serves all spheres, so that every impact of any of them shortens the step of all; peers take a few "
+        "hundred steps whatever collides, and resolve impacts within a step.",
     ),
 }
 """By the scene's name."""
