@@ -17,7 +17,7 @@ LEAST: Final = 1e-12
 
 @dataclass(frozen=True)
 class Level:
-    """The cheapest run of each program that errs less than a level, and stays below it when it is tightened.
+    """The cheapest run of each program that errs less than a level, and stays below it when it is tightened once.
 
     Attributes:
         error: the level.
@@ -54,15 +54,16 @@ def levels(findings: Findings, scene: Scene) -> tuple[Level, ...]:
 
 
 def safe_errors(rows: Sequence[Row]) -> dict[Row, float]:
-    """Of each row its error, or that of a tighter one of the same configuration if that is larger.
+    """Of each row its error, or that of the next tighter one of the same configuration if that is larger.
 
-    So that nobody wins by luck: an error counts where tightening the tolerance or step keeps it.
+    So that nobody wins by luck: an error counts where the next tighter tolerance or step keeps it.
     """
     found = {}
     for row in rows:
         if row.error is not None:
-            tighter = [r.error for r in rows if r.configuration == row.configuration and r.value <= row.value]
-            found[row] = max(error for error in tighter if error is not None)
+            same = [r for r in rows if r.configuration == row.configuration and r.error is not None]
+            following = max((r for r in same if r.value < row.value), key=lambda r: r.value, default=row)
+            found[row] = max(row.error, following.error or 0.0)
     return found
 
 
@@ -105,16 +106,24 @@ def sentences(findings: Findings, scene: Scene) -> list[str]:
 
 def _winner_sentence(group: Sequence[Level]) -> str:
     first, last = group[0], group[-1]
-    span = f"below {first.error:.0e}" if len(group) == 1 else f"from {first.error:.0e} down to {last.error:.0e}"
-    row = last.cheapest[last.winner]
-    text = f"Errors {span}: {last.winner} is fastest ({milliseconds(row)} at {last.error:.0e}, {run_text(row)})"
-    rest = {program: _time(other) / _time(row) for program, other in last.cheapest.items() if program != last.winner}
-    if not rest:
-        return f"{text}; no other program gets there."
-    others = ", ".join(
-        f"{program} takes {ratio:.1f} times as long" for program, ratio in sorted(rest.items(), key=lambda r: r[1])
+    if first is last:
+        return f"Errors below {first.error:.0e}: {first.winner} is fastest ({_beside(first)})."
+    return (
+        f"Errors from {first.error:.0e} down to {last.error:.0e}: {first.winner} is fastest; below {first.error:.0e} "
+        f"({_beside(first)}), below {last.error:.0e} ({_beside(last)})."
     )
-    return f"{text}; {others}."
+
+
+def _beside(level: Level) -> str:
+    """The fastest run of a level, and how much longer the others take."""
+    row = level.cheapest[level.winner]
+    rest = {program: _time(other) / _time(row) for program, other in level.cheapest.items() if other is not row}
+    others = [f"{program} takes {ratio:.3g} times as long" for program, ratio in sorted(rest.items(), key=_second)]
+    return ", ".join([f"{milliseconds(row)}: {run_text(row)}", *(others or ["no other program gets there"])])
+
+
+def _second(item: tuple[str, float]) -> float:
+    return item[1]
 
 
 def _work_sentence(level: Level) -> str:
