@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 from contact_foundation.errors import InputError, Place
@@ -14,6 +16,7 @@ from cad2modelica.geometry.polygon import split
 from cad2modelica.geometry.spatial import Array
 from cad2modelica.meshio.collada_file import read_collada
 from cad2modelica.meshio.gltf_file import read_gltf
+from cad2modelica.meshio.msh_file import read_msh
 from cad2modelica.meshio.ply_file import read_ply
 from cad2modelica.meshio.vrml_scene import read_scene
 from cad2modelica.source.number_limits import LARGEST, are_usable
@@ -36,8 +39,7 @@ def read_mesh(file: Path) -> Surface:
         return _checked(*read_collada(file), file)
     if kind == ".wrl":
         return _checked(*_read_vrml(file), file)
-    readers = {".stl": _read_stl, ".obj": _read_obj, ".ply": read_ply, ".glb": read_gltf, ".gltf": read_gltf}
-    reader = readers.get(kind)
+    reader = _READERS.get(kind)
     if reader is None:
         raise InputError(
             f"meshes of type {file.suffix!r} are not read",
@@ -168,3 +170,14 @@ def _truncated(file: Path, line: int | None, detail: str) -> InputError:
     return InputError(
         f"the file ends too early ({detail})", place=Place(file=file, line=line), remedy="Export or copy it again."
     )
+
+
+_READERS: Final[Mapping[str, Callable[[bytes, Path], Surface]]] = {
+    ".stl": _read_stl,
+    ".obj": _read_obj,
+    ".ply": read_ply,
+    ".msh": read_msh,
+    ".glb": read_gltf,
+    ".gltf": read_gltf,
+}
+"""Readers of files by their ending."""

@@ -261,6 +261,22 @@ def test_meshes_collide_as_their_hulls(tmp_path: Path) -> None:
     assert len(part.collision_meshes[0].vertices) == 8
 
 
+def test_binary_meshes_of_older_models(tmp_path: Path) -> None:
+    corners = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.2, 0], [0, 0, 0.3]], dtype="<f4")
+    triangles = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], dtype="<i4")
+    normals = np.zeros((4, 3), dtype="<f4")
+    data = np.array([4, 4, 0, 4], dtype="<i4").tobytes() + corners.tobytes() + normals.tobytes() + triangles.tobytes()
+    (tmp_path / "wedge.msh").write_bytes(data)
+    text = """<mujoco><asset><mesh file="wedge.msh" inertia="exact"/></asset><worldbody><body name="b"><freejoint/>
+      <geom type="mesh" mesh="wedge" density="1000"/></body></worldbody></mujoco>"""
+    assert read(tmp_path, text).part("b").mass_properties.mass == pytest.approx(1.0, rel=1e-6)
+    (tmp_path / "wedge.msh").write_bytes(data[:-4])
+    assert "its counts ask for" in refused(tmp_path, text)
+    wrong = data[:-4] + np.array([9], dtype="<i4").tobytes()
+    (tmp_path / "wedge.msh").write_bytes(wrong)
+    assert "corner that does not exist" in refused(tmp_path, text)
+
+
 def test_files_are_included_from_the_folder_only(tmp_path: Path) -> None:
     inside = tmp_path / "robot"
     (inside / "parts").mkdir(parents=True)
