@@ -258,6 +258,21 @@ class TestScripts:
             position = result.vector([f"hammer.frame_a.r_0[{i}]" for i in (1, 2, 3)])[row]
             assert shown[:3, 3] == pytest.approx(position, abs=1e-6)
 
+    def test_projections_agree_at_the_distance_looked_at_and_parallel_sizes_do_not_depend_on_depth(self) -> None:
+        made = self.evaluate(
+            "const made = [viewer.perspective(0.6, 1.5, 0.1, 50), viewer.parallel(0.6, 1.5, 3, -50, 50)];"
+            "return made.map(matrix => Array.from(matrix));"
+        )
+        perspective, parallel = (np.array(matrix).reshape(4, 4).T for matrix in made)
+
+        def seen(matrix: Any, depth: float) -> Any:
+            point = matrix @ [0.4, 0.2, -depth, 1.0]
+            return point[:2] / point[3]
+
+        assert seen(perspective, 3.0) == pytest.approx(seen(parallel, 3.0), rel=1e-6)
+        assert seen(parallel, 6.0) == pytest.approx(seen(parallel, 3.0), rel=1e-6)
+        assert seen(perspective, 6.0) == pytest.approx(seen(parallel, 6.0) / 2, rel=1e-6)
+
     def test_poses_between_frames(self) -> None:
         pose = self.evaluate("return playback.poseBetween(new Float32Array([0,0,0, 0,0,0,1, 2,4,6, 0,0,1,0]), 0, 0.5);")
         assert pose == pytest.approx([1, 2, 3, 0, 0, 0.5**0.5, 0.5**0.5])

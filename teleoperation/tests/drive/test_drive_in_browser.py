@@ -110,3 +110,42 @@ def test_keys_push_and_a_second_page_watches(browser, server):
     second.until(state("you steer"))
     click(second, "step")
     second.until("document.getElementById('clock').textContent === 't = 0.010 s'")
+
+
+COLOURS = """(async () => {
+  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const canvas = document.getElementById('canvas'), gl = canvas.getContext('webgl2');
+  const data = new Uint8Array(4 * canvas.width * canvas.height);
+  gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, data);
+  const found = new Map();
+  for (let k = 0; k < data.length; k += 4) {
+    if (data[k + 3] < 255) continue;
+    const colour = `${data[k]},${data[k + 1]},${data[k + 2]}`;
+    found.set(colour, (found.get(colour) || 0) + 1);
+  }
+  return [...found].filter(([, count]) => count > 20);
+})()"""
+
+
+def test_cues_of_depth_can_be_switched_off(browser, server):
+    tab = browser.tab(server.address)
+    tab.until("document.getElementById('key').textContent === 'block'")
+
+    def switch(**cues):
+        for cue, on in cues.items():
+            box = f"document.getElementById('{cue}')"
+            tab.value(f"{box}.checked = {str(on).lower()}; {box}.dispatchEvent(new Event('change')); true")
+        return {tuple(int(part) for part in colour.split(",")): count for colour, count in tab.value(COLOURS)}
+
+    shaded = switch(edges=False, grid=False)
+    assert len(shaded) > 1
+    flat = switch(shading=False)
+    assert set(flat) == {(255, 128, 0)}  # the block's own colour and no other
+    hazy = switch(aerial=True)
+    assert len(hazy) > 1
+    assert all(blue > 0 and red < 255 for red, _, blue in hazy)
+    assert switch(aerial=False) == flat
+    size = sum(flat.values())
+    assert sum(switch(perspective=False).values()) != size
+    assert switch(perspective=True) == flat
+    assert switch(shading=True) == shaded

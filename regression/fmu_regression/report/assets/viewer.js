@@ -39,6 +39,12 @@ function orthographic(half, near, far) {
   return new Float32Array([1 / half, 0, 0, 0, 0, 1 / half, 0, 0, 0, 0, -2 / (far - near), 0, 0, 0, -(far + near) / (far - near), 1]);
 }
 
+/** Parallel projection in which lengths at a distance are as in a perspective of an angle. */
+function parallel(angle, aspect, distance, near, far) {
+  const f = 1 / (distance * Math.tan(angle / 2));
+  return new Float32Array([f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, -2 / (far - near), 0, 0, 0, -(far + near) / (far - near), 1]);
+}
+
 /** Matrix of a pose: position and quaternion (body to world) at an offset of an array of seven numbers each. */
 function poseMatrix(pose, out) {
   const [px, py, pz, x, y, z, w] = pose;
@@ -123,6 +129,8 @@ function arrowMesh() {
 
 /* ---- shaders ---- */
 
+const VIEW_ANGLE = 0.6;
+const HAZE = [0.72, 0.78, 0.86];
 const SURFACE_VERTEX = `#version 300 es
 layout(location=0) in vec3 position; layout(location=1) in vec3 normal;
 uniform mat4 model, view, light; out vec3 worldNormal, worldPosition; out vec4 lightPosition;
@@ -142,20 +150,23 @@ float lit(sampler2DShadow map, vec4 position, float slope) {
 const SURFACE_FRAGMENT = `#version 300 es
 precision highp float; precision highp sampler2DShadow;
 in vec3 worldNormal, worldPosition; in vec4 lightPosition;
-uniform vec3 color, eye, up, sun; uniform float alpha, flatLight; uniform sampler2DShadow shadowMap; out vec4 result;
+uniform vec3 color, eye, up, sun, haze; uniform float alpha, flatLight, shading, shadows, air, clear;
+uniform sampler2DShadow shadowMap; out vec4 result;
 ${SHADOW_FUNCTION}
 void main() {
   vec3 n = normalize(worldNormal), v = normalize(eye - worldPosition);
   if (dot(n, v) < 0.0) n = -n;
   float diffuse = max(dot(n, sun), 0.0);
-  float shade = flatLight > 0.5 ? 1.0 : lit(shadowMap, lightPosition, 1.0 - diffuse);
+  float shade = flatLight > 0.5 || shadows < 0.5 ? 1.0 : lit(shadowMap, lightPosition, 1.0 - diffuse);
   vec3 h = normalize(sun + v);
   float gloss = pow(max(dot(n, h), 0.0), 48.0) * 0.22 * shade;
   float sky = 0.5 + 0.5 * dot(n, up);
   float fill = max(dot(n, v), 0.0);
   vec3 base = pow(color, vec3(2.2));
   vec3 light = base * (mix(vec3(0.20, 0.18, 0.17), vec3(0.42, 0.45, 0.50), sky) + 0.16 * fill + 0.78 * diffuse * shade * vec3(1.0, 0.97, 0.92)) + gloss;
-  result = vec4(pow(light, vec3(1.0 / 2.2)) * alpha, alpha);
+  vec3 seen = shading < 0.5 ? color : pow(light, vec3(1.0 / 2.2));
+  float hidden = 1.0 - exp(-air * max(0.0, length(eye - worldPosition) - clear));
+  result = vec4(mix(seen, haze, hidden) * alpha, alpha);
 }`;
 const LINE_VERTEX = `#version 300 es
 layout(location=0) in vec3 position; uniform mat4 model, view;
@@ -170,7 +181,7 @@ layout(location=0) in vec3 position; uniform mat4 model, view, light; out vec3 p
 void main() { vec4 world = model * vec4(position, 1.0); place = position; world3 = world.xyz; lightPosition = light * world; gl_Position = view * world; }`;
 const FLOOR_FRAGMENT = `#version 300 es
 precision highp float; precision highp sampler2DShadow;
-in vec3 place, world3; in vec4 lightPosition; uniform float cell, reach; uniform vec3 ink, middle; uniform float strength;
+in vec3 place, world3; in vec4 lightPosition; uniform float cell, reach; uniform vec3 ink, middle; uniform float strength, shadows;
 uniform sampler2DShadow shadowMap; out vec4 result;
 ${SHADOW_FUNCTION}
 float lines(vec2 p, float width) {
@@ -181,7 +192,7 @@ float lines(vec2 p, float width) {
 void main() {
   float away = 1.0 - smoothstep(0.25 * reach, reach, length(world3 - middle));
   float a = max(0.13 * lines(place.xy / cell, 0.0), 0.30 * lines(place.xy / (5.0 * cell), 0.0));
-  float dark = (1.0 - lit(shadowMap, lightPosition, 0.0)) * 0.30;
+  float dark = shadows < 0.5 ? 0.0 : (1.0 - lit(shadowMap, lightPosition, 0.0)) * 0.30;
   float alpha = (a * strength + dark * (1.0 - a * strength)) * away;
   result = vec4(ink * alpha, alpha);
 }`;
@@ -213,6 +224,7 @@ const SHADOW_SIZE = 2048;
 /**
  * Draws bodies where `place` put them, and `forces`: arrays of six numbers, point and force in world axes.
  * data: bodies with meshes, up, center, radius, floor, largestForce and follow as in animation.py; canvas: where.
+ * `cues` of depth can be switched: perspective (else parallel projection), shading, shadows, aerial (haze that grows with distance).
  * `way` is how far the machine went: the camera follows it where `follow` is set. Throws if WebGL 2 is missing.
  */
 class Viewer {
@@ -220,6 +232,7 @@ class Viewer {
     this.canvas = canvas;
     this.data = data;
     this.showEdges = this.showForces = this.showGrid = true;
+    this.cues = {perspective: true, shading: true, shadows: true, aerial: false};
     this.follow = data.follow;
     this.way = [0, 0, 0];
     this.forces = [];
@@ -326,7 +339,10 @@ class Viewer {
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio)), height = Math.max(1, Math.round(canvas.clientHeight * ratio));
     if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
     const radius = this.data.radius, center = vector.add(this.data.center, this.offset), eye = this.eye();
-    const view = multiply(perspective(0.6, width / height, this.distance * 0.02, this.distance * 4 + radius * 12), lookAt(eye, this.focus(), this.up));
+    const aspect = width / height, far = this.distance * 4 + radius * 12;
+    const projection = this.cues.perspective ? perspective(VIEW_ANGLE, aspect, this.distance * 0.02, far)
+      : parallel(VIEW_ANGLE, aspect, this.distance, -far, far);
+    const view = multiply(projection, lookAt(eye, this.focus(), this.up));
     const reach = radius * 1.35;
     const light = multiply(orthographic(reach, 0.1 * radius, 8 * radius),
       lookAt(vector.add(center, vector.scale(this.sun, 4 * radius)), center, Math.abs(vector.dot(this.sun, this.front)) < 0.9 ? this.front : this.up));
@@ -373,6 +389,11 @@ class Viewer {
     gl.uniform3fv(u.eye, eye);
     gl.uniform3fv(u.up, this.up);
     gl.uniform3fv(u.sun, this.sun);
+    gl.uniform3fv(u.haze, HAZE);
+    gl.uniform1f(u.shading, this.cues.shading ? 1 : 0);
+    gl.uniform1f(u.shadows, this.cues.shadows ? 1 : 0);
+    gl.uniform1f(u.air, this.cues.aerial ? 0.7 / this.data.radius : 0);
+    gl.uniform1f(u.clear, Math.max(0, this.distance - this.data.radius));
     gl.uniform1i(u.shadowMap, 0);
   }
 
@@ -419,6 +440,7 @@ class Viewer {
     gl.uniformMatrix4fv(u.view, false, view);
     gl.uniformMatrix4fv(u.light, false, light);
     gl.uniform1f(u.cell, cell);
+    gl.uniform1f(u.shadows, this.cues.shadows ? 1 : 0);
     gl.uniform1f(u.reach, Math.max(6 * radius, 1.5 * this.distance));
     gl.uniform3fv(u.middle, middle);
     gl.uniform3fv(u.ink, dark ? [0.02, 0.03, 0.05] : [0.12, 0.17, 0.26]);
@@ -498,4 +520,4 @@ class Viewer {
   }
 }
 
-if (typeof module !== "undefined") module.exports = {poseMatrix, prepareMesh, multiply, lookAt};
+if (typeof module !== "undefined") module.exports = {poseMatrix, prepareMesh, multiply, lookAt, perspective, parallel};

@@ -186,6 +186,9 @@
   for (const [id, name] of [["follow", "follow"], ["edges", "showEdges"], ["grid", "showGrid"], ["forces", "showForces"]]) {
     get(id).onchange = event => { if (viewer) { viewer[name] = event.target.checked; viewer.draw(); } };
   }
+  for (const cue of ["perspective", "shading", "shadows", "aerial"]) {
+    get(cue).onchange = event => { if (viewer) { viewer.cues[cue] = event.target.checked; viewer.draw(); } };
+  }
   window.addEventListener("keydown", event => {
     if (event.target.type === "text" || event.target.tagName === "SELECT" || event.target.tagName === "BUTTON") return;
     if (event.ctrlKey || event.metaKey || event.altKey || !steering.you) return;
