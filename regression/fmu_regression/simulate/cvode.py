@@ -53,12 +53,13 @@ _CREEPING_SHARE = 0.1
 _GROWTH_AFTER_START = 10.0
 _ROOT_OF_ROUNDING = float(np.sqrt(np.finfo(float).eps))
 
-_WHAT_HELPS = "The tolerance may be too coarse for a contact's penetration, or the contact's stiffness too high"
+WHAT_HELPS = "The tolerance may be too coarse for a contact's penetration, or the contact's stiffness too high"
+"""What to change where steps become too small."""
 _FAILURES = {
     -1: "too many steps",
     -2: "the tolerance asks for more accuracy than the numbers have",
-    -3: f"the error test failed repeatedly: the step became too small. {_WHAT_HELPS}",
-    -4: f"Newton's iteration failed repeatedly: the step became too small. {_WHAT_HELPS}",
+    -3: f"the error test failed repeatedly: the step became too small. {WHAT_HELPS}",
+    -4: f"Newton's iteration failed repeatedly: the step became too small. {WHAT_HELPS}",
     -6: "the Jacobian is singular or could not be set up",
     -8: "the model cannot be evaluated",
     -9: "the model cannot be evaluated at the start of a step",

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from contact_foundation.errors import BuildError, SimulationError
 from fmu_regression.results.result import SimulationResult
+from fmu_regression.simulate.cvode import WHAT_HELPS
 from hard_cases.bodies import motions, pairs, shapes
 from hard_cases.campaign import carry_out_cases
 from hard_cases.expectation import expect
@@ -157,3 +158,8 @@ def test_table_map_and_summaries_tell_every_run(tmp_path):
     assert verdict_rows(rows)[-1] == ("all", "60", str(sum(inside(row) for row in rows)))
     assert "| tolerance |" in markdown_table(range_rows(rows))
     assert {line[0] for line in failure_rows(rows)[1:]} == {kind.value for kind in Kind if kind is not Kind.RIGHT}
+
+
+def test_an_integrator_whose_steps_become_too_small_names_knobs() -> None:
+    """Rods of a kilometre at a tolerance of 1e-3, whose contact is noise, ended with a message that named none."""
+    assert named_knobs(WHAT_HELPS) == "stiffness tolerance"

@@ -386,8 +386,12 @@ static fmurt_result explain(fmurt_solver *solver, int flag, double time, const c
   }
   char state[200] = "";
   if (cause[0] == '\0') describe_worst_state(solver, state, sizeof state);
+  const char *end = cause;
+  if (cause[0] == '\0' && (flag == CV_CONV_FAILURE || flag == CV_ERR_FAILURE)) {
+    end = ". The tolerance may be too coarse for a contact's penetration, or the contact's stiffness too high";
+  }
   snprintf(instance->message, sizeof instance->message, "The integrator stops at time %.9g: %s%s%.700s", time,
-           failure_name(flag), cause[0] != '\0' ? ": " : state, cause);
+           failure_name(flag), cause[0] != '\0' ? ": " : state, end);
   return result;
 }
 
