@@ -73,6 +73,28 @@ TEST_P(Elastic, DoesNoWorkAroundClosedPaths) {
 
 INSTANTIATE_TEST_SUITE_P(Gradients, Elastic,
                          testing::Values(Pair{"box", "halfspace"}, Pair{"prism", "halfspace"}, Pair{"cylinder", "halfspace"},
-                                         Pair{"sphere", "box"}, Pair{"ellipsoid", "box"}, Pair{"sphere", "cylinder"}));
+                                         Pair{"sphere", "box"}, Pair{"ellipsoid", "box"}, Pair{"sphere", "cylinder"},
+                                         Pair{"box", "box-mesh"}, Pair{"hull-20", "divided-box-mesh"}, Pair{"box", "sphere-mesh"},
+                                         Pair{"hull-20", "torus-mesh"}, Pair{"box", "heightfield"}));
+
+class ElasticOnMeshes : public testing::TestWithParam<Pair> {};
+
+TEST_P(ElasticOnMeshes, DoesNoWorkAroundClosedPaths) {
+  const LoopWork small = sample_loops(GetParam().kinds(), 0.01, 0.01, 24, 1000, 7);
+  EXPECT_GT(small.paths, 12);
+  EXPECT_LT(small.worst, 1e-4) << "path " << small.worst_seed;
+  EXPECT_LT(small.mean, 1e-5);
+  const LoopWork large = sample_loops(GetParam().kinds(), 0.1, 0.5, 24, 1000, 7);
+  EXPECT_GT(large.paths, 12);
+  EXPECT_LT(large.worst, 1e-2) << "path " << large.worst_seed;
+  EXPECT_LT(large.mean, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllMeshes, ElasticOnMeshes,
+                         testing::Values(Pair{"box", "box-mesh"}, Pair{"box", "divided-box-mesh"}, Pair{"box", "sphere-mesh"},
+                                         Pair{"box", "heightfield"}, Pair{"prism", "box-mesh"}, Pair{"prism", "heightfield"},
+                                         Pair{"hull-20", "box-mesh"}, Pair{"hull-20", "divided-box-mesh"},
+                                         Pair{"hull-20", "sphere-mesh"}, Pair{"hull-20", "heightfield"},
+                                         Pair{"hull-100", "box-mesh"}, Pair{"hull-100", "heightfield"}));
 
 }  // namespace

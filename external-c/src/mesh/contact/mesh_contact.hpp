@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "manifold/contact_set.hpp"
+#include "mesh/contact/elastic_points.hpp"
 #include "mesh/contact/pair_patches.hpp"
 #include "mesh/contact/patch_load.hpp"
 #include "mesh/contact/rod_load.hpp"
@@ -45,6 +46,8 @@ struct MeshContactScratch {
   std::vector<EdgeStretch> edges;
   std::vector<Vec3> body_vertices, body_normals;  // in the mesh's frame
   PatchScratch patch;
+  OverlapScratch overlap;
+  std::vector<LoadPoint> loads;
   PairScratch pair;
   Facets facets;
   ContactSet reaction;  // what the other mesh of a pair pushes
@@ -64,10 +67,9 @@ void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh,
 void capsule_contact(double radius, double length, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                      MeshContactScratch &scratch, ContactSet &result);
 
-// A convex polytope. The part of its surface behind the mesh's is divided among the triangles' wedges (TriangleWedge) and
-// carries as PatchLoad says. Weights sum to 1; the load is the mean depth. Sums of areas
-// do not depend on how a face is cut into triangles (of faces that are not convex within the depth of a sharp edge they do), and normals are those
-// of faces only. Depths count down to half the thickness of what lies behind a triangle.
+// A convex polytope. Its overlap with the triangles' wedges stores an energy, whose gradient are force and torque of the points
+// (WedgeOverlap, append_elastic_points). Neither depends on how a face is cut into triangles (of faces that are not convex within
+// the depth of a sharp edge they do). Depths count down to half the thickness of what lies behind a triangle.
 void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                       MeshContactScratch &scratch, ContactSet &result);
 

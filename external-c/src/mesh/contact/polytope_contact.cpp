@@ -2,11 +2,11 @@
 #include <limits>
 
 #include "math/pose_algebra.hpp"
+#include "mesh/contact/elastic_points.hpp"
 #include "mesh/contact/mesh_contact.hpp"
 #include "mesh/contact/nearest_triangle.hpp"
-#include "mesh/contact/patch_load.hpp"
 #include "mesh/contact/polytope_distance.hpp"
-#include "mesh/core/triangle_wedge.hpp"
+#include "mesh/contact/wedge_overlap.hpp"
 #include "mesh/intersection/pierced_load.hpp"
 #include "mesh/intersection/triangle_section.hpp"
 
@@ -29,40 +29,22 @@ class PolytopeQuery {
   }
 
   void run() {
-    PatchLoad load(mesh_, pose_, 0.5 * (box_.low + box_.high), scratch_.patch);
-    mesh_.hierarchy().visit_near(
-        box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { triangle(t, load); });
+    WedgeOverlap overlap(body_, scratch_.body_vertices, scratch_.body_normals, mesh_, 0.5 * (box_.low + box_.high), size_,
+                         scratch_.overlap);
+    mesh_.hierarchy().visit_near(box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { overlap.add(t); });
     const std::size_t begin = result_.points.size();
-    if (load.touches()) load.finish(result_);
+    // What else passes through the body is judged by the load of the patches: a corner's energy may push less.
+    double carried = overlap.touches() ? append_elastic_points(overlap, pose_, scratch_.loads, result_) : 0.0;
     const SectionedBody body(body_, place_, scratch_.body_vertices, scratch_.body_normals, scratch_.patch.polygon,
                              scratch_.patch.clipped);
-    const double carried = mesh_.closed() ? total_load(result_.points, begin) : limit_by_sections(body, mesh_, begin, result_);
+    if (!mesh_.closed() && carried > 0.0) {
+      const double load = total_load(result_.points, begin);
+      carried *= limit_by_sections(body, mesh_, begin, result_) / load;
+    }
     if (!complete_contact(body, mesh_, pose_, carried, result_)) apart();
   }
 
  private:
-  // The part of the body's surface that triangle t pushes.
-  void triangle(std::uint32_t t, PatchLoad &load) {
-    const Vec3 &normal = mesh_.face_normal(t);
-    const double offset = dot(normal, mesh_.corner(t, 0));
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Vec3 &v : scratch_.body_vertices) lowest = std::fmin(lowest, dot(normal, v));
-    if (!(lowest < offset)) return;
-    TriangleWedge wedge;
-    if (!wedge.build_if_it_meets(mesh_, t, size_, 0.5 * (box_.low + box_.high), size_)) return;
-    for (std::size_t f = 0; f < scratch_.body_normals.size(); ++f) {
-      if (!(dot(scratch_.body_normals[f], normal) < 0.0)) continue;
-      const convex::Polytope::Face &face = body_.faces()[f];
-      std::vector<Vec3> &polygon = scratch_.patch.polygon;
-      polygon.clear();
-      for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
-        polygon.push_back(
-            scratch_.body_vertices[static_cast<std::size_t>(body_.face_vertices()[static_cast<std::size_t>(i)])]);
-      }
-      load.push(wedge, scratch_.body_normals[f]);
-    }
-  }
-
   void apart() {
     NearestTriangle nearest(mesh_);
     // The extents along the best direction so far bound the distance of the others.

@@ -20,6 +20,27 @@ void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset,
   polygon.swap(room);
 }
 
+WedgeSide wedge_side(const TriangleMesh &mesh, std::uint32_t t, std::size_t k) {
+  const Triangle &corners = mesh.triangles()[t];
+  const bool turned = corners[(k + 1) % 3] < corners[k];  // both triangles reckon from the same corner
+  const Vec3 &from = mesh.corner(t, turned ? k + 1 : k), &to = mesh.corner(t, turned ? k : k + 1);
+  const std::int32_t other = mesh.neighbour(t, k);
+  const Vec3 &normal = mesh.face_normal(t), along = to - from;
+  Vec3 side = cross(other < 0 ? normal : normal + mesh.face_normal(static_cast<std::uint32_t>(other)), along);
+  // Folded back onto itself: no plane halves the angle, the triangle's own border does as well.
+  if (!(norm2(side) > 1e-24 * norm2(along))) side = cross(normal, along);
+  const double offset = dot(side, from);
+  return turned ? WedgeSide{-side, -offset} : WedgeSide{side, offset};
+}
+
+bool gives_side_away(const TriangleMesh &mesh, std::uint32_t t, std::size_t k) {
+  const std::int32_t other = mesh.neighbour(t, k);
+  if (other < 0) return true;
+  const auto beyond = static_cast<std::uint32_t>(other);
+  const std::uint32_t face = mesh.faces().face_of(t), face_beyond = mesh.faces().face_of(beyond);
+  return face_beyond != face ? face_beyond < face : beyond < t;
+}
+
 void TriangleWedge::build_front(const TriangleMesh &mesh, std::uint32_t t, double deepest) {
   mesh_ = &mesh;
   triangle_ = t;

@@ -1,0 +1,62 @@
+// Patches that push in many directions, as few places with the same moments.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "math/vector3.hpp"
+
+namespace cmb::mesh {
+
+using convex::Mat3;
+using convex::Vec3;
+
+// Integrals over one triangle's patches, by area as seen along its normal. Places are relative to an origin of the caller's.
+struct PatchSums {
+  double area = 0.0;
+  double load = 0.0, energy = 0.0;  // of depth and its square
+  Vec3 moment;                      // of depth * place
+  double second[6] = {};            // of depth * place * place: xx, yy, zz, yz, zx, xy
+
+  void add_triangle(double area, const Vec3 &p, double dp, const Vec3 &q, double dq, const Vec3 &r, double dr);
+};
+
+// A part of a contact's load.
+struct LoadPoint {
+  Vec3 force;  // its length a load
+  Vec3 place;
+  double depth = 0.0;
+};
+
+// Sums of patches by the six directions of the mesh's axes, to which a patch gives the squares of its normal's components. Each
+// becomes four points with equal loads whose first and second moments are those of its patches.
+class DirectionPatches {
+ public:
+  static constexpr std::size_t directions = 6, points_each = 4;
+
+  // What places are relative to; before the first patch. Near the patches, where it costs the least rounding.
+  void set_origin(const Vec3 &origin) { origin_ = origin; }
+  const Vec3 &origin() const { return origin_; }
+
+  // `share`: of the patch's load that counts.
+  void add(const PatchSums &patch, const Vec3 &normal, double share);
+
+  // Of all patches, as far as they carry.
+  double area() const { return carrying_area_ + (1.0 - most_carried_) * area_; }
+
+  // Appends the points, loads divided by the area, to `points`; places relative to the origin.
+  void append(std::vector<LoadPoint> &points) const;
+
+ private:
+  struct Sum {
+    PatchSums patch;
+    Vec3 force;
+  };
+
+  Vec3 origin_;
+  double area_ = 0.0, carrying_area_ = 0.0, most_carried_ = 0.0;
+  Sum sums_[directions];
+};
+
+}  // namespace cmb::mesh

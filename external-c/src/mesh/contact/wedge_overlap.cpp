@@ -1,0 +1,260 @@
+#include "mesh/contact/wedge_overlap.hpp"
+
+#include <cmath>
+
+namespace cmb::mesh {
+
+namespace {
+
+using Plane = OverlapScratch::Plane;
+
+// What lies in the plane is beyond it where the plane is strict. Of two wedges that share a plane one counts it.
+bool within(double above, const Plane &plane) { return plane.strict ? above > 0.0 : above >= 0.0; }
+
+// Appends to `kept` the polygon's part before the plane, of at least three corners or nothing. Returns whether a side was cut off;
+// then it runs from `from` to `to` in the polygon that is left. Faces that share a side cut it at the same place to the bit: caps
+// have no gaps, also where the body's corners lie in the plane.
+bool cut(const Vec3 *polygon, std::size_t count, const Plane &plane, std::vector<double> &above, std::vector<Vec3> &kept,
+         Vec3 &from, Vec3 &to) {
+  above.resize(count);
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    above[i] = dot(plane.normal, polygon[i]) - plane.offset;
+    inside += within(above[i], plane) ? 1 : 0;
+  }
+  if (inside == 0) return false;
+  if (inside == count) {
+    kept.insert(kept.end(), polygon, polygon + count);
+    return false;
+  }
+  const std::size_t begin = kept.size();
+  bool leaves = false, enters = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = i + 1 == count ? 0 : i + 1;
+    const Vec3 &p = polygon[i], &q = polygon[next];
+    const bool p_within = within(above[i], plane), q_within = within(above[next], plane);
+    if (p_within) kept.push_back(p);
+    if (p_within && !q_within) {
+      from = p + (above[i] / (above[i] - above[next])) * (q - p);
+      kept.push_back(from);
+      leaves = true;
+    } else if (!p_within && q_within) {
+      to = q + (above[next] / (above[next] - above[i])) * (p - q);
+      kept.push_back(to);
+      enters = true;
+    }
+  }
+  if (kept.size() < begin + 3) kept.resize(begin);
+  return leaves && enters;
+}
+
+bool same(const Vec3 &p, const Vec3 &q) { return p.x == q.x && p.y == q.y && p.z == q.z; }
+
+// One plane to rounding: a cap in the other one would be cut by chance.
+bool coincide(const Plane &p, const Plane &q, double size) {
+  constexpr double tolerance = 1e-9;
+  return norm2(p.normal - q.normal) < tolerance * tolerance && std::fabs(p.offset - q.offset) < tolerance * size;
+}
+
+}  // namespace
+
+// 1 where the triangle's plane is what is nearest to a point behind it; falls to 0 where another part of the surface
+// is nearer by half, as on the far side of a thin wall. Down to the clear depth nothing is, which need not be looked up.
+double WedgeOverlap::inside_share(const Vec3 &p) const {
+  const double clear = mesh_.clear_depth(triangle_), deep = depth(p);
+  if (!mesh_.closed() || deep <= clear) return 1.0;
+  const double share = std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, triangle_).distance / deep - 1.0 + 1e-9));
+  return deep >= 2.0 * clear ? share : 1.0 - (deep / clear - 1.0) * (1.0 - share);
+}
+
+// Takes the plane on where it cuts the body, and marks the vertices outside; false where all are.
+bool WedgeOverlap::offer(const Plane &plane) {
+  std::vector<Plane> &planes = scratch_.planes;
+  const std::uint64_t bit = planes.size() < 64 ? std::uint64_t{1} << planes.size() : 0;
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    if (within(dot(plane.normal, vertices_[v]) - plane.offset, plane)) continue;
+    scratch_.outside[v] |= bit;
+    ++count;
+  }
+  if (count == vertices_.size()) return false;
+  if (count > 0) planes.push_back(plane);
+  return true;
+}
+
+// The planes that cut the body; false where nothing of it is left. The triangle's own comes first.
+bool WedgeOverlap::set_planes(std::uint32_t t) {
+  triangle_ = t;
+  normal_ = mesh_.face_normal(t);
+  offset_ = dot(normal_, mesh_.corner(t, 0));
+  if (depth(center_) <= -radius_) return false;
+  scratch_.depths.clear();
+  const double limit = mesh_.depth_limit(t);
+  double deepest = 0.0, shallowest = limit;
+  for (const Vec3 &v : vertices_) {
+    const double deep = depth(v);
+    deepest = deep > deepest ? deep : deepest;
+    shallowest = deep < shallowest ? deep : shallowest;
+    scratch_.depths.push_back(deep);
+  }
+  if (!(deepest > 0.0) || !(shallowest < limit)) return false;
+  const bool front = shallowest < 0.0;
+  WedgeSide sides[3];
+  double inside[3], length2[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    sides[k] = wedge_side(mesh_, t, k);
+    inside[k] = dot(sides[k].normal, center_) - sides[k].offset;
+    length2[k] = radius_ * radius_ * norm2(sides[k].normal);
+    if (inside[k] < 0.0 && inside[k] * inside[k] >= length2[k]) return false;
+  }
+  scratch_.planes.clear();
+  scratch_.outside.assign(vertices_.size(), 0);
+  front_ = front ? 1 : 0;
+  if (front) {
+    scratch_.planes.push_back({-normal_, -offset_, false, false});
+    for (std::size_t v = 0; v < vertices_.size(); ++v) scratch_.outside[v] = scratch_.depths[v] < 0.0 ? 1 : 0;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (inside[k] > 0.0 && inside[k] * inside[k] >= length2[k]) continue;
+    const double scale = 1.0 / norm(sides[k].normal);
+    if (!offer({scale * sides[k].normal, scale * sides[k].offset, true, gives_side_away(mesh_, t, k)})) return false;
+  }
+  if (limit < deepest && !offer({normal_, offset_ - limit, true, false})) return false;
+  const PlanarFaces::Roof roof = mesh_.faces().roof(t);
+  for (const std::uint32_t *k = roof.begin; k != roof.end && deepest > roof.clear_depth; ++k) {
+    const RoofPlane &plane = mesh_.faces().plane(*k);
+    const double scale = 1.0 / norm(plane.normal);
+    const Plane cap{scale * plane.normal, scale * plane.offset, true, plane.beyond < mesh_.faces().face_of(t)};
+    bool known = false;
+    for (const Plane &other : scratch_.planes) known = known || coincide(cap, other, radius_);
+    if (!known && !offer(cap)) return false;
+  }
+  return true;
+}
+
+void WedgeOverlap::add(std::uint32_t t) {
+  if (!set_planes(t)) return;
+  patch_ = {};
+  const std::vector<std::int32_t> &corners = body_.face_vertices();
+  scratch_.points.clear();
+  scratch_.pieces.clear();
+  const std::uint64_t front = front_;
+  for (std::size_t f = 0; f < normals_.size(); ++f) {
+    const convex::Polytope::Face &face = body_.faces()[f];
+    std::uint64_t everywhere = ~std::uint64_t{0}, anywhere = 0;
+    for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
+      const std::uint64_t code = scratch_.outside[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])];
+      everywhere &= code;
+      anywhere |= code;
+    }
+    // Beyond a plane nothing counts, unless a plane before it has cut sides of a cap from the face.
+    const std::uint64_t beyond = everywhere & (~everywhere + 1);
+    if (beyond != 0 && (anywhere & (beyond - 1) & ~front) == 0) continue;
+    const std::size_t first = scratch_.points.size();
+    for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
+      scratch_.points.push_back(vertices_[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])]);
+    }
+    scratch_.pieces.push_back({first, static_cast<std::size_t>(face.count), normals_[f], true});
+  }
+  for (const Plane &plane : scratch_.planes) {
+    if (scratch_.pieces.empty()) return;
+    keep_before(plane);
+  }
+  if (scratch_.pieces.empty()) return;
+  const Vec3 &place = scratch_.points[scratch_.pieces[0].first];
+  apex_ = place + depth(place) * normal_;
+  if (!found_) patches_.set_origin(place);
+  found_ = true;
+  for (const OverlapScratch::Piece &piece : scratch_.pieces) integrate(piece);
+  if (patch_.area > 0.0) {
+    const Vec3 middle = patch_.load > 0.0 ? patches_.origin() + (1.0 / patch_.load) * patch_.moment : center_;
+    patches_.add(patch_, normal_, inside_share(middle));
+  }
+}
+
+// Cuts all pieces; where the plane is capped, adds the cap as triangles from that corner of it which is least deep. Where the
+// cap reaches up to the triangle's plane, whose own cap is not known, this one lies there.
+void WedgeOverlap::keep_before(const Plane &plane) {
+  std::vector<Vec3> &kept = scratch_.kept;
+  kept.clear();
+  scratch_.edges.clear();
+  std::size_t pieces = 0;
+  for (const OverlapScratch::Piece &piece : scratch_.pieces) {
+    const std::size_t first = kept.size();
+    Vec3 from, to;
+    const bool was_cut = cut(scratch_.points.data() + piece.first, piece.count, plane, scratch_.above, kept, from, to);
+    if (was_cut && plane.capped) scratch_.edges.push_back({to, from});
+    if (kept.size() > first) scratch_.pieces[pieces++] = {first, kept.size() - first, piece.normal, piece.of_body};
+  }
+  scratch_.pieces.resize(pieces);
+  const Vec3 *fan = nullptr;
+  for (const OverlapScratch::Edge &edge : scratch_.edges) {
+    if (fan == nullptr || depth(edge.from) < depth(*fan)) fan = &edge.from;
+    if (depth(edge.to) < depth(*fan)) fan = &edge.to;
+  }
+  for (const OverlapScratch::Edge &edge : scratch_.edges) {
+    if (same(edge.from, *fan) || same(edge.to, *fan)) continue;
+    const std::size_t first = kept.size();
+    kept.insert(kept.end(), {*fan, edge.from, edge.to});
+    scratch_.pieces.push_back({first, 3, -plane.normal, false});
+  }
+  scratch_.points.swap(kept);
+}
+
+void WedgeOverlap::integrate(const OverlapScratch::Piece &piece) {
+  const Vec3 *const polygon = scratch_.points.data() + piece.first;
+  const Vec3 &normal = piece.normal;
+  const double cosine = -dot(normal, normal_);
+  double area = 0.0, squares = 0.0;
+  Vec3 places, places_by_squares;
+  const Vec3 &origin = patches_.origin();
+  const Vec3 p = polygon[0] - origin;
+  const auto depth_of = [this](const Vec3 &x) {
+    const double deep = depth(x);
+    return deep > 0.0 ? deep : 0.0;
+  };
+  const double dp = depth_of(polygon[0]);
+  Vec3 q = polygon[1] - origin;
+  double dq = depth_of(polygon[1]);
+  double deepest = dp >= dq ? dp : dq;
+  Vec3 deepest_place = dp >= dq ? polygon[0] : polygon[1];
+  for (std::size_t i = 2; i < piece.count; ++i) {
+    const Vec3 r = polygon[i] - origin;
+    const double dr = depth_of(polygon[i]);
+    const double size = 0.5 * dot(normal, cross(q - p, r - p));
+    const double depths = dp + dq + dr, of_squares = dp * dp + dq * dq + dr * dr;
+    area += size;
+    squares += size * (depths * depths + of_squares) / 12.0;
+    if (piece.of_body) {
+      const Vec3 sum = p + q + r, weighted = dp * p + dq * q + dr * r;
+      const Vec3 by_squares = (dp * dp) * p + (dq * dq) * q + (dr * dr) * r;
+      places = places + (size / 3.0) * sum;
+      places_by_squares = places_by_squares + (size / 60.0) * ((depths * depths + of_squares) * sum + (2.0 * depths) * weighted +
+                                                                2.0 * by_squares);
+      if (cosine > 0.0) patch_.add_triangle(cosine * size, p, dp, q, dq, r, dr);
+      if (dr > deepest) deepest = dr, deepest_place = polygon[i];
+    }
+    q = r;
+    dq = dr;
+  }
+  const double height = dot(normal, polygon[0] - apex_);
+  first_.integral += height * area / 3.0;
+  third_.integral += 0.6 * height * squares;
+  if (!piece.of_body) return;
+  first_.gradient.force = first_.gradient.force + area * normal;
+  first_.gradient.torque = first_.gradient.torque + cross(places, normal);
+  third_.gradient.force = third_.gradient.force + (3.0 * squares) * normal;
+  third_.gradient.torque = third_.gradient.torque + cross(3.0 * places_by_squares, normal);
+  if (!(cosine > 0.0) || !(deepest > deepest_) || !(inside_share(deepest_place) > 0.0)) return;
+  deepest_ = deepest;
+  deepest_place_ = deepest_place;
+  deepest_normal_ = normal_;
+}
+
+Wrench WedgeOverlap::wrench() const {
+  const double part = 0.5 / first_.integral, mean = third_.integral / first_.integral;
+  return {-part * (third_.gradient.force - mean * first_.gradient.force),
+          -part * (third_.gradient.torque - mean * first_.gradient.torque)};
+}
+
+}  // namespace cmb::mesh
