@@ -48,7 +48,8 @@ class MeshReferences:
             raise InputError(f"{reference!r} is not a file name", place=place, remedy="Name a mesh file.")
         for scheme in PACKAGE_SCHEMES:
             if text.startswith(scheme):
-                return self._in_package(text.removeprefix(scheme).lstrip("/"), reference, place)
+                path = text.removeprefix(scheme)  # Gazebo takes model:///NAME too
+                return self._in_package(path.lstrip("/") if scheme == "model://" else path, reference, place)
         path = text.removeprefix(FILE_SCHEME)
         if path.startswith("/"):
             return self._absolute(path, reference, place)
