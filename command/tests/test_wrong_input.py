@@ -95,6 +95,7 @@ def test_model_the_builder_cannot_translate(cmb: Cmb, tmp_path: Path) -> None:
         (["run", "nowhere"], "nowhere"),
         (["fmu", "No.Such.Model"], "no source holds No, of which No.Such.Model is a part"),
         (["fmu", "None"], "no source holds None\n"),
+        (["fmu", "Ball.mo"], "Give the name, and the file as its source: Ball --source Ball.mo"),
         (["simulate", "no.fmu", "--output", "a.csv"], "no.fmu"),
         (["report", "no.csv", "--output", "a.html"], "no.csv"),
         (["regress", "nocases"], "nocases"),

@@ -110,7 +110,7 @@ def translate(
         experiment=read_experiment(model, sources),
         external=external,
         internal_parameters=internal_parameters(reduced, generated.slots),
-        needs_completed_steps=generated.follows_steps,
+        needs_completed_steps=generated.needs_completed_steps,
         icon=icon,
     )
     return Translation(scalar, reduced, systems, generated, with_outputs(description, outputs))

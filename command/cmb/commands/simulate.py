@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from argparse import ArgumentParser, Namespace
 from dataclasses import asdict
 from pathlib import Path
@@ -91,4 +92,6 @@ def run(arguments: Namespace) -> int:
     if result.counters is not None:
         counters = ", ".join(f"{value} {name.replace('_', ' ')}" for name, value in asdict(result.counters).items())
         print(f"  {counters}")
+    for line in result.log:
+        print(f"cmb: {arguments.fmu.name} says: {line}", file=sys.stderr)
     return 0

@@ -15,6 +15,8 @@ from modelica2fmu.codegen.event_code import (
     fixed_statement,
     indicator_statements,
     lasting_asserts,
+    lasting_warnings,
+    warning_statements,
 )
 from modelica2fmu.codegen.generated_source import GeneratedSource
 from modelica2fmu.codegen.jacobian_code import jacobian_code
@@ -45,7 +47,8 @@ class GeneratedModel:
         slots: where variables live.
         states: names of the states, in order.
         operations: number of lines of C that one evaluation of the derivatives executes.
-        follows_steps: whether there are nonlinear systems, which are followed from accepted step to accepted step.
+        needs_completed_steps: whether it has to be told of accepted steps: nonlinear systems are followed from one to
+            the next, and assertions at level warning are checked.
     """
 
     sources: tuple[GeneratedSource, ...]
@@ -53,7 +56,7 @@ class GeneratedModel:
     slots: Slots
     states: tuple[str, ...]
     operations: int
-    follows_steps: bool
+    needs_completed_steps: bool
 
 
 def generate(reduced: ReducedModel, systems: Systems, includes: Sequence[str], place: PlaceOf) -> GeneratedModel:
@@ -90,6 +93,7 @@ class _Generator:
         self._functions.extend(simulating)
         asserts = [item for item in lasting_asserts(self._model) if not self._is_invariant(item.condition)]
         self._add("fmurt_part_assert", [assert_statement(item, "FMURT_RESULT_DISCARD") for item in asserts], frame)
+        self._add("fmurt_part_warn", warning_statements(self._model, self._places), frame)
         events = self._places.frame(", int *states_changed", ("  (void)states_changed;",))
         self._add("fmurt_part_event", event_statements(self._model, self._places), events)
         indicators = self._places.frame(", double *indicator", ("  (void)indicator;",))
@@ -219,7 +223,8 @@ class _Generator:
         text = digest.hexdigest()
         guid = f"{{{text[:8]}-{text[8:12]}-{text[12:16]}-{text[16:20]}-{text[20:]}}}"
         sources.append(GeneratedSource("model.c", main.replace(GUID_PLACE, guid)))
-        return GeneratedModel(tuple(sources), guid, slots, self._states, operations, bool(self._blocks.followed))
+        told = bool(self._blocks.followed or lasting_warnings(self._model))
+        return GeneratedModel(tuple(sources), guid, slots, self._states, operations, told)
 
     def _part_files(self) -> list[GeneratedSource]:
         includes = '#include "model_parts.h"\n' + "".join(f"{text}\n" for text in self._includes)

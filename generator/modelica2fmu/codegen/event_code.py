@@ -18,7 +18,7 @@ def event_statements(model: ScalarModel, places: SymbolPlaces) -> list[Statement
     running = ex.Substitution({INITIAL: 0})
     statements: list[Statement] = []
     for assertion in model.asserts:
-        if assertion.trigger is not None or assertion.is_warning:
+        if assertion.trigger is not None:
             statements.append(assert_statement(assertion, "FMURT_RESULT_ERROR"))
     for termination in model.terminations:
         statements.append(_termination(running(termination.trigger), termination.message))
@@ -44,6 +44,16 @@ def event_statements(model: ScalarModel, places: SymbolPlaces) -> list[Statement
 def lasting_asserts(model: ScalarModel) -> list[ScalarAssert]:
     """Assertions at level error that hold all the time."""
     return [item for item in model.asserts if item.trigger is None and not item.is_warning]
+
+
+def lasting_warnings(model: ScalarModel) -> list[ScalarAssert]:
+    """Assertions at level warning that hold all the time."""
+    return [item for item in model.asserts if item.trigger is None and item.is_warning]
+
+
+def warning_statements(model: ScalarModel, places: SymbolPlaces) -> list[Statement]:
+    """The checks of lasting warnings; each is reported once a run."""
+    return [_warning(item, places.work.real(1)) for item in lasting_warnings(model)]
 
 
 def assert_statement(item: ScalarAssert, severity: str) -> Statement:
@@ -76,6 +86,19 @@ def fixed_statement(line: str) -> Statement:
 
 def _indicator(position: int, value: float | Node) -> Lines:
     return lambda write: [f"indicator[{position}] = {bare(write(value))};"]
+
+
+def _warning(item: ScalarAssert, said: int) -> Statement:
+    failed = ex.logical_not(ex.Substitution({INITIAL: 0})(item.condition))
+    timed = Text((*item.message.parts, " (first at ", ex.symbol(TIME), " s)"))
+
+    def lines(write: Write) -> list[str]:
+        return [
+            f"if (w[{said}] == 0.0 && {write(failed)}) {{", *_message(timed, write, "fmurt_report_warning"),
+            f"  w[{said}] = 1.0;", "}",
+        ]  # fmt: skip
+
+    return Statement((failed, *_nodes(timed)), lines)
 
 
 def _termination(trigger: float | Node, message: Text) -> Statement:

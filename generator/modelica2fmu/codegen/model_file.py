@@ -82,6 +82,7 @@ def model_file(parts: ModelParts) -> str:
     discrete += function_calls(functions, "fmurt_part_event", "v, states_changed")
     indicators = function_calls(functions, "fmurt_part_indicators", "v, indicator")
     settle = function_calls(functions, "fmurt_part_simulate")
+    warnings = function_calls(functions, "fmurt_part_warn")
     return f"""#include "model_parts.h"
 
 static const unsigned state[] = {{{_wrapped(state)}}};
@@ -130,6 +131,12 @@ static inline fmurt_result settle(fmurt_values *v)
 {settle}  return (fmurt_result)result;
 }}
 
+static inline fmurt_result warnings(fmurt_values *v)
+{{
+  int result = FMURT_RESULT_OK;
+{warnings}  return (fmurt_result)result;
+}}
+
 {parts.jacobian}const fmurt_model_description fmurt_model = {{
   .name = {c_text(model.name)},
   .guid = "{GUID_PLACE}",
@@ -158,6 +165,7 @@ static inline fmurt_result settle(fmurt_values *v)
   .settle = {"settle" if model.relations else "NULL"},
   .followed_count = {len(parts.followed)},
   .followed = followed,
+  .warnings = {"warnings" if warnings else "NULL"},
   .jacobian = {"jacobian" if parts.jacobian else "NULL"},
 }};
 """

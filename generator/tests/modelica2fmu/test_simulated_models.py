@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import math
+import re
 
 import numpy as np
 import pytest
@@ -426,3 +427,30 @@ def test_tuned_parameter_moves_what_depends_on_it_and_no_state(build, tmp_path):
     assert model.getReal([slots["der(v)"]]) == pytest.approx([-16.0 * 0.25])
     model.terminate()
     model.freeInstance()
+
+
+WARNING = """model Warning "Warns between events, and has none"
+  Real x(start = 0, fixed = true), y(start = 1, fixed = true);
+equation
+  der(x) = 1;
+  der(y) = -50*(y - cos(x));
+  assert(noEvent(x < 0.5 or x > 0.7), "x is " + String(x) + " %", AssertionLevel.warning);
+  assert(x < 1e9, "never said", AssertionLevel.warning);
+end Warning;
+"""
+
+
+@pytest.mark.parametrize("fmi_type", ["ModelExchange", "CoSimulation"])
+def test_a_violated_warning_is_said_once_where_a_step_is_accepted(simulate, fmi_type):
+    said: list[str] = []
+    interval = 2.0 if fmi_type == "CoSimulation" else 0.08  # FMPy's steps in model exchange are its intervals
+    simulate(
+        WARNING, ["x"], stop=2.0, interval=interval, fmi_type=fmi_type,
+        logger=lambda *words: said.append(words[-1].decode()),
+    )  # fmt: skip
+    about = [line for line in said if "x is" in line]
+    assert len(about) == 1
+    assert not any("never said" in line for line in said)
+    x, time = re.fullmatch(r"x is (\S+) % \(first at (\S+) s\)", about[0]).groups()
+    assert float(x) == pytest.approx(float(time), abs=1e-5)
+    assert 0.5 <= float(x) < 0.7

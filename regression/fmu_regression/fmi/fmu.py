@@ -132,6 +132,10 @@ class Instance:
         self.description = description
         self.messages = messages
 
+    def told(self) -> list[str]:
+        """What the FMU logged: the last messages of each kind, those that differ in numbers alone as one."""
+        return _told_once(self.messages)
+
     def failure(self, what: str, cause: BaseException | None = None) -> SimulationError:
         """A SimulationError that carries what the FMU logged last."""
         text = what
@@ -139,7 +143,7 @@ class Instance:
             text = f"{what}: {cause.function} returned {_status_name(cause.status)}"
         elif cause is not None:
             text = f"{what}: {cause}"
-        lines = _told_once(self.messages)
+        lines = self.told()
         if lines:
             text += "\n" + "\n".join(f"  {line}" for line in lines)
         return SimulationError(text, place=Place(component=self.description.name))

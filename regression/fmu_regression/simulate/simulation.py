@@ -88,7 +88,7 @@ def simulate(
                     recorder, counters = step_through(
                         instance, variables, grid, accuracy, _with_longest_step(description, values, max_step), watch
                     )
-                log = tuple(instance.messages)
+                log = tuple(instance.told())
                 wall_time, cpu_time = clock.perf_counter() - began, clock.process_time() - began_cpu
             time, columns = recorder.table()
             report("simulate", 1.0)

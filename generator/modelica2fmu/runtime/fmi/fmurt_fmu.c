@@ -365,7 +365,7 @@ static int accepts(fmurt_fmu *fmu, const char *call, int phases, const double *a
 
 fmurt_fmu_status fmurt_fmu_completed_step(fmurt_fmu *fmu, const char *call) {
   if (!fmurt_fmu_permits(fmu, call, FMURT_PHASE_CONTINUOUS)) return FMURT_FMU_ERROR;
-  if (fmurt_model.followed_count == 0) return FMURT_FMU_OK;
+  if (fmurt_model.followed_count == 0 && fmurt_model.warnings == NULL) return FMURT_FMU_OK;
   /* What cannot be evaluated is told when it is read. */
   if (fmurt_update_values(fmu->instance) == FMURT_RESULT_OK) fmurt_accept(fmu->instance);
   return FMURT_FMU_OK;

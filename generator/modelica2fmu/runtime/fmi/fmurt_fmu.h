@@ -89,7 +89,7 @@ fmurt_fmu_status fmurt_fmu_update_discrete_states(fmurt_fmu *fmu, const char *ca
 fmurt_fmu_status fmurt_fmu_enter_continuous_time_mode(fmurt_fmu *fmu, const char *call);
 fmurt_fmu_status fmurt_fmu_enter_step_mode(fmurt_fmu *fmu, const char *call);
 
-/* Nonlinear systems are followed from here on; see fmurt_follow_nonlinear. */
+/* See fmurt_accept. */
 fmurt_fmu_status fmurt_fmu_completed_step(fmurt_fmu *fmu, const char *call);
 fmurt_fmu_status fmurt_fmu_set_time(fmurt_fmu *fmu, const char *call, double time);
 fmurt_fmu_status fmurt_fmu_set_states(fmurt_fmu *fmu, const char *call, const double *state, size_t count);

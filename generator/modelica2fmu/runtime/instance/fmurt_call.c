@@ -39,6 +39,7 @@ static fmurt_result dispatch(fmurt_values *values, fmurt_model_function function
       return fmurt_model.discrete != NULL ? fmurt_model.discrete(values, argument) : FMURT_RESULT_OK;
     case FMURT_CALL_JACOBIAN: return fmurt_model.jacobian(values, argument);
     case FMURT_CALL_SETTLE: return fmurt_model.settle(values);
+    case FMURT_CALL_WARNINGS: return fmurt_model.warnings != NULL ? fmurt_model.warnings(values) : FMURT_RESULT_OK;
   }
   return FMURT_RESULT_ERROR;
 }

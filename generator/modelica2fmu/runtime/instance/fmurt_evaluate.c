@@ -149,4 +149,5 @@ void fmurt_accept(fmurt_instance *instance) {
     instance->values.accepted[i] = instance->values.real[fmurt_model.followed[i]];
   }
   instance->values.accepted[fmurt_model.followed_count] = instance->values.time;
+  if (fmurt_model.warnings != NULL) (void)fmurt_call_model(instance, FMURT_CALL_WARNINGS, NULL);
 }

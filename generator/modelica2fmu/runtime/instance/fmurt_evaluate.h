@@ -18,7 +18,8 @@ fmurt_result fmurt_update_continuous(fmurt_instance *instance);
 /* Whatever of these the instance's phase needs before values are read. */
 fmurt_result fmurt_update_values(fmurt_instance *instance);
 
-/* The values at hand are those of an accepted step: nonlinear systems are followed from them. */
+/* The values at hand are those of an accepted step: nonlinear systems are followed from them, and assertions at level
+ * warning are checked. */
 void fmurt_accept(fmurt_instance *instance);
 
 /* Sets time and states, [state_count], NULL if there are none; marks values out of date only if something differs. */

@@ -289,7 +289,7 @@ static int first_start(fmurt_solver *solver) {
   if (flag == CV_SUCCESS && fmurt_model.indicator_count > 0) {
     flag = CVodeRootInit(solver->memory, (int)fmurt_model.indicator_count, roots);
     if (flag == CV_SUCCESS) flag = CVodeSetNoInactiveRootWarn(solver->memory);
-  } else if (flag == CV_SUCCESS && fmurt_model.followed_count > 0) {
+  } else if (flag == CV_SUCCESS && (fmurt_model.followed_count > 0 || fmurt_model.warnings != NULL)) {
     flag = CVodeRootInit(solver->memory, 1, no_roots);
   }
   solver->initialized = flag == CV_SUCCESS;

@@ -134,6 +134,9 @@ typedef struct fmurt_model_description {
   fmurt_result (*settle)(fmurt_values *values);
   size_t followed_count;    /* unknowns of nonlinear systems */
   const unsigned *followed; /* [followed_count] value references into real */
+  /* Assertions at level warning that hold all the time, for the values after `continuous`: reports each that is violated,
+   * once. Called where a step is accepted and after events, not at trial points. */
+  fmurt_result (*warnings)(fmurt_values *values);
 } fmurt_model_description;
 
 extern const fmurt_model_description fmurt_model;
