@@ -1,6 +1,6 @@
 within ContactMultiBody;
 model ContactManager "Lets all bodies it is connected to collide"
-  extends Interfaces.PartialContacts;
+  extends Interfaces.PartialContacts(final thickness=Internal.Engine.pairThicknesses(scene, m));
 
   parameter String geometry[n]=collider.geometry "Descriptor of each body's geometry, if not given by collider";
   parameter Types.Backend backend=Types.Backend.Automatic "Algorithm that finds the contacts"
@@ -54,6 +54,7 @@ The geometry of a body is described in the frame that is connected. By default a
 <table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
 <tr><th>variable, for each pair i</th><th>meaning</th></tr>
 <tr><td><code>distance[i]</code></td><td>signed distance, negative when the bodies penetrate; a lower bound where a finite <code>exactWithin</code> is exceeded</td></tr>
+<tr><td><code>relativeDepth</code></td><td>largest depth by the thickness of the thinner body (one for the scene); from 1/2 on a warning names the pair</td></tr>
 <tr><td><code>normalForce[i]</code></td><td>normal force, summed over the points</td></tr>
 <tr><td><code>force[i,:]</code></td><td>force on the first body of the pair, in world axes</td></tr>
 <tr><td><code>approachSpeed[i]</code></td><td>speed along the normal where the bodies touch or will touch, positive when they approach</td></tr>

@@ -4,7 +4,8 @@ model VolumeContactManager "Lets bodies collide that touch with faces, by forces
     final pointCapacity=4,
     final stiffnessChoice=Types.StiffnessChoice.Given,
     final exponent=1,
-    stiffness=foundationModulus);
+    stiffness=foundationModulus,
+    final thickness=Internal.Engine.pairThicknesses(scene, m));
 
   parameter String geometry[n]=collider.geometry "Descriptor of each body's geometry, if not given by collider";
   parameter Real foundationModulus[m](each unit="N/m3")=fill(1e8, m) "Pressure by depth of each pair, E/h of a layer of thickness h"

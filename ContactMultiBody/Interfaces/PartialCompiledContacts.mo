@@ -59,6 +59,7 @@ partial model PartialCompiledContacts "Parameters of contacts that the engine co
   SI.Energy elasticEnergy "Energy stored in the compliance of all contacts";
   Real contactCount(unit="1") "Number of pairs of bodies that touch";
   SI.Length largestDepth "Largest penetration depth of all contacts";
+  Real relativeDepth(unit="1") "Largest penetration depth by the thickness of the thinner of the two bodies";
 
 protected
   final parameter Integer choice[6]={Integer(normalLaw),if useRestitution then 1 else 0,if stiffnessChoice == Types.StiffnessChoice.Hertz
@@ -81,8 +82,9 @@ protected
   SI.Energy responseEnergy "Elastic energy, as the engine returns it";
   Real responseCount(unit="1") "Number of pairs of bodies that touch, as the engine returns it";
   SI.Length responseDepth "Largest penetration depth, as the engine returns it";
+  Real responseRelativeDepth(unit="1") "Relative depth, as the engine returns it";
 equation
-  (responseForce,responseTorque,responseEnergy,responseCount,responseDepth) = Internal.Engine.compiledResponse(
+  (responseForce,responseTorque,responseEnergy,responseCount,responseDepth,responseRelativeDepth) = Internal.Engine.compiledResponse(
     broadphase,
     r_0,
     T,
@@ -102,6 +104,10 @@ equation
   elasticEnergy = Internal.Unaliased.scalar(responseEnergy);
   contactCount = Internal.Unaliased.scalar(responseCount);
   largestDepth = Internal.Unaliased.scalar(responseDepth);
+  relativeDepth = Internal.Unaliased.scalar(responseRelativeDepth);
+  assert(noEvent(relativeDepth < 0.5),
+    "Two bodies are deeper in each other than half the thickness of the thinner one and may come out on the other side: take a larger stiffness, or a smaller mass or speed.",
+    AssertionLevel.warning);
   annotation (
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),

@@ -16,9 +16,11 @@ partial model PartialPairs "Bodies, the pairs of them that may touch, and how th
     annotation (Placement(transformation(extent={{-116,-80},{-84,80}})));
 
   SI.Length distance[m] "Signed distance of each pair, negative when penetrating";
+  Real relativeDepth(unit="1") "Largest penetration depth of all pairs by the thickness of the thinner body";
   SI.Velocity approachSpeed[m] "Speed at which the bodies of each pair approach where they touch";
 
 protected
+  parameter SI.Length thickness[m]=fill(Modelica.Constants.inf, m) "Thickness of the thinner body of each pair";
   SI.Length pairDistance[m] "Signed distance of each pair, given by the extending model";
   SI.Length depth[m, pointCapacity] "Penetration depth of each point, given by the extending model";
   Real weight[m, pointCapacity](each unit="1") "Share of the law's force each point carries, given by the extending model";
@@ -41,6 +43,11 @@ equation
   end for;
 
   distance = Internal.Unaliased.vector(pairDistance);
+  relativeDepth = Internal.Kinematics.relativeDepth(distance, thickness);
+  assert(noEvent(relativeDepth < 0.5),
+    "The bodies of pair " + String(Internal.Kinematics.deepestPair(distance, thickness)) +
+    " are deeper in each other than half the thickness of the thinner one and may come out on the other side: take a larger stiffness, or a smaller mass or speed.",
+    AssertionLevel.warning);
   pointVelocity = Internal.Kinematics.pointVelocities(point, {frame[i].r_0 for i in 1:n}, v_0, w_0, pair);
   pointSpeed = Internal.Kinematics.approachSpeeds(pointVelocity, normal);
   approachSpeed = Internal.Kinematics.pairApproachSpeeds(pointSpeed, weight);

@@ -138,6 +138,11 @@ CMB_API cmb_status cmb_query_backend(cmb_scene scene, size_t pair, const cmb_pos
  * answered, refused: unchanged on error. Not NULL. */
 CMB_API cmb_status cmb_backend_counts(cmb_scene scene, unsigned long long *answered, unsigned long long *refused);
 
+/* The thickness of the thinner body of a pair, in m: the least extent along its own axes of the thinnest of its shapes. Contacts deeper than
+ * half of it may push the bodies out on the other side. CMB_DISTANCE_NONE where neither body has one: half-spaces, open
+ * meshes and bodies without shape. thickness is unchanged on error. Not NULL. */
+CMB_API cmb_status cmb_pair_thickness(cmb_scene scene, size_t pair, double *thickness);
+
 /* The overlap of a pair as a solid. Parts of compounds are added up. */
 typedef struct cmb_overlap {
   int known;                /* 1, or 0 where a mesh that is not closed, as height fields are, touches: sheets have no volume.

@@ -15,6 +15,9 @@ extern "C" {
  * backend: 0 auto, 1 analytic, 2 libccd, 3 FCL (see contact_multibody.h). */
 int cmb_modelica_intern(const char **geometry, size_t body_count, const int *pairs, size_t pair_count, int backend);
 
+/* The thickness of the thinner body of each pair, [pair_count]; see cmb_pair_thickness. */
+void cmb_modelica_pair_thickness(int scene, size_t pair_count, double *thickness);
+
 /* Evaluates all pairs; see cmb_query_scene. */
 void cmb_modelica_query(int scene, const double *position, size_t body_count, const double *rotation,
                         size_t pair_count, size_t point_capacity, double *distance, double *depth,

@@ -133,6 +133,7 @@ typedef struct cmb_motion {
 typedef struct cmb_response_sums {
   double elastic_energy;  /* J, stored in all contacts */
   double largest_depth;   /* m */
+  double relative_depth;  /* 1, largest depth by the thickness of the thinner of the two bodies (see cmb_pair_thickness) */
   size_t contact_count;   /* pairs of bodies that touch */
 } cmb_response_sums;
 

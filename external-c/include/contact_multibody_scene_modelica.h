@@ -26,7 +26,7 @@ void cmb_modelica_response(int broadphase, const double *position, size_t body_c
                            const double *modulus, const double *curvature, const double *restitution,
                            const double *mu_static, const double *mu_dynamic, const int *choice, const double *number,
                            double *force, double *torque, double *elastic_energy, double *contact_count,
-                           double *largest_depth);
+                           double *largest_depth, double *relative_depth);
 
 #ifdef __cplusplus
 }

@@ -23,7 +23,8 @@ pure function compiledResponse "Contact forces on all bodies of a scene, found a
   output Modelica.Units.SI.Energy elasticEnergy "Energy stored in all contacts";
   output Real contactCount(unit="1") "Number of pairs that touch";
   output Modelica.Units.SI.Length largestDepth "Largest penetration depth";
-external "C" cmb_modelica_response(broadphase, r_0, size(r_0, 1), T, v_0, w_0, m, r_CM, I, stiffness, modulus, curvature, restitution, muStatic, muDynamic, choice, number, force, torque, elasticEnergy, contactCount, largestDepth)
+  output Real relativeDepth(unit="1") "Largest penetration depth by the thickness of the thinner body";
+external "C" cmb_modelica_response(broadphase, r_0, size(r_0, 1), T, v_0, w_0, m, r_CM, I, stiffness, modulus, curvature, restitution, muStatic, muDynamic, choice, number, force, torque, elasticEnergy, contactCount, largestDepth, relativeDepth)
   annotation (
     Include="#include \"contact_multibody_scene_modelica.h\"",
     IncludeDirectory="modelica://ContactMultiBody/Resources/Include",

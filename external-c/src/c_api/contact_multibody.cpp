@@ -75,14 +75,17 @@ struct PosedPair {
   const cmb::BodyShapes &body_b() const { return scene->bodies[scene->pairs[index].second]; }
 };
 
+cmb_status check_pair(const Scene &scene, std::size_t pair) {
+  const std::size_t pair_count = scene.pairs.size();
+  if (pair >= 1 && pair <= pair_count) return CMB_OK;
+  return fail(CMB_ERROR_ARGUMENT, "there is no pair " + std::to_string(pair) + "; the scene has " +
+                                      std::to_string(pair_count) + ", numbered from 1");
+}
+
 cmb_status check_pair_query(cmb_scene handle, std::size_t pair, const cmb_poses *poses, PosedPair &posed) {
   cmb_status status = check_query(handle, poses, posed.scene);
+  if (status == CMB_OK) status = check_pair(*posed.scene, pair);
   if (status != CMB_OK) return status;
-  const std::size_t pair_count = posed.scene->pairs.size();
-  if (pair < 1 || pair > pair_count) {
-    return fail(CMB_ERROR_ARGUMENT, "there is no pair " + std::to_string(pair) + "; the scene has " +
-                                        std::to_string(pair_count) + ", numbered from 1");
-  }
   posed.index = pair - 1;
   const Scene::Pair &bodies = posed.scene->pairs[posed.index];
   status = read_body_pose(bodies.first, poses->position, poses->rotation, posed.pose_a);
@@ -221,6 +224,20 @@ cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const cmb_poses *pose
     if (status != CMB_OK) return status;
     if (overlap == nullptr) return fail(CMB_ERROR_ARGUMENT, "overlap is NULL");
     *overlap = cmb::query_overlap(posed.body_a(), posed.pose_a, posed.body_b(), posed.pose_b);
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_pair_thickness(cmb_scene scene, size_t pair, double *thickness) {
+  return guarded([&] {
+    const Scene *found = cmb::find_scene(scene);
+    if (found == nullptr) return unknown_scene(scene);
+    const cmb_status status = check_pair(*found, pair);
+    if (status != CMB_OK) return status;
+    if (thickness == nullptr) return fail(CMB_ERROR_ARGUMENT, "thickness is NULL");
+    const Scene::Pair &bodies = found->pairs[pair - 1];
+    *thickness = std::fmin(std::fmin(found->thickness[bodies.first], found->thickness[bodies.second]),
+                           CMB_DISTANCE_NONE);
     return CMB_OK;
   });
 }

@@ -28,6 +28,10 @@ int cmb_modelica_intern(const char **geometry, size_t body_count, const int *pai
   return scene.number;
 }
 
+void cmb_modelica_pair_thickness(int scene, size_t pair_count, double *thickness) {
+  for (size_t i = 0; i < pair_count; ++i) report(cmb_pair_thickness((cmb_scene){scene}, i + 1, &thickness[i]));
+}
+
 void cmb_modelica_query(int scene, const double *position, size_t body_count, const double *rotation,
                         size_t pair_count, size_t point_capacity, double *distance, double *depth,
                         double *weight, double *normal, double *point) {

@@ -30,7 +30,7 @@ void cmb_modelica_response(int broadphase, const double *position, size_t body_c
                            const double *modulus, const double *curvature, const double *restitution,
                            const double *mu_static, const double *mu_dynamic, const int *choice, const double *number,
                            double *force, double *torque, double *elastic_energy, double *contact_count,
-                           double *largest_depth) {
+                           double *largest_depth, double *relative_depth) {
   const cmb_contact_law law = {.normal_law = (cmb_normal_law)choice[0],
                                .use_restitution = choice[1],
                                .restitution_rule = (cmb_combination_rule)choice[3],
@@ -61,4 +61,5 @@ void cmb_modelica_response(int broadphase, const double *position, size_t body_c
   *elastic_energy = sums.elastic_energy;
   *contact_count = (double)sums.contact_count;
   *largest_depth = sums.largest_depth;
+  *relative_depth = sums.relative_depth;
 }

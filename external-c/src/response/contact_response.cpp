@@ -22,6 +22,7 @@ class Evaluation {
       : broad_phase_(broad_phase), law_(law), properties_(properties), motion_(motion), scratch_(scratch) {}
 
   void add(std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
+    const double thickness = std::fmin(broad_phase_.scene().thickness[a], broad_phase_.scene().thickness[b]);
     const PairLaw pair = pair_law(law_, properties_, a, b, scratch_.damping);
     if (needs_masses(law_)) {
       spring_decelerations(points, pair.stiffness, law_.exponent, inertia_of(a), inertia_of(b), scratch_.deceleration);
@@ -59,6 +60,7 @@ class Evaluation {
       sums_.elastic_energy += point.weight * pair.stiffness * depth_power(point.depth, law_.exponent) * point.depth /
                               (law_.exponent + 1.0);
       sums_.largest_depth = std::fmax(sums_.largest_depth, point.depth);
+      sums_.relative_depth = std::fmax(sums_.relative_depth, point.depth / thickness);
     }
     ++sums_.contact_count;
   }

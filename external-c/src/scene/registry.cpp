@@ -11,6 +11,7 @@
 #include "scene/geometry_cache.hpp"
 #include "scene/interned.hpp"
 #include "scene/mesh_hull.hpp"
+#include "scene/thickness.hpp"
 
 namespace cmb {
 
@@ -77,17 +78,20 @@ std::shared_ptr<Scene> make_scene(const cmb_scene_source &source, const Distance
   }
   GeometryFiles files(folder_of(source));
   scene->bodies.reserve(body_count);
+  scene->thickness.reserve(body_count);
   // Bodies of one descriptor share their geometry: it is made once, and stays nearer to the processor.
   std::map<std::string_view, std::size_t> first_of;
   for (std::size_t i = 0; i < body_count; ++i) {
     const auto [known, added] = first_of.try_emplace(source.geometry[i], i);
     if (!added) {
       scene->bodies.push_back(scene->bodies[known->second]);
+      scene->thickness.push_back(scene->thickness[known->second]);
       continue;
     }
     try {
       scene->geometry.push_back(shared_geometry(source.geometry[i], files));
       scene->bodies.push_back(*scene->geometry.back());
+      scene->thickness.push_back(thickness_of(scene->bodies.back()));
     } catch (const DescriptorError &error) {
       throw SceneError(CMB_ERROR_DESCRIPTOR, "descriptor " + std::to_string(i + 1) + ", column " +
                                                  std::to_string(error.column()) + ": " + error.what());

@@ -21,6 +21,7 @@ struct Scene {
   };
   std::vector<BodyShapes> bodies;
   std::vector<std::shared_ptr<const BodyShapes>> geometry;  // what bodies were copied from: shared with other scenes
+  std::vector<double> thickness;  // of each body, see thickness.hpp
   std::vector<Pair> pairs;
   cmb_backend backend = CMB_BACKEND_AUTO;
   const DistanceLibrary *library = nullptr;  // of the back end; null for the engine's own

@@ -133,6 +133,28 @@ TEST_F(Interface, PairsNameBodiesThatExist) {
   EXPECT_EQ(scene.number, -5);
 }
 
+TEST_F(Interface, ThicknessIsThatOfTheThinnestShapeOfAPair) {
+  const cmb_scene scene = intern({"cmb/1 box size=0.6,0.2,0.4;cmb/1 capsule radius=0.05 length=3", "cmb/1 halfspace",
+                                  "cmb/1 ellipsoid size=0.8,0.04,0.6", "cmb/1 halfspace",
+                                  "cmb/1 mesh vertices=0,0,0,1,0,0,0,1,0 triangles=1,2,3"},
+                                 {1, 2, 1, 3, 2, 4, 2, 5});
+  const double expected[] = {0.1, 0.04, CMB_DISTANCE_NONE, CMB_DISTANCE_NONE};
+  for (std::size_t pair = 1; pair <= 4; ++pair) {
+    double thickness = -77;
+    ASSERT_EQ(cmb_pair_thickness(scene, pair, &thickness), CMB_OK) << cmb_last_error();
+    EXPECT_NEAR(thickness, expected[pair - 1], 1e-15 * expected[pair - 1]) << pair;
+  }
+}
+
+TEST_F(Interface, ThicknessNeedsSceneAndPair) {
+  double thickness = -77;
+  expect_refused(cmb_pair_thickness({999}, 1, &thickness), "no scene 999");
+  expect_refused(cmb_pair_thickness(scene_, 0, &thickness), "no pair 0");
+  expect_refused(cmb_pair_thickness(scene_, 2, &thickness), "no pair 2");
+  expect_refused(cmb_pair_thickness(scene_, 1, nullptr), "thickness is NULL");
+  EXPECT_EQ(thickness, -77);
+}
+
 TEST_F(Interface, InliningNeedsTextAndRoom) {
   std::size_t length = 99;
   char text[8] = "before";

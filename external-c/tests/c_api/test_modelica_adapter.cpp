@@ -218,7 +218,7 @@ class Response : public testing::Test {
                           motion_.angular_velocity.data(), bodies_.mass.data(), bodies_.center_of_mass.data(),
                           bodies_.inertia.data(), bodies_.stiffness.data(), modulus_, curvature_,
                           bodies_.restitution.data(), bodies_.mu_static.data(), bodies_.mu_dynamic.data(), choice,
-                          number, force_, torque_, &energy_, &count_, &depth_);
+                          number, force_, torque_, &energy_, &count_, &depth_, &relative_depth_);
   }
 
   const int group_[2] = {1, 1}, mask_[2] = {1, 1};
@@ -226,7 +226,7 @@ class Response : public testing::Test {
   Bodies bodies_;
   Motion motion_{2};
   int scene_ = 0, handle_ = 0;
-  double force_[6] = {}, torque_[6] = {}, energy_ = 0, count_ = 0, depth_ = 0;
+  double force_[6] = {}, torque_[6] = {}, energy_ = 0, count_ = 0, depth_ = 0, relative_depth_ = 0;
 };
 
 TEST_F(Response, IsTheEnginesToTheBit) {
@@ -260,6 +260,7 @@ TEST_F(Response, IsTheEnginesToTheBit) {
   EXPECT_EQ(energy_, sums.elastic_energy);
   EXPECT_EQ(count_, 1.0);
   EXPECT_NEAR(depth_, 0.02, 1e-15);
+  EXPECT_NEAR(relative_depth_, 0.02 / 1.0, 1e-15);
 }
 
 TEST_F(Response, HertzTakesModulusAndCurvature) {
