@@ -17,7 +17,7 @@ from fmu_regression.report.page import Animation, ColorKey
 from fmu_regression.report.plots import encode_array
 from fmu_regression.results.result import FloatArray, SimulationResult
 from fmu_regression.scene.motion import BodyMotion, body_motions
-from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody
+from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody, drawn_force_sign
 from fmu_regression.scene.signals import force_names, pair_signal, point_force_names, point_names
 
 _MAX_FRAMES = 3000
@@ -239,7 +239,7 @@ def _box_corners(points: FloatArray) -> FloatArray:
 
 
 def _forces(scene: Scene, result: SimulationResult, motions: Sequence[BodyMotion], rows: IntArray) -> list[FloatArray]:
-    """Point and force on the first body, shape (frames, 6), for every contact point that the result shows."""
+    """Point and force, shape (frames, 6), for every contact point that the result shows; see ``drawn_force_sign``."""
     tracks: list[FloatArray] = []
     by_name = {motion.body.name: motion for motion in motions}
     for pair in scene.pairs:
@@ -247,7 +247,8 @@ def _forces(scene: Scene, result: SimulationResult, motions: Sequence[BodyMotion
         if not slots and all(name in result for name in force_names(scene, pair)):
             force = result.vector(force_names(scene, pair))[rows]
             slots = [np.hstack([_likely_points(by_name, pair, force, rows), force])]
-        tracks += [track for track in slots if np.abs(track[:, 3:]).max(initial=0.0) > 0]
+        sign = np.array([1.0, 1.0, 1.0, *[drawn_force_sign(scene, pair)] * 3])
+        tracks += [sign * track for track in slots if np.abs(track[:, 3:]).max(initial=0.0) > 0]
     return tracks
 
 

@@ -93,6 +93,13 @@ class ContactPair:
     restitution: float | None
 
 
+def drawn_force_sign(scene: Scene, pair: ContactPair) -> float:
+    """What turns a force on a pair's first body into the one to be drawn: on the body that moves, if only one does."""
+    fixed = {body.name: body.fixed for body in scene.bodies}
+    first, second = pair.bodies
+    return -1.0 if fixed[first] and not fixed[second] else 1.0
+
+
 @dataclass(frozen=True)
 class Scene:
     """A mechanism: what moves, how it is joined and what may touch.

@@ -15,7 +15,7 @@ from typing import Final
 import numpy as np
 from fmu_regression.report.animation import quaternions
 from fmu_regression.results.result import FloatArray
-from fmu_regression.scene.scene_file import Scene, SceneBody
+from fmu_regression.scene.scene_file import Scene, SceneBody, drawn_force_sign
 from fmu_regression.scene.signals import (
     force_names,
     point_force_names,
@@ -62,7 +62,9 @@ class FrameEncoder:
         self._positions = self._places([position_names(body) for _, body in moving], 3)
         self._rotations = self._places([rotation_names(body) for _, body in moving], 9)
         points, middles = self._force_names(scene) if scene is not None else ([], [])
-        self._forces = self._places(points + middles, 6)
+        forces = points + middles
+        self._forces = self._places([names for names, _ in forces], 6)
+        self._signs = np.array([[1.0, 1.0, 1.0, sign, sign, sign] for _, sign in forces]).reshape(len(forces), 6)
 
     def picture(self, values: FloatArray) -> Picture:
         """Poses and forces of a row, shape (len(signals),)."""
@@ -71,7 +73,7 @@ class FrameEncoder:
         if count:
             poses[:, :3] = values[self._positions]
             poses[:, 3:] = quaternions(values[self._rotations].reshape(count, 3, 3))
-        forces = values[self._forces]
+        forces = self._signs * values[self._forces]
         acting = forces[np.abs(forces[:, 3:]).max(axis=1, initial=0.0) > 0][:MOST_FORCES]
         return Picture(poses.tobytes(), acting.astype("<f4").tobytes(), len(acting))
 
@@ -110,18 +112,22 @@ class FrameEncoder:
         """Places of signals in the row; unknown names are left out."""
         return tuple(self._index[name] for name in names if name in self._index)
 
-    def _force_names(self, scene: Scene) -> tuple[list[list[str]], list[list[str]]]:
-        """Names of the contact points with their forces; of pairs without points, a body's position with the force."""
-        points: list[list[str]] = []
-        middles: list[list[str]] = []
+    def _force_names(self, scene: Scene) -> tuple[list[tuple[list[str], float]], list[tuple[list[str], float]]]:
+        """Names of the contact points with their forces; of pairs without points, a body's position with the force.
+
+        Each with the sign that the force is drawn with.
+        """
+        points: list[tuple[list[str], float]] = []
+        middles: list[tuple[list[str], float]] = []
         for pair in scene.pairs:
+            sign = drawn_force_sign(scene, pair)
             slot = 1
             while self._has(names := point_names(scene, pair, slot) + point_force_names(scene, pair, slot)):
-                points.append(names)
+                points.append((names, sign))
                 slot += 1
             body = self._first_moving(scene, pair.bodies)
             if slot == 1 and body is not None and self._has(force_names(scene, pair)):
-                middles.append(position_names(body) + force_names(scene, pair))
+                middles.append((position_names(body) + force_names(scene, pair), sign))
         return points, middles
 
     def _has(self, names: Sequence[str]) -> bool:

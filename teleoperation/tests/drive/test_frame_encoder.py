@@ -6,6 +6,7 @@ import json
 import math
 import shutil
 import subprocess
+from dataclasses import replace
 from importlib.resources import files
 
 import numpy as np
@@ -126,3 +127,10 @@ def test_a_pair_without_points_shows_its_force_at_the_body(scene, signals):
     values[-1] = 9.0
     picture = encoder.picture(values)
     assert np.frombuffer(picture.forces, "<f4") == pytest.approx([1, 2, 3, 0, 0, 9])
+
+
+def test_the_force_on_the_body_that_moves_is_drawn(scene, signals, values):
+    exchanged = replace(scene, pairs=(replace(scene.pairs[0], bodies=("floor", "box")),))
+    drawn = [np.frombuffer(FrameEncoder(each, signals).picture(values).forces, "<f4") for each in (scene, exchanged)]
+    assert drawn[0] == pytest.approx([0.5, 0, 0, 0, 0, 4])
+    assert drawn[1] == pytest.approx([0.5, 0, 0, 0, 0, -4])

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "manifold/contact_set.hpp"
-#include "mesh/contact/elastic_points.hpp"
+#include "mesh/elastic/elastic_points.hpp"
 #include "mesh/contact/pair_patches.hpp"
 #include "mesh/contact/patch_load.hpp"
 #include "mesh/contact/rod_load.hpp"

@@ -2,11 +2,11 @@
 #include <limits>
 
 #include "math/pose_algebra.hpp"
-#include "mesh/contact/elastic_points.hpp"
+#include "mesh/elastic/elastic_points.hpp"
 #include "mesh/contact/mesh_contact.hpp"
 #include "mesh/contact/nearest_triangle.hpp"
 #include "mesh/contact/polytope_distance.hpp"
-#include "mesh/contact/wedge_overlap.hpp"
+#include "mesh/elastic/wedge_overlap.hpp"
 #include "mesh/intersection/pierced_load.hpp"
 #include "mesh/intersection/triangle_section.hpp"
 

@@ -1,4 +1,4 @@
-#include "mesh/contact/direction_patches.hpp"
+#include "mesh/elastic/direction_patches.hpp"
 
 namespace cmb::mesh {
 

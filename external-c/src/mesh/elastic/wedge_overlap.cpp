@@ -1,4 +1,4 @@
-#include "mesh/contact/wedge_overlap.hpp"
+#include "mesh/elastic/wedge_overlap.hpp"
 
 #include <cmath>
 

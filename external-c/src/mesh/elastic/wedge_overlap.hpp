@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "math/pose_algebra.hpp"
-#include "mesh/contact/direction_patches.hpp"
+#include "mesh/elastic/direction_patches.hpp"
 #include "mesh/core/triangle_mesh.hpp"
 #include "mesh/core/triangle_wedge.hpp"
 #include "shape/polytope.hpp"

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "manifold/contact_set.hpp"
-#include "mesh/contact/direction_patches.hpp"
-#include "mesh/contact/wedge_overlap.hpp"
+#include "mesh/elastic/direction_patches.hpp"
+#include "mesh/elastic/wedge_overlap.hpp"
 
 namespace cmb::mesh {
 

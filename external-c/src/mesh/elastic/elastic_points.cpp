@@ -1,4 +1,4 @@
-#include "mesh/contact/elastic_points.hpp"
+#include "mesh/elastic/elastic_points.hpp"
 
 #include <cmath>
 
