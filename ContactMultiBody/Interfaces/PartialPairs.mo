@@ -20,7 +20,6 @@ partial model PartialPairs "Bodies, the pairs of them that may touch, and how th
   SI.Velocity approachSpeed[m] "Speed at which the bodies of each pair approach where they touch";
 
 protected
-  parameter SI.Length thickness[m]=fill(Modelica.Constants.inf, m) "Thickness of the thinner body of each pair";
   SI.Length pairDistance[m] "Signed distance of each pair, given by the extending model";
   SI.Length depth[m, pointCapacity] "Penetration depth of each point, given by the extending model";
   Real weight[m, pointCapacity](each unit="1") "Share of the law's force each point carries, given by the extending model";
@@ -31,6 +30,7 @@ protected
   SI.AngularVelocity w_0[n, 3] "Angular velocities, in world axes";
   SI.Velocity pointVelocity[m, pointCapacity, 3] "Velocity of first against second body at each point";
   SI.Velocity pointSpeed[m, pointCapacity] "Approach speed at each point";
+  parameter SI.Length thickness[m]=fill(Modelica.Constants.inf, m) "Thickness of the thinner body of each pair";
 equation
   for i in 1:n loop
     r_0[i, :] = frame[i].r_0;

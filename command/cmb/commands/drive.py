@@ -24,7 +24,7 @@ EXAMPLES = """examples:
   cmb drive out/hammer/hammer.fmu --set shoulder.phi0=0.5
   cmb drive robot.fmu --controls controls.toml --tune gain
   cmb drive Resources/cad/anton --headless --minutes 1
-  cmb drive robot.fmu --listen 192.168.1.5 --certificate server.pem --key server.key
+  cmb drive robot.fmu --listen 192.168.1.5 --certificate a.pem --key a.key
   cmb drive robot.fmu --channel bandwidth=64kbit,delay=200ms,jitter=20ms,loss=1%
 """
 _DEFAULT_STEP = 0.01

@@ -21,7 +21,7 @@ DESCRIPTION = (
 EXAMPLES = """examples:
   cmb mission Resources/missions/cart.toml
   cmb mission Resources/missions/anton.toml --output out/anton-mission
-  cmb mission Resources/missions/cart.toml --score out/cart-drive/record-1/result.csv
+  cmb mission Resources/missions/cart.toml --score out/cart/result.csv
 """
 
 

@@ -2,6 +2,7 @@
 #include "fmurt_fmu.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -367,7 +368,17 @@ fmurt_fmu_status fmurt_fmu_completed_step(fmurt_fmu *fmu, const char *call) {
   if (!fmurt_fmu_permits(fmu, call, FMURT_PHASE_CONTINUOUS)) return FMURT_FMU_ERROR;
   if (fmurt_model.followed_count == 0 && fmurt_model.warnings == NULL) return FMURT_FMU_OK;
   /* What cannot be evaluated is told when it is read. */
-  if (fmurt_update_values(fmu->instance) == FMURT_RESULT_OK) fmurt_accept(fmu->instance);
+  fmurt_instance *instance = fmu->instance;
+  if (fmurt_update_values(instance) != FMURT_RESULT_OK) return FMURT_FMU_OK;
+  if (instance->values.strayed) {
+    snprintf(instance->message, sizeof instance->message,
+             "At time %.9g a nonlinear system cannot be followed from the last completed step: a loop may have come to another "
+             "closure than before. Take shorter steps or a smaller tolerance, or choose other states, such as other joints of "
+             "the loop",
+             instance->values.time);
+    return finish(fmu, call, FMURT_RESULT_ERROR);
+  }
+  fmurt_accept(instance);
   return FMURT_FMU_OK;
 }
 

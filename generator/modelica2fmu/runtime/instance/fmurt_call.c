@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "ModelicaUtilities.h"
+#include "fmurt_solved.h"
 
 typedef union allocation allocation;
 union allocation {
@@ -91,6 +92,7 @@ fmurt_result fmurt_call_model(fmurt_instance *instance, fmurt_model_function fun
   current_frame = &frame;
   instance->message[0] = '\0';
   instance->values.following = following(instance, function);
+  fmurt_offer_solved(instance);
   fmurt_result result = call_in_frame(&frame, function, argument);
   current_frame = frame.outer;
   if (fmurt_model.string_count > 0) {

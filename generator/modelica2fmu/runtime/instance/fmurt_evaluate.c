@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "fmurt_call.h"
+#include "fmurt_solved.h"
 
 enum { MAXIMUM_RELATION_ITERATIONS = 50 };
 
@@ -107,6 +108,7 @@ fmurt_result fmurt_update_initialization(fmurt_instance *instance) {
 
 fmurt_result fmurt_update_continuous(fmurt_instance *instance) {
   if (!instance->situation.continuous_stale) return FMURT_RESULT_OK;
+  instance->values.strayed = 0;
   const fmurt_result result = fmurt_call_model(instance, FMURT_CALL_CONTINUOUS, NULL);
   if (result != FMURT_RESULT_OK) return result;
   for (size_t i = 0; i < fmurt_model.state_count; ++i) {
@@ -116,6 +118,7 @@ fmurt_result fmurt_update_continuous(fmurt_instance *instance) {
     return FMURT_RESULT_DISCARD;
   }
   instance->situation.continuous_stale = 0;
+  fmurt_remember_solved(instance);
   return FMURT_RESULT_OK;
 }
 
@@ -148,6 +151,7 @@ void fmurt_accept(fmurt_instance *instance) {
   for (size_t i = 0; i < fmurt_model.followed_count; ++i) {
     instance->values.accepted[i] = instance->values.real[fmurt_model.followed[i]];
   }
+  fmurt_forget_solved(instance);
   instance->values.accepted[fmurt_model.followed_count] = instance->values.time;
   if (fmurt_model.warnings != NULL) (void)fmurt_call_model(instance, FMURT_CALL_WARNINGS, NULL);
 }

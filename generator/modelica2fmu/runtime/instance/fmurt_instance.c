@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "fmurt_delay.h"
+#include "fmurt_solved.h"
 
 const char *const fmurt_log_category_name[FMURT_LOG_CATEGORY_COUNT] = {
     "logEvents", "logSolver", "logStatusWarning", "logStatusDiscard", "logStatusError", "logAll"};
@@ -35,7 +36,8 @@ static int allocate_arrays(fmurt_instance *instance) {
   const size_t reals = fmurt_model.real_count, integers = fmurt_model.integer_count,
                booleans = fmurt_model.boolean_count;
   const size_t delays = fmurt_model.delay_count * FMURT_DELAY_SIZE;
-  instance->double_block_count = 4 * reals + fmurt_model.work_count + delays + fmurt_model.followed_count + 1;
+  instance->double_block_count = 4 * reals + fmurt_model.work_count + delays + fmurt_model.followed_count + 1 +
+                                 fmurt_solved_size();
   instance->int_block_count =
       5 * integers + 5 * booleans + reals + fmurt_model.indicator_count + fmurt_model.integer_work_count;
   instance->double_block = calloc(instance->double_block_count + 1, sizeof(double));
@@ -60,6 +62,7 @@ static int allocate_arrays(fmurt_instance *instance) {
   instance->values.work = take_doubles(&next_double, fmurt_model.work_count);
   instance->values.delay = take_doubles(&next_double, delays);
   instance->values.accepted = take_doubles(&next_double, fmurt_model.followed_count + 1);
+  instance->solved = take_doubles(&next_double, fmurt_solved_size());
 
   int *next_int = instance->int_block;
   instance->values.integer = take_ints(&next_int, integers);

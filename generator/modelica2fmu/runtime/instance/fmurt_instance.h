@@ -107,7 +107,8 @@ typedef struct fmurt_instance {
   double *indicator;    /* [indicator_count] scratch */
   double *scratch;      /* [real_count] scratch for values that `parameters` must not change */
   fmurt_chatter chatter;
-  int at_event; /* 1 during an event iteration */
+  int at_event;   /* 1 during an event iteration */
+  double *solved; /* see fmurt_solved.h */
 
   fmurt_solver *solver; /* co-simulation; NULL until the first step */
   void (*destroy_solver)(fmurt_solver *solver); /* set with it: the instance owns what a layer above has made */

@@ -16,6 +16,8 @@ typedef enum fmurt_result {
 } fmurt_result;
 
 /* How unknowns of nonlinear systems are found. */
+enum { FMURT_SOLVED_POINTS = 8 };
+
 typedef enum fmurt_following {
   FMURT_SOLVE,           /* from the values they have: initialization */
   FMURT_FOLLOW_OR_SOLVE, /* followed from the last accepted step; solved from there where that fails: events */
@@ -40,6 +42,11 @@ typedef struct fmurt_values {
   int *integer_work;      /* [integer_work_count] */
   double *delay;          /* [delay_count * FMURT_DELAY_SIZE]: what delay() remembers (fmurt_delay.h) */
   double *accepted;       /* [followed_count + 1]: unknowns of nonlinear systems at the last accepted step; its time */
+  const double *solved[FMURT_SOLVED_POINTS]; /* [solved_count][followed_count]: these at points solved since then */
+  int solved_count;
+  int may_stray; /* 1: where following fails, any solution is taken, which `strayed` then tells: importers that know no
+                    discarded evaluation get values at trial points, and no such point is accepted */
+  int strayed;
   int following;          /* fmurt_following */
   int initial;            /* 1 while initial() is true */
   int terminal;           /* 1 while terminal() is true */
@@ -86,7 +93,8 @@ int fmurt_solve_nonlinear(fmurt_values *values, const void *context, fmurt_resid
 /* The same as values->following asks for: x from its values or from values->accepted + offset. Following, each
  * correction must be small beside the one before, as it is where the equations are nearly linear over all that the
  * unknowns change by; so the solution is the one that the accepted one changes to continuously, and no other.
- * FMURT_RESULT_DISCARD where that cannot be told: a shorter step helps. */
+ * Where that is too far it is followed from one of values->solved. Where that fails too, FMURT_RESULT_DISCARD (a shorter
+ * step helps), or any solution if values->may_stray. */
 int fmurt_follow_nonlinear(fmurt_values *values, int offset, const void *context, fmurt_residual residual, int n,
                            double *x, const double *nominal, double tolerance, double *work, int *integer_work);
 /* After one of these has failed at x: reports the equation with the largest residual, by the place where the

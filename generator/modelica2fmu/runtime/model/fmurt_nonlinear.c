@@ -255,21 +255,32 @@ static int is_near(newton *solver, const double *accepted, int sign, int *pivot)
          sign_of_determinant(solver->n, solver->jacobian, pivot) == sign;
 }
 
+static int follow_from(const double *start, newton *solver, double tolerance, double *work, int *integer_work) {
+  int sign = 0;
+  memcpy(solver->x, start, (size_t)solver->n * sizeof(double));
+  int result = follow(solver, tolerance, integer_work, &sign);
+  if (result != FMURT_RESULT_DISCARD) return result;
+  memcpy(solver->x, start, (size_t)solver->n * sizeof(double));
+  result = fmurt_solve_nonlinear(solver->values, solver->context, solver->residual, solver->n, solver->x,
+                                 solver->nominal, tolerance, work, integer_work);
+  if (result != FMURT_RESULT_OK || solver->values->following == FMURT_FOLLOW_OR_SOLVE) return result;
+  return is_near(solver, start, sign, integer_work) ? FMURT_RESULT_OK : FMURT_RESULT_DISCARD;
+}
+
 int fmurt_follow_nonlinear(fmurt_values *values, int offset, const void *context, fmurt_residual residual, int n,
                            double *x, const double *nominal, double tolerance, double *work, int *integer_work) {
   if (values->following == FMURT_SOLVE) {
     return fmurt_solve_nonlinear(values, context, residual, n, x, nominal, tolerance, work, integer_work);
   }
-  const double *accepted = values->accepted + offset;
   newton solver = solver_of(values, context, residual, n, x, nominal, work);
-  int sign = 0;
-  memcpy(x, accepted, (size_t)n * sizeof(double));
-  int result = follow(&solver, tolerance, integer_work, &sign);
-  if (result != FMURT_RESULT_DISCARD) return result;
-  memcpy(x, accepted, (size_t)n * sizeof(double));
-  result = fmurt_solve_nonlinear(values, context, residual, n, x, nominal, tolerance, work, integer_work);
-  if (result != FMURT_RESULT_OK || values->following == FMURT_FOLLOW_OR_SOLVE) return result;
-  return is_near(&solver, accepted, sign, integer_work) ? FMURT_RESULT_OK : FMURT_RESULT_DISCARD;
+  int result = follow_from(values->accepted + offset, &solver, tolerance, work, integer_work);
+  for (int k = 0; k < values->solved_count && result == FMURT_RESULT_DISCARD; ++k) {
+    result = follow_from(values->solved[k] + offset, &solver, tolerance, work, integer_work);
+  }
+  if (result != FMURT_RESULT_DISCARD || !values->may_stray || values->following != FMURT_FOLLOW) return result;
+  values->strayed = 1;
+  memcpy(x, values->accepted + offset, (size_t)n * sizeof(double));
+  return fmurt_solve_nonlinear(values, context, residual, n, x, nominal, tolerance, work, integer_work);
 }
 
 /* -- messages -- */
