@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "fmurt_delay.h"
-#include "fmurt_solved.h"
 
 const char *const fmurt_log_category_name[FMURT_LOG_CATEGORY_COUNT] = {
     "logEvents", "logSolver", "logStatusWarning", "logStatusDiscard", "logStatusError", "logAll"};

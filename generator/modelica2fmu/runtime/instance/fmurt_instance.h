@@ -108,7 +108,7 @@ typedef struct fmurt_instance {
   double *scratch;      /* [real_count] scratch for values that `parameters` must not change */
   fmurt_chatter chatter;
   int at_event;   /* 1 during an event iteration */
-  double *solved; /* see fmurt_solved.h */
+  double *solved; /* [fmurt_solved_size()], see fmurt_solved.h */
 
   fmurt_solver *solver; /* co-simulation; NULL until the first step */
   void (*destroy_solver)(fmurt_solver *solver); /* set with it: the instance owns what a layer above has made */
@@ -118,6 +118,9 @@ typedef struct fmurt_instance {
   int logged[FMURT_LOG_CATEGORY_COUNT];
   char message[1024]; /* cause of the model's last failure, empty if none */
 } fmurt_instance;
+
+/* Of the points that fmurt_solved.h remembers: followed values, time and number each, and how many there were. */
+static inline size_t fmurt_solved_size(void) { return FMURT_SOLVED_POINTS * (fmurt_model.followed_count + 2) + 1; }
 
 /* Makes an instance with start values; NULL if memory is short. name is copied. */
 fmurt_instance *fmurt_instance_create(const char *name, fmurt_kind kind, fmurt_log_sink sink, void *receiver);

@@ -5,17 +5,15 @@
 #include <string.h>
 
 /* A point: its followed values, its time, and its number, 0 where nothing is remembered. The last double of all counts. */
-static size_t point_size(void) { return fmurt_model.followed_count + 2; }
-
-static double *point(const fmurt_instance *instance, size_t k) { return instance->solved + k * point_size(); }
+static double *point(const fmurt_instance *instance, size_t k) {
+  return instance->solved + k * (fmurt_model.followed_count + 2);
+}
 
 static double *time_of(double *point) { return point + fmurt_model.followed_count; }
 
 static double *number_of(double *point) { return point + fmurt_model.followed_count + 1; }
 
-static double *counter(const fmurt_instance *instance) { return instance->solved + FMURT_SOLVED_POINTS * point_size(); }
-
-size_t fmurt_solved_size(void) { return FMURT_SOLVED_POINTS * point_size() + 1; }
+static double *counter(const fmurt_instance *instance) { return point(instance, FMURT_SOLVED_POINTS); }
 
 static int is_between_steps(const fmurt_instance *instance) {
   return fmurt_model.followed_count > 0 && instance->situation.phase == FMURT_PHASE_CONTINUOUS && !instance->at_event;
@@ -60,5 +58,5 @@ void fmurt_remember_solved(fmurt_instance *instance) {
 }
 
 void fmurt_forget_solved(fmurt_instance *instance) {
-  memset(instance->solved, 0, fmurt_solved_size() * sizeof *instance->solved);
+  memset(instance->solved, 0, fmurt_solved_size() * sizeof(double));
 }

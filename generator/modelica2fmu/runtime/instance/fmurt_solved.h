@@ -7,9 +7,6 @@
 
 #include "fmurt_instance.h"
 
-/* How many doubles are remembered. */
-size_t fmurt_solved_size(void);
-
 /* Shows values.solved the remembered points, in model exchange between events, else none. */
 void fmurt_offer_solved(fmurt_instance *instance);
 
