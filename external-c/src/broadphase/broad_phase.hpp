@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "broadphase/bounds.hpp"
+#include "shape/bounds.hpp"
 #include "broadphase/collision_filter.hpp"
 #include "broadphase/hierarchical_grid.hpp"
 #include "scene/scene.hpp"

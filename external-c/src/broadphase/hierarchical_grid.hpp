@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "broadphase/bounds.hpp"
+#include "shape/bounds.hpp"
 
 namespace cmb {
 

@@ -4,32 +4,32 @@
 #include <cmath>
 
 #include "mesh/core/triangle_mesh.hpp"
+#include "shape/bounds.hpp"
 
 namespace cmb {
 
 namespace {
 
-double extent(const Shape &shape, int axis) {
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  if (shape.kind == ShapeKind::mesh) {
-    for (const Vec3 &vertex : shape.mesh->vertices()) {
-      low = std::min(low, vertex[axis]);
-      high = std::max(high, vertex[axis]);
+Vec3 extents_of(const mesh::TriangleMesh &mesh) {
+  Vec3 low = mesh.vertices().front(), high = low;
+  for (const Vec3 &vertex : mesh.vertices()) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low.set(axis, std::min(low[axis], vertex[axis]));
+      high.set(axis, std::max(high[axis], vertex[axis]));
     }
-    return high - low;
   }
-  Vec3 direction;
-  direction.set(axis, 1.0);
-  high = convex::core_support(shape.body, direction).point[axis];
-  low = convex::core_support(shape.body, -direction).point[axis];
-  return high - low + 2.0 * shape.body.radius;
+  return high - low;
 }
 
 double thickness_of(const Shape &shape) {
-  const bool endless =
-      shape.kind == ShapeKind::halfspace || (shape.kind == ShapeKind::mesh && !shape.mesh->closed());
-  if (endless) return HUGE_VAL;
-  return std::min({extent(shape, 0), extent(shape, 1), extent(shape, 2)});
+  if (shape.kind == ShapeKind::halfspace) return HUGE_VAL;
+  if (shape.kind == ShapeKind::mesh) {
+    if (!shape.mesh->closed()) return HUGE_VAL;
+    const Vec3 extents = extents_of(*shape.mesh);
+    return std::min({extents.x, extents.y, extents.z});
+  }
+  const LocalBounds bounds = local_bounds(shape);
+  return 2.0 * (std::min({bounds.half.x, bounds.half.y, bounds.half.z}) + bounds.radius);
 }
 
 }  // namespace

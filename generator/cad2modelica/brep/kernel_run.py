@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import json
-import resource
 import shutil
-import signal
-import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping, Sequence
@@ -16,6 +13,7 @@ from typing import Any
 from zipfile import BadZipFile
 
 import numpy as np
+from contact_foundation.child_process import ChildLimits, run_child
 from contact_foundation.errors import InputError, Place
 from numpy.typing import NDArray
 
@@ -86,21 +84,12 @@ def _run(
 
 def _ended(command: Sequence[str], folder: Path, limit: int) -> tuple[str, str]:
     """Runs the process to its end; why it ended, for files that have no result then."""
-    with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
-        try:
-            resource.prlimit(process.pid, resource.RLIMIT_CPU, (limit, limit + 1))
-            resource.prlimit(process.pid, resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
-            resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
-            _, complaints = process.communicate(timeout=WALL_FACTOR * limit)
-        except subprocess.TimeoutExpired:
-            return f"the CAD kernel took longer than {WALL_FACTOR * limit} s", "Leave out details such as threads."
-        finally:
-            process.kill()
-    if process.returncode == -signal.SIGXCPU:
-        return f"the CAD kernel took longer than {limit} s", "Leave out details such as threads."
-    last = (complaints.strip().splitlines() or ["no message"])[-1]
+    end = run_child(command, ChildLimits(limit, WALL_FACTOR * limit, MEMORY_LIMIT), folder)
+    if end.overran:
+        longest = WALL_FACTOR * limit if end.overran == "wall" else limit
+        return f"the CAD kernel took longer than {longest} s", "Leave out details such as threads."
     return (
-        f"the CAD kernel failed with status {process.returncode}: {last}",
+        f"the CAD kernel failed with status {end.status}: {end.complaint}",
         "Export the file again, or its parts alone.",
     )
 

@@ -7,9 +7,6 @@ Decomposition", in: E. Lengyel, ed., Game Engine Gems 3, 2016.
 
 from __future__ import annotations
 
-import resource
-import signal
-import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping
@@ -21,6 +18,7 @@ from zipfile import BadZipFile
 
 import numpy as np
 from contact_foundation.cache import user_cache
+from contact_foundation.child_process import ChildLimits, run_child
 from numpy.typing import NDArray
 
 from cad2modelica.collision.decomposition_cache import content_key, read_pieces, write_pieces
@@ -130,23 +128,14 @@ def _run(task: Task, decomposer: Decomposer) -> tuple[tuple[Array, ...] | None, 
         np.savez(task_file, allow_pickle=False, **task)
         # -P: what lies in the current folder is no module of ours.
         command = [sys.executable, "-P", "-m", _PROCESSES[decomposer], str(task_file), str(result_file)]
-        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        with process:
-            try:
-                # Of the processor, so that the outcome does not depend on what else the machine does.
-                limit = _time_limit(task)
-                resource.prlimit(process.pid, resource.RLIMIT_CPU, (limit, limit + 1))
-                resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
-                _, complaints = process.communicate(timeout=WALL_FACTOR * limit)
-            except subprocess.TimeoutExpired:
-                return None, f"{name} took longer than {WALL_FACTOR * limit} s on a busy machine"
-            finally:
-                process.kill()
-        if process.returncode == -signal.SIGXCPU:
+        limit = _time_limit(task)
+        end = run_child(command, ChildLimits(limit, WALL_FACTOR * limit))
+        if end.overran == "wall":
+            return None, f"{name} took longer than {WALL_FACTOR * limit} s on a busy machine"
+        if end.overran == "cpu":
             return (), ""
-        if process.returncode != 0:
-            last = (complaints.strip().splitlines() or ["no message"])[-1]
-            return None, f"{name} failed with status {process.returncode}: {last}"
+        if end.status != 0:
+            return None, f"{name} failed with status {end.status}: {end.complaint}"
         try:
             with np.load(result_file, allow_pickle=False) as result:
                 pieces = tuple(np.asarray(result[entry]) for entry in result.files)

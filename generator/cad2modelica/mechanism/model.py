@@ -8,12 +8,17 @@ from enum import Enum
 from functools import cached_property
 from pathlib import Path
 
+import numpy as np
 from contact_foundation.errors import Place
 
 from cad2modelica.geometry.mesh import Mesh
 from cad2modelica.geometry.spatial import Array, Pose
 
 GROUND = "ground"
+
+
+def _at_rest() -> Array:
+    return np.zeros(3)
 
 
 class JointType(Enum):
@@ -152,8 +157,8 @@ class Part:
     meshes: tuple[Mesh, ...]
     collision: CollisionChoice
     grounded: bool
-    velocity: Array
-    angular_velocity: Array
+    velocity: Array = field(default_factory=_at_rest, kw_only=True)
+    angular_velocity: Array = field(default_factory=_at_rest, kw_only=True)
     place: Place
     collision_meshes: tuple[Mesh, ...] | None = None
     decomposition: DecompositionLimits = NO_LIMITS
@@ -224,12 +229,12 @@ class Joint:
     child: str
     origin: Array
     axis: Array | None
-    second_axis: Array | None
-    position: float
-    speed: float
-    velocity: Array
-    angular_velocity: Array
     place: Place
+    second_axis: Array | None = None
+    position: float = 0.0
+    speed: float = 0.0
+    velocity: Array = field(default_factory=_at_rest)
+    angular_velocity: Array = field(default_factory=_at_rest)
     pitch: float = 0.0
     limits: JointLimits | None = None
     friction: JointFriction | None = None

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-import numpy as np
 from contact_foundation.errors import Place
 
 from cad2modelica.geometry.mesh import Mesh
@@ -22,6 +21,20 @@ class Member:
     shown: Sequence[Mesh]
     colliding: Sequence[Mesh]
     mass: MassProperties = NO_MASS
+
+
+def part_between(name: str, pose: Pose, place: Place) -> Part:
+    """A part without mass and geometry, between two joints in a row."""
+    return Part(
+        name=name,
+        material=None,
+        pose=pose,
+        mass_properties=NO_MASS,
+        meshes=(),
+        collision=CollisionChoice.NONE,
+        grounded=False,
+        place=place,
+    )
 
 
 def rigid_part(
@@ -53,8 +66,6 @@ def rigid_part(
         meshes=shown or colliding,
         collision=CollisionChoice.AUTO if colliding else CollisionChoice.NONE,
         grounded=grounded,
-        velocity=np.zeros(3),
-        angular_velocity=np.zeros(3),
         place=place,
         collision_meshes=colliding or None,
     ), notes

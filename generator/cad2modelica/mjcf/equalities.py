@@ -80,11 +80,6 @@ class _EqualityReader:
                 child=child,
                 origin=at.position,
                 axis=None,
-                second_axis=None,
-                position=0.0,
-                speed=0.0,
-                velocity=np.zeros(3),
-                angular_velocity=np.zeros(3),
                 place=self._elements.place(item.element),
                 child_origin=other.position if apart else None,
             )

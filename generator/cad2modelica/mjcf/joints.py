@@ -7,10 +7,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from cad2modelica.geometry.spatial import Array
-from cad2modelica.mechanism.mass_properties import NO_MASS
 from cad2modelica.mechanism.model import (
     GROUND,
-    CollisionChoice,
     Joint,
     JointFriction,
     JointLimits,
@@ -19,6 +17,7 @@ from cad2modelica.mechanism.model import (
     JointType,
     Part,
 )
+from cad2modelica.mechanism.rigid_part import part_between
 from cad2modelica.mjcf.bodies import Body, BodyTree, PlacedItem
 from cad2modelica.mjcf.elements import Item, MjcfElements
 from cad2modelica.source.lost import Lost
@@ -79,7 +78,7 @@ class _JointReader:
                 self._elements.problems.add(f"there are two joints {joint.name!r}", place, "Rename one of them.")
             self._found.joints[joint.name] = joint
             if not last:
-                self._found.between.append(_massless(after, body, joint))
+                self._found.between.append(part_between(after, body.world, joint.place))
             before = after
 
     def _joint(self, body: Body, entry: PlacedItem, parent: str, child: str) -> Joint:
@@ -103,11 +102,7 @@ class _JointReader:
             if kind is JointType.FREE
             else frame.point(self._elements.numbers(item, "pos", (0.0,) * 3)),
             axis=self._axis(item, frame.rotation) if kind.needs_axis else None,
-            second_axis=None,
             position=unit * self._elements.number(item, "ref") if scalar else 0.0,
-            speed=0.0,
-            velocity=np.zeros(3),
-            angular_velocity=np.zeros(3),
             place=self._elements.place(item.element, name),
         )
         return self._with_resistance(joint, item, unit)
@@ -187,19 +182,3 @@ class _JointReader:
         while (name := base if number == 1 else f"{base} {number}") in self._found.joints:
             number += 1
         return name
-
-
-def _massless(name: str, body: Body, joint: Joint) -> Part:
-    """A part without mass between two joints of one body."""
-    return Part(
-        name=name,
-        material=None,
-        pose=body.world,
-        mass_properties=NO_MASS,
-        meshes=(),
-        collision=CollisionChoice.NONE,
-        grounded=False,
-        velocity=np.zeros(3),
-        angular_velocity=np.zeros(3),
-        place=joint.place,
-    )

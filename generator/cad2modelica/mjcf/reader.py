@@ -14,6 +14,7 @@ from contact_foundation.progress import Progress, silent
 from lxml import etree
 
 from cad2modelica.geometry.spatial import Array
+from cad2modelica.mechanism.description_defaults import GRAVITY, STOP_TIME, TOLERANCE
 from cad2modelica.mechanism.model import Assembly, Joint, JointFriction, JointSpring, Part
 from cad2modelica.mechanism.moved_inertia import inertia_about
 from cad2modelica.meshio.mesh_library import MeshLibrary
@@ -31,9 +32,6 @@ from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
 from cad2modelica.source.lost import Lost
 from cad2modelica.source.problems import Problems
 
-GRAVITY = (0.0, 0.0, -9.81)
-STOP_TIME = 1.0
-TOLERANCE = 1e-6
 _LOST_SECTIONS = {
     "tendon": "tendons",
     "deformable": "flexible bodies and skins",

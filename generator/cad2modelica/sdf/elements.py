@@ -12,7 +12,7 @@ from lxml import etree
 from cad2modelica.geometry.spatial import Array, Pose, rotation_of_quaternion, rotation_of_roll_pitch_yaw
 from cad2modelica.source.number_limits import LARGEST, are_usable, plain_number
 from cad2modelica.source.problems import Problems
-from cad2modelica.source.xml_document import line_of, nearest_name
+from cad2modelica.source.xml_document import place_of
 
 UNLIMITED = 1e15
 """Numbers beyond this one say that there is no limit; the format's default is 1e16."""
@@ -36,9 +36,7 @@ class SdfElements:
 
     def place(self, element: etree._Element | None, component: str | None = None) -> Place:
         """Where an element stands."""
-        if element is None:
-            return Place(file=self.file, component=component)
-        return Place(file=self.file, line=line_of(element), component=component or nearest_name(element))
+        return place_of(element, self.file, component)
 
     def text(self, element: etree._Element, path: str, default: str = "") -> str:
         """The text of an element below another."""

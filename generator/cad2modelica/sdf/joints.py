@@ -7,13 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from contact_foundation.errors import Place
 from lxml import etree
 
 from cad2modelica.geometry.spatial import Array, Pose
-from cad2modelica.mechanism.mass_properties import NO_MASS
 from cad2modelica.mechanism.model import (
-    CollisionChoice,
     Coupling,
     Joint,
     JointFriction,
@@ -23,6 +20,7 @@ from cad2modelica.mechanism.model import (
     JointType,
     Part,
 )
+from cad2modelica.mechanism.rigid_part import part_between
 from cad2modelica.sdf.scopes import SEPARATOR, Scope, UnknownFrame
 from cad2modelica.source.lost import Lost
 
@@ -97,7 +95,7 @@ class JointReader:
         axes = [item for item in ("axis", "axis2") if element.find(item) is not None]
         if word in TWO_AXES:
             middle = f"{name} between"
-            self.found.between.append(_massless(middle, pose, place))
+            self.found.between.append(part_between(middle, pose, place))
             self._add(scope, element, (name, parent, middle), pose, "axis", JointType.REVOLUTE)
             self._add(scope, element, (f"{name} second axis", middle, child), pose, "axis2", JointType.REVOLUTE)
             return
@@ -130,11 +128,6 @@ class JointReader:
                 child=child,
                 origin=pose.position,
                 axis=direction,
-                second_axis=None,
-                position=0.0,
-                speed=0.0,
-                velocity=np.zeros(3),
-                angular_velocity=np.zeros(3),
                 place=place,
                 pitch=self._pitch(scope, element) if kind is JointType.SCREW else 0.0,
                 limits=self._limits(scope, element, axis) if scalar and axis is not None else None,
@@ -239,18 +232,3 @@ class JointReader:
                 continue
             leaders[follower] = leader
             self.found.couplings.append(Coupling(follower, leader, ratio, 0.0))
-
-
-def _massless(name: str, pose: Pose, place: Place) -> Part:
-    return Part(
-        name=name,
-        material=None,
-        pose=pose,
-        mass_properties=NO_MASS,
-        meshes=(),
-        collision=CollisionChoice.NONE,
-        grounded=False,
-        velocity=np.zeros(3),
-        angular_velocity=np.zeros(3),
-        place=place,
-    )

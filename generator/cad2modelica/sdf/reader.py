@@ -13,6 +13,7 @@ from contact_foundation.progress import Progress, silent
 from lxml import etree
 
 from cad2modelica.geometry.spatial import IDENTITY, Pose
+from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY, STOP_TIME, TOLERANCE
 from cad2modelica.mechanism.model import GROUND, Assembly, ContactSettings, DecompositionLimits
 from cad2modelica.sdf.document import SdfDocument
 from cad2modelica.sdf.joints import JointReader, joint_name
@@ -21,11 +22,6 @@ from cad2modelica.sdf.scopes import Link, Scope, UnknownFrame
 from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
 from cad2modelica.source.problems import Problems
 
-GRAVITY = (0.0, 0.0, -9.81)
-STOP_TIME = 1.0
-TOLERANCE = 1e-6
-DECOMPOSED_TRIANGLES = 1000
-"""Parts of finer geometry collide as hulls of their bodies, as those of other robot descriptions."""
 FRICTION_RULE = "minimum"
 """Gazebo takes the smaller of two coefficients of friction."""
 

@@ -10,10 +10,10 @@ from contact_foundation.errors import Place
 from lxml import etree
 
 from cad2modelica.geometry.spatial import Array, Pose, nearest_rotation
-from cad2modelica.source.number_limits import LARGEST, are_usable
+from cad2modelica.source.number_limits import LARGEST, are_usable, plain_number
 from cad2modelica.source.problems import Problems
 from cad2modelica.source.units import to_si
-from cad2modelica.source.xml_document import line_of, nearest_name
+from cad2modelica.source.xml_document import place_of
 
 LENGTHS = {
     "meter": 1.0,
@@ -73,7 +73,7 @@ class Elements:
         """The numbers in the child of that name."""
         child = element.find(f"{{*}}{name}") if element is not None else None
         try:
-            values = np.array([float(word) for word in (child.text or "").split()] if child is not None else [])
+            values = np.array([plain_number(word) for word in (child.text or "").split()] if child is not None else [])
         except ValueError:
             values = np.zeros(0)
         if len(values) != count or not are_usable(values):
@@ -110,9 +110,7 @@ class Elements:
 
     def place(self, element: etree._Element | None, component: str | None = None) -> Place:
         """Where an element stands."""
-        if element is None:
-            return Place(file=self.file, component=component)
-        return Place(file=self.file, line=line_of(element), component=component or nearest_name(element))
+        return place_of(element, self.file, component)
 
 
 def read_units(root: etree._Element, file: Path, problems: Problems) -> Units:
@@ -123,7 +121,7 @@ def read_units(root: etree._Element, file: Path, problems: Problems) -> Units:
         if name.lower() not in known:
             problems.add(
                 f"the unit of {quantity} {name!r} is not known",
-                Place(file=file, line=line_of(element) if element is not None else None),
+                place_of(element, file),
                 f"Known: {', '.join(known)}.",
             )
             return 1.0

@@ -17,6 +17,7 @@ from lxml import etree
 
 from cad2modelica.geometry.spatial import IDENTITY, Pose
 from cad2modelica.mates.joint_chains import Chain
+from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY, STOP_TIME, TOLERANCE
 from cad2modelica.mechanism.mass_properties import NO_MASS, placed, together
 from cad2modelica.mechanism.model import (
     GROUND,
@@ -29,6 +30,7 @@ from cad2modelica.mechanism.model import (
     MassProperties,
     Part,
 )
+from cad2modelica.mechanism.rigid_part import part_between
 from cad2modelica.simscape import document as tree
 from cad2modelica.simscape.bodies import ROOT, Bodies, find_bodies
 from cad2modelica.simscape.elements import Elements, read_units
@@ -39,11 +41,6 @@ from cad2modelica.source.lost import Lost
 from cad2modelica.source.problems import Problems
 from cad2modelica.source.xml_document import line_of
 
-GRAVITY = (0.0, 0.0, -9.81)
-STOP_TIME = 1.0
-TOLERANCE = 1e-6
-DECOMPOSED_TRIANGLES = 1000
-"""Parts of finer geometry collide as hulls of their bodies, as those of robot descriptions do."""
 VERSION = "2.0"
 
 
@@ -162,8 +159,6 @@ class _SimscapeReader:
             meshes=(),
             collision=CollisionChoice.AUTO,
             grounded=grounded,
-            velocity=np.zeros(3),
-            angular_velocity=np.zeros(3),
             place=self._elements.place(element, name),
         )
 
@@ -220,8 +215,8 @@ class _SimscapeReader:
             own = name if len(chain) == 1 else self._unique(f"{name} {number}")
             after = ends[1] if last else self._unique(f"{name} carrier {number}")
             if not last:
-                carrier = self._part(after, Pose(item.point, np.eye(3)), NO_MASS, False, self._root)
-                self._parts.append(carrier)
+                place = self._elements.place(self._root, after)
+                self._parts.append(part_between(after, Pose(item.point, np.eye(3)), place))
             self._joints.append(
                 Joint(
                     name=own,
@@ -230,11 +225,6 @@ class _SimscapeReader:
                     child=after,
                     origin=item.point,
                     axis=item.axis if item.type.needs_axis else None,
-                    second_axis=None,
-                    position=0.0,
-                    speed=0.0,
-                    velocity=np.zeros(3),
-                    angular_velocity=np.zeros(3),
                     place=self._elements.place(element, own) if element is not None else Place(self._file, None, own),
                 )
             )

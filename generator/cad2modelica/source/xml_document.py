@@ -27,6 +27,13 @@ _UNBOUND = re.compile(r"Namespace prefix (\S+)")
 _UNBOUND_NAMESPACE = "urn:unbound-prefix:"
 
 
+def place_of(element: etree._Element | None, file: Path, component: str | None = None) -> Place:
+    """Where an element of a file stands; its component is the nearest one with a name if none is given."""
+    if element is None:
+        return Place(file=file, component=component)
+    return Place(file=file, line=line_of(element), component=component or nearest_name(element))
+
+
 def read_xml(file: Path, maximum_bytes: int = MAXIMUM_BYTES) -> etree._Element:
     """The root element of an XML file.
 

@@ -12,6 +12,7 @@ from contact_foundation.progress import Progress, silent
 
 from cad2modelica.brep.step_model import Shape, read_step
 from cad2modelica.geometry.mesh import Mesh
+from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY, STOP_TIME, TOLERANCE
 from cad2modelica.mechanism.mass_properties import NO_MASS, placed, solid_mass, together
 from cad2modelica.mechanism.model import (
     GROUND,
@@ -29,12 +30,7 @@ from cad2modelica.source.lost import Lost
 from cad2modelica.step.joints_file import FileJoint, JointsFile, joints_file_of, read_joints_file
 from cad2modelica.step.parts import NamedPart, named_parts
 
-GRAVITY = (0.0, 0.0, -9.81)
-STOP_TIME = 1.0
-TOLERANCE = 1e-6
 MILLIMETRE = 1e-3
-DECOMPOSED_TRIANGLES = 1000
-"""Parts of finer geometry collide as hulls of their bodies, as those of robot descriptions do."""
 DEFAULT_COLOR = (0.7, 0.7, 0.7)
 
 
@@ -177,8 +173,6 @@ class _StepAssembly:
                     meshes=meshes,
                     collision=CollisionChoice.AUTO,
                     grounded=host == GROUND,
-                    velocity=np.zeros(3),
-                    angular_velocity=np.zeros(3),
                     place=Place(file=self._file, component=main.name),
                 )
             )
@@ -201,10 +195,6 @@ class _StepAssembly:
             origin=item.origin,
             axis=item.axis,
             second_axis=item.second_axis,
-            position=0.0,
-            speed=0.0,
-            velocity=np.zeros(3),
-            angular_velocity=np.zeros(3),
             place=Place(file=file, component=item.name),
             pitch=item.pitch,
             limits=item.limits,

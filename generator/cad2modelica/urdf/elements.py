@@ -14,7 +14,7 @@ from cad2modelica.geometry.spatial import Array, Pose, rotation_of_roll_pitch_ya
 from cad2modelica.source.lost import Lost
 from cad2modelica.source.number_limits import LARGEST, are_usable, plain_number
 from cad2modelica.source.problems import Problems
-from cad2modelica.source.xml_document import line_of, nearest_name
+from cad2modelica.source.xml_document import place_of
 
 XACRO = "ros.org/wiki/xacro"
 EXPAND = "Expand the macros first: xacro robot.urdf.xacro > robot.urdf"
@@ -95,6 +95,4 @@ class UrdfElements:
 
     def place(self, element: etree._Element | None, component: str | None = None) -> Place:
         """Where an element stands."""
-        if element is None:
-            return Place(file=self.file, component=component)
-        return Place(file=self.file, line=line_of(element), component=component or nearest_name(element))
+        return place_of(element, self.file, component)

@@ -16,6 +16,7 @@ from lxml import etree
 
 from cad2modelica.geometry.mesh import Mesh
 from cad2modelica.geometry.spatial import IDENTITY, Pose
+from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY, STOP_TIME, TOLERANCE
 from cad2modelica.mechanism.mass_properties import NO_MASS, placed, solid_mass, together
 from cad2modelica.mechanism.mass_repair import usable
 from cad2modelica.mechanism.model import (
@@ -44,13 +45,6 @@ from cad2modelica.urdf.geometry import UrdfGeometry
 from cad2modelica.urdf.mass import has_mass, read_mass_properties
 from cad2modelica.urdf.mimic import start_position
 from cad2modelica.urdf.tree import TYPES, Link, UrdfJoint, UrdfTree, read_tree
-
-GRAVITY = (0.0, 0.0, -9.81)
-STOP_TIME = 1.0
-TOLERANCE = 1e-6
-DECOMPOSED_TRIANGLES = 1000
-"""Parts of finer geometry collide as hulls of their bodies: several simulators take a collision mesh's convex hull, so
-descriptions are written for it, and a robot of thirty finely tessellated links would be decomposed for minutes."""
 
 
 @dataclass(eq=False)
@@ -231,8 +225,6 @@ class _UrdfReader:
             meshes=visual or collision,
             collision=CollisionChoice.AUTO,
             grounded=grounded,
-            velocity=np.zeros(3),
-            angular_velocity=np.zeros(3),
             place=self._place(link.element),
             collision_meshes=collision or None,
         )
@@ -286,11 +278,7 @@ class _UrdfReader:
             child=child.part,
             origin=child.world.position,
             axis=child.world.direction(joint.axis) if kind.needs_axis else None,
-            second_axis=None,
             position=start_position(joint.name, tree.couplings),
-            speed=0.0,
-            velocity=np.zeros(3),
-            angular_velocity=np.zeros(3),
             place=self._place(joint.element),
             limits=limits,
             friction=self._friction(joint, kind),

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fmurt_call.h"
 #include "fmurt_chatter.h"
 #include "fmurt_derivative.h"
 #include "fmurt_evaluate.h"
@@ -366,9 +367,14 @@ static int accepts(fmurt_fmu *fmu, const char *call, int phases, const double *a
 
 fmurt_fmu_status fmurt_fmu_completed_step(fmurt_fmu *fmu, const char *call) {
   if (!fmurt_fmu_permits(fmu, call, FMURT_PHASE_CONTINUOUS)) return FMURT_FMU_ERROR;
-  if (fmurt_model.followed_count == 0 && fmurt_model.warnings == NULL) return FMURT_FMU_OK;
-  /* What cannot be evaluated is told when it is read. */
   fmurt_instance *instance = fmu->instance;
+  if (fmurt_model.followed_count == 0) {
+    /* The importer's last evaluation was of the end of the step, but for a correction that it takes for none: warnings are
+     * checked there, without another one. */
+    if (fmurt_model.warnings != NULL) (void)fmurt_call_model(instance, FMURT_CALL_WARNINGS, NULL);
+    return FMURT_FMU_OK;
+  }
+  /* What cannot be evaluated is told when it is read. */
   if (fmurt_update_values(instance) != FMURT_RESULT_OK) return FMURT_FMU_OK;
   if (instance->values.strayed) {
     snprintf(instance->message, sizeof instance->message,

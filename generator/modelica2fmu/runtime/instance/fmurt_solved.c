@@ -58,5 +58,6 @@ void fmurt_remember_solved(fmurt_instance *instance) {
 }
 
 void fmurt_forget_solved(fmurt_instance *instance) {
+  if (*counter(instance) == 0.0) return;
   memset(instance->solved, 0, fmurt_solved_size() * sizeof(double));
 }

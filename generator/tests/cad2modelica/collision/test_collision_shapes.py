@@ -31,10 +31,7 @@ def shapes_of(*clouds: np.ndarray, choice: CollisionChoice = CollisionChoice.AUT
         triangles = np.where(outward[:, None] > 0, hull.simplices, hull.simplices[:, ::-1]).astype(np.int64)
         meshes.append(Mesh("m", points, triangles, (0.5, 0.5, 0.5)))
     properties = MassProperties(1.0, np.zeros(3), np.eye(3))
-    zero = np.zeros(3)
-    return collision_geometry(
-        Part("body", None, IDENTITY, properties, tuple(meshes), choice, False, zero, zero, Place())
-    )
+    return collision_geometry(Part("body", None, IDENTITY, properties, tuple(meshes), choice, False, Place()))
 
 
 def sphere(radius: float, count: int = 400) -> np.ndarray:
@@ -345,7 +342,7 @@ def test_missing_caps_are_noted_and_do_not_hide_the_cylinder() -> None:
     mesh = Mesh("m", points, triangles, (0.5, 0.5, 0.5))
     properties = MassProperties(1.0, zero, np.eye(3))
     geometry = collision_geometry(
-        Part("tube", None, IDENTITY, properties, (mesh,), CollisionChoice.AUTO, False, zero, zero, Place())
+        Part("tube", None, IDENTITY, properties, (mesh,), CollisionChoice.AUTO, False, Place())
     )
     assert [shape.kind for shape in geometry.shapes] == ["cylinder"]
     assert "not closed; collides as its cylinder" in geometry.notes[0]

@@ -60,11 +60,8 @@ def shapes_of(
     own: DecompositionLimits = NO_LIMITS,
     limits: DecompositionLimits = NO_LIMITS,
 ) -> CollisionGeometry:
-    zero = np.zeros(3)
     mesh = Mesh("m", vertices, triangles, (0.5, 0.5, 0.5))
-    part = Part(
-        "body", None, IDENTITY, MassProperties(1.0, zero, np.eye(3)), (mesh,), choice, False, zero, zero, Place()
-    )
+    part = Part("body", None, IDENTITY, MassProperties(1.0, np.zeros(3), np.eye(3)), (mesh,), choice, False, Place())
     return collision_geometry(
         Part(**{**vars(part), "decomposition": own}),
         limits,

@@ -24,7 +24,7 @@ def part(name: str, seed: int, choice: CollisionChoice = CollisionChoice.HULL, c
     triangles = np.where(outward[:, None], hull.simplices, hull.simplices[:, ::-1]).astype(np.int64)
     mesh = Mesh("m", points, triangles if closed else triangles[1:], (0.5, 0.5, 0.5))
     zero = np.zeros(3)
-    return Part(name, None, IDENTITY, MassProperties(1.0, zero, np.eye(3)), (mesh,), choice, False, zero, zero, Place())
+    return Part(name, None, IDENTITY, MassProperties(1.0, zero, np.eye(3)), (mesh,), choice, False, Place())
 
 
 def test_same_geometry_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:

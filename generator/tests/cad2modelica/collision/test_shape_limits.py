@@ -25,7 +25,7 @@ def shapes_of(vertices: np.ndarray, triangles: Indices, choice: CollisionChoice)
     zero = np.zeros(3)
     mesh = Mesh("m", vertices, triangles, (0.5, 0.5, 0.5))
     properties = MassProperties(1.0, zero, np.eye(3))
-    return collision_geometry(Part("town", None, IDENTITY, properties, (mesh,), choice, False, zero, zero, Place()))
+    return collision_geometry(Part("town", None, IDENTITY, properties, (mesh,), choice, False, Place()))
 
 
 def houses(sizes: np.ndarray) -> tuple[np.ndarray, Indices]:

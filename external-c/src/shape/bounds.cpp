@@ -1,4 +1,4 @@
-#include "broadphase/bounds.hpp"
+#include "shape/bounds.hpp"
 
 namespace cmb {
 
