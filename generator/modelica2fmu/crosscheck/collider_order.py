@@ -51,10 +51,12 @@ class _Manager:
     Attributes:
         connected: names of the positions that are connected to each frame, by its number.
         rows: of each list, what is taken from which component, by number.
+        with_colliders: frames whose body has a collider of its own.
     """
 
     connected: dict[int, set[str]] = field(default_factory=dict)
     rows: dict[str, dict[int, tuple[str, str]]] = field(default_factory=dict)
+    with_colliders: set[int] = field(default_factory=set)
 
     def note(self, kind: str, number: int, value: Any) -> None:
         """Notes where a row is taken from, if it is a member of a component."""
@@ -64,14 +66,16 @@ class _Manager:
             self.rows.setdefault(kind, {}).setdefault(number, (found[1], f"{found[1]}.{found[2]}"))
 
     def misplaced(self, component: str) -> MisplacedRow | None:
-        """The first row whose body is at another frame, where another body's row stands."""
-        for rows in self.rows.values():
+        """The first row whose body is at another frame, where another body's row stands or this frame's has its own."""
+        for kind, rows in self.rows.items():
             for number, (owner, taken) in rows.items():
                 if number not in self.connected or self._is_at(owner, number):
                     continue
+                # A body may lend geometry, material or inertia, if its own row stands at its own frame. A collider is
+                # lent only to what has none.
+                passed_over = kind == "collider" and number in self.with_colliders
                 for frame in self.connected:
-                    # A body may lend what it has to others, if its own row stands at its own frame.
-                    if self._is_at(owner, frame) and rows.get(frame, (owner, taken))[0] != owner:
+                    if self._is_at(owner, frame) and (passed_over or rows.get(frame, (owner, taken))[0] != owner):
                         return MisplacedRow(component, taken, number, frame)
         return None
 
@@ -86,6 +90,11 @@ def misplaced_row(flat: Mapping[str, Any]) -> MisplacedRow | None:
         flat: the flattened model.
     """
     managers = _managers(flat["equations"])
+    owners = {name.partition(".collider.")[0] for name in flat["variables"] if ".collider." in name}
+    for manager in managers.values():
+        for number, names in manager.connected.items():
+            if any(name[: dot.start()] in owners for name in names for dot in re.finditer(r"\.", name)):
+                manager.with_colliders.add(number)
     for name, variable in flat["variables"].items():
         for component, manager in managers.items():
             if name.startswith(f"{component}."):

@@ -67,6 +67,7 @@ def checked(folder: Path, rows: str) -> None:
     ("rows", "taken", "number", "frame"),
     [
         ("collider = {ball[2].collider, ball[1].collider, box.collider, arm.collider}", "ball[2].collider", 1, 2),
+        ("collider = {ball[1].collider, ball[1].collider, box.collider, arm.collider}", "ball[1].collider", 2, 1),
         ("collider = cat(1, ball.collider, {arm.collider, box.collider})", "arm.collider", 3, 4),
         ("geometry = {ball[1].geometry, box.geometry, ball[2].geometry, arm.geometry}", "box.geometry", 2, 3),
         (
@@ -93,7 +94,7 @@ def test_another_order_is_refused(tmp_path, rows, taken, number, frame):
     "rows",
     [
         "collider = {ball[1].collider, ball[2].collider, box.collider, arm.collider}",
-        "collider = {ball[1].collider, ball[1].collider, box.collider, box.collider}",
+        "geometry = {ball[1].geometry, ball[1].geometry, box.geometry, box.geometry}",
         "collider = {ball[1].collider, ball[2].collider, given, arm.collider}",
         'geometry = {"sphere", "sphere", "box", "sphere"}',
     ],
