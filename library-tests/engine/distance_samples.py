@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from engine_library import Array, Pose
+from cad2modelica.geometry.spatial import Array, Pose
 from scipy.spatial import ConvexHull
 
 Triangles = npt.NDArray[np.int32]
+SignedDistance = Callable[[str, Pose, str, Pose], float]
 
 
 @dataclass(frozen=True)

@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from distance_samples import CONVEX, CONVEX_PAIRS, HULL, pose_pairs
-from engine_library import LIBRARY, Engine, Pose
+from cad2modelica.geometry.spatial import Pose
+from distance_samples import CONVEX, CONVEX_PAIRS, HULL, SignedDistance, pose_pairs
 
 coal = pytest.importorskip("coal", reason="coal is not installed")
-pytestmark = pytest.mark.skipif(not LIBRARY.is_file(), reason="the contact engine is not installed (scripts/setup)")
 
 TOLERANCE = 1e-6  # m; bodies of about 1 m
 # Of other kinds its expanding polytope fails now and then.
@@ -42,18 +41,13 @@ def distance(first: Any, first_pose: Pose, second: Any, second_pose: Pose) -> fl
     return float(coal.distance(first, places[0], second, places[1], request, coal.DistanceResult()))
 
 
-@pytest.fixture(scope="module")
-def engine() -> Engine:
-    return Engine()
-
-
 @pytest.mark.parametrize(("a", "b"), CONVEX_PAIRS)
-def test_signed_distances_are_the_same(engine: Engine, a: str, b: str) -> None:
+def test_signed_distances_are_the_same(signed_distance: SignedDistance, a: str, b: str) -> None:
     first, second = convex_shape(a), convex_shape(b)
     depths = a in EXACT_DEPTH and b in EXACT_DEPTH
     apart = overlapping = 0
     for one, other in pose_pairs(5, 80, 0.2, 2.5):
-        ours = engine.signed_distance(CONVEX[a], one, CONVEX[b], other)
+        ours = signed_distance(CONVEX[a], one, CONVEX[b], other)
         if ours < 0.0 and not depths:
             continue
         apart += ours > 0.0

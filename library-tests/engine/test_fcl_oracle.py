@@ -6,11 +6,20 @@ from typing import Any
 
 import numpy as np
 import pytest
-from distance_samples import CONVEX, CONVEX_PAIRS, HULL, Surface, ball_points, hull_surface, pose_pairs, ring_surface
-from engine_library import LIBRARY, Engine, Pose
+from cad2modelica.geometry.spatial import Pose
+from distance_samples import (
+    CONVEX,
+    CONVEX_PAIRS,
+    HULL,
+    SignedDistance,
+    Surface,
+    ball_points,
+    hull_surface,
+    pose_pairs,
+    ring_surface,
+)
 
 fcl = pytest.importorskip("fcl", reason="python-fcl is not installed")
-pytestmark = pytest.mark.skipif(not LIBRARY.is_file(), reason="the contact engine is not installed (scripts/setup)")
 
 TOLERANCE = 1e-6  # m; bodies of about 1 m
 # Pairs that FCL has in closed form, or solves exactly. Of others it stops some 1e-5 above the distance.
@@ -52,17 +61,12 @@ def distance(first: Any, first_pose: Pose, second: Any, second_pose: Pose, *, si
     return float(fcl.distance(*objects, fcl.DistanceRequest(enable_signed_distance=signed), fcl.DistanceResult()))
 
 
-@pytest.fixture(scope="module")
-def engine() -> Engine:
-    return Engine()
-
-
 @pytest.mark.parametrize(("a", "b"), CONVEX_PAIRS)
-def test_convex_bodies_apart_are_as_far(engine: Engine, a: str, b: str) -> None:
+def test_convex_bodies_apart_are_as_far(signed_distance: SignedDistance, a: str, b: str) -> None:
     first, second = convex_shape(a), convex_shape(b)
     compared = 0
     for one, other in pose_pairs(1, 60, 0.6, 2.5):
-        ours = engine.signed_distance(CONVEX[a], one, CONVEX[b], other)
+        ours = signed_distance(CONVEX[a], one, CONVEX[b], other)
         if ours <= 1e-3:
             continue
         compared += 1
@@ -73,11 +77,11 @@ def test_convex_bodies_apart_are_as_far(engine: Engine, a: str, b: str) -> None:
 
 
 @pytest.mark.parametrize(("a", "b"), CONVEX_PAIRS)
-def test_convex_bodies_that_overlap_are_as_deep(engine: Engine, a: str, b: str) -> None:
+def test_convex_bodies_that_overlap_are_as_deep(signed_distance: SignedDistance, a: str, b: str) -> None:
     first, second = convex_shape(a), convex_shape(b)
     compared = 0
     for one, other in pose_pairs(2, 60, 0.1, 0.8):
-        ours = engine.signed_distance(CONVEX[a], one, CONVEX[b], other)
+        ours = signed_distance(CONVEX[a], one, CONVEX[b], other)
         if ours >= -1e-3:
             continue
         compared += 1
@@ -96,7 +100,7 @@ MESH_PAIRS = [(a, b) for i, a in enumerate(SURFACES) for b in list(SURFACES)[i:]
 
 
 @pytest.mark.parametrize(("a", "b"), MESH_PAIRS)
-def test_meshes_apart_are_as_far(engine: Engine, a: str, b: str) -> None:
+def test_meshes_apart_are_as_far(signed_distance: SignedDistance, a: str, b: str) -> None:
     first, second = mesh_shape(SURFACES[a]), mesh_shape(SURFACES[b])
     texts = SURFACES[a].descriptor(), SURFACES[b].descriptor()
     compared = 0
@@ -105,11 +109,11 @@ def test_meshes_apart_are_as_far(engine: Engine, a: str, b: str) -> None:
         if theirs <= 1e-3:
             continue
         compared += 1
-        assert engine.signed_distance(texts[0], one, texts[1], other) == pytest.approx(theirs, abs=TOLERANCE)
+        assert signed_distance(texts[0], one, texts[1], other) == pytest.approx(theirs, abs=TOLERANCE)
     assert compared >= 15
 
 
-def test_meshes_that_cross_touch(engine: Engine) -> None:
+def test_meshes_that_cross_touch(signed_distance: SignedDistance) -> None:
     ring, ball = SURFACES["ring of 400 triangles"], SURFACES["ball of 96 triangles"]
     first, second = mesh_shape(ring), mesh_shape(ball)
     crossing = 0
@@ -120,5 +124,5 @@ def test_meshes_that_cross_touch(engine: Engine) -> None:
         ]
         crosses = fcl.collide(*objects, fcl.CollisionRequest(), fcl.CollisionResult()) > 0
         crossing += crosses
-        assert (engine.signed_distance(ring.descriptor(), one, ball.descriptor(), other) < 0) == crosses
+        assert (signed_distance(ring.descriptor(), one, ball.descriptor(), other) < 0) == crosses
     assert 10 <= crossing <= 50

@@ -8,10 +8,11 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from engine_library import LIBRARY as SHARED
+from contact_data import contact_engine
 
+SHARED = contact_engine()
 ARCHIVE = SHARED.with_name("libContactMultiBody.a")
-HEADERS = Path(__file__).parents[1] / "external-c" / "include"
+HEADERS = Path(__file__).parents[2] / "external-c" / "include"
 SUPPLIED = {"ModelicaFormatError", "_GLOBAL_OFFSET_TABLE_", "__dso_handle"}
 """By the Modelica tool, by the linker, by the compiler's start-up code."""
 
@@ -159,7 +160,7 @@ def test_a_library_is_found_beside_the_binary_or_by_the_environment_and_missed_c
     assert run(program) == "found\n"
 
 
-WINDOWS = ARCHIVE.parents[1] / "win64" / ARCHIVE.name
+WINDOWS = ARCHIVE.parents[2] / "win64" / ARCHIVE.name
 MINGW = "x86_64-w64-mingw32-"
 
 

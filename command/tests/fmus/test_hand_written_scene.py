@@ -9,7 +9,7 @@ import pytest
 from cmb.main import main
 from fmu_regression.scene.fmu_scene import scene_of_fmu
 
-README = Path(__file__).resolve().parents[2] / "README.md"
+README = Path(__file__).resolve().parents[3] / "README.md"
 TWO = """model Two
   inner Modelica.Mechanics.MultiBody.World world(n={0,0,-1});
   ContactMultiBody.Parts.BodyBox box(

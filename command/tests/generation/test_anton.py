@@ -17,7 +17,7 @@ from fmu_regression.scene.signals import signals_for
 from fmu_regression.simulate.simulation import simulate
 from program import Cmb
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 
 pytestmark = pytest.mark.full
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-BUILDS = Path(__file__).parents[1] / "build" / "external-c"
+BUILDS = Path(__file__).parents[2] / "build" / "external-c"
 RUNNERS = {"win64": "/usr/lib/wine/wine64", "aarch64-linux": "qemu-aarch64"}
 
 
