@@ -117,16 +117,55 @@ package StudyScenes "Scenes of mechanisms whose motion is known, or that peers a
     annotation (experiment(StopTime=1, Tolerance=1e-6, Interval=0.005));
   end Gripper;
 
-  model BallInBowl "A ball slides to and fro in a spherical bowl that is given by heights over a grid"
-    parameter Integer n=33 "Heights along each side of the grid" annotation (Evaluate=true);
+  function bowlMesh "A spherical bowl as a closed mesh: descriptor"
+    extends Modelica.Icons.Function;
+    input Integer n "Edges around, four times as many as from the bottom to the rim";
+    input SI.Radius R "Radius of the bowl";
+    input SI.Angle opening "From the bottom to the rim, about the bowl's centre";
+    input SI.Distance thickness "Of the bottom";
+    output String geometry "Descriptor";
+  protected
+    Integer rings=div(n, 4);
+    SI.Position points[(div(n, 4) + 1)*n + 2, 3]=zeros((div(n, 4) + 1)*n + 2, 3)
+      "The bottom within and without, rings from it to the rim, the edge below";
+    Integer triangles[2*(div(n, 4) + 1)*n, 3]=fill(1, 2*(div(n, 4) + 1)*n, 3);
+    SI.Angle polar;
+    SI.Angle around;
+    Integer a;
+    Integer b;
+    Integer row;
+  algorithm
+    points[1, :] := {0,0,0};
+    points[2, :] := {0,0,-thickness};
+    for k in 1:rings + 1 loop
+      polar := opening*min(k, rings)/rings;
+      for i in 1:n loop
+        around := 2*Modelica.Constants.pi*i/n;
+        points[2 + (k - 1)*n + i, :] := {R*sin(polar)*cos(around),R*sin(polar)*sin(around),
+          if k > rings then -thickness else R*(1 - cos(polar))};
+      end for;
+    end for;
+    for i in 1:n loop
+      a := 2 + i;
+      b := 3 + mod(i, n);
+      triangles[i, :] := {1,a,b};
+      triangles[n + i, :] := {2,b + rings*n,a + rings*n};
+      for k in 1:rings loop
+        row := 2*n*k + 2*i - 1;
+        triangles[row, :] := {a + (k - 1)*n,a + k*n,b + k*n};
+        triangles[row + 1, :] := {a + (k - 1)*n,b + k*n,b + (k - 1)*n};
+      end for;
+    end for;
+    geometry := ContactMultiBody.Shapes.mesh(points, triangles);
+  end bowlMesh;
+
+  model BallInBowl "A ball slides to and fro in a spherical bowl that is a closed mesh"
+    parameter Integer n=64 "Edges around the bowl" annotation (Evaluate=true);
     final parameter SI.Radius R=0.5 "Radius of the bowl";
     final parameter SI.Radius r=0.05 "Radius of the ball";
-    final parameter SI.Length side=0.4 "Of the grid";
     final parameter SI.Angle theta=0.2 "Of the ball about the bowl's centre, at the start";
     final parameter SI.Mass m=1 "Mass of the ball";
     final parameter Real K(unit="N/m")=1e7 "Stiffness";
-    final parameter SI.Position height[n, n]={{R - sqrt(R^2 - (side*((i - 1)/(n - 1) - 0.5))^2 - (side*((j - 1)/(n - 1) - 0.5))^2)
-      for j in 1:n} for i in 1:n} "Heights";
     inner MB.World world(g=9.81, n={0,0,-1}, enableAnimation=false);
     ContactMultiBody.Parts.Body ball(
       m=m,
@@ -140,7 +179,8 @@ package StudyScenes "Scenes of mechanisms whose motion is known, or that peers a
       angles_fixed=true,
       w_0_fixed=true,
       animation=false);
-    ContactMultiBody.Parts.Ground bowl(geometry=ContactMultiBody.Shapes.heightField({side,side}, height));
+    ContactMultiBody.Parts.Ground bowl(
+      geometry=bowlMesh(n, R, 0.4, 0.05));
     ContactMultiBody.ContactManager contacts(
       n=2,
       geometry={ball.geometry,bowl.geometry},
@@ -153,6 +193,50 @@ package StudyScenes "Scenes of mechanisms whose motion is known, or that peers a
     connect(bowl.frame_a, contacts.frame[2]);
     annotation (experiment(StopTime=1.2, Tolerance=1e-6, Interval=0.005));
   end BallInBowl;
+
+  model TippeTop "A sphere that is heaviest below its centre spins until it stands on its head"
+    final parameter SI.Radius R=0.02 "Radius of the sphere";
+    final parameter SI.Distance e=0.003 "From the centre of mass to the sphere's centre";
+    final parameter SI.Mass m=0.02 "Mass";
+    final parameter SI.MomentOfInertia I=0.4*m*R^2 "Moment of inertia about any axis";
+    parameter SI.Angle tilt=0.1 "Of the axis, at the start";
+    parameter SI.AngularVelocity spin=100 "About the axis, at the start";
+    parameter Real mu(unit="1")=0.3 "Coefficient of friction";
+    final parameter Real K(unit="N/m")=1e5 "Stiffness";
+    inner MB.World world(g=9.81, n={0,0,-1}, enableAnimation=false);
+    ContactMultiBody.Parts.Body top(
+      m=m,
+      r_CM={0,0,-e},
+      I_11=I,
+      I_22=I,
+      I_33=I,
+      geometry=ContactMultiBody.Shapes.sphere(R),
+      material=ContactMultiBody.Materials.Material(restitution=0, muStatic=mu),
+      r_0(start={0,0,R - m*world.g/K}, each fixed=true),
+      v_0(each fixed=true),
+      angles_fixed=true,
+      angles_start={0,tilt,0},
+      w_0_fixed=true,
+      w_0_start={spin*sin(tilt),0,spin*cos(tilt)},
+      animation=false);
+    ContactMultiBody.Parts.Ground floor(material=ContactMultiBody.Materials.Material(restitution=0, muStatic=mu));
+    ContactMultiBody.ContactManager contacts(
+      n=2,
+      collider={top.collider,floor.collider},
+      pointCapacity=1,
+      stiffnessChoice=ContactMultiBody.Types.StiffnessChoice.Given,
+      stiffness={K},
+      regularisationSpeed=0.1,
+      restitutionMethod=ContactMultiBody.Types.RestitutionMethod.Memoryless);
+    Real up[3](each unit="1") "Upwards, in the top's frame";
+    Real jellett(unit="1") "Angular momentum along the line from the centre of mass to the contact, by that at the start";
+  equation
+    up = MB.Frames.resolve2(top.frame_a.R, {0,0,1});
+    jellett = I*(top.w_a*({0,0,e} - R*up))/(I*spin*(e - R*cos(tilt)));
+    connect(top.frame_a, contacts.frame[1]);
+    connect(floor.frame_a, contacts.frame[2]);
+    annotation (experiment(StopTime=2, Tolerance=1e-6, Interval=0.002));
+  end TippeTop;
 
   model DominoRow "The first of a row of dominoes falls against the next"
     final parameter Integer n=4 "Number of dominoes" annotation (Evaluate=true);

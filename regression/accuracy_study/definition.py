@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, cast
@@ -82,6 +82,20 @@ class Study:
     repeats: int
     time_limit: float
     scenes: tuple[Scene, ...]
+
+    def only(self, names: Collection[str]) -> Study:
+        """The study with the scenes of these names alone; with all if there are none.
+
+        Raises:
+            InputError: it has no scene of a name.
+        """
+        known = [scene.name for scene in self.scenes]
+        for name in names:
+            if name not in known:
+                raise InputError(
+                    f"has no scene {name!r}", place=Place(self.path), remedy=f"It has: {', '.join(known)}."
+                )
+        return replace(self, scenes=tuple(s for s in self.scenes if s.name in names)) if names else self
 
     def problem(self, scene: Scene, key: str, what: str) -> InputError:
         """An error about a key of a scene."""
@@ -185,7 +199,7 @@ class _StudyReader:
             if isinstance(text, str) and text:
                 found[name] = text
             else:
-                self._problem(f"{place}.geometries.{name}", 'is not a Modelica modification, as in "bowl(n=33)"')
+                self._problem(f"{place}.geometries.{name}", 'is not a Modelica modification, as in "bowl(n=64)"')
         return found
 
     def _knobs(self, place: str, content: Any, geometries: Collection[str] = ()) -> Knobs:

@@ -31,7 +31,7 @@ LAWS: Final = (
 FRICTIONS: Final = ("None", "Regularised", "Anchored")
 RESTITUTIONS: Final = ("ImpactSpeed", "Memoryless", "None")
 BACKENDS: Final = ("Automatic", "Analytic", "Libccd", "Fcl", "Coal")
-_TESSELLATION: Final = re.compile(r"(hull|mesh) (\d+)")
+_TESSELLATION: Final = re.compile(r"(hull|mesh) (\d+)|(pieces) (\d*\.?\d+(?:e-?\d+)?)")
 _SEGMENTS: Final = range(4, 257)
 
 
@@ -100,15 +100,17 @@ def _word(words: tuple[str, ...]) -> Callable[[KnobValue], str]:
 def _geometry(value: KnobValue) -> str:
     found = _TESSELLATION.fullmatch(value) if isinstance(value, str) else None
     if found is None:
-        return f'is none of "{AS_MODELLED}", "hull N" and "mesh N"'
+        return f'is none of "{AS_MODELLED}", "hull N", "mesh N" and "pieces ERROR"'
+    if found[3]:
+        return "" if float(found[4]) > 0 else "must have an error above 0"
     least, most = _SEGMENTS[0], _SEGMENTS[-1]
     return "" if int(found[2]) in _SEGMENTS else f"must have {least} to {most} segments"
 
 
-def tessellation(value: str) -> tuple[str, int]:
-    """Kind ("hull" or "mesh") and number of segments around of a value of the knob geometry."""
-    kind, segments = value.split()
-    return kind, int(segments)
+def tessellation(value: str) -> tuple[str, float]:
+    """Kind of a value of the knob geometry, and segments around ("hull", "mesh") or error in m ("pieces")."""
+    kind, fineness = value.split()
+    return kind, float(fineness)
 
 
 KNOBS: Final[Mapping[str, Knob]] = {

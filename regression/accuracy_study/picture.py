@@ -8,6 +8,7 @@ from contact_foundation.output import whole_file
 
 from accuracy_study.chart import COLORS, Line, chart
 from accuracy_study.curves import curves
+from accuracy_study.definition import Scene
 from accuracy_study.pareto import front
 from accuracy_study.study import Findings, SceneFindings
 
@@ -18,16 +19,16 @@ def write_pictures(findings: Findings, folder: Path) -> tuple[Path, ...]:
     for found in findings.scenes:
         text = picture(found)
         if text:
-            target = folder / f"{file_name(found)}.svg"
+            target = folder / f"{file_name(found.scene)}.svg"
             with whole_file(target) as staging:
                 staging.write_text(text, encoding="utf-8", newline="\n")
             written.append(target)
     return tuple(written)
 
 
-def file_name(found: SceneFindings) -> str:
-    """The name of a scene's picture, without ending."""
-    return "".join(c if c.isalnum() else "-" for c in found.scene.name.lower())
+def file_name(scene: Scene) -> str:
+    """The name of a scene's picture and page, without ending."""
+    return "".join(c if c.isalnum() else "-" for c in scene.name.lower())
 
 
 def picture(found: SceneFindings) -> str:

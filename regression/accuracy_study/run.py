@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 from contact_foundation.errors import CmbError, SimulationError
+from fmu_regression.compare.provenance import load
 from fmu_regression.fmi.fmu import Mode, StartValue
 from fmu_regression.results.result import SimulationResult, read_csv
 from fmu_regression.simulate.simulation import simulate
@@ -192,6 +193,7 @@ class RunTask:
             penetration=_deepest(fine, self.distances),
             cpu_time=statistics.median(times),
             cpu_times=times,
+            load=load(),
         )
 
 

@@ -26,7 +26,7 @@ from accuracy_study.answers import ClosedForm, GivenTrajectory
 from accuracy_study.definition import Scene, Study
 from accuracy_study.grid import Variant
 from accuracy_study.knobs import AS_MODELLED, PARAMETER, SOLVERS, KnobValue, tessellation
-from accuracy_study.tessellation import tessellated
+from accuracy_study.tessellation import decomposed, tessellated
 
 Builder = Callable[[str, Sequence[Path], Path], None]
 """Builds the FMU of a model: (model, sources beside the contact library, FMU to write)."""
@@ -232,9 +232,17 @@ class SceneModels:
             return "the scene has no ContactMultiBody.ContactManager, which alone has this knob"
         if name == "restitution" and not self._manager.regards_restitution and "law" not in self.scene.knobs:
             return "the scene's law of the normal force has no restitution"
-        if name == "geometry" and self._geometry(str(value)) == self._descriptors():
-            return "the scene has no box and no round shape that could be tessellated"
-        return ""
+        return self._geometry_problem(str(value)) if name == "geometry" else ""
+
+    def _geometry_problem(self, value: str) -> str:
+        """Why the scene's shapes cannot become others, or ""."""
+        try:
+            same = self._geometry(value) == self._descriptors()
+        except CmbError as error:
+            return error.message
+        if same and tessellation(value)[0] == "pieces":
+            return "the scene has no closed mesh that could be decomposed"
+        return "the scene has no box and no round shape that could be tessellated" if same else ""
 
     def _applied(self, variant: Variant) -> _Applied:
         change = Change()
@@ -297,5 +305,7 @@ class SceneModels:
         return tuple(self._description.variables[name].start or "" for name in names)
 
     def _geometry(self, value: str) -> tuple[str, ...]:
-        kind, segments = tessellation(value)
-        return tuple(tessellated(descriptor, kind, segments) for descriptor in self._descriptors())
+        kind, fineness = tessellation(value)
+        if kind == "pieces":
+            return tuple(decomposed(descriptor, fineness) for descriptor in self._descriptors())
+        return tuple(tessellated(descriptor, kind, int(fineness)) for descriptor in self._descriptors())

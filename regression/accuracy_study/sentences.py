@@ -58,6 +58,12 @@ def label(name: str) -> str:
     return found.label if found is not None else name
 
 
+def milliseconds(row: Row) -> str:
+    """The processor time of a run in words."""
+    time = row.outcome.cpu_time or 0.0
+    return f"{time:.2g} s" if time >= 0.1 else f"{1000 * time:.2g} ms"
+
+
 def _costs(found: SceneFindings) -> str:
     """What it costs to err less than powers of ten, where the price changes."""
     steps: list[tuple[float, Row]] = []
@@ -72,7 +78,7 @@ def _costs(found: SceneFindings) -> str:
     if not steps:
         return "No run errs less than 10 % of the scale."
     kept = steps if len(steps) <= _TOLD else [steps[round(k * (len(steps) - 1) / (_TOLD - 1))] for k in range(_TOLD)]
-    told = [f"{_level(level)} costs {_seconds(row)} ({run_text(row.run, found.scene)})" for level, row in kept]
+    told = [f"{_level(level)} costs {milliseconds(row)} ({run_text(row.run, found.scene)})" for level, row in kept]
     return f"An error below {'; below '.join(told)}."
 
 
@@ -133,11 +139,6 @@ def _knobs(found: SceneFindings) -> Iterator[str]:
             part = part_of(name).value
             told = ", ".join(f"{value_text(value)}: {error:.1e}" for value, error in pairs)
             yield f"{label(name)[:1].upper()}{label(name)[1:]}, {part} error: {told}."
-
-
-def _seconds(row: Row) -> str:
-    time = row.outcome.cpu_time or 0.0
-    return f"{time:.2g} s" if time >= 0.1 else f"{1000 * time:.2g} ms"
 
 
 def _level(level: float) -> str:

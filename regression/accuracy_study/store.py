@@ -32,6 +32,7 @@ class Outcome:
         failure: why it failed, or "".
         cpu_time: median processor time, s.
         cpu_times: of every repeat, s.
+        load: of the machine while it was measured, in processes; None if unknown.
     """
 
     error: float | None = None
@@ -47,6 +48,7 @@ class Outcome:
     failure: str = ""
     cpu_time: float | None = None
     cpu_times: tuple[float, ...] = ()
+    load: float | None = None
 
 
 @dataclass(frozen=True)

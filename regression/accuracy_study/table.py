@@ -16,9 +16,9 @@ from accuracy_study.study import Findings, Row, SceneFindings
 _COUNTS = ("steps", "rejected", "evaluations", "jacobians", "events")
 _NUMBERS = (
     *("tolerance", "max_step", "error", "solver_error", "geometry_error", "model_error", "floor"),
-    *("energy_rise", "penetration", "cpu_time"),
+    *("energy_rise", "penetration", "cpu_time", "load"),
 )
-CPU_COLUMNS = ("cpu_time",)
+CPU_COLUMNS = ("cpu_time", "load")
 """Columns that differ from one time to the next; all others are the same, whatever the number of processes."""
 _FIGURES = (
     "error",

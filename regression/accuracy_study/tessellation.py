@@ -1,4 +1,4 @@
-"""Round and box shapes of a descriptor as hulls or meshes of a given fineness."""
+"""Shapes of a descriptor as others: round and box shapes as hulls or meshes, meshes as convex pieces."""
 
 from __future__ import annotations
 
@@ -6,11 +6,14 @@ import math
 from typing import Final
 
 import numpy as np
+from cad2modelica.collision.convex_decomposition import decompose
+from contact_foundation.errors import SimulationError
 from fmu_regression.results.result import FloatArray
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
 _PLACE: Final = ("position", "rotation")
+_MOST_PIECES: Final = 64
 
 
 def tessellated(descriptor: str, kind: str, segments: int) -> str:
@@ -27,6 +30,39 @@ def tessellated(descriptor: str, kind: str, segments: int) -> str:
     return ";".join(_shape(shape, kind, segments) for shape in descriptor.split(";"))
 
 
+def decomposed(descriptor: str, error: float) -> str:
+    """A descriptor whose closed meshes are unions of convex pieces; all other shapes stay as they are.
+
+    Args:
+        descriptor: of a body.
+        error: what the pieces may keep of the mesh's hollows, m.
+
+    Raises:
+        SimulationError: a mesh is not closed or cannot be decomposed.
+    """
+    return ";".join(piece for shape in descriptor.split(";") for piece in _pieces(shape, error))
+
+
+def _pieces(shape: str, error: float) -> list[str]:
+    words = shape.split()
+    if words[1:2] != ["mesh"]:
+        return [shape]
+    values = dict(word.split("=", 1) for word in words[2:])
+    if "triangles" not in values:
+        return [shape]
+    vertices, number = np.unique(_numbers(values["vertices"]).reshape(-1, 3), axis=0, return_inverse=True)
+    corners = np.array(values["triangles"].split(","), dtype=np.int64) - 1
+    triangles = number.reshape(-1)[corners].reshape(-1, 3).astype(np.int64)
+    edges = {(a, b) for triangle in triangles for a, b in zip(triangle, np.roll(triangle, -1), strict=True)}
+    if any((b, a) not in edges for a, b in edges):
+        raise SimulationError("a mesh that is not closed cannot be decomposed")
+    found = decompose(vertices, triangles, error, _MOST_PIECES)
+    if not found.pieces:
+        raise SimulationError(f"a mesh cannot be decomposed: {found.failure}")
+    place = [f"{key}={values[key]}" for key in _PLACE if key in values]
+    return [" ".join([f"cmb/1 hull vertices={_list(piece)}", *place]) for piece in found.pieces]
+
+
 def _shape(shape: str, kind: str, segments: int) -> str:
     words = shape.split()
     if len(words) < 2:
@@ -36,7 +72,7 @@ def _shape(shape: str, kind: str, segments: int) -> str:
     if points is None:
         return shape
     vertices, triangles = _polyhedron(points)
-    text = f"cmb/1 {kind} vertices=" + ",".join(repr(float(x)) for x in vertices.ravel())
+    text = f"cmb/1 {kind} vertices={_list(vertices)}"
     if kind == "mesh":
         text += " triangles=" + ",".join(str(i + 1) for i in triangles.ravel())
     return " ".join([text, *(f"{key}={values[key]}" for key in _PLACE if key in values)])
@@ -95,6 +131,10 @@ def _polyhedron(points: FloatArray) -> tuple[FloatArray, NDArray[np.intp]]:
         i, j, k = (number[int(v)] for v in simplex)
         triangles.append((i, j, k) if np.dot(np.cross(b - a, c - a), equation[:3]) > 0 else (i, k, j))
     return points[kept], np.array(sorted(triangles), dtype=np.intp)
+
+
+def _list(values: FloatArray) -> str:
+    return ",".join(repr(float(x)) for x in values.ravel())
 
 
 def _numbers(text: str) -> FloatArray:

@@ -16,7 +16,7 @@ from typing import Any, Final, Protocol
 import numpy as np
 from contact_foundation.output import whole_file
 from contact_foundation.progress import Progress, silent
-from fmu_regression.compare.provenance import machine
+from fmu_regression.compare.provenance import load, machine
 
 from peer_bench.configurations import PROGRAMS, Configuration
 from peer_bench.references import error, reference
@@ -51,6 +51,7 @@ class Row:
         scene, configuration, value: what was run; value of the swept setting.
         error: None where it failed.
         cpu_times: of all repeats, s.
+        loads: of the machine at each of them, in processes; None where unknown.
         work: counts.
         failure: why it failed, or "".
     """
@@ -60,6 +61,7 @@ class Row:
     value: float
     error: float | None
     cpu_times: tuple[float, ...]
+    loads: tuple[float | None, ...]
     work: Mapping[str, float] = field(hash=False)
     failure: str
 
@@ -212,6 +214,7 @@ def _run(
     if first is not None and ("failure" in first or first["cpu_time"] > _LONG):
         return
     found = programs[name].ask(run.scene.name, run.settings, limit)
+    found["load"] = load()
     if "failure" in found:
         found["limit"] = limit  # with more time it is tried again
     with whole_file(target) as staging:
@@ -235,7 +238,7 @@ def _rows(runs: Sequence[_Run], versions: Mapping[str, str], folder: Path) -> tu
         whole = list(_until_none(kept))
         if not whole or "failure" in whole[0]:
             failure = whole[0]["failure"] if whole else "is missing"
-            rows.append(Row(run.scene, run.configuration, run.value, None, (), {}, failure))
+            rows.append(Row(run.scene, run.configuration, run.value, None, (), (), {}, failure))
             continue
         identity = (run.scene.name, run.configuration.name if run.scene.own_reference else "")
         if identity not in truths:
@@ -245,14 +248,15 @@ def _rows(runs: Sequence[_Run], versions: Mapping[str, str], folder: Path) -> tu
         deviation = None if truth is None else error(run.scene, truth, values)
         if run.scene.own_reference and run.value == min(run.configuration.values):
             continue  # it is what the others are measured against
-        times = tuple(one["cpu_time"] for one in whole if "failure" not in one)
+        timed = [one for one in whole if "failure" not in one and deviation is not None]
         rows.append(
             Row(
                 run.scene,
                 run.configuration,
                 run.value,
                 deviation,
-                times if deviation is not None else (),
+                tuple(one["cpu_time"] for one in timed),
+                tuple(one.get("load") for one in timed),
                 whole[0]["work"],
                 "" if deviation is not None else "its tightest run failed, by which it would be measured",
             )

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from fmu_regression.compare.provenance import load_text
+
 from peer_bench.bench import Findings
 from peer_bench.comparison import levels, milliseconds, most_accurate, run_text, sentences
 from peer_bench.configurations import OURS, Configuration
@@ -20,7 +22,8 @@ def markdown(findings: Findings, pictures: Path) -> str:
         pictures: folder of the pictures, relative to the page.
     """
     versions = ", ".join(f"{name} {version}" for name, version in findings.versions.items())
-    lines = [f"{len(findings.rows)} runs. Machine: {findings.machine}. Versions: {versions}.", ""]
+    lines = [f"{len(findings.rows)} runs. Machine: {findings.machine}. Versions: {versions}."]
+    lines += [load_text(load for row in findings.rows for load in row.loads), ""]
     lines += [f"{name} was not there: {why}." for name, why in findings.missing.items()]
     lines += _overview(findings)
     for scene in findings.scenes:

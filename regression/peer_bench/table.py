@@ -12,7 +12,7 @@ from peer_bench.bench import Findings
 
 _COLUMNS: Final = (
     *("scene", "program", "version", "configuration", "swept", "value", "settings"),
-    *("error", "cpu_time", "cpu_time_least", "cpu_time_most", "repeats"),
+    *("error", "cpu_time", "cpu_time_least", "cpu_time_most", "load_most", "repeats"),
 )
 _WORK: Final = ("steps", "evaluations", "jacobians", "rejected", "events")
 
@@ -27,11 +27,12 @@ def write_table(findings: Findings, target: Path) -> None:
         for row in findings.rows:
             c = row.configuration
             settings = "; ".join(f"{key}={value}" for key, value in c.settings.items())
-            times = row.cpu_times
+            times, loads = row.cpu_times, [load for load in row.loads if load is not None]
             writer.writerow(
                 [row.scene.name, c.program, findings.versions[c.program], c.label, c.swept, repr(row.value), settings]
                 + ["" if row.error is None else repr(row.error), "" if row.cpu_time is None else repr(row.cpu_time)]
-                + [repr(min(times)) if times else "", repr(max(times)) if times else "", len(times)]
+                + [repr(min(times)) if times else "", repr(max(times)) if times else ""]
+                + [repr(max(loads)) if loads else "", len(times)]
                 + [f"{row.work[key]:.0f}" if key in row.work else "" for key in _WORK]
                 + [row.failure]
             )

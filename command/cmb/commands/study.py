@@ -30,6 +30,7 @@ EXAMPLES = """examples:
   cmb study Resources/studies/quick.toml      # less than a minute
   cmb study Resources/studies/all.toml \\
     --output out/accuracy --jobs 2
+  cmb study Resources/studies/all.toml --scene gripper
 """
 
 
@@ -38,6 +39,9 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("study", type=Path, metavar="FILE", help="the study, a TOML file")
     parser.add_argument(
         "--output", type=Path, metavar="FOLDER", help="where runs are kept (out/study/ and the file's name if left out)"
+    )
+    parser.add_argument(
+        "--scene", action="append", default=[], metavar="NAME", help="this scene alone; more than once for several"
     )
     parser.add_argument(
         "--jobs", type=_jobs, default=1, metavar="N", help="worker processes (1 if left out, the most exact times)"
@@ -67,7 +71,7 @@ def run(arguments: Namespace) -> int:
 
     if arguments.parquet:
         check_parquet()
-    study = load_study(arguments.study)
+    study = load_study(arguments.study).only(arguments.scene)
     folder: Path = arguments.output or Path("out") / "study" / arguments.study.stem
     with progress_bars() as progress:
         build = partial(_build, build_options(arguments), progress)

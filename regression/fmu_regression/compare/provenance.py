@@ -1,9 +1,11 @@
-"""Where figures come from: machine and versions."""
+"""Where figures come from: machine, what else it did, and versions."""
 
 from __future__ import annotations
 
 import os
 import platform
+import statistics
+from collections.abc import Iterable
 from importlib import metadata
 
 
@@ -16,6 +18,26 @@ def machine() -> str:
     except (OSError, StopIteration):
         pass
     return f"{processor}, {os.cpu_count()} cores, {platform.system()} {platform.release()}"
+
+
+def load() -> float | None:
+    """Processes that wanted a processor in the last minute, this one among them; None where the system does not tell."""
+    try:
+        return round(os.getloadavg()[0], 2)
+    except (AttributeError, OSError):
+        return None
+
+
+def load_text(loads: Iterable[float | None]) -> str:
+    """At which load times were measured, as a sentence; "" where nothing is known of it."""
+    known = [value for value in loads if value is not None]
+    if not known:
+        return ""
+    least, median, most = min(known), statistics.median(known), max(known)
+    text = f"Times were measured at a load of {least:.1f} to {most:.1f}, {median:.1f} in the median"
+    if most > (os.cpu_count() or 1):
+        return f"{text}: beside other work, which lengthens them."
+    return f"{text}."
 
 
 def versions(generation_tool: str) -> dict[str, str]:

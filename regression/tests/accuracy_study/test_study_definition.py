@@ -12,6 +12,7 @@ from accuracy_study.grid import base_geometry, base_variant, runs, variants
 from accuracy_study.knobs import BACKENDS, FRICTIONS, LAWS
 from contact_foundation.errors import CmbError, InputError
 
+STUDIES = Path(__file__).parents[3] / "Resources" / "studies"
 TYPES = Path(__file__).parents[3] / "ContactMultiBody" / "Types"
 
 GOOD = """\
@@ -76,6 +77,20 @@ def test_a_scene_names_geometries_of_its_own(tmp_path):
     assert ball.knobs["geometry"] == ("as modelled", "fine", "hull 8")
 
 
+@pytest.mark.parametrize("path", sorted(STUDIES.glob("*.toml")), ids=lambda path: path.stem)
+def test_studies_of_the_project_are_read(path):
+    study = load_study(path)
+    assert all(scene.sources or scene.model.startswith("ContactMultiBody.") for scene in study.scenes)
+
+
+def test_a_study_of_some_scenes_alone(tmp_path):
+    study = load_study(written(tmp_path, GOOD.format(grid="full")))
+    assert [scene.name for scene in study.only(["second"]).scenes] == ["second"]
+    assert study.only([]) == study
+    with pytest.raises(InputError, match=r"(?s)has no scene 'third'.*It has: Ball, second"):
+        study.only(["second", "third"])
+
+
 def test_one_knob_at_a_time(tmp_path):
     study = load_study(written(tmp_path, GOOD.format(grid="one at a time")))
     ball, block = study.scenes
@@ -106,6 +121,7 @@ def test_one_knob_at_a_time(tmp_path):
         (('["me", "cs"]', '["rk4"]'), "knobs.solver: 'rk4' is none of me, cs"),
         (('["None", "Anchored"]', '["Coulomb"]'), "scene[2].knobs.friction: 'Coulomb' is none of None"),
         (("points = [4, 1]", 'geometry = ["hull 2"]'), "knobs.geometry: 'hull 2' must have 4 to 256 segments"),
+        (("points = [4, 1]", 'geometry = ["pieces 0"]'), "knobs.geometry: 'pieces 0' must have an error above 0"),
         (("points = [4, 1]", 'geometry = ["sphere"]'), "knobs.geometry: 'sphere' is none of"),
         (
             ('model = "Library.Ball"', 'model = "A"\ngeometries = { fine = 3 }'),

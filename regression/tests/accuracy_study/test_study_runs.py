@@ -17,7 +17,7 @@ from xml.etree import ElementTree
 
 import pytest
 from accuracy_study.definition import load_study
-from accuracy_study.markdown import markdown
+from accuracy_study.markdown import index_page, scene_page
 from accuracy_study.page import write_page
 from accuracy_study.picture import write_pictures
 from accuracy_study.sentences import study_sentences
@@ -131,10 +131,16 @@ def test_sentences_page_and_pictures(clean):
     assert page.count("Order of convergence") == 2
     written = write_pictures(findings, folder / "pictures")
     assert [path.name for path in written] == ["bounces.svg", "fails.svg"]
-    text = markdown(findings, Path("images"))
-    assert "## Bounces\n\n`BouncingMass`, measured against: known in closed form: free fall." in text
-    assert "](images/fails.svg)" in text
+    text, failing = (scene_page(findings, found, Path("images")) for found in findings.scenes)
+    assert "`BouncingMass`, measured against: known in closed form: free fall." in text
+    assert "](images/bounces.svg)" in text
     assert "| e 0.6 | 0.0e+00 | 3.0e-01 | " in text
+    assert "12 runs. Machine: " in text
+    assert "Times were measured at a load of " in text
+    assert "6 of 12 runs failed" in failing
+    index = index_page([found.scene for found in findings.scenes], Path("pages"), Path("images"))
+    assert "[Fails](pages/fails.md)" in index
+    assert "](images/bounces.svg)" in index
     drawing = ElementTree.parse(written[0])
     marks = [e for e in drawing.iter() if e.find("{http://www.w3.org/2000/svg}title") is not None]
     assert len(marks) == 12

@@ -6,7 +6,9 @@ import math
 
 import numpy as np
 import pytest
-from accuracy_study.tessellation import tessellated
+from accuracy_study.tessellation import decomposed, tessellated
+from contact_foundation.errors import SimulationError
+from scipy.spatial import ConvexHull
 
 
 def read(descriptor: str) -> tuple[str, np.ndarray, np.ndarray | None, dict[str, str]]:
@@ -58,3 +60,32 @@ def test_place_is_kept_and_other_shapes_stay():
     assert plane == "cmb/1 halfspace"
     mesh = "cmb/1 mesh vertices=0,0,0 triangles=1,1,1"
     assert tessellated(mesh, "hull", 12) == mesh
+
+
+def bracket() -> str:
+    """A prism over an L of area 3 and height 1, as a closed mesh, moved by 5."""
+    corners = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+    vertices = [x for z in (0, 1) for a, b in corners for x in (a, b, z)]
+    cap = [(0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 5)]
+    walls = [t for i in range(6) for j in [(i + 1) % 6] for t in ((i, j, j + 6), (i, j + 6, i + 6))]
+    triangles = [(a, c, b) for a, b, c in cap] + [(a + 6, b + 6, c + 6) for a, b, c in cap] + walls
+    numbers = ",".join(str(i + 1) for t in triangles for i in t)
+    return f"cmb/1 mesh vertices={','.join(map(str, vertices))} triangles={numbers} position=5,0,0"
+
+
+def test_closed_meshes_become_convex_pieces_that_fill_them():
+    *pieces, ball = decomposed(f"{bracket()};cmb/1 sphere radius=1", 0.01).split(";")
+    assert ball == "cmb/1 sphere radius=1"
+    assert len(pieces) >= 2
+    volume = 0.0
+    for piece in pieces:
+        kind, vertices, _, rest = read(piece)
+        assert (kind, rest) == ("hull", {"position": "5,0,0"})
+        volume += ConvexHull(vertices).volume
+    assert volume == pytest.approx(3.0, rel=0.01)
+    assert len(decomposed(bracket(), 10.0).split(";")) == 1
+
+
+def test_a_mesh_without_inside_is_refused():
+    with pytest.raises(SimulationError, match="cannot be decomposed"):
+        decomposed("cmb/1 mesh vertices=0,0,0,1,0,0,0,1,0 triangles=1,2,3", 0.01)

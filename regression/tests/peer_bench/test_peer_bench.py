@@ -190,10 +190,12 @@ def test_runs_are_kept_and_failures_told(tmp_path: Path):
     write_table(findings, tmp_path / "table.csv")
     rows = list(csv.DictReader((tmp_path / "table.csv").open(encoding="utf-8")))
     assert len(rows) == len(findings.rows) == 6
+    assert all(float(row["load_most"]) >= 0 for row in rows if not row["failure"])
     assert [row["failure"] for row in rows if row["failure"]] == ["ArithmeticError: no"]
     write_page(findings, tmp_path / "page.html")
     assert "Bullet was not there" in (tmp_path / "page.html").read_text(encoding="utf-8")
     text = markdown(findings, Path("images"))
+    assert "Times were measured at a load of " in text
     assert f"images/{file_name(BLOCK)}.svg" in text
     assert "1 of 1: ArithmeticError: no" in text
     write_pictures(findings, tmp_path)
