@@ -21,7 +21,7 @@ def machine() -> str:
 
 
 def load() -> float | None:
-    """Processes that wanted a processor in the last minute, this one among them; None where the system does not tell."""
+    """Processes that wanted a processor in the last minute, this one too; None where the system does not tell."""
     try:
         return round(os.getloadavg()[0], 2)
     except (AttributeError, OSError):
