@@ -1,10 +1,14 @@
-"""What all tests share: their order, and a cache, so that what one test has built the others find."""
+"""What all tests share: their order, a cache, so that what one test has built the others find, and FMUs by hand."""
 
 from __future__ import annotations
 
 import os
+import subprocess
+import zipfile
+from collections.abc import Callable
 from pathlib import Path
 
+import fmpy
 import pytest
 from contact_foundation.cache import user_cache
 
@@ -50,3 +54,22 @@ def cache_home(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def fmu_cache(cache_home: Path) -> Path:
     """``BuildOptions.cache`` of such tests as are not about building itself; the program finds it there too."""
     return user_cache("fmu", {"XDG_CACHE_HOME": str(cache_home)})
+
+
+@pytest.fixture(scope="session")
+def hand_written_fmu(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Path], Path]:
+    """Makes an FMU of FMI 2.0 from a C file and the description beside it (.xml), of the same name."""
+    common = Path(__file__).parent / "regression" / "tests" / "fixtures"  # fmi2_common.h
+    includes = [f"-I{folder}" for folder in (Path(fmpy.__file__).parent / "c-code", common)]
+
+    def make(source: Path) -> Path:
+        target = tmp_path_factory.mktemp("fmu") / f"{source.stem}.fmu"
+        library = target.with_suffix(".so")
+        options = ["-std=c11", "-D_GNU_SOURCE", "-O1", "-shared", "-fPIC", *includes]
+        subprocess.run(["gcc", *options, "-o", library, source, "-lm"], check=True)
+        with zipfile.ZipFile(target, "w") as archive:
+            archive.write(source.with_suffix(".xml"), "modelDescription.xml")
+            archive.write(library, f"binaries/{fmpy.platform}/{library.name}")
+        return target
+
+    return make

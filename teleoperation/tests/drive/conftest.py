@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import subprocess
-import zipfile
+from collections.abc import Callable
 from pathlib import Path
 
-import fmpy
 import pytest
 from fmu_regression.fmi.fmu import read_description
 from interactive_drive.machine.controls import choose_controls
@@ -19,20 +17,9 @@ SIGNALS = ("x", "v", "force", "damping", "pause")
 
 
 @pytest.fixture(scope="session")
-def pushed_mass(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def pushed_mass(hand_written_fmu: Callable[[Path], Path]) -> Path:
     """An FMU of a mass of 1 kg: input force, tunable damping (1 kg/s)."""
-    folder = tmp_path_factory.mktemp("fmu")
-    library, headers = folder / "pushed_mass.so", Path(fmpy.__file__).parent / "c-code"
-    source = FIXTURES / "pushed_mass.c"
-    subprocess.run(
-        ["gcc", "-std=c11", "-D_GNU_SOURCE", "-O1", "-shared", "-fPIC", f"-I{headers}", "-o", library, source, "-lm"],
-        check=True,
-    )
-    target = folder / "pushed_mass.fmu"
-    with zipfile.ZipFile(target, "w") as archive:
-        archive.write(FIXTURES / "pushed_mass.xml", "modelDescription.xml")
-        archive.write(library, f"binaries/{fmpy.platform}/pushed_mass.so")
-    return target
+    return hand_written_fmu(FIXTURES / "pushed_mass.c")
 
 
 @pytest.fixture
