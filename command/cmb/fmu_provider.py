@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 
 from contact_data import modelica_library
@@ -13,7 +14,7 @@ from modelica2fmu.library.standard_library import CORE_SUBSET, find_standard_lib
 
 
 class FmuProvider:
-    """Builds the FMU of a case's model, each model once.
+    """Builds the FMU of a case's model, each model once; picklable if its progress is.
 
     Args:
         folder: where the FMUs go.
@@ -36,7 +37,8 @@ class FmuProvider:
         assert case.package is not None, "a case without an FMU names a package"
         key = (case.model, case.package)
         if key not in self._built:
-            output = self._folder / f"{len(self._built):03d}-{case.model}.fmu"
+            mark = hashlib.sha256(str(case.package).encode()).hexdigest()[:8]
+            output = self._folder / f"{case.model}-{mark}.fmu"
             sources = tuple(dict.fromkeys([case.package, *case.sources, modelica_library()]))
             build_fmu(case.model, sources, output, self._options, self._progress)
             self._built[key] = output

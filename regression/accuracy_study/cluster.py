@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from contact_foundation.errors import CmbError, InputError, Place
-
-from accuracy_study.workers import Lost, Task
+from fmu_regression.simulate.workers import Lost, Task
 
 _TRIES: Final = 3
 _PATIENCE: Final = 20.0

@@ -14,6 +14,7 @@ from contact_foundation.progress import Progress, silent
 from fmu_regression.compare.provenance import machine, versions
 from fmu_regression.compare.trajectory_error import convergence_order
 from fmu_regression.fmi.fmu import Mode
+from fmu_regression.simulate.workers import Lost, Task, carry_out
 
 from accuracy_study.answers import GivenTrajectory
 from accuracy_study.attribution import VariantErrors, attribute
@@ -23,7 +24,6 @@ from accuracy_study.grid import Run, Variant, base_variant, runs, variants
 from accuracy_study.run import Experiment, RunTask, TightTask, first_line
 from accuracy_study.scene_models import Builder, SceneModels
 from accuracy_study.store import Outcome, Store
-from accuracy_study.workers import Lost, Task, carry_out
 
 _TIGHTER = 1000.0
 _TIGHTEST = 1e-12

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Final
 
 from accuracy_study.store import Store
-from accuracy_study.workers import carry_out
 from contact_foundation.progress import Progress, silent
+from fmu_regression.simulate.workers import carry_out
 
 from hard_cases.expectation import expect
 from hard_cases.knobs import RUNS_PER_STRUCTURE, hard_case

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from cmb.build_arguments import add_build_arguments, build_options
+from cmb.jobs_argument import add_jobs_argument
 from cmb.modelica_sources import find_sources
 from cmb.terminal import progress_bars
 
@@ -38,7 +38,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--runs", type=_runs, default=1000, metavar="N", help="number of runs (1000 if left out)")
     parser.add_argument("--first", type=_seed, default=0, metavar="SEED", help="first seed (0 if left out)")
     parser.add_argument("--output", type=Path, default=Path("out") / "hard", metavar="FOLDER", help="(out/hard)")
-    parser.add_argument("--jobs", type=_jobs, default=1, metavar="N", help="worker processes (1 if left out)")
+    add_jobs_argument(parser)
     parser.add_argument(
         "--cpu-limit",
         type=_limit,
@@ -92,13 +92,6 @@ def _runs(text: str) -> int:
 def _seed(text: str) -> int:
     if not text.isdecimal():
         raise ArgumentTypeError(f"{text!r} is not a seed, a whole number from 0")
-    return int(text)
-
-
-def _jobs(text: str) -> int:
-    most = 4 * (os.cpu_count() or 1)
-    if not text.isdecimal() or not 1 <= int(text) <= most:
-        raise ArgumentTypeError(f"{text!r} is not a number of processes from 1 to {most}")
     return int(text)
 
 

@@ -9,9 +9,11 @@ from pathlib import Path
 from contact_data import regression_cases
 from contact_foundation.errors import EXIT_FAILURE, InputError
 from contact_foundation.output import check_file
+from contact_foundation.progress import silent
 
 from cmb.build_arguments import add_build_arguments, build_options
 from cmb.input_file import check_input
+from cmb.jobs_argument import add_jobs_argument
 from cmb.terminal import progress_bars
 
 NAME = "regress"
@@ -21,7 +23,7 @@ DESCRIPTION = (
     "The exit status is 1 if any case fails."
 )
 EXAMPLES = """examples:
-  cmb regress
+  cmb regress --jobs 2
   cmb regress regression/cases/reference --output out/regression.html
   cmb regress regression/cases/library --fmi 3
   cmb regress mycases --junit regression.xml
@@ -36,6 +38,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--output", type=Path, metavar="HTML", help="also write a page with plots")
     parser.add_argument("--junit", type=Path, metavar="XML", help="also write JUnit XML")
     parser.add_argument("--time-limit", type=float, metavar="S", help="wall time for each simulation in s")
+    add_jobs_argument(parser)
     add_build_arguments(parser)
 
 
@@ -54,8 +57,12 @@ def run(arguments: Namespace) -> int:
     from cmb.fmu_provider import FmuProvider
 
     with tempfile.TemporaryDirectory(prefix="cmb-regress-") as folder, progress_bars() as progress:
-        provider = FmuProvider(Path(folder), build_options(arguments), progress)
-        results = run_cases(folder_of_cases, provider, time_limit=arguments.time_limit, progress=progress)
+        # Worker processes have no terminal: they report their cases alone.
+        builds = progress if arguments.jobs == 1 else silent
+        provider = FmuProvider(Path(folder), build_options(arguments), builds)
+        results = run_cases(
+            folder_of_cases, provider, time_limit=arguments.time_limit, jobs=arguments.jobs, progress=progress
+        )
     print(text_table(results))
     if arguments.output is not None:
         write_summary(results, arguments.output)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import os
-from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
@@ -13,6 +12,7 @@ from contact_foundation.progress import Progress
 
 from cmb.build_arguments import add_build_arguments, build_options
 from cmb.input_file import check_input
+from cmb.jobs_argument import add_jobs_argument
 from cmb.modelica_sources import find_sources
 from cmb.terminal import progress_bars
 
@@ -43,9 +43,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--scene", action="append", default=[], metavar="NAME", help="this scene alone; more than once for several"
     )
-    parser.add_argument(
-        "--jobs", type=_jobs, default=1, metavar="N", help="worker processes (1 if left out, the most exact times)"
-    )
+    add_jobs_argument(parser, "the most exact times")
     parser.add_argument(
         "--scheduler",
         default="",
@@ -90,10 +88,3 @@ def _build(options: BuildOptions, progress: Progress, model: str, sources: Seque
     from modelica2fmu.build import build_fmu
 
     build_fmu(model, find_sources(model, sources), fmu, options, progress)
-
-
-def _jobs(text: str) -> int:
-    most = 4 * (os.cpu_count() or 1)
-    if not text.isdecimal() or not 1 <= int(text) <= most:
-        raise ArgumentTypeError(f"{text!r} is not a number of processes from 1 to {most}")
-    return int(text)

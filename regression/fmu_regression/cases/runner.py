@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+import pickle
+import tempfile
+import time as clock
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 
 from contact_foundation.errors import CmbError
+from contact_foundation.output import whole_file
 from contact_foundation.progress import Progress, silent
 
 from fmu_regression.cases.case import Case, find_cases, load_case
@@ -16,6 +20,7 @@ from fmu_regression.compare.comparison import evaluate
 from fmu_regression.fmi.fmu import Mode
 from fmu_regression.results.result import SimulationResult, read_csv
 from fmu_regression.simulate.simulation import simulate
+from fmu_regression.simulate.workers import carry_out
 
 
 class Verdict(Enum):
@@ -116,6 +121,7 @@ def run_cases(
     provide: FmuProvider,
     *,
     time_limit: float | None = None,
+    jobs: int = 1,
     progress: Progress = silent,
 ) -> tuple[CaseResult, ...]:
     """Runs all cases below a folder, in the order of their paths.
@@ -123,20 +129,76 @@ def run_cases(
     Args:
         folder: holds the TOML files.
         provide: gives the FMU of a case, or says why it is skipped; a CmbError that it raises is the case's outcome.
+            With several processes it must be picklable.
         time_limit: wall time in s for each simulation.
-        progress: receives the phase "cases" and those of ``simulate``.
+        jobs: processes; with several, the cases of one that is killed are repeated.
+        progress: receives the phase "cases" and, with one process, those of ``simulate``.
 
     Raises:
         InputError: there is no such folder or it holds no case.
     """
     paths = find_cases(folder)
+    names = [path.relative_to(folder).with_suffix("").as_posix() for path in paths]
+    if jobs > 1 and len(paths) > 1:
+        return _in_processes(paths, names, provide, time_limit, jobs, progress)
     results = []
-    for k, path in enumerate(paths):
-        name = path.relative_to(folder).with_suffix("").as_posix()
+    for k, (path, name) in enumerate(zip(paths, names, strict=True)):
         progress("cases", k / len(paths), name)
         results.append(_run_file(path, name, provide, time_limit, progress))
     progress("cases", 1.0)
     return tuple(results)
+
+
+@dataclass(frozen=True)
+class _CaseTask:
+    """Runs a case in a worker process and leaves its result in a file."""
+
+    path: Path
+    name: str
+    provide: FmuProvider
+    time_limit: float | None
+    target: Path
+
+    def __call__(self) -> None:
+        result = _run_file(self.path, self.name, self.provide, self.time_limit, silent)
+        with whole_file(self.target) as staging:
+            staging.write_bytes(pickle.dumps(replace(result, case=None)))
+
+    def result(self) -> CaseResult:
+        """What it left, with the case, which is read again, as a case's mappings are not picklable."""
+        left: CaseResult = pickle.loads(self.target.read_bytes())
+        try:
+            return replace(left, case=load_case(self.path))
+        except CmbError:
+            return left  # whose error says so
+
+
+def _in_processes(
+    paths: Sequence[Path],
+    names: Sequence[str],
+    provide: FmuProvider,
+    time_limit: float | None,
+    jobs: int,
+    progress: Progress,
+) -> tuple[CaseResult, ...]:
+    began = clock.monotonic()
+
+    def done(count: int) -> None:
+        left = (clock.monotonic() - began) / count * (len(paths) - count)
+        progress("cases", count / len(paths), f"{count} of {len(paths)}, {left:.0f} s left")
+
+    with tempfile.TemporaryDirectory(prefix="cmb-cases-") as folder:
+        tasks = [
+            _CaseTask(path, name, provide, time_limit, Path(folder) / f"{k}.pickle")
+            for k, (path, name) in enumerate(zip(paths, names, strict=True))
+        ]
+        lost = {entry.number: entry.cause for entry in carry_out(tasks, min(jobs, len(tasks)), done)}
+        return tuple(
+            CaseResult(task.name, None, error=f"its process was ended again and again: {lost[k]}")
+            if k in lost
+            else task.result()
+            for k, task in enumerate(tasks)
+        )
 
 
 def _run_file(path: Path, name: str, provide: FmuProvider, time_limit: float | None, progress: Progress) -> CaseResult:

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 from accuracy_study.cluster import carry_out_on_cluster
-from accuracy_study.workers import carry_out
 from contact_foundation.errors import InputError
+from fmu_regression.simulate.workers import carry_out
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import os
+import signal
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -98,6 +100,41 @@ def test_verdicts_and_summaries(cases: Path, tmp_path: Path, bouncing_mass: Path
     assert "A &lt;mass&gt; &amp; more" in text
     write_summary(results, tmp_path / "again.html")
     assert (tmp_path / "again.html").read_text() == text
+
+
+@dataclass(frozen=True)
+class Provider:
+    """Gives an FMU; the process of a case whose name is ``deadly`` is killed, the first time only or each time."""
+
+    fmu: Path
+    deadly: str = ""
+    marks: Path | None = None
+
+    def __call__(self, case: Case) -> Path | Skip:
+        if case.name == self.deadly:
+            mark = self.marks / "killed" if self.marks else None
+            if mark is None or not mark.exists():
+                if mark is not None:
+                    mark.touch()
+                os.kill(os.getpid(), signal.SIGKILL)
+        return Skip("not here") if case.requires else self.fmu
+
+
+def test_processes_give_the_same_results_in_the_same_order(cases: Path, tmp_path: Path, bouncing_mass: Path) -> None:
+    heard: list[str] = []
+    alone = run_cases(cases, Provider(bouncing_mass))
+    together = run_cases(
+        cases,
+        Provider(bouncing_mass, "right", tmp_path),
+        jobs=2,
+        progress=lambda _phase, _fraction, message="": heard.append(message),
+    )
+    assert (tmp_path / "killed").exists()
+    assert [text_table([result]) for result in together] == [text_table([result]) for result in alone]
+    assert heard[-1].startswith("6 of 6, 0 s left")
+    lost = next(r for r in run_cases(cases, Provider(bouncing_mass, "right"), jobs=2) if "right" in r.name)
+    assert lost.verdict is Verdict.ERROR
+    assert "ended again and again: signal SIGKILL" in lost.error
 
 
 def test_names_that_are_no_text_and_messages_with_any_character(tmp_path: Path) -> None:
