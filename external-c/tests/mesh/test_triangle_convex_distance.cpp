@@ -1,10 +1,15 @@
-// Distance of a triangle and a round body.
+// Distance of a triangle and a round body, and which wedges such a body may reach.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
+#include "mesh/contact/mesh_contact.hpp"
 #include "mesh/contact/triangle_convex_distance.hpp"
+#include "mesh/core/triangle_wedge.hpp"
+#include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
 namespace {
@@ -89,6 +94,68 @@ TEST(ConvexGap, FlatTetrahedraDoNotMakeBodiesMeet) {
       EXPECT_NEAR(gap.distance, 2.0993695676682222e-06, 1.5e-7) << e << ' ' << turn;
     }
   }
+}
+
+// Balls about places of a wedge, drawn from a large box cut by the wedge's planes, meet its hull; those well outside do not.
+TEST(WedgeHull, HoldsWhatLiesInTheWedge) {
+  random_bodies::Random random(7);
+  double xs[] = {0, 2, 2, 1, 1, 0}, ys[] = {0, 0, 1, 1, 2, 2};
+  const TriangleMesh meshes[] = {mesh_samples::mesh(mesh_samples::sphere_mesh(0.5, 2)),
+                                 mesh_samples::mesh(mesh_samples::box_mesh({0.6, 0.8, 1.0}, 2)),
+                                 mesh_samples::mesh(mesh_samples::angle_prism(xs, ys, 0.0, 1.0))};
+  int within = 0, parted = 0;
+  std::vector<Vec3> polygon, room;
+  for (const TriangleMesh &mesh : meshes) {
+    for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
+      const TriangleWedge wedge(mesh, t, 0.4);
+      Vec3 corner[6];
+      if (!wedge.hull(corner)) continue;
+      for (int k = 0; k < 40; ++k) {
+        const Vec3 u = random.direction(), v = normalized(cross(u, random.direction())), w = cross(u, v);
+        const Vec3 middle = mesh.corner(t, 0) + random.uniform(0.0, 0.5) * random.direction();
+        polygon = {middle + 9.0 * v, middle + 9.0 * w, middle - 9.0 * v, middle - 9.0 * w};
+        wedge.clip(polygon, room);
+        for (const Vec3 &p : polygon) {
+          ++within;
+          EXPECT_FALSE(are_parted(corner, make_ellipsoid({1e-6, 1e-6, 1e-6}), {Mat3{}, p})) << t;
+        }
+        const Vec3 outside = mesh.corner(t, 0) + random.uniform(0.01, 1.0) * mesh.face_normal(t);
+        parted += are_parted(corner, make_ellipsoid({1e-6, 1e-6, 1e-6}), {Mat3{}, outside});
+      }
+    }
+  }
+  EXPECT_GT(within, 10000);
+  EXPECT_GT(parted, 10000);
+}
+
+// A body apart from a mesh is as far as from the nearest of all its triangles.
+TEST(ApartFromMesh, NoTriangleIsNearer) {
+  random_bodies::Random random(3);
+  double xs[] = {0, 2, 2, 1, 1, 0}, ys[] = {0, 0, 1, 1, 2, 2};
+  const TriangleMesh meshes[] = {mesh_samples::mesh(mesh_samples::sphere_mesh(0.5, 3)),
+                                 mesh_samples::mesh(mesh_samples::box_mesh({0.6, 0.8, 1.0}, 4)),
+                                 mesh_samples::mesh(mesh_samples::angle_prism(xs, ys, 0.0, 1.0))};
+  MeshContactScratch scratch;
+  int apart = 0;
+  for (int k = 0; k < 360; ++k) {
+    const TriangleMesh &mesh = meshes[k % 3];
+    const ConvexBody &body = bodies[(k / 3) % 3];
+    const Pose pose{random_bodies::random_rotation(random), random.uniform(0.0, 2.5) * random.direction()};
+    cmb::ContactSet contact;
+    smooth_contact(body, pose, mesh, {}, scratch, contact);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
+      least = std::fmin(least, triangle_convex_gap(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), body, pose, least).distance);
+    }
+    if (!(least > 0.0) || (mesh.nearest(pose.translation).distance < 0.0)) {
+      EXPECT_LE(contact.distance, 0.0) << k;
+      continue;
+    }
+    ++apart;
+    EXPECT_NEAR(contact.distance, least, 1e-7) << k;
+    EXPECT_TRUE(contact.points.empty()) << k;
+  }
+  EXPECT_GT(apart, 150);
 }
 
 }  // namespace

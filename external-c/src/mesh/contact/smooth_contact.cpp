@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "math/pose_algebra.hpp"
@@ -32,8 +33,11 @@ class SmoothQuery {
 
   void run() {
     const Vec3 center = 0.5 * (box_.low + box_.high);
+    const NearestPoint nearest = mesh_.nearest(center);
+    // A body that no triangle meets touches only what its middle is in, or nothing.
+    if (!(nearest.distance < 0.0 && mesh_.closed()) && apart(nearest.triangle)) return;
     // No place of the body is deeper than this; what pushes it lies within twice that.
-    const double deepest = size_ - mesh_.nearest(center).distance;
+    const double deepest = size_ - nearest.distance;
     PatchLoad load(mesh_, pose_, center, scratch_.patch);
     if (deepest > 0.0) {
       const double farthest = std::fmin(size_, 2.0 * deepest);
@@ -44,7 +48,7 @@ class SmoothQuery {
     if (load.touches()) load.finish(result_);
     const double carried =
         mesh_.closed() ? total_load(result_.points, begin) : limit_by_sections(sectioned_, mesh_, begin, result_);
-    if (!complete_contact(sectioned_, mesh_, pose_, carried, result_)) apart();
+    if (!complete_contact(sectioned_, mesh_, pose_, carried, result_)) apart(nearest.triangle);
   }
 
  private:
@@ -53,6 +57,9 @@ class SmoothQuery {
     if (!(sectioned_.reach(-normal) + dot(normal, mesh_.corner(t, 0)) > 0.0)) return;
     TriangleWedge wedge;
     if (!wedge.build_if_it_meets(mesh_, t, size_, 0.5 * (box_.low + box_.high), size_)) return;
+    if (!wedge.may_be_reached([this](const Vec3 &d) { return sectioned_.reach(d); })) return;
+    Vec3 corner[6];
+    if (wedge.hull(corner) && are_parted(corner, body_, place_)) return;
     const Vec3 local = transposed_times(place_.rotation, normal);
     Facets &facets = scratch_.facets;
     const double factor = facets_below(body_, local, wedge.depth(place_.translation), facets);
@@ -66,16 +73,27 @@ class SmoothQuery {
     }
   }
 
-  void apart() {
+  // Whether no triangle meets the body; sets distance, normal and witness then. The search begins with triangle `first`.
+  bool apart(std::uint32_t first) {
     NearestTriangle nearest(mesh_);
+    Vec3 towards;  // from the body to the nearest triangle so far: most others are farther in this direction alone
+    double reach = 0.0;
+    const auto offer = [&](std::uint32_t t) {
+      const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
+      const double enough = nearest.distance();
+      if (std::min({dot(towards, a), dot(towards, b), dot(towards, c)}) - reach > enough) return;
+      if (!nearest.offer(triangle_convex_gap(a, b, c, body_, place_, enough), t)) return;
+      towards = -nearest.direction();
+      reach = sectioned_.reach(towards);
+    };
+    offer(first);
     mesh_.hierarchy().visit_near(
-        box_, [&] { return nearest.distance() * nearest.distance(); },
+        box_, [&] { return nearest.distance() > 0.0 ? nearest.distance() * nearest.distance() : -1.0; },
         [&](std::uint32_t t) {
-          nearest.offer(triangle_convex_gap(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), body_, place_,
-                                            nearest.distance()),
-                        t);
+          if (nearest.distance() > 0.0) offer(t);
         });
     nearest.write(pose_, result_);
+    return nearest.distance() > 0.0;
   }
 
   const convex::ConvexBody &body_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "math/pi.hpp"
 
@@ -94,41 +95,54 @@ double ellipsoid_cap(const Vec3 &axes, const Vec3 &down, double level, Facets &f
   return load > 0.0 ? depth * area / load : 1.0;
 }
 
-void round_solid(double lower_radius, double upper_radius, double half, const Vec3 &down, double level,
-                 Facets &facets) {
-  const double slope = std::hypot(down.x, down.y);
-  const Vec3 e1 = slope > 0.0 ? Vec3{down.x / slope, down.y / slope, 0.0} : Vec3{1.0, 0.0, 0.0};
-  const Vec3 e2{-e1.y, e1.x, 0.0};
-  std::vector<double> &angles = facets.angles;
-  angles.clear();
-  for (int k = 0; k <= fixed_angles; ++k) angles.push_back(pi * (2.0 * k / fixed_angles - 1.0));
+// From the lowest line of a cylinder or cone: what is as far on its other side has the opposite sine.
+void collect_lines(double lower_radius, double upper_radius, double half, double slope, const Vec3 &down, double level,
+                   std::vector<Facets::Line> &lines) {
+  lines.clear();
+  for (int k = 0; k <= fixed_angles / 2; ++k) lines.push_back({2.0 * pi * k / fixed_angles, 0.0, 0.0});
   // From the lowest line of a rim to where the plane cuts it; of an apex, which has no rim, to where it would cut the base's
   // that deep.
   const auto add_rim = [&](double radius, double z) {
     const double deep = radius * slope - (level - down.z * z), steep = (radius > 0.0 ? radius : lower_radius) * slope;
     if (!(deep > 0.0)) return;
     const double end = deep < 2.0 * steep ? angle_of_sagitta(deep / steep) : pi;
-    for (int k = 1; k <= fine_angles; ++k) {
-      angles.push_back(end * k / fine_angles);
-      angles.push_back(-end * k / fine_angles);
-    }
+    for (int k = 1; k <= fine_angles; ++k) lines.push_back({end * k / fine_angles, 0.0, 0.0});
   };
   add_rim(lower_radius, -half);
   add_rim(upper_radius, half);
-  std::sort(angles.begin(), angles.end());
+  std::sort(lines.begin(), lines.end(), [](const Facets::Line &x, const Facets::Line &y) { return x.angle < y.angle; });
+  for (Facets::Line &line : lines) line.cosine = std::cos(line.angle), line.sine = std::sin(line.angle);
+}
+
+void round_solid(double lower_radius, double upper_radius, double half, const Vec3 &down, double level,
+                 Facets &facets) {
+  const double slope = std::hypot(down.x, down.y);
+  const Vec3 e1 = slope > 0.0 ? Vec3{down.x / slope, down.y / slope, 0.0} : Vec3{1.0, 0.0, 0.0};
+  const Vec3 e2{-e1.y, e1.x, 0.0};
+  collect_lines(lower_radius, upper_radius, half, slope, down, level, facets.lines);
+  const auto count = static_cast<std::ptrdiff_t>(facets.lines.size());
   Builder builder(facets);
-  const auto rim = [&](double radius, double z, double angle) {
-    return (radius * std::cos(angle)) * e1 + (radius * std::sin(angle)) * e2 + Vec3{0.0, 0.0, z};
+  // Lines are numbered from the highest one round the lowest one, 0, to the highest one again.
+  const auto rim = [&](double radius, double z, std::ptrdiff_t i) {
+    const Facets::Line &line = facets.lines[static_cast<std::size_t>(std::abs(i))];
+    return (radius * line.cosine) * e1 + (radius * (i < 0 ? -line.sine : line.sine)) * e2 + Vec3{0.0, 0.0, z};
   };
-  for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
-    builder.corner(rim(lower_radius, -half, angles[i]));
-    builder.corner(rim(lower_radius, -half, angles[i + 1]));
-    builder.corner(rim(upper_radius, half, angles[i + 1]));
-    if (upper_radius > 0.0) builder.corner(rim(upper_radius, half, angles[i]));
+  // How deep the lower end of a line's place is; lines rise from the lowest one on.
+  const auto is_below = [&](double radius, double z, std::ptrdiff_t i) {
+    return radius * slope * facets.lines[static_cast<std::size_t>(std::abs(i))].cosine + down.z * z >= level;
+  };
+  for (std::ptrdiff_t i = 1 - count; i + 1 < count; ++i) {
+    const std::ptrdiff_t lowest = i < 0 ? i + 1 : i;
+    if (!is_below(lower_radius, -half, lowest) && !is_below(upper_radius, half, lowest)) continue;
+    builder.corner(rim(lower_radius, -half, i));
+    builder.corner(rim(lower_radius, -half, i + 1));
+    builder.corner(rim(upper_radius, half, i + 1));
+    if (upper_radius > 0.0) builder.corner(rim(upper_radius, half, i));
     builder.close({0.0, 0.0, -half});
   }
   const auto disc = [&](double radius, double z) {
-    for (std::size_t i = 0; i + 1 < angles.size(); ++i) builder.corner(rim(radius, z, angles[i]));
+    if (!is_below(radius, z, 0)) return;
+    for (std::ptrdiff_t i = 1 - count; i + 1 < count; ++i) builder.corner(rim(radius, z, i));
     builder.close({});
   };
   disc(lower_radius, -half);

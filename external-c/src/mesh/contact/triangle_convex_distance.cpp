@@ -13,7 +13,7 @@ namespace {
 constexpr int most_steps = 200;
 constexpr double tolerance = 1e-10;
 
-// A point of (triangle - body) and where it comes from.
+// A point of (corners - body) and where it comes from.
 struct Difference {
   Vec3 w, on_triangle, on_body;
 };
@@ -74,13 +74,19 @@ bool holds_origin(const Difference *s) {
   return true;
 }
 
-}  // namespace
-
-TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::ConvexBody &body,
-                                const Pose &body_in_mesh, double enough) {
+// Of the convex hull of some corners; see triangle_convex_gap. `lower` receives a bound that the last direction proves.
+template <std::size_t corner_count>
+TriangleGap hull_convex_gap(const Vec3 (&corner)[corner_count], const convex::ConvexBody &body, const Pose &body_in_mesh,
+                            double enough, double &lower) {
+  lower = 0.0;
   const auto support = [&](const Vec3 &d) {  // the farthest of the difference along d
-    const double da = dot(d, a), db = dot(d, b), dc = dot(d, c);
-    const Vec3 &on_triangle = da >= db && da >= dc ? a : db >= dc ? b : c;
+    std::size_t farthest = 0;
+    double most = dot(d, corner[0]);
+    for (std::size_t k = 1; k < corner_count; ++k) {
+      const double along = dot(d, corner[k]);
+      if (along > most) most = along, farthest = k;
+    }
+    const Vec3 &on_triangle = corner[farthest];
     const Vec3 on_body = body_in_mesh(convex::core_support(body, -transposed_times(body_in_mesh.rotation, d)).point);
     return Difference{on_triangle - on_body, on_triangle, on_body};
   };
@@ -88,7 +94,7 @@ TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, con
   // The corners that carry the nearest point found, with its weights.
   std::array<Difference, 3> simplex;
   std::size_t count = 1;
-  simplex[0] = support(body_in_mesh.translation - a);
+  simplex[0] = support(body_in_mesh.translation - corner[0]);
   Nearest nearest{simplex[0].w, {1.0, 0.0, 0.0}, norm2(simplex[0].w)};
   const auto gap = [&](double distance) {
     TriangleGap result{distance, {}, {}};
@@ -102,7 +108,7 @@ TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, con
     const double distance = std::sqrt(nearest.distance2);
     if (distance <= slack) return gap(0.0);
     const Difference next = support(-nearest.point);
-    const double lower = dot(next.w, nearest.point) / distance;
+    lower = dot(next.w, nearest.point) / distance;
     if (lower > enough) return {lower, {}, {}};
     if (distance - lower <= slack) break;
     std::array<Difference, 3> tried = simplex;
@@ -134,6 +140,21 @@ TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, con
     }
   }
   return gap(std::sqrt(nearest.distance2));
+}
+
+}  // namespace
+
+TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::ConvexBody &body,
+                                const Pose &body_in_mesh, double enough) {
+  const Vec3 corner[3] = {a, b, c};
+  double lower;
+  return hull_convex_gap(corner, body, body_in_mesh, enough, lower);
+}
+
+bool are_parted(const Vec3 (&corner)[6], const convex::ConvexBody &body, const Pose &body_in_mesh) {
+  double lower;
+  hull_convex_gap(corner, body, body_in_mesh, 0.0, lower);
+  return lower > 0.0;
 }
 
 }  // namespace cmb::mesh

@@ -1,6 +1,7 @@
 #include "mesh/core/triangle_wedge.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cmb::mesh {
 
@@ -72,6 +73,19 @@ bool TriangleWedge::build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t,
     build_side(mesh, k);
     const double inside = dot(side_[k], center) - side_offset_[k];
     if (inside < 0.0 && inside * inside > radius * radius * norm2(side_[k])) return false;
+  }
+  return true;
+}
+
+bool TriangleWedge::hull(Vec3 (&corner)[6]) const {
+  constexpr double least_slope = 1e-3;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 &at = mesh_->corner(triangle_, k);
+    const Vec3 line = cross(side_[k], side_[(k + 2) % 3]);
+    const double down = -dot(line, normal_);
+    if (!(std::fabs(down) > least_slope * norm(line))) return false;
+    corner[k] = at;
+    corner[k + 3] = at + (limit_ / down) * line;
   }
   return true;
 }

@@ -33,6 +33,20 @@ class TriangleWedge {
   // False where all corners of a triangle lie beyond one of the wedge's planes.
   bool may_meet(const Vec3 (&corner)[3]) const;
 
+  // False where a convex body, of which reach(d) is the greatest d . x, lies beyond one of the wedge's planes.
+  template <typename Reach>
+  bool may_be_reached(Reach &&reach) const {
+    if (!(reach(-normal_) >= -offset_) || !(reach(normal_) >= offset_ - limit_)) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!(reach(side_[k]) >= side_offset_[k])) return false;
+    }
+    return true;
+  }
+
+  // Corners whose convex hull holds the wedge: the triangle's, and where the lines down from them end at the greatest depth.
+  // False where there are none: a line runs level, or nearly.
+  bool hull(Vec3 (&corner)[6]) const;
+
   std::uint32_t triangle() const { return triangle_; }
   const Vec3 &normal() const { return normal_; }
   double depth(const Vec3 &p) const { return offset_ - dot(normal_, p); }
