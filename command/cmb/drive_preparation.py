@@ -18,6 +18,7 @@ from fmu_regression.fmi.fmu import ModelDescription, check_signals, read_descrip
 from fmu_regression.scene.scene_file import Scene, load_scene
 from fmu_regression.scene.signals import pair_signal, require_signals, signals_for
 from fmu_regression.simulate.simulation import default_signals
+from scene_viewer.bundle import require_installed
 
 from cmb.assembly_file import find_assembly
 from cmb.assignments import parse_assignments
@@ -58,6 +59,7 @@ def drive(arguments: Namespace) -> int:
     from interactive_drive.server.drive_server import DriveServer
     from interactive_drive.server.listening import DEFAULT_PORT
 
+    require_installed()
     listening = _listening(arguments)
     socket = listening.bind(DEFAULT_PORT if arguments.port is None else arguments.port)
     with socket:

@@ -1,4 +1,4 @@
-"""The animation's data: geometry, poses at frames and contact forces, as viewer.js and playback.js read them.
+"""The animation's data: geometry, poses at frames and contact forces, as the viewer and playback.js read them.
 
 Every frame is a row of the result, so what is shown was simulated; between frames playback.js interpolates.
 """
@@ -59,7 +59,6 @@ def make_animation(scene: Scene, result: SimulationResult) -> Animation | None:
     return Animation(
         data=data,
         key=_color_key([body for body in scene.bodies if body.meshes]),
-        has_forces=bool(forces),
         duration=float(result.time[-1] - result.time[0]),
     )
 

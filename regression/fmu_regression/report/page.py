@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import metadata
@@ -11,9 +12,11 @@ from typing import Any
 
 from jinja2 import Environment, StrictUndefined
 from markupsafe import Markup
+from scene_viewer.bundle import MISSING, REMEDY, bundled, is_installed
 
 from fmu_regression.report.plots import Plot, encode_plots
 
+_END_OF_SCRIPT = re.compile(r"<(/script|!--)", re.IGNORECASE)
 _SPEEDS: tuple[tuple[float, str], ...] = (
     (0.01, "1/100 speed"),
     (0.05, "1/20 speed"),
@@ -79,11 +82,10 @@ class ColorKey:
 
 @dataclass(frozen=True)
 class Animation:
-    """The animation of a page: data for viewer.js and playback.js, key of colours, whether it has forces to show."""
+    """The animation of a page: data for the viewer and playback.js, and the key of colours; duration in s."""
 
     data: dict[str, Any]
     key: tuple[ColorKey, ...]
-    has_forces: bool
     duration: float
 
 
@@ -102,14 +104,21 @@ class Section:
 
 
 def render_page(title: str, subtitle: str, sections: Sequence[Section]) -> str:
-    """The page's HTML; no part of it comes from elsewhere, and the same input gives the same text."""
+    """The page's HTML; no part of it comes from elsewhere, and the same input gives the same text.
+
+    Where the viewer's scripts are not installed, the page says so in place of animation and plots.
+    """
     animation = next((section.animation for section in sections if section.animation is not None), None)
-    data: dict[str, Any] = {"plots": encode_plots([plot for section in sections for plot in section.plots])}
-    scripts = ["plot.js"]
+    plots = [plot for section in sections for plot in section.plots]
+    drawn, installed = bool(plots or animation), is_installed()
+    style, scripts = [asset("report.css")], []
+    data: dict[str, Any] = {"plots": encode_plots(plots)}
     if animation is not None:
         data["animation"] = animation.data
-        scripts += ["viewer.js", "playback.js"]
-    scripts.append("report.js")
+    if drawn and installed:
+        style.append(bundled("plots.css"))
+        viewer = [bundled("viewer.js"), asset("playback.js")] if animation is not None else []
+        scripts = [bundled("plots.js"), *viewer, asset("report.js")]
     environment = Environment(autoescape=True, undefined=StrictUndefined, keep_trailing_newline=True)
     template = environment.from_string(asset("report.html.j2"))
     text = template.render(
@@ -130,8 +139,9 @@ def render_page(title: str, subtitle: str, sections: Sequence[Section]) -> str:
         ],
         speeds=_SPEEDS,
         speed=_default_speed(animation.duration) if animation is not None else 1.0,
-        style=Markup(asset("report.css")),
-        script=Markup("\n".join(_script(name) for name in scripts)),
+        missing=f"{MISSING} {REMEDY}" if drawn and not installed else "",
+        style=Markup("\n".join(style)),
+        script=Markup(_END_OF_SCRIPT.sub(r"<\\\1", "\n".join(scripts))),
         # "<" never appears in the data, so that it cannot end the script element.
         data=Markup(json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")),
         footer=f"ContactMultiBody {_version()}. Drag across a plot to zoom, double-click to show all; "
@@ -148,10 +158,6 @@ def _default_speed(duration: float) -> float:
 def asset(name: str) -> str:
     """Text of a file of the page: a style, a script or the template."""
     return files("fmu_regression.report").joinpath("assets", name).read_text(encoding="utf-8")
-
-
-def _script(name: str) -> str:
-    return asset(name).replace("</", "<\\/")
 
 
 def _version() -> str:

@@ -1,4 +1,4 @@
-"""Plots as data for the page's plot.js."""
+"""Plots as data for the page's scripts."""
 
 from __future__ import annotations
 

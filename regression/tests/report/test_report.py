@@ -5,8 +5,6 @@ from __future__ import annotations
 import base64
 import json
 import re
-import shutil
-import subprocess
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -14,17 +12,19 @@ from typing import Any
 import numpy as np
 import pytest
 from fmu_regression.report.animation import frame_rows, make_animation, quaternions
-from fmu_regression.report.picture import find_browser, save_pictures
+from fmu_regression.report.page import Section, render_page
+from fmu_regression.report.picture import save_pictures
 from fmu_regression.report.simulation_report import write_report
 from fmu_regression.results.result import SimulationResult, read_csv, write_csv
 from fmu_regression.results.thinning import display_rows
 from fmu_regression.scene.scene_file import load_scene
+from headless_browser import needs_pages
 from lxml import html
+from scene_viewer.bundle import MISSING, REMEDY, is_installed
 from scipy.spatial.transform import Rotation
 from synthetic import body, bouncing_ball, box_mesh, hammer, pose_signals, scene, sphere_mesh, write_scene
 
-ASSETS = Path(__file__).parents[2] / "fmu_regression" / "report" / "assets"
-NODE = shutil.which("node")
+pytestmark = pytest.mark.skipif(not is_installed(), reason=MISSING)
 
 
 @pytest.fixture(scope="module")
@@ -76,7 +76,7 @@ def test_is_well_formed_and_needs_nothing_else(folder: Path) -> None:
         for key in ("src", "href", "action", "data", "poster", "srcset"):
             assert not re.match(r"(?i)(https?:|//|file:)", element.get(key, ""))
     addresses = set(re.findall(r"https?://[^\s\"'`)]+", text))
-    assert addresses <= {"http://www.w3.org/2000/svg"}  # the name of SVG's elements, never fetched
+    assert addresses <= {"http://www.w3.org/1999/xhtml"}  # the name of HTML's elements, never fetched
     assert "@import" not in text
     assert "url(http" not in text
     identities = [element.get("id") for element in root.iter() if element.get("id")]
@@ -224,93 +224,35 @@ def test_quaternions_of_all_orientations() -> None:
     assert (np.einsum("ni,ni->n", found[1:], found[:-1]) >= 0).all()
 
 
-@pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
-class TestScripts:
-    """The page's JavaScript, in Node.js."""
-
-    @pytest.mark.parametrize("name", ["plot.js", "viewer.js", "playback.js", "report.js"])
-    def test_syntax(self, name: str) -> None:
-        subprocess.run([str(NODE), "--check", str(ASSETS / name)], check=True, capture_output=True)
-
-    def evaluate(self, script: str) -> Any:
-        code = (
-            f"const plot = require({json.dumps(str(ASSETS / 'plot.js'))});"
-            f"const viewer = require({json.dumps(str(ASSETS / 'viewer.js'))});"
-            f"const playback = require({json.dumps(str(ASSETS / 'playback.js'))});"
-            f"console.log(JSON.stringify((() => {{ {script} }})()));"
-        )
-        run = subprocess.run([str(NODE), "-e", code], check=True, capture_output=True, text=True)
-        return json.loads(run.stdout)
-
-    def test_poses_become_the_matrices_of_the_result(self, folder: Path) -> None:
-        result = read_csv(folder / "result.csv")
-        entry = next(b for b in page_data(folder / "report.html")["animation"]["bodies"] if b["label"] == "hammer")
-        matrices = self.evaluate(
-            f"const track = plot.decodeArray({json.dumps(entry['track'])}, Float32Array);"
-            "const matrix = k => viewer.poseMatrix(playback.poseBetween(track, k, 0), new Float64Array(16));"
-            "return [0, 100, 700].map(k => Array.from(matrix(k)));"
-        )
-        distinct = np.flatnonzero(np.diff(result.time, append=np.inf) > 0)
-        for matrix, row in zip(matrices, distinct[[0, 100, 700]], strict=True):
-            shown = np.array(matrix).reshape(4, 4).T
-            turn = result.vector([f"hammer.frame_a.R.T[{i},{j}]" for i in (1, 2, 3) for j in (1, 2, 3)])[row]
-            assert pytest.approx(turn.reshape(3, 3), abs=1e-6) == shown[:3, :3].T
-            position = result.vector([f"hammer.frame_a.r_0[{i}]" for i in (1, 2, 3)])[row]
-            assert shown[:3, 3] == pytest.approx(position, abs=1e-6)
-
-    def test_projections_agree_at_the_distance_looked_at_and_parallel_sizes_do_not_depend_on_depth(self) -> None:
-        made = self.evaluate(
-            "const made = [viewer.perspective(0.6, 1.5, 0.1, 50), viewer.parallel(0.6, 1.5, 3, -50, 50)];"
-            "return made.map(matrix => Array.from(matrix));"
-        )
-        perspective, parallel = (np.array(matrix).reshape(4, 4).T for matrix in made)
-
-        def seen(matrix: Any, depth: float) -> Any:
-            point = matrix @ [0.4, 0.2, -depth, 1.0]
-            return point[:2] / point[3]
-
-        assert seen(perspective, 3.0) == pytest.approx(seen(parallel, 3.0), rel=1e-6)
-        assert seen(parallel, 6.0) == pytest.approx(seen(parallel, 3.0), rel=1e-6)
-        assert seen(perspective, 6.0) == pytest.approx(seen(parallel, 6.0) / 2, rel=1e-6)
-
-    def test_poses_between_frames(self) -> None:
-        pose = self.evaluate("return playback.poseBetween(new Float32Array([0,0,0, 0,0,0,1, 2,4,6, 0,0,1,0]), 0, 0.5);")
-        assert pose == pytest.approx([1, 2, 3, 0, 0, 0.5**0.5, 0.5**0.5])
-
-    def test_spikes_survive_in_a_path_of_few_pixels(self) -> None:
-        path = self.evaluate(
-            "const x = Float64Array.from({length: 10000}, (_, k) => k), y = new Float32Array(10000); y[5432] = 7;"
-            "return plot.pixelPath(x, y, 0, 9999, v => v / 100, v => v);"
-        )
-        assert " 7.0" in path
-        assert path.count("L") < 450
-
-    def test_box_has_twelve_edges_and_flat_faces(self) -> None:
-        content, _ = hammer(rows=10)
-        mesh = content["bodies"][2]["meshes"][0]
-        edges, normals = self.evaluate(
-            f"const m = viewer.prepareMesh(new Float32Array({json.dumps(np.ravel(mesh['vertices']).tolist())}),"
-            f"new Uint32Array({json.dumps(np.ravel(mesh['triangles']).tolist())}));"
-            "return [m.lines.length / 6, Array.from(m.normal)];"
-        )
-        assert edges == 12
-        table = np.array(normals).reshape(-1, 3)
-        assert np.sort(np.abs(table), axis=1) == pytest.approx(np.broadcast_to([0, 0, 1], table.shape), abs=1e-6)
-        # Outward: the box is convex around its centre.
-        vertices = np.array(mesh["vertices"])[np.array(mesh["triangles"]).ravel()]
-        assert (np.einsum("ni,ni->n", vertices - np.mean(mesh["vertices"], axis=0), table) > 0).all()
-
-    def test_ticks_are_round_and_cover_the_range(self) -> None:
-        assert self.evaluate("return plot.linearTicks(0, 1, 5);") == pytest.approx([0, 0.2, 0.4, 0.6, 0.8, 1])
-        assert self.evaluate("return plot.logTicks(1e-9, 1e-3, 7);") == pytest.approx([10.0**k for k in range(-9, -2)])
-        texts = self.evaluate(
-            "return [[0.30000000000000004, 0.1], [2e-7, 1e-7], [0.01, 0], [500, 0], [-0.5, 0.25]]"
-            ".map(([value, step]) => plot.tickText(value, step));"
-        )
-        assert texts == ["0.3", "2e-7", "0.01", "500", "-0.5"]
+def test_without_the_viewers_scripts_the_page_has_its_tables_and_says_so(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("scene_viewer.bundle._file", lambda name: tmp_path / "gone" / name)
+    write_report(read_csv(folder / "result.csv"), folder / "scene.json", tmp_path / "report.html")
+    text = (tmp_path / "report.html").read_text()
+    assert Nesting().unclosed(text) == []
+    root = html.fromstring(text)
+    assert [note.text for note in root.xpath("//p[@class='missing']")] == [f"{MISSING} {REMEDY}"]
+    assert not root.xpath("//script | //canvas")
+    whole = html.parse(str(folder / "report.html")).getroot()
+    assert root.xpath("//td/text()") == whole.xpath("//td/text()")
+    assert root.xpath("//h2/text()") == whole.xpath("//h2/text()")
 
 
-@pytest.mark.skipif(find_browser() is None, reason="Chromium is not installed")
+def test_a_page_that_draws_nothing_needs_no_scripts() -> None:
+    text = render_page("Title", "", [Section("notes", "Notes", notes=("One.",))])
+    assert "<script" not in text
+    assert 'class="missing"' not in text
+
+
+def test_licences_of_what_is_bundled_travel_along(folder: Path) -> None:
+    text = (folder / "report.html").read_text()
+    for holder in ("three.js authors", "Leon Sorokin"):
+        assert holder in text
+    assert text.count("The above copyright notice and this permission notice shall be included") == 2
+
+
+@needs_pages
 def test_pictures_show_the_scene(folder: Path, tmp_path: Path) -> None:
     mechanism, result = load_scene(folder / "scene.json"), read_csv(folder / "result.csv")
     targets = [tmp_path / "a.png", tmp_path / "b.png"]

@@ -188,7 +188,7 @@ class Hub:
             await task
 
     async def scene_data(self) -> bytes:
-        """What viewer.js needs, as JSON; waits for the first frame."""
+        """What the viewer needs, as JSON; waits for the first frame."""
         await self._first.wait()
         return await asyncio.to_thread(self._scene_json)
 

@@ -112,7 +112,7 @@ def test_the_page_reads_the_same(message):
 
 
 @pytest.mark.skipif(NODE is None, reason="Node.js is not installed")
-@pytest.mark.parametrize("name", ["drive.js", "drive_link.js", "drive_controls.js", "live_plots.js"])
+@pytest.mark.parametrize("name", ["drive.js", "drive_link.js", "drive_controls.js"])
 def test_syntax_of_the_scripts(name):
     script = files("interactive_drive.page").joinpath("assets", name)
     subprocess.run([str(NODE), "--check", str(script)], check=True, capture_output=True)

@@ -58,7 +58,7 @@ class TestAccess:
             assert "Open the address that the terminal shows" in answer.text
         drive.log_in()
         assert "<canvas" in drive.client.get("/").text
-        for name in ("drive.js", "drive_link.js", "drive_controls.js", "live_plots.js", "viewer.js", "plot.js"):
+        for name in ("drive.js", "drive_link.js", "drive_controls.js"):
             assert "use strict" in drive.client.get(f"/{name}").text
         assert drive.client.get("/report.css").headers["content-type"].startswith("text/css")
         for name in ("report.js", "..%2fserver%2fapp.py", "py.typed"):

@@ -15,6 +15,7 @@ function poseBetween(track, frame, share) {
 /** Shows recorded frames in a viewer; data: see animation.py. */
 class Playback {
   constructor(viewer, data) {
+    const {decodeArray} = contactViewer;
     this.viewer = viewer;
     this.time = decodeArray(data.time, Float64Array);
     this.tracks = data.bodies.map(body => decodeArray(body.track, Float32Array));
@@ -25,7 +26,7 @@ class Playback {
 
   seek(time) {
     this.now = time;
-    const frame = lastNotAfter(this.time, time), next = Math.min(frame + 1, this.time.length - 1);
+    const frame = contactViewer.lastNotAfter(this.time, time), next = Math.min(frame + 1, this.time.length - 1);
     const span = this.time[next] - this.time[frame];
     this.frame = frame;
     this.share = span > 0 ? Math.min(1, Math.max(0, (time - this.time[frame]) / span)) : 0;

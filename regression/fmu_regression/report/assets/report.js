@@ -4,7 +4,11 @@
 (function () {
   const data = JSON.parse(document.getElementById("data").textContent);
   const links = {plots: [], onPick: null};
-  makePlots(data.plots || [], links);
+  // Colours for paper; before the plots hear of it, which draw with them.
+  for (const [moment, on] of [["beforeprint", true], ["afterprint", false]]) {
+    window.addEventListener(moment, () => document.documentElement.classList.toggle("printed", on));
+  }
+  contactPlots.makePlots(data.plots, links);
   if (data.animation) startAnimation(data.animation, links);
 
   function startAnimation(animation, plotLinks) {
@@ -12,7 +16,7 @@
     const stage = get("stage"), canvas = get("canvas");
     let viewer, playback;
     try {
-      viewer = new Viewer(canvas, animation);
+      viewer = new contactViewer.Viewer(canvas, animation);
       playback = new Playback(viewer, animation);
     } catch (error) {
       canvas.remove();
@@ -65,12 +69,7 @@
 
     play.onclick = () => setPlaying(!playing);
     scrub.oninput = () => { setPlaying(false); show(Number(scrub.value), true); };
-    get("view").onclick = () => { viewer.reset(); viewer.draw(); };
-    get("follow").checked = viewer.follow;
-    get("follow").onchange = event => { viewer.follow = event.target.checked; playback.seek(playback.now); };
-    get("edges").onchange = event => { viewer.showEdges = event.target.checked; viewer.draw(); };
-    get("grid").onchange = event => { viewer.showGrid = event.target.checked; viewer.draw(); };
-    if (get("forces")) get("forces").onchange = event => { viewer.showForces = event.target.checked; viewer.draw(); };
+    contactViewer.makeViewControls(get("drawing"), viewer, animation.forces.length > 0);
     canvas.addEventListener("keydown", event => {
       const action = {" ": () => setPlaying(!playing), ArrowRight: () => move(1), ArrowLeft: () => move(-1),
         Home: () => show(start), End: () => show(stop)}[event.key];

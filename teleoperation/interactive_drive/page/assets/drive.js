@@ -3,9 +3,9 @@
 
 (function () {
   const get = id => document.getElementById(id);
-  const ALWAYS = ["follow", "edges", "grid", "forces", "view", "add", "clear"];
+  const ALWAYS = ["add", "clear"];
   const OLD_PICTURE = 500;
-  let viewer = null, scene = null, controls = null, plots = null, status = null, steering = {you: false, free: false}, start = null;
+  let viewer = null, scene = null, controls = null, plots = null, status = null, steering = {you: false, free: false}, first = null;
   let latency = NaN, frame = null, waiting = false, channel = "";
   const stamps = new Map();
 
@@ -17,14 +17,14 @@
 
   function onHello(hello) {
     get("model").textContent = document.title = hello.model;
-    frame = start = null;
+    frame = null;
     channel = hello.channel;
-    plots = new LivePlots(get("live"), hello.units);
+    plots = new contactPlots.LivePlots(get("live"), hello.units);
     plots.show(hello.plots);
     get("signals").replaceChildren(...hello.signals.map(name => new Option(name, name)));
     get("inputs").hidden = !hello.controls.length;
     if (!controls) controls = new DriveControls(get("sliders"), hello.controls, hello.keyMap, sendValues);
-    get("keys").textContent = hello.keyMap.keys.map(k => `${k.key}: ${k.control} ${valueText(k.value)}`).join(" · ");
+    get("keys").textContent = hello.keyMap.keys.map(k => `${k.key}: ${k.control} ${contactPlots.valueText(k.value)}`).join(" · ");
     if (!scene) loadScene();
   }
 
@@ -33,10 +33,12 @@
       const answer = await fetch("/scene.json");
       scene = await answer.json();
       if (!scene) { get("stage").hidden = get("drawing").hidden = true; return; }
-      viewer = new Viewer(get("canvas"), scene);
+      viewer = new contactViewer.Viewer(get("canvas"), scene);
       viewer.follow = true;
-      const still = scene.bodies.map((body, k) => [decodeArray(body.track, Float32Array), k]);
-      for (const [track, k] of still) viewer.place(k, track);
+      contactViewer.makeViewControls(get("drawing"), viewer, true);
+      const tracks = scene.bodies.map(body => contactViewer.decodeArray(body.track, Float32Array));
+      tracks.forEach((track, k) => viewer.place(k, track));
+      first = middle(scene.moving.map(body => tracks[body]));
       get("key").replaceChildren(...scene.key.map(entry => {
         const item = document.createElement("span"), mark = document.createElement("i");
         mark.style.background = entry.color;
@@ -96,16 +98,14 @@
   }
   setInterval(showFigures, 100);
 
-  /** How far the middle of the moving bodies is from where it was first, along the floor. */
+  /** How far the middle of the moving bodies is from where it was first; the viewer follows it along the floor. */
   function way() {
     if (!frame.poses.length) return [0, 0, 0];
-    const middle = [0, 1, 2].map(i => frame.poses.reduce((sum, pose) => sum + pose[i], 0) / frame.poses.length);
-    if (!start) {
-      const tracks = scene.moving.map(body => decodeArray(scene.bodies[body].track, Float32Array));
-      start = [0, 1, 2].map(i => tracks.reduce((sum, pose) => sum + pose[i], 0) / tracks.length);
-    }
-    const moved = vector.subtract(middle, start);
-    return vector.subtract(moved, vector.scale(viewer.up, vector.dot(moved, viewer.up)));
+    return middle(frame.poses).map((place, i) => place - first[i]);
+  }
+
+  function middle(poses) {
+    return [0, 1, 2].map(i => poses.reduce((sum, pose) => sum + pose[i], 0) / poses.length);
   }
 
   function onStatus(message) {
@@ -150,7 +150,7 @@
     get("state").textContent = `${status ? words[status.mode] : "connecting"} · ${steering.you ? "you steer" : "you watch"}${others}`;
     get("steer").hidden = steering.you || !steering.free;
     for (const node of document.querySelectorAll("main button, main select")) {
-      if (!ALWAYS.includes(node.id) && node.id !== "steer" && !node.closest(".legend, .plot")) node.disabled = !steering.you;
+      if (!ALWAYS.includes(node.id) && node.id !== "steer" && !node.closest(".plot, #drawing")) node.disabled = !steering.you;
     }
     if (status && !status.keeps_states) get("save").disabled = get("restore").disabled = true;
     if (controls) controls.enable(steering.you);
@@ -180,15 +180,8 @@
   get("restore").onclick = () => link.send({type: "restore", number: Number(get("saved").value)});
   get("speed").onchange = event => link.send({type: "speed", value: Number(event.target.value)});
   get("record").onclick = () => link.send({type: "record", on: !(status && status.recording)});
-  get("view").onclick = () => { if (viewer) { viewer.reset(); viewer.draw(); } };
   get("add").onclick = () => { link.send({type: "signals", names: [...plots.names, get("signal").value]}); get("signal").value = ""; };
   get("clear").onclick = () => link.send({type: "signals", names: []});
-  for (const [id, name] of [["follow", "follow"], ["edges", "showEdges"], ["grid", "showGrid"], ["forces", "showForces"]]) {
-    get(id).onchange = event => { if (viewer) { viewer[name] = event.target.checked; viewer.draw(); } };
-  }
-  for (const cue of ["perspective", "shading", "shadows", "aerial"]) {
-    get(cue).onchange = event => { if (viewer) { viewer.cues[cue] = event.target.checked; viewer.draw(); } };
-  }
   window.addEventListener("keydown", event => {
     if (event.target.type === "text" || event.target.tagName === "SELECT" || event.target.tagName === "BUTTON") return;
     if (event.ctrlKey || event.metaKey || event.altKey || !steering.you) return;

@@ -38,7 +38,7 @@ class DriveControls {
     input.id = `control-${this.rows.size}`;
     label.htmlFor = input.id;
     label.textContent = control.name + (control.unit ? ` in ${control.unit}` : "") + (control.is_input ? "" : " (parameter)");
-    output.textContent = valueText(control.start);
+    output.textContent = contactPlots.valueText(control.start);
     input.oninput = () => this.set(control.name, Number(input.value));
     input.ondblclick = () => this.set(control.name, control.start);
     box.append(label, output, input);
@@ -62,7 +62,7 @@ class DriveControls {
 
   display(row, value) {
     row.input.value = value;
-    row.output.textContent = valueText(value);
+    row.output.textContent = contactPlots.valueText(value);
   }
 
   /** Values as the machine has them: where time went back. */

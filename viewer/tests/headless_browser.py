@@ -12,6 +12,9 @@ import time
 from pathlib import Path
 from typing import Any
 
+import pytest
+from scene_viewer.bundle import MISSING, is_installed
+
 _NAMES = ("chromium", "chromium-browser", "google-chrome")
 _FLAGS = (
     "--headless",
@@ -29,6 +32,13 @@ _PATIENCE = 30.0
 def find_browser() -> str | None:
     """Path of a Chromium on this machine, or None."""
     return next((path for name in _NAMES if (path := shutil.which(name))), None)
+
+
+needs_pages = pytest.mark.skipif(
+    find_browser() is None or not is_installed(),
+    reason=MISSING if find_browser() else "No Chromium is installed (Debian package chromium).",
+)
+"""Marks tests of pages with the viewer or plots in a real browser."""
 
 
 class Browser:
@@ -128,6 +138,19 @@ class Tab:
         while not self.value(expression):
             assert time.monotonic() < end, f"still not true: {expression}"
             time.sleep(0.02)
+
+    def note_errors(self) -> None:
+        """From the next page on, keeps what it complains about for ``errors``."""
+        source = (
+            "window.complaints = []; addEventListener('error', event => complaints.push(event.message));"
+            "for (const kind of ['error', 'warn']) console[kind] = (...words) => complaints.push(words.join(' '));"
+        )
+        self.command("Page.addScriptToEvaluateOnNewDocument", source=source)
+
+    def errors(self) -> list[str]:
+        """Errors and warnings of the page."""
+        found: list[str] = self.value("complaints")
+        return found
 
     def picture(self, target: Path) -> None:
         """Saves what the page looks like as PNG."""
