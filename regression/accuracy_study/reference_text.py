@@ -10,7 +10,7 @@ def reference_text(found: SceneFindings) -> str:
     """The kind of the reference and where it comes from."""
     reference = found.scene.reference
     if isinstance(reference, ClosedForm):
-        return f"known in closed form: {reference.source}"
+        return f"known answers: {reference.source}"
     if isinstance(reference, GivenTrajectory):
         return f"trajectory {reference.path.name}: {reference.source}"
     return f"the first value of every knob at tolerance {found.tight:g}"

@@ -6,7 +6,6 @@ import math
 from typing import Final
 
 import numpy as np
-from cad2modelica.collision.convex_decomposition import decompose
 from contact_foundation.errors import SimulationError
 from fmu_regression.results.result import FloatArray
 from numpy.typing import NDArray
@@ -44,6 +43,8 @@ def decomposed(descriptor: str, error: float) -> str:
 
 
 def _pieces(shape: str, error: float) -> list[str]:
+    from cad2modelica.collision.convex_decomposition import decompose  # not at the start: the generator loads slowly
+
     words = shape.split()
     if words[1:2] != ["mesh"]:
         return [shape]

@@ -18,7 +18,8 @@ from hard_cases.verdict import Kind
 COLORS: Final = {
     Kind.RIGHT: "#9ecf9e",
     Kind.STOPPED: "#f2c14e",
-    Kind.UNNAMED: "#e07b1a",
+    Kind.WARNED: "#f2a65e",
+    Kind.UNNAMED: "#b5561a",
     Kind.SLOW: "#a9b4bd",
     Kind.DEEP: "#7a5ea8",
     Kind.CRASHED: "#000000",

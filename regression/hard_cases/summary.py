@@ -31,7 +31,7 @@ def counts(rows: Sequence[Row]) -> Counter[Kind]:
 def cause_class(row: Row) -> str:
     """What went wrong, without what differs from run to run: numbers, names of variables."""
     words = [part.split(":")[0].strip() for part in row.verdict.cause.split(";")]
-    if row.verdict.kind in (Kind.WRONG, Kind.DEEP):
+    if row.verdict.kind in (Kind.WRONG, Kind.DEEP, Kind.WARNED):
         return " and ".join(dict.fromkeys(words))
     text = re.sub(r"[-+]?\d[\d.]*(e[-+]?\d+)?", "N", row.verdict.cause)
     text = re.sub(r"^.*?(The integrator|given up|crashed)", r"\1", text)

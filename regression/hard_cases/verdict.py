@@ -46,6 +46,7 @@ class Kind(StrEnum):
 
     RIGHT = "right"
     STOPPED = "stopped with a message that names a knob"
+    WARNED = "deep or wrong, with a warning that names a knob"
     UNNAMED = "stopped with a message that names none"
     SLOW = "slow"
     DEEP = "deep without a message"
@@ -134,7 +135,7 @@ def classified(case: HardCase, expected: Expectation, found: Verdict) -> Verdict
     elif found.depth > DEEP:
         kind, cause = Kind.DEEP, f"penetration: {found.depth:.2g} of the thickness"
     if kind is not Kind.RIGHT and (knobs := named_knobs(found.warnings)):
-        kind = Kind.STOPPED
+        kind = Kind.WARNED
     return replace(found, kind=kind, cause=cause, knobs=knobs)
 
 

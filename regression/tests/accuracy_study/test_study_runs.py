@@ -126,13 +126,13 @@ def test_sentences_page_and_pictures(clean):
     assert "6 of 12 runs failed" in fails
     write_page(findings, folder / "study.html")
     page = (folder / "study.html").read_text()
-    assert "known in closed form: free fall" in page
+    assert "known answers: free fall" in page
     assert "Pareto front" in page
     assert page.count("Order of convergence") == 2
     written = write_pictures(findings, folder / "pictures")
     assert [path.name for path in written] == ["bounces.svg", "fails.svg"]
     text, failing = (scene_page(findings, found, Path("images")) for found in findings.scenes)
-    assert "`BouncingMass`, measured against: known in closed form: free fall." in text
+    assert "`BouncingMass`, measured against: known answers: free fall." in text
     assert "](images/bounces.svg)" in text
     assert "| e 0.6 | 0.0e+00 | 3.0e-01 | " in text
     assert "12 runs. Machine: " in text

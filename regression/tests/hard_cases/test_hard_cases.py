@@ -88,7 +88,7 @@ def test_figures_make_the_verdict():
     deep = judge(case, expected, ball_result(case, [1, 0.5], depth=0.6))
     assert deep.kind is Kind.DEEP
     warned = classified(case, expected, replace(deep, warnings="a body penetrates by half: raise stiffness"))
-    assert (warned.kind, warned.knobs) == (Kind.STOPPED, "stiffness")
+    assert (warned.kind, warned.knobs) == (Kind.WARNED, "stiffness")
 
 
 def test_a_ball_gets_no_deeper_than_its_energy_allows():
