@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from hard_cases.knobs import NUMBERS
 from hard_cases.run import Row
 
 
@@ -68,10 +67,3 @@ def inside(row: Row) -> bool:
 def outside(row: Row) -> tuple[Limit, ...]:
     """The limits that a run exceeds."""
     return tuple(limit for limit in LIMITS if not limit.low <= limit.value(row) <= limit.high)
-
-
-def knob_ranges() -> tuple[tuple[str, str], ...]:
-    """Name and range of every knob that was drawn, all of which belong to the operating range within LIMITS."""
-    return tuple(
-        (name.replace("_", " "), f"{r.low:g} to {r.high:g} {r.unit}".removesuffix(" 1")) for name, r in NUMBERS.items()
-    )

@@ -8,9 +8,9 @@ from pathlib import Path
 
 from contact_foundation.output import whole_file
 
-from hard_cases.markdown import failure_rows, range_rows, verdict_rows
 from hard_cases.picture import hard_map
 from hard_cases.run import Row
+from hard_cases.tables import failure_rows, range_rows, verdict_rows
 
 _HEAD = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Hard cases</title>

@@ -44,10 +44,6 @@ class Reach:
         self._planes = {plane.name: plane for plane in planes}
         self._tree = tree
 
-    def never_meet(self, first: str, second: str, balls: Mapping[str, Ball]) -> bool:
-        """Whether two bodies stay apart, whatever the joints do; see ``apart``."""
-        return self.apart(balls)(first, second)
-
     def apart(self, balls: Mapping[str, Ball]) -> Callable[[str, str], bool]:
         """A test of pairs of names of parts and planes: whether they stay apart, whatever the joints do.
 

@@ -193,7 +193,6 @@ class _Parser(SectionReader):
         result: list[ClassDefinition | ComponentDeclaration] = []
         for element in elements:
             if isinstance(element, ClassDefinition):
-                element.is_replaceable = "replaceable" in prefixes
                 element.redeclares = "redeclare" in prefixes or element.extends_inherited
                 element.constraint = constraint
                 result.append(element)
@@ -201,7 +200,6 @@ class _Parser(SectionReader):
                 result.append(
                     replace(
                         element,
-                        is_replaceable="replaceable" in prefixes,
                         redeclares="redeclare" in prefixes,
                         constraint=constraint,
                     )

@@ -80,7 +80,6 @@ class ComponentDeclaration:
     arguments: tuple[Modifier, ...] = ()
     value: Extent | None = None
     is_outer: bool = False
-    is_replaceable: bool = False
     redeclares: bool = False
     may_be_absent: bool = False
     constraint: Constraint | None = None
@@ -133,7 +132,6 @@ class ClassDefinition:
     is_enumeration: bool = False
     is_encapsulated: bool = False
     is_partial: bool = False
-    is_replaceable: bool = False
     redeclares: bool = False
     constraint: Constraint | None = None
     folder: Path | None = None

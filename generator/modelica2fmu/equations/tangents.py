@@ -12,7 +12,7 @@ Symbols: ``tangent(x)`` is the derivative of ``x``, ``held(x)`` the one with the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from modelica2fmu.equations.blocks import Assignment, Block, LinearBlock, NonlinearBlock
@@ -96,16 +96,15 @@ def tangents(blocks: Sequence[Block], states: Sequence[str], rates: Sequence[str
         states: names of the states.
         rates: names of what is wanted; one without a tangent in the result does not depend on the states.
     """
-    builder = _Builder(states, {name for block in blocks if isinstance(block, ExternalCall) for name in block.outputs})
+    builder = _Builder(states)
     for block in blocks:
         builder.add(block)
     return _needed(builder.steps, [tangent_name(name) for name in rates])
 
 
 class _Builder:
-    def __init__(self, states: Sequence[str], call_outputs: Collection[str]) -> None:
+    def __init__(self, states: Sequence[str]) -> None:
         self._active = set(states)
-        self._call_outputs = call_outputs
         self.steps: list[Tangent] = []
         self._differentiate = ex.Differentiation(self._rate)
 

@@ -33,11 +33,6 @@ class JointPower:
         work: FloatArray = np.concatenate([[0.0], np.cumsum(steps)])
         return work
 
-    @property
-    def is_driven(self) -> bool:
-        """Whether any power was supplied."""
-        return bool(np.any(self.supplied > 0.0))
-
 
 def joint_power(scene: Scene, result: SimulationResult) -> JointPower | None:
     """The power at the axes of a scene's joints; None where the result has no torque or force of any joint."""

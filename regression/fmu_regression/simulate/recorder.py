@@ -28,11 +28,6 @@ class Recorder:
             read = instance.functions.reader(data_type, [variable.reference for variable in members])
             self._groups.append((read, [], members))
 
-    @property
-    def row_count(self) -> int:
-        """Rows so far."""
-        return len(self._time)
-
     def sample(self, time: float) -> None:
         """Appends a row with the instance's present values.
 

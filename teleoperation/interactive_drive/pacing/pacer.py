@@ -92,11 +92,6 @@ class Pacer:
         if ahead > 0:
             self._sleep(ahead)
 
-    @property
-    def until_next(self) -> float:
-        """Wall time to the beginning of the next step, s; 0 if it should have begun."""
-        return max(0.0, self._release - self._clock())
-
     def step_begins(self) -> None:
         """To be called when a step begins."""
         self._begun = self._clock()

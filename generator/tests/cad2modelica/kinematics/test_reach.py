@@ -43,13 +43,13 @@ def two_cranks(tmp_path: Path, kind: str) -> Assembly:
 @pytest.mark.parametrize(("radius", "apart"), [(0.49, True), (0.51, False)])
 def test_two_cranks(tmp_path: Path, kind: str, radius: float, apart: bool) -> None:
     assembly = two_cranks(tmp_path, kind)
-    assert reach_of(assembly).never_meet("left", "right", balls_of(assembly, radius)) is apart
+    assert reach_of(assembly).apart(balls_of(assembly, radius))("left", "right") is apart
 
 
 def test_what_slides_may_go_anywhere(tmp_path: Path) -> None:
     for kind in ("prismatic", "cylindrical", "planar"):
         assembly = two_cranks(tmp_path, kind)
-        assert not reach_of(assembly).never_meet("left", "right", balls_of(assembly, 1e-3))
+        assert not reach_of(assembly).apart(balls_of(assembly, 1e-3))("left", "right")
 
 
 def test_free_parts_may_go_anywhere(tmp_path: Path) -> None:
@@ -57,7 +57,7 @@ def test_free_parts_may_go_anywhere(tmp_path: Path) -> None:
     assembly = read_assembly(
         write_assembly(tmp_path / "a.xml", parts, [joint("j", "revolute", "ground", "held", axis=Z)])
     )
-    assert not reach_of(assembly).never_meet("free", "held", balls_of(assembly, 1e-3))
+    assert not reach_of(assembly).apart(balls_of(assembly, 1e-3))("free", "held")
 
 
 def test_branches_of_a_free_body(tmp_path: Path) -> None:
@@ -68,8 +68,8 @@ def test_branches_of_a_free_body(tmp_path: Path) -> None:
         joint("b", "revolute", "body", "right", origin=(5, 0, 0), axis=Z),
     ]
     assembly = read_assembly(write_assembly(tmp_path / "a.xml", parts, joints))
-    assert reach_of(assembly).never_meet("left", "right", balls_of(assembly, 3.9))
-    assert not reach_of(assembly).never_meet("left", "right", balls_of(assembly, 4.1))
+    assert reach_of(assembly).apart(balls_of(assembly, 3.9))("left", "right")
+    assert not reach_of(assembly).apart(balls_of(assembly, 4.1))("left", "right")
 
 
 @pytest.mark.parametrize(("height", "apart"), [(-1.6, True), (-1.4, False), (0.5, False), (10.0, False)])
@@ -79,7 +79,7 @@ def test_floor_below_a_pendulum(tmp_path: Path, height: float, apart: bool) -> N
         write_assembly(tmp_path / "p.xml", parts, [joint("j", "revolute", "ground", "bob", axis=(0, 1, 0))])
     )
     floor = Plane("floor", None, np.array([7.0, 0.0, height]), np.array(Z), Place())
-    assert reach_of(assembly, (floor,)).never_meet("floor", "bob", balls_of(assembly, 0.5)) is apart
+    assert reach_of(assembly, (floor,)).apart(balls_of(assembly, 0.5))("floor", "bob") is apart
 
 
 @settings(max_examples=60, deadline=None)
@@ -112,7 +112,7 @@ def test_no_pose_of_a_chain_contradicts(tmp_path_factory: pytest.TempPathFactory
         reach, balls = reach_of(assembly), balls_of(assembly, radius)
         for first in range(count):
             for second in range(first + 1, count):
-                if reach.never_meet(names[first], names[second], balls):
+                if reach.apart(balls)(names[first], names[second]):
                     nearest = np.linalg.norm(centers_of[:, first] - centers_of[:, second], axis=1).min()
                     assert nearest > 2 * radius
 

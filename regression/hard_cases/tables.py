@@ -1,4 +1,4 @@
-"""Tables of hard cases, as rows of cells and as Markdown."""
+"""Tables of hard cases, as rows of cells."""
 
 from __future__ import annotations
 
@@ -43,10 +43,3 @@ def failure_rows(rows: Sequence[Row]) -> Table:
             seeds = ", ".join(str(row.case.seed) for row in own[:_SEEDS]) + (", …" if len(own) > _SEEDS else "")
             table.append((kind.value, scene, cause, str(len(own)), str(sum(inside(row) for row in own)), seeds))
     return table
-
-
-def markdown_table(rows: Table) -> str:
-    """Rows of cells as Markdown, the first being the head."""
-    head, *body = rows
-    lines = [head, tuple("---" for _ in head), *body]
-    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines) + "\n"
