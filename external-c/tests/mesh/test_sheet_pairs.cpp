@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "math/pose_algebra.hpp"
 #include "mesh/core/mesh_pair_distance.hpp"
 #include "support/level_sheets.hpp"
 #include "support/mesh_text.hpp"
@@ -71,6 +72,38 @@ TEST(SheetPairs, LevelOnesTouchWhereTheyCross) {
   }
   EXPECT_GT(touching, 800);
   EXPECT_GT(apart, 800);
+}
+
+// Along rows of vertices of one of them or both, turned about such a row, anywhere in the world.
+TEST(SheetPairs, LevelOnesTouchAlongTheirRows) {
+  constexpr double half = 12.0, spacing = 1.5;
+  const PairScene scene(height_field_text(2.0 * half, 17, level), height_field_text(2.0 * half, 17, level));
+  Random random(9);
+  int touching = 0;
+  for (int k = 0; k < 300; ++k) {
+    const BodyPose world{100.0 * random.uniform(0, 1) * random.direction(), random_rotation(random)};
+    const auto rows = [&random, spacing] { return spacing * random.integer(-6, 6); };
+    const Vec3 axis = k % 2 == 0 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const double angle = k % 3 == 0 ? 0.25 * pi * random.integer(1, 3) : random.uniform(0.1, pi - 0.1);
+    // Both rows through one line; or of `b` alone, the line being anywhere on `a`.
+    const cmb::convex::Pose turned{rotation_about(axis, angle), {}};
+    Vec3 on_a{rows(), rows(), 0}, on_b{rows(), rows(), 0};
+    if (k % 5 == 0) on_a = {random.uniform(-8, 8), random.uniform(-8, 8), 0};
+    const Vec3 shift = on_b - turned(on_a);
+    const auto placed = [&world](const cmb::convex::Pose &pose) {
+      const cmb::convex::Pose at = cmb::compose({world.rotation, world.position}, pose);
+      return BodyPose{at.translation, at.rotation};
+    };
+    const BodyPose a = placed({turned.rotation, shift}), b = placed({});
+    const double common = mesh_samples::common_extent({a.rotation, a.position}, {b.rotation, b.position}, half - 1e-6);
+    if (!(common > 0.0)) continue;
+    ++touching;
+    for (const Contact &contact : {scene.query(a, b), scene.query(b, a)}) {
+      EXPECT_LT(contact.distance, 0.0) << k;
+      EXPECT_GT(load_size(contact), 0.0) << k;
+    }
+  }
+  EXPECT_GT(touching, 150);
 }
 
 // Where triangles of rough ones have a place in common they touch, else they are as far apart as their triangles.

@@ -12,9 +12,6 @@ namespace cmb::mesh {
 
 namespace {
 
-// Triangles that cross by less than this part of the meshes' size do so by rounding.
-constexpr double rounding = 1e-15;
-
 // The middle of what the meshes' boxes have in common; moves steadily. In the first mesh's frame.
 Vec3 common_center(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place) {
   const Bounds &one = mesh.hierarchy().bounds(), other = moved(body.hierarchy().bounds(), place);
@@ -57,11 +54,6 @@ void add_reversed(ContactSet &from, double part, ContactSet &result) {
   result.witness = from.witness;
 }
 
-// Crossings of triangles that are no deeper than this are due to rounding.
-double negligible(const TriangleMesh &a, const TriangleMesh &b) {
-  return rounding * (a.bound_radius() + b.bound_radius());
-}
-
 // The contact of two meshes, not both sheets, of which `one` pushes; normals point out of it. Of what is behind a sheet it
 // carries least_load_part times what crosses at most. Where it carries too little of what crosses, or lies in the other, the other
 // one pushes too, unless `one` is a sheet, and if it cannot either, the crossing triangles and the interior points do. Returns
@@ -69,7 +61,7 @@ double negligible(const TriangleMesh &a, const TriangleMesh &b) {
 bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
   const std::size_t begin = result.points.size();
   const Pose place = relative_pose(one.pose, other.pose);
-  const double nothing = negligible(one.mesh, other.mesh);
+  const double nothing = rounding_of_crossings(one.mesh, other.mesh);
   push(one, other.mesh, place, PushedSurface::of_solid, scratch, result);
   double load = total_load(result.points, begin);
   if (!one.mesh.closed() && load > 0.0) {
@@ -119,7 +111,7 @@ bool sheet_contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactSc
   result.distance = 0.0;
   push(one, other.mesh, place, PushedSurface::of_sheet, scratch, result);
   PiercedLoad pierced(common_center(one.mesh, other.mesh, place)), piercing(common_center(other.mesh, one.mesh, back));
-  push_sheet_crossings(one.mesh, other.mesh, place, scratch.pair, negligible(one.mesh, other.mesh), pierced, piercing);
+  push_sheet_crossings(one.mesh, other.mesh, place, scratch.pair, rounding_of_crossings(one.mesh, other.mesh), pierced, piercing);
   const double crossing = pierced.deepest();
   if (!(crossing > 0.0)) {
     result.points.resize(begin);

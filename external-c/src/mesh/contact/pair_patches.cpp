@@ -18,7 +18,8 @@ class PairSearch {
  public:
   PairSearch(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, PairScratch &scratch,
              std::vector<Vec3> &polygon, PatchLoad &load)
-      : mesh_(mesh), body_(body), place_(place), scratch_(scratch), polygon_(polygon), load_(load) {
+      : mesh_(mesh), body_(body), place_(place), scratch_(scratch), polygon_(polygon), load_(load),
+        rounding_(rounding_of_crossings(mesh, body)) {
     if (scratch.vertices.size() < body.vertices().size()) scratch.vertices.resize(body.vertices().size());
     if (scratch.wedge_of.size() < mesh.triangles().size()) scratch.wedge_of.resize(mesh.triangles().size());
     if (scratch.seen.empty()) grow();
@@ -34,7 +35,7 @@ class PairSearch {
   }
 
   void run() {
-    walk_pairs(mesh_.hierarchy(), body_.hierarchy(), place_, [] { return 0.0; },
+    walk_pairs(mesh_.hierarchy(), body_.hierarchy(), place_, [this] { return rounding_ * rounding_; },
                [&](std::uint32_t leaf, std::uint32_t body_leaf) { leaves(leaf, body_leaf); });
   }
 
@@ -49,11 +50,11 @@ class PairSearch {
       const Vec3 corners[3] = {placed(facet, 0), placed(facet, 1), placed(facet, 2)};
       if (!reaches(flat, corners)) continue;
       const Bounds box = bounds_of(corners);
-      if (distance2(box, leaf.bounds) > 0.0) continue;
+      if (distance2(box, leaf.bounds) > rounding_ * rounding_) continue;
       for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
         const std::uint32_t t = mesh_.hierarchy().order()[i];
         const double cut = depth_of_cut(t, corners);
-        if (!(cut >= 0.0) || distance2(box_of(t), box) > 0.0) continue;
+        if (!(cut >= -rounding_) || distance2(box_of(t), box) > rounding_ * rounding_) continue;
         scratch_.cuts.push_back({{t, facet}, cut});
         offer({t, facet});
         while (!scratch_.open.empty()) {
@@ -153,9 +154,14 @@ class PairSearch {
   PairScratch &scratch_;
   std::vector<Vec3> &polygon_;
   PatchLoad &load_;
+  double rounding_;  // m: what is as far apart may cross
 };
 
 }  // namespace
+
+double rounding_of_crossings(const TriangleMesh &a, const TriangleMesh &b) {
+  return 1e-15 * (a.bound_radius() + b.bound_radius());
+}
 
 void push_pair_patches(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, PairScratch &scratch,
                        PatchScratch &patch_scratch, PatchLoad &load) {

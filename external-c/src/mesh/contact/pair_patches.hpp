@@ -41,6 +41,9 @@ struct PairScratch {
   std::vector<TriangleWedge> wedges;
 };
 
+// Triangles that cross by no more than this do so by rounding, and those as far apart (m) may cross.
+double rounding_of_crossings(const TriangleMesh &a, const TriangleMesh &b);
+
 // Pushes to `load` every piece of the surface of `body` that lies in the wedge of a triangle of `mesh`. `place` is the
 // body's pose in the mesh's frame.
 //

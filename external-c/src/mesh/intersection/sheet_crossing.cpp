@@ -40,7 +40,7 @@ TriangleSection sheet_crossing(const TriangleMesh &mesh, std::uint32_t t, const 
   const Vec3 a[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
   const Vec3 b[3] = {place(body.corner(facet, 0)), place(body.corner(facet, 1)), place(body.corner(facet, 2))};
   const Vec3 &normal_a = mesh.face_normal(t), normal_b = place.rotation * body.face_normal(facet);
-  TriangleSection crossing = common_segment(a, normal_a, b, normal_b);
+  TriangleSection crossing = common_segment(a, normal_a, b, normal_b, enough);
   const auto at_most = [&](double depth) {
     crossing.depth = std::fmin(crossing.depth, depth);
     return crossing.depth > enough;

@@ -26,29 +26,33 @@ Interval extent(const Vec3 (&corner)[3], const Vec3 &axis, const Vec3 &from) {
 double overlap(const Interval &a, const Interval &b) { return std::fmin(a.high - b.low, b.high - a.low); }
 
 // Where the triangle meets the plane through `from`, as an interval along `line`; `low_at` and `high_at` receive its ends.
+// Corners nearer to the plane than `in_plane` lie in it.
 Interval on_line(const Vec3 (&corner)[3], const Vec3 &normal, const Vec3 &from, const Vec3 &line, const Vec3 &origin,
-                 Vec3 &low_at, Vec3 &high_at) {
+                 double in_plane, Vec3 &low_at, Vec3 &high_at) {
   Interval interval;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 &p = corner[k], &q = corner[(k + 1) % 3];
-    const double above_p = dot(normal, p - from), above_q = dot(normal, q - from);
-    if ((above_p >= 0.0) == (above_q >= 0.0)) continue;
-    const Vec3 at = p + (above_p / (above_p - above_q)) * (q - p);
+  const auto include = [&](const Vec3 &at) {
     const double x = dot(line, at - origin);
     if (x < interval.low) low_at = at;
     if (x > interval.high) high_at = at;
     interval.include(x);
+  };
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &p = corner[k], &q = corner[(k + 1) % 3];
+    const double above_p = dot(normal, p - from), above_q = dot(normal, q - from);
+    if (std::fabs(above_p) <= in_plane) include(p);
+    if ((above_p >= 0.0) != (above_q >= 0.0)) include(p + (above_p / (above_p - above_q)) * (q - p));
   }
   return interval;
 }
 
 }  // namespace
 
-TriangleSection common_segment(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b) {
+TriangleSection common_segment(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b,
+                               double in_plane) {
   const Vec3 line = cross(normal_a, normal_b);
   Vec3 low_a, high_a, low_b, high_b;
-  const Interval first = on_line(a, normal_b, b[0], line, a[0], low_a, high_a);
-  const Interval second = on_line(b, normal_a, a[0], line, a[0], low_b, high_b);
+  const Interval first = on_line(a, normal_b, b[0], line, a[0], in_plane, low_a, high_a);
+  const Interval second = on_line(b, normal_a, a[0], line, a[0], in_plane, low_b, high_b);
   const Vec3 &low_at = first.low > second.low ? low_a : low_b, &high_at = first.high < second.high ? high_a : high_b;
   const double along = std::fmin(first.high, second.high) - std::fmax(first.low, second.low);
   return {along > 0.0 ? norm(high_at - low_at) : 0.0, 0.5 * (low_at + high_at)};
@@ -72,7 +76,7 @@ TriangleSection triangle_crossing(const Vec3 (&a)[3], const Vec3 &normal_a, cons
       if (!still_crosses((1.0 / std::sqrt(length2)) * axis)) return {};
     }
   }
-  return {depth, common_segment(a, normal_a, b, normal_b).place};
+  return {depth, common_segment(a, normal_a, b, normal_b, 0.0).place};
 }
 
 }  // namespace cmb::mesh

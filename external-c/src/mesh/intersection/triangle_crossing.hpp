@@ -7,8 +7,10 @@
 namespace cmb::mesh {
 
 // The segment that two triangles have in common: its length as depth, 0 where there is none or they lie in one plane, and its
-// middle. `normal_a`, `normal_b`: unit.
-TriangleSection common_segment(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b);
+// middle. `normal_a`, `normal_b`: unit. Corners nearer to the other triangle's plane than `in_plane` (m) lie in it: where an edge
+// does, both triangles at it have it in common with the other one, and rounding cannot give it to neither.
+TriangleSection common_segment(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b,
+                               double in_plane);
 
 // Depth: the least translation that parts them, 0 where they do not cross or where that is at most `enough` (the place is of
 // no use then); exact, by the separating axes of two triangles. Place: the middle of the segment they have in common. Both are
