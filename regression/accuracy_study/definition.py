@@ -71,7 +71,7 @@ class Study:
         grid: FULL (every value with every other) or ONE_AT_A_TIME (model and geometry knobs change one by one from
             their first values; those of the solver always meet every other).
         repeats: how often each run is timed; the median counts.
-        time_limit: wall time of each run, s.
+        time_limit: processor time of each run, s.
         scenes: at least one.
     """
 

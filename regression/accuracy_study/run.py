@@ -22,6 +22,8 @@ _CHECK = 10.0
 """By how much looser the run is that tells how far a tight trajectory can be trusted."""
 _DETAIL = 20
 """Rows for each output interval in the run that shows penetration and energy between them."""
+_WALL_BY_CPU = 20.0
+"""Wall time over processor time from which on a run is given up too: one that waits for ever."""
 _LONG = 1.0
 """Processor time of a run that is not repeated, s: its spread says nothing that is looked for."""
 _TIGHT_TIME = 10.0
@@ -39,7 +41,7 @@ class Experiment:
         start, stop, interval: s.
         recorded: every signal that is needed.
         compared: those by which trajectories are compared.
-        time_limit: wall time, s.
+        time_limit: processor time, s.
     """
 
     fmu: Path
@@ -75,7 +77,8 @@ class Experiment:
             mode=solver,
             max_step=self.interval if max_step is None and detail > 1 else max_step,
             parameters=self.start_values,
-            time_limit=patience * self.time_limit,
+            time_limit=_WALL_BY_CPU * patience * self.time_limit,
+            cpu_limit=patience * self.time_limit,
         )
 
     def described(self) -> dict[str, Any]:
@@ -86,7 +89,7 @@ class Experiment:
             "span": [self.start, self.stop, self.interval],
             "recorded": self.recorded,
             "compared": self.compared,
-            "time_limit": self.time_limit,
+            "cpu_limit": self.time_limit,
         }
 
 
