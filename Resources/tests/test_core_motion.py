@@ -22,7 +22,7 @@ def _damped(t, x0, v0, frequency_squared, damping, rest):
     return rest + np.exp(-decay * t) * (a * np.cos(omega * t) + b * np.sin(omega * t))
 
 
-@pytest.mark.parametrize("name", ["RevolutePendulum", "RevoluteBackwards"])
+@pytest.mark.parametrize("name", ["RevolutePendulum", pytest.param("RevoluteBackwards", marks=pytest.mark.full)])
 def test_pendulum_follows_elliptic_function(simulate, name):
     result = simulate(name, stop=3.0)
     rate = np.sqrt(2 * G * 0.6 / (0.3 + 2 * 0.6**2))
@@ -48,6 +48,7 @@ def test_cylindrical_falls_and_turns_independently(simulate):
     np.testing.assert_allclose(result["joint.phi"], 2 * t, atol=TOLERANCE)
 
 
+@pytest.mark.full
 def test_universal_keeps_energy_and_is_two_rotations(simulate, vector):
     result = simulate("UniversalSwing", stop=2.0)
     np.testing.assert_allclose(result["energy"], result["energy"][0], atol=1e-7)
@@ -64,6 +65,7 @@ def test_planar_throw_is_a_parabola(simulate):
     np.testing.assert_allclose(result["joint.phi"], 0.3 + 4 * t, atol=TOLERANCE)
 
 
+@pytest.mark.full
 def test_planar_feels_the_part_of_gravity_in_its_plane(simulate, vector):
     result = simulate("PlanarTilted")
     normal = np.array([0.3, 0.2, 1.0]) / np.linalg.norm([0.3, 0.2, 1.0])
@@ -74,7 +76,10 @@ def test_planar_feels_the_part_of_gravity_in_its_plane(simulate, vector):
     np.testing.assert_allclose(result["joint.s_x"], expected @ along / np.linalg.norm(along), atol=TOLERANCE)
 
 
-@pytest.mark.parametrize("name", ["SphericalCone", "SphericalStatesQuaternions", "SphericalStatesAngles"])
+@pytest.mark.parametrize(
+    "name",
+    ["SphericalCone", pytest.param("SphericalStatesQuaternions", marks=pytest.mark.full), "SphericalStatesAngles"],
+)
 def test_spherical_circles_steadily(simulate, vector, name):
     result = simulate(name, stop=2.0)
     inertia = 0.1 + 1.5 * 0.8**2 - 0.04
@@ -88,11 +93,11 @@ def test_spherical_circles_steadily(simulate, vector, name):
     "name",
     [
         "FreeMotionQuaternions",
-        "FreeMotionAngles",
+        pytest.param("FreeMotionAngles", marks=pytest.mark.full),
         "FreeMotionWithoutStates",
         "FreeBodyQuaternions",
-        "FreeBodyAngles",
-        "FreeBodyEnforced",
+        pytest.param("FreeBodyAngles", marks=pytest.mark.full),
+        pytest.param("FreeBodyEnforced", marks=pytest.mark.full),
     ],
 )
 def test_free_symmetric_body_precesses_regularly(simulate, vector, name):
@@ -112,6 +117,7 @@ def test_free_symmetric_body_precesses_regularly(simulate, vector, name):
         np.testing.assert_allclose(np.linalg.norm(vector(result, "body.Q"), axis=1), 1, atol=1e-8)
 
 
+@pytest.mark.full
 def test_chain_gains_momentum_by_gravity_alone(simulate, vector):
     result = simulate("FreeChain")
     momentum = vector(result, "momentum")
@@ -134,6 +140,7 @@ def _gauss_inertia(density, size, hole, rotation, middle):
     return total, middle, rotation @ tensor @ rotation.T
 
 
+@pytest.mark.full
 def test_homogeneous_bodies_weigh_what_they_are_made_of(simulate, vector):
     result = simulate("Homogeneous")
     r = np.array([0.4, 0, 0.1])
@@ -179,6 +186,7 @@ def test_gravity_can_be_any_function(simulate, vector):
     np.testing.assert_allclose(vector(result, "mass.r_0"), np.stack([np.cos(t), np.sin(t), t / 2], axis=1), atol=1e-8)
 
 
+@pytest.mark.full
 def test_line_forces_and_newton_for_the_whole(simulate, vector):
     result = simulate("LineForces")
     assert np.allclose(result["springDamper.f"], 40 * (result["springDamper.s"] - 0.5) + result["springDamper.f_d"])
@@ -195,6 +203,7 @@ def test_line_forces_and_newton_for_the_whole(simulate, vector):
     np.testing.assert_allclose(rate, outside, atol=1e-8)
 
 
+@pytest.mark.full
 def test_world_forces_obey_newton_and_euler(simulate, vector):
     result = simulate("WorldForces")
     rotation = vector(result, "body.frame_a.R.T")
@@ -213,6 +222,7 @@ def test_world_forces_obey_newton_and_euler(simulate, vector):
     np.testing.assert_allclose(inertia * z + np.cross(w, inertia * w), about_centre, atol=1e-9)
 
 
+@pytest.mark.full
 def test_mutual_forces_keep_momentum_and_angular_momentum(simulate, vector):
     result = simulate("MutualForces")
     for name in ("momentum", "spin"):
@@ -221,6 +231,7 @@ def test_mutual_forces_keep_momentum_and_angular_momentum(simulate, vector):
     assert np.ptp(result["first.r_0[3]"]) > 0.1
 
 
+@pytest.mark.full
 def test_driven_arm_with_sliding_load(simulate):
     result = simulate("DrivenRobot")
     t = result["time"]

@@ -14,17 +14,9 @@ QUICK = {
     "box_on_edge",
     "falling_domino",
     "free_impact_without_events",
-    "heavy_on_light",
-    "incline_slides",
     "incline_sticks",
     "off_centre_impact",
-    "plate_pushed_turns",
-    "rolling_sphere",
     "second_strike",
-    "sliding_block_anchored",
-    "spinning_faces",
-    "stack_of_boxes",
-    "volume_impact",
 }
 
 

@@ -9,13 +9,10 @@ from program import CaseCheck, cases_of
 
 QUICK = {
     "BallOnFloor",
-    "BallWithoutEngine",
     "EngineAgreesWithFormula",
     "HammerOnAnvil",
-    "RollingSphere",
     "ServoStep",
     "ShapesFromFiles",
-    "TumblingShapes",
 }
 
 

@@ -32,6 +32,7 @@ end Drop;
 """
 
 
+@pytest.mark.full
 @pytest.mark.usefixtures("engine")
 def test_table_of_the_incline(cmb: Cmb, tmp_path: Path) -> None:
     done = cmb("effects", "--effect", "friction", "--stop", "1", "--output", "effects.html", cwd=tmp_path)

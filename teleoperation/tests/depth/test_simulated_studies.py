@@ -18,11 +18,15 @@ from small_designs import DESIGN_FILE, PUBLISHED_FILE, thesis
 
 DESIGN = thesis()
 LEVELS = load_published(PUBLISHED_FILE, DESIGN).levels
-SEQUENCES = make_sequences(DESIGN, 44, seed=1)
 
 
-def test_drawn_observers_have_the_population_s_scale_bias_and_noise():
-    drawn = draw_answers(LEVELS, SEQUENCES, Population(), 200, np.random.default_rng(1))
+@pytest.fixture(scope="module")
+def sequences():
+    return make_sequences(DESIGN, 44, seed=1)
+
+
+def test_drawn_observers_have_the_population_s_scale_bias_and_noise(sequences):
+    drawn = draw_answers(LEVELS, sequences, Population(), 200, np.random.default_rng(1))
     assert drawn.scale.mean() == pytest.approx(1, abs=0.01)
     assert drawn.scale.std() == pytest.approx(0.2, abs=0.01)
     assert drawn.bias.std() == pytest.approx(0.6, abs=0.02)
@@ -30,22 +34,22 @@ def test_drawn_observers_have_the_population_s_scale_bias_and_noise():
     assert np.isnan(drawn.relative[..., 0]).all()
     assert set(np.unique(drawn.relative[..., 1:])) <= set(range(1, 10))
     quiet = Population(0, 0, 0, 0, 0, 0)
-    exact = draw_answers(LEVELS, SEQUENCES, quiet, 1, np.random.default_rng(1))
-    np.testing.assert_array_equal(exact.absolute[0], np.rint(LEVELS[SEQUENCES]))
-    np.testing.assert_array_equal(exact.relative[0, :, 1:], 5 + np.rint(np.diff(LEVELS[SEQUENCES], axis=1)))
+    exact = draw_answers(LEVELS, sequences, quiet, 1, np.random.default_rng(1))
+    np.testing.assert_array_equal(exact.absolute[0], np.rint(LEVELS[sequences]))
+    np.testing.assert_array_equal(exact.relative[0, :, 1:], 5 + np.rint(np.diff(LEVELS[sequences], axis=1)))
 
 
-def test_carry_over_leans_towards_the_constellation_before():
+def test_carry_over_leans_towards_the_constellation_before(sequences):
     quiet = Population(0, 0, 0, 0, 0, 0.5)
-    drawn = draw_answers(LEVELS, SEQUENCES, quiet, 1, np.random.default_rng(1))
-    shown = LEVELS[SEQUENCES]
+    drawn = draw_answers(LEVELS, sequences, quiet, 1, np.random.default_rng(1))
+    shown = LEVELS[sequences]
     np.testing.assert_array_equal(drawn.absolute[0, :, 1:], np.rint((shown[:, 1:] + shown[:, :-1]) / 2))
 
 
 @pytest.fixture(scope="module")
-def coverage():
+def coverage(sequences):
     return study_coverage(
-        DESIGN, LEVELS, SEQUENCES, Population(), studies=400, seed=2, carry_overs=(0.0, 0.2), confidence=0.9
+        DESIGN, LEVELS, sequences, Population(), studies=400, seed=2, carry_overs=(0.0, 0.2), confidence=0.9
     )
 
 
@@ -76,9 +80,9 @@ def test_carry_over_breaks_coverage_and_clean_levels_mend_it(coverage):
     assert strong.carry_over_estimate == pytest.approx(0.2, abs=0.02)
 
 
-def test_power_grows_with_observers_and_false_alarms_are_as_rare_as_said():
+def test_power_grows_with_observers_and_false_alarms_are_as_rare_as_said(sequences):
     table = study_power(
-        DESIGN, LEVELS, SEQUENCES, Population(), difference=0.5, numbers=(10, 44), studies=300, seed=1, confidence=0.9
+        DESIGN, LEVELS, sequences, Population(), difference=0.5, numbers=(10, 44), studies=300, seed=1, confidence=0.9
     )
     few, many = table.rows
     assert table.contrast.factor == "scene"
@@ -92,9 +96,9 @@ def test_power_grows_with_observers_and_false_alarms_are_as_rare_as_said():
     assert table.enough("edge") is None
 
 
-def test_a_difference_outside_the_scale_is_refused():
+def test_a_difference_outside_the_scale_is_refused(sequences):
     with pytest.raises(InputError, match="scale from 1 to 9"):
-        study_power(DESIGN, LEVELS, SEQUENCES, Population(), difference=float("nan"), numbers=(10,), studies=1, seed=1)
+        study_power(DESIGN, LEVELS, sequences, Population(), difference=float("nan"), numbers=(10,), studies=1, seed=1)
 
 
 def test_the_population_file_holds_the_defaults():
@@ -121,10 +125,10 @@ def test_populations_that_cannot_be_drawn_are_refused(tmp_path, text, told):
     assert len(fields(Population)) == 6
 
 
-def test_equal_seeds_give_equal_studies(tmp_path):
+def test_equal_seeds_give_equal_studies(tmp_path, sequences):
     tables = []
     for name, seed in (("a.db", 1), ("b.db", 1), ("c.db", 2)):
-        write_simulated_study(tmp_path / name, DESIGN_FILE, SEQUENCES[:5], LEVELS, Population(), seed)
+        write_simulated_study(tmp_path / name, DESIGN_FILE, sequences[:5], LEVELS, Population(), seed)
         database = open_database(tmp_path / name)
         tables.append(database.answers())
         database.close()

@@ -267,6 +267,7 @@ def test_too_fine_meshes_and_failures_keep_the_hull(monkeypatch: pytest.MonkeyPa
     assert "CoACD failed with status 1: no message; V-HACD failed" in shapes_of(vertices, triangles).notes[0]
 
 
+@pytest.mark.full
 def test_what_never_ends_is_stopped_and_vhacd_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The limit is of processor time; that there was no end is remembered, so that the next run does not wait again."""
     (tmp_path / "endless.py").write_text("while True:\n    pass\n")

@@ -127,6 +127,7 @@ def spatial_crank(first: str, axes: dict[str, Any]) -> tuple[list[str], list[str
     return parts, joints
 
 
+@pytest.mark.full
 def test_loop_with_two_spherical_joints_stays_closed_and_keeps_its_energy(tmp_path: Path, fmu_cache: Path) -> None:
     """Two freedoms: the crank's turn, and the spin of the coupler about its own line, which the model can start."""
     file = write_assembly(tmp_path / "rssr.xml", *spatial_crank("spherical", {}), name="Rssr")

@@ -214,6 +214,7 @@ def test_movable_loops_keep_as_many_conditions_as_are_independent(
     assert ("one of many solutions" if conditions else "was left out: it repeats") in note
 
 
+@pytest.mark.full
 def test_order_of_joints_does_not_matter(tmp_path: Path) -> None:
     parts, joints = bennett()
     for order in (joints, joints[::-1], [*joints[2:], *joints[:2]]):
