@@ -59,7 +59,7 @@ E (1 - &nu;)/((1 + &nu;)(1 - 2&nu;))/h if it cannot (K. L. Johnson, Contact Mech
 <li>A corner pushes with the third power of its depth: dropped on a corner a body goes deep before the floor stops it. Choose k so that this depth stays below the size of the bodies, or use the ContactManager.</li>
 <li>Damping and friction act at four points about the centroid that have the second moment of the area: as those of the face as a whole where all of it moves alike, else nearly so.</li>
 <li>Anchored friction takes <code>frictionStiffness</code> = 0.8 k by 1 m<sup>2</sup> unless it is given. For a face of area A, 0.8 k A suits better.</li>
-<li>Between bounded shapes the normal is that of the shortest way out, and the energy is exact where one side of the overlap is flat.</li>
+<li>Between bounded shapes the normal is that of the shortest separating translation, and the energy is exact where one side of the overlap is flat.</li>
 <li>An overlap costs some ten times as much as contact points; of round bodies with anything but half-spaces a fraction of a millisecond, of two capsules some milliseconds.</li>
 </ul>
 </html>"));

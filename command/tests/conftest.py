@@ -1,4 +1,4 @@
-"""The whole road, walked once for all tests that look at what came out of it."""
+"""The whole pipeline, run once for all tests that look at what came out of it."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def engine() -> None:
 @pytest.fixture(scope="session")
 def hammer(cmb: Cmb, engine: None, tmp_path_factory: pytest.TempPathFactory) -> Path:  # noqa: ARG001
     """The output folder of ``cmb run`` on the hammer."""
-    output = tmp_path_factory.mktemp("road") / "hammer"
+    output = tmp_path_factory.mktemp("pipeline") / "hammer"
     done = cmb("run", HAMMER, "--output", output)
     assert done.returncode == 0, done.stderr
     (output / "summary.txt").write_text(done.stdout)

@@ -10,6 +10,6 @@ algorithm
     ratio := max(ratio, -distance[i]/thickness[i]);
   end for;
   annotation (Inline=false, Documentation(info="<html>
-<p>From a half on the shortest way out may lead to the other side of the thinner body.</p>
+<p>From a half on the shortest separating translation may lead to the other side of the thinner body.</p>
 </html>"));
 end relativeDepth;

@@ -1,4 +1,4 @@
-"""`cmb run`: the whole road from a CAD assembly to a report."""
+"""`cmb run`: the whole pipeline from a CAD assembly to a report."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> int:
-    """Runs the whole road and prints the summary."""
+    """Runs the whole pipeline and prints the summary."""
     assembly = find_assembly(arguments.assembly)
     output = arguments.output or Path("out") / assembly.stem
     _require_own(output, assembly.stem)

@@ -39,8 +39,8 @@ LEGS = {
 
 
 @dataclass(frozen=True)
-class Road:
-    """What the whole road gave."""
+class Walk:
+    """What the whole pipeline gave."""
 
     folder: Path
     scene: Scene
@@ -49,7 +49,7 @@ class Road:
 
 
 @pytest.fixture(scope="module")
-def road(cmb: Cmb, engine: None, tmp_path_factory: pytest.TempPathFactory) -> Road:  # noqa: ARG001
+def walk(cmb: Cmb, engine: None, tmp_path_factory: pytest.TempPathFactory) -> Walk:  # noqa: ARG001
     """A few steps of ``cmb run``, and the same FMU's references of the servos beside what the report needs."""
     folder = tmp_path_factory.mktemp("walk") / "anton"
     done = cmb("run", ANTON, "--output", folder, "--stop", "0.6")
@@ -60,7 +60,7 @@ def road(cmb: Cmb, engine: None, tmp_path_factory: pytest.TempPathFactory) -> Ro
     wanted += ["travel", "commandedTravel", "bodyHeight", "totalFootForce"]
     signals = [*signals_for(scene, read_description(fmu)), *wanted]
     result = simulate(fmu, signals=signals, stop=STOP, tolerance=1e-4, interval=0.005)
-    return Road(folder, scene, result, done.stdout)
+    return Walk(folder, scene, result, done.stdout)
 
 
 def window(result: SimulationResult, start: float, stop: float = STOP) -> FloatArray:
@@ -80,33 +80,33 @@ def place_in_cycle(result: SimulationResult, group: int) -> FloatArray:
     return place
 
 
-def test_the_pairs_are_the_feet_on_the_floor(road: Road) -> None:
-    assert [pair.bodies for pair in road.scene.pairs] == [(f"{leg}Foot", "floorPlane") for leg in LEGS]
+def test_the_pairs_are_the_feet_on_the_floor(walk: Walk) -> None:
+    assert [pair.bodies for pair in walk.scene.pairs] == [(f"{leg}Foot", "floorPlane") for leg in LEGS]
 
 
-def test_mass_and_weight_in_front(road: Road) -> None:
-    moving = [motion for motion in body_motions(road.scene, road.result) if not motion.body.fixed]
+def test_mass_and_weight_in_front(walk: Walk) -> None:
+    moving = [motion for motion in body_motions(walk.scene, walk.result) if not motion.body.fixed]
     assert sum(motion.body.mass for motion in moving) == pytest.approx(7.8, rel=1e-9)
     center = sum(motion.body.mass * center_of_mass(motion)[0] for motion in moving) / 7.8
     assert 0.015 < center[0] < 0.04
     assert center[1] == pytest.approx(0, abs=2e-3)
 
 
-def test_it_stands_on_all_feet_until_the_command(road: Road) -> None:
-    before = window(road.result, 0.4, 0.5)
-    assert (forces(road.result)[:, before] > 3).all()
-    assert road.result["totalFootForce"][before] == pytest.approx(np.full(before.sum(), WEIGHT), rel=1e-4)
+def test_it_stands_on_all_feet_until_the_command(walk: Walk) -> None:
+    before = window(walk.result, 0.4, 0.5)
+    assert (forces(walk.result)[:, before] > 3).all()
+    assert walk.result["totalFootForce"][before] == pytest.approx(np.full(before.sum(), WEIGHT), rel=1e-4)
 
 
-def test_forces_of_whole_cycles_carry_the_weight(road: Road) -> None:
-    cycles = window(road.result, FULL_SPEED)
-    mean = mean_over_time(road.result.time[cycles], road.result["totalFootForce"][cycles])
+def test_forces_of_whole_cycles_carry_the_weight(walk: Walk) -> None:
+    cycles = window(walk.result, FULL_SPEED)
+    mean = mean_over_time(walk.result.time[cycles], walk.result["totalFootForce"][cycles])
     assert mean == pytest.approx(WEIGHT, rel=5e-3)
 
 
-def test_front_and_middle_legs_carry_more_than_rear_legs(road: Road) -> None:
-    cycles = window(road.result, FULL_SPEED)
-    carried = forces(road.result)[:, cycles]
+def test_front_and_middle_legs_carry_more_than_rear_legs(walk: Walk) -> None:
+    cycles = window(walk.result, FULL_SPEED)
+    carried = forces(walk.result)[:, cycles]
     front, middle, rear = (
         np.mean([values[values > 0].mean() for values in carried[[side, 3 + side]]]) for side in (0, 1, 2)
     )
@@ -114,22 +114,22 @@ def test_front_and_middle_legs_carry_more_than_rear_legs(road: Road) -> None:
     assert front > 1.2 * rear
 
 
-def test_swinging_feet_carry_nothing(road: Road) -> None:
+def test_swinging_feet_carry_nothing(walk: Walk) -> None:
     for k, (_, group) in enumerate(LEGS.values(), start=1):
-        place = place_in_cycle(road.result, group)
-        swing = (place > DUTY + 0.2 * (1 - DUTY)) & (place < 1 - 0.2 * (1 - DUTY)) & window(road.result, FULL_SPEED)
+        place = place_in_cycle(walk.result, group)
+        swing = (place > DUTY + 0.2 * (1 - DUTY)) & (place < 1 - 0.2 * (1 - DUTY)) & window(walk.result, FULL_SPEED)
         assert swing.sum() > 50
-        assert (road.result[f"contacts.normalForce[{k}]"][swing] == 0).all()
-        assert road.result[f"contacts.distance[{k}]"][swing].max() == pytest.approx(0.035, abs=2e-3)
+        assert (walk.result[f"contacts.normalForce[{k}]"][swing] == 0).all()
+        assert walk.result[f"contacts.distance[{k}]"][swing].max() == pytest.approx(0.035, abs=2e-3)
 
 
-def test_three_feet_share_the_weight_as_statics_says(road: Road) -> None:
+def test_three_feet_share_the_weight_as_statics_says(walk: Walk) -> None:
     """While one group swings, sum and moments about the floor's axes give its three normal forces.
 
     What is left out, the inertia of torso and swinging legs, makes less than a fortieth of the weight.
     """
-    result = road.result
-    moving = [motion for motion in body_motions(road.scene, result) if not motion.body.fixed]
+    result = walk.result
+    moving = [motion for motion in body_motions(walk.scene, result) if not motion.body.fixed]
     center = sum(motion.body.mass * center_of_mass(motion) for motion in moving) / 7.8
     for standing in (0, 1):
         place = place_in_cycle(result, 1 - standing)
@@ -143,13 +143,13 @@ def test_three_feet_share_the_weight_as_statics_says(road: Road) -> None:
             assert found == pytest.approx(expected, abs=0.025 * WEIGHT)
 
 
-def test_servos_are_told_a_straight_path(road: Road) -> None:
+def test_servos_are_told_a_straight_path(walk: Walk) -> None:
     """Forward kinematics of the wanted angles: where a standing ball touches goes straight back at constant speed.
 
     The ball rolls with the shank, by its radius times the angle. The gait takes that angle from a foot that does not
     roll, so the share radius/tibia of the rolling way, at most 0.2 mm, is left.
     """
-    result = road.result
+    result = walk.result
     running = window(result, FULL_SPEED)
     for leg, (direction, group) in LEGS.items():
         hip, lift, knee = (result[f"{leg}.servo[{k}].phi_ref"] for k in (1, 2, 3))
@@ -172,15 +172,15 @@ def test_servos_are_told_a_straight_path(road: Road) -> None:
             assert result[f"{leg}.servo[{k}].w_ref"][running] == pytest.approx(rate[running], abs=0.03)
 
 
-def test_joints_follow(road: Road) -> None:
+def test_joints_follow(walk: Walk) -> None:
     for leg in LEGS:
         for k, joint in enumerate(("Hip", "Lift", "Knee"), start=1):
-            error = road.result[f"{leg}{joint}.phi"] - road.result[f"{leg}.servo[{k}].phi_ref"]
+            error = walk.result[f"{leg}{joint}.phi"] - walk.result[f"{leg}.servo[{k}].phi_ref"]
             assert np.abs(error).max() < math.radians(0.6)
 
 
-def test_it_walks_straight_ahead_as_commanded(road: Road) -> None:
-    result = road.result
+def test_it_walks_straight_ahead_as_commanded(walk: Walk) -> None:
+    result = walk.result
     cycles = window(result, FULL_SPEED)
     way, commanded = (np.ptp(result[name][cycles]) for name in ("travel", "commandedTravel"))
     assert commanded == pytest.approx(2 * STRIDE / DUTY, rel=1e-9)
@@ -191,8 +191,8 @@ def test_it_walks_straight_ahead_as_commanded(road: Road) -> None:
     assert upright.min() > math.cos(math.radians(0.5))
 
 
-def test_feet_neither_sink_nor_slip(road: Road) -> None:
-    loads = pair_loads(road.scene, road.result)
+def test_feet_neither_sink_nor_slip(walk: Walk) -> None:
+    loads = pair_loads(walk.scene, walk.result)
     assert len(loads) == 6
     for load in loads:
         assert load.largest_depth is not None
@@ -202,34 +202,34 @@ def test_feet_neither_sink_nor_slip(road: Road) -> None:
         assert load.slid < 0.02 * 3 * STRIDE
 
 
-def test_no_events(road: Road) -> None:
-    assert road.result.counters is not None
-    assert road.result.counters.state_events == 0
-    assert road.result.counters.time_events == 0
+def test_no_events(walk: Walk) -> None:
+    assert walk.result.counters is not None
+    assert walk.result.counters.state_events == 0
+    assert walk.result.counters.time_events == 0
 
 
-def test_co_simulation_walks_the_same_way(road: Road) -> None:
+def test_co_simulation_walks_the_same_way(walk: Walk) -> None:
     result = simulate(
-        road.folder / "anton.fmu", signals=["travel"], stop=STOP, tolerance=1e-4, interval=0.01, mode="cs"
+        walk.folder / "anton.fmu", signals=["travel"], stop=STOP, tolerance=1e-4, interval=0.01, mode="cs"
     )
-    assert result["travel"][-1] == pytest.approx(road.result["travel"][-1], rel=1e-3)
+    assert result["travel"][-1] == pytest.approx(walk.result["travel"][-1], rel=1e-3)
 
 
 @pytest.mark.parametrize(
     ("parameter", "value"), [("gait.stride", -0.06), ("gait.dutyFactor", 0.7), ("gait.period", 2.0)]
 )
-def test_other_gaits_walk_too(road: Road, parameter: str, value: float) -> None:
+def test_other_gaits_walk_too(walk: Walk, parameter: str, value: float) -> None:
     signals = ["travel", "commandedTravel"]
-    fmu = road.folder / "anton.fmu"
+    fmu = walk.folder / "anton.fmu"
     result = simulate(fmu, signals=signals, stop=3, interval=0.01, mode="cs", parameters={parameter: value})
     assert abs(result["commandedTravel"][-1]) > 0.07
     assert result["travel"][-1] == pytest.approx(result["commandedTravel"][-1], rel=0.01)
 
 
-def test_the_report_shows_the_feet(road: Road) -> None:
-    page = (road.folder / "report.html").read_text(encoding="utf-8")
+def test_the_report_shows_the_feet(walk: Walk) -> None:
+    page = (walk.folder / "report.html").read_text(encoding="utf-8")
     assert "Foot forces, left side" not in page  # its window begins after the stop
     assert "Sum of the foot forces" in page
     assert "Forward travel" in page
     assert "Slid, mm" in page
-    assert "Distance commanded" in road.output
+    assert "Distance commanded" in walk.output

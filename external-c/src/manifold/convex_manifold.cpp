@@ -7,7 +7,7 @@ namespace cmb {
 
 namespace {
 
-// What a ball touches in one point alone: another ball, or any body no second way out of which is near.
+// What a ball touches in one point alone: another ball, or any body with no second separating direction nearly as short.
 bool touches_at_its_witness(const Shape &a, const Shape &b, const SignedDistance &answer) {
   const bool ball_a = a.kind == ShapeKind::sphere, ball_b = b.kind == ShapeKind::sphere;
   if (ball_a && ball_b) return true;

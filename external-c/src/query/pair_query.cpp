@@ -25,7 +25,7 @@ Plane world_plane(const Pose &pose) {
 constexpr double library_tolerance = 1e-4;
 
 // Asks the scene's library; whether its answer is used. It counts as it is: along its normal, to its depth, and no other
-// way out is looked for.
+// separating direction is looked for.
 bool find_library_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                          SignedDistance &answer) {
   SignedDistance theirs;

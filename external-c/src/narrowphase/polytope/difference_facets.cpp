@@ -128,8 +128,8 @@ bool DifferenceFacets::cross_side(const Corner &q, const Vec3 &q_end, const Vec3
   const std::int32_t other_vertex = q.vertex[1 - q.body];
   const Vec3 local_from = other.local(from), local_to = other.local(body_[q.body].normal(face));
   const std::int32_t end = polytope.neighbour_begin(other_vertex + 1);
-  // Where a way does not come to lead upwards its part is 1, or not a number: neither is less. Which one is met first cannot
-  // be foretold: no branch.
+  // Where a way does not come to lead upwards its part is 1, or not a number: neither is less. Which one is met first is
+  // unpredictable: no branch.
   double first = 1.0;
   std::int32_t leaving = -1;
   for (std::int32_t slot = polytope.neighbour_begin(other_vertex); slot < end; ++slot) {

@@ -1,4 +1,4 @@
-// Ways out straight through a flat end: a face of a box, an end of a cylinder, the base of a cone.
+// Separating directions straight through a flat end: a face of a box, an end of a cylinder, the base of a cone.
 #pragma once
 
 #include "narrowphase/minkowski_difference.hpp"

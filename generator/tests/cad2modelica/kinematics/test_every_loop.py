@@ -148,7 +148,7 @@ def test_crank_that_turns_all_the_way_stays_the_state(tmp_path: Path) -> None:
     assert "dead centre" not in notes
 
 
-def test_dead_centre_that_no_state_avoids_is_foretold(tmp_path: Path) -> None:
+def test_dead_centre_that_no_state_avoids_is_announced(tmp_path: Path) -> None:
     """A linkage whose longest bar is too long for a crank: Grashof's rule. Its coupler's angle goes on longest."""
     _, notes = states(GROUPS["planar"]["Peaucellier's inversor"], tmp_path)
     assert "comes to a dead centre at about" in notes
