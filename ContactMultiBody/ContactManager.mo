@@ -6,7 +6,7 @@ model ContactManager "Lets all bodies it is connected to collide"
   parameter Types.Backend backend=Types.Backend.Automatic "Algorithm that finds the contacts"
     annotation (Evaluate=true, Dialog(tab="Advanced"));
   parameter Modelica.Units.SI.Length exactWithin(min=Modelica.Constants.small)=Modelica.Constants.inf
-    "Gap between bounding spheres up to which distances are exact; beyond it they are lower bounds, which cost less"
+    "Gap between bounding volumes up to which distances are exact; beyond it they are lower bounds, which cost less"
     annotation (Dialog(tab="Advanced"));
   final parameter Integer scene=Internal.Engine.intern(geometry, pair, Integer(backend) - 1) "Handle of the scene in the engine";
 protected
@@ -70,7 +70,7 @@ point; the weights of a face that carries wholly sum to one. See
 </p>
 <p>
 <strong>Distances of bodies far apart</strong> need not be exact for contacts, and finding them costs time. With a finite <code>exactWithin</code>, a length L,
-<code>distance</code> is exact where the gap g between the bounding spheres of the two shapes is at most L, that gap where it is at least 2 L, and fades smoothly
+<code>distance</code> is exact where the gap g between the bounding volumes (spheres and boxes) of the two shapes is at most L, that gap where it is at least 2 L, and fades smoothly
 between; <code>approachSpeed</code> is then taken along the line of centres. It is never more than the true distance and has its sign, so that forces are the same at
 each pose and impacts happen at the same times. It is no clearance to read off: leave the default, infinity, where clearances are wanted.
 See <a href=\"modelica://ContactMultiBody.UsersGuide.EffectsAndLaws\">Which effects and laws to choose</a> for what it saves.

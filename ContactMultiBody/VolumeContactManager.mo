@@ -11,7 +11,7 @@ model VolumeContactManager "Lets bodies collide that touch with faces, by forces
   parameter Real foundationModulus[m](each unit="N/m3")=fill(1e8, m) "Pressure by depth of each pair, E/h of a layer of thickness h"
     annotation (Dialog(group="Normal force"));
   parameter Modelica.Units.SI.Length exactWithin(min=Modelica.Constants.small)=Modelica.Constants.inf
-    "Gap between bounding spheres up to which distances are exact; beyond it they are lower bounds, which cost less"
+    "Gap between bounding volumes up to which distances are exact; beyond it they are lower bounds, which cost less"
     annotation (Dialog(tab="Advanced"));
   final parameter Integer scene=Internal.Engine.intern(geometry, pair, 0) "Handle of the scene in the engine";
 protected

@@ -15,7 +15,7 @@ partial model PartialPairs "Bodies, the pairs of them that may touch, and how th
   Modelica.Mechanics.MultiBody.Interfaces.Frame_a frame[n] "Frames of the bodies"
     annotation (Placement(transformation(extent={{-116,-80},{-84,80}})));
 
-  SI.Length distance[m] "Signed distance of each pair, negative when penetrating";
+  SI.Length distance[m] "Signed distance of each pair, negative when penetrating; of bodies apart a lower bound beyond a finite exactWithin";
   Real relativeDepth(unit="1") "Largest penetration depth of all pairs by the thickness of the thinner body";
   SI.Velocity approachSpeed[m] "Speed at which the bodies of each pair approach where they touch";
 

@@ -51,7 +51,7 @@ creep by less than 0.01 mm/s up to 0.99 of the largest friction force. What must
 <code>muStatic</code> and <code>muDynamic</code> of the ContactManager.
 </p>
 <p>
-<strong>Distances of pairs far apart</strong>: <code>exactWithin</code> of the ContactManager and the VolumeContactManager, 0.1 m say, lets the engine answer with the gap of bounding spheres where bodies are farther apart. Forces and impacts stay the same;
+<strong>Distances of pairs far apart</strong>: <code>exactWithin</code> of the ContactManager and the VolumeContactManager, 0.1 m say, lets the engine answer with the gap of bounding volumes where bodies are farther apart. Forces and impacts stay the same;
 <code>distance</code> is no clearance to read off then. One evaluation of a model of bodies of 1 m, 3 m apart, that may all touch, microseconds:
 </p>
 <table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
@@ -62,7 +62,7 @@ creep by less than 0.01 mm/s up to 0.99 of the largest friction force. What must
 <tr><td>10 spheres</td><td>45</td><td>18.9</td><td>17.8</td></tr>
 </table>
 <p>
-What is left are the equations of the pairs. Mechanisms with few pairs gain nothing, nor do bodies whose bounding spheres overlap; pairs that never meet are better left out of <code>pairs</code>.
+What is left are the equations of the pairs. Mechanisms with few pairs gain nothing, nor do bodies whose bounding volumes overlap; pairs that never meet are better left out of <code>pairs</code>.
 The CompiledContactManager gives no distances and looks at near bodies alone; the distances of <a href=\"modelica://ContactMultiBody.PureModelica\">PureModelica</a> are closed forms that cost no more than bounds.
 </p>
 <p>

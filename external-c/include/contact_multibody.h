@@ -113,14 +113,15 @@ typedef struct cmb_contact_points {
 
 /* Evaluates all pairs of a scene. The arrays are unchanged where an argument or the first pose that is wrong is refused.
  * exact_within  a length in m, > 0; HUGE_VAL: distances are exact everywhere. A finite one is cheaper for pairs that are far
- *               apart. With g, the gap between the bounding spheres of two shapes (or of a shape and a half-space),
- *               which is never more than their distance d, such a pair's distance counts as
+ *               apart. With g, the larger of the gaps between the bounding spheres and between the bounding boxes of two
+ *               shapes (or of a shape and a half-space), which is never more than their distance d where they are apart,
+ *               such a pair's distance counts as
  *                 d                     where g <= exact_within,
  *                 g                     where g >= 2 exact_within,
- *                 d + s (g - d)         between, s = 3 x^2 - 2 x^3 with x = g/exact_within - 1,
- *               and so do the normal and the point of unused slots. It is continuous, as smooth as d, never more than
- *               d, and its sign is that of d: contacts, and events at the crossing of zero, are the exact ones. What it is
- *               not is a clearance to be read off. */
+ *                 d + s (g - d)         between, s = 3 x^2 - 2 x^3 with x = g/exact_within - 1;
+ *               the normal and the point of unused slots fade to the line of the spheres' centres. The distance is
+ *               continuous, never more than d, and its sign is that of d: contacts, and events at the crossing of zero,
+ *               are the exact ones. What it is not is a clearance to be read off. */
 CMB_API cmb_status cmb_query_scene(cmb_scene scene, const cmb_poses *poses, double exact_within,
                                    const cmb_contact_points *points);
 

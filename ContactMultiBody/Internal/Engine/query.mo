@@ -7,9 +7,9 @@ pure function query "Distances and contact points of all pairs of a scene"
   input Integer pairCount "Number of pairs";
   input Integer pointCapacity "Largest number of points of a pair";
   input Modelica.Units.SI.Length exactWithin(min=Modelica.Constants.small)
-    "Gap between bounding spheres up to which distances are exact";
+    "Gap between bounding volumes up to which distances are exact";
   output Modelica.Units.SI.Length distance[pairCount]
-    "Signed distance, negative when penetrating; where bounding spheres are farther apart than exactWithin a lower bound";
+    "Signed distance, negative when penetrating; where bounding volumes are farther apart than exactWithin a lower bound";
   output Modelica.Units.SI.Length depth[pairCount, pointCapacity] "Penetration depth of each point";
   output Real weight[pairCount, pointCapacity](each unit="1") "Share of the law's force each point carries";
   output Real normal[pairCount, pointCapacity, 3](each unit="1")

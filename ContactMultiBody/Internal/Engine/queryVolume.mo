@@ -6,9 +6,9 @@ pure function queryVolume "Overlap of all pairs of a scene, as four points each"
   input Real rotation[size(position, 1), 3, 3](each unit="1") "Rotation from world to each body's frame";
   input Integer pairCount "Number of pairs";
   input Modelica.Units.SI.Length exactWithin(min=Modelica.Constants.small)
-    "Gap between bounding spheres up to which distances are exact";
+    "Gap between bounding volumes up to which distances are exact";
   output Modelica.Units.SI.Length distance[pairCount]
-    "Signed distance, negative when penetrating; where bounding spheres are farther apart than exactWithin a lower bound";
+    "Signed distance, negative when penetrating; where bounding volumes are farther apart than exactWithin a lower bound";
   output Modelica.Units.SI.Length depth[pairCount, 4] "Twice the mean depth of the overlap's volume";
   output Real weight[pairCount, 4] "A quarter of the volume of the overlap by that depth, in m2";
   output Real normal[pairCount, 4, 3](each unit="1") "Unit normals from the second body to the first, in world axes";

@@ -22,7 +22,7 @@ BroadPhase::BroadPhase(std::shared_ptr<const Scene> given, CollisionFilter filte
         halfspaces_.push_back(proxy);
       } else {
         bounded_.push_back(proxy);
-        local_bounds_.push_back(local_bounds(scene.bodies[body][shape]));
+        local_bounds_.push_back(scene.bodies[body][shape].bounds);
       }
     }
   }

@@ -12,6 +12,12 @@ struct Plane {
   double offset = 0.0;
 };
 
+// The plane in which a half-space at `pose` ends.
+inline Plane world_plane(const Pose &pose) {
+  const Vec3 normal = pose.rotation.column(2);
+  return {normal, dot(normal, pose.translation)};
+}
+
 // Appends the contact of `shape` (not a half-space), placed by `pose`, with the half-space: normals point out
 // of the half-space. distance, normal and witness of `result` are set.
 //

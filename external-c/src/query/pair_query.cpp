@@ -1,5 +1,6 @@
 #include "query/pair_query.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "manifold/capsule_manifold.hpp"
 #include "manifold/halfspace_manifold.hpp"
 #include "math/pose_algebra.hpp"
+#include "query/bound_gap.hpp"
 #include "query/mesh_halfspace.hpp"
 #include "query/mesh_query.hpp"
 #include "shape/pair_table.hpp"
@@ -15,11 +17,6 @@
 namespace cmb {
 
 namespace {
-
-Plane world_plane(const Pose &pose) {
-  const Vec3 normal = pose.rotation.column(2);
-  return {normal, dot(normal, pose.translation)};
-}
 
 // How far, by the shapes' size, a library's distance may be from what the shapes leave along its own normal.
 constexpr double library_tolerance = 1e-4;
@@ -50,34 +47,7 @@ void find_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const S
   find_exact_distance(a, pose_a, b, pose_b, scratch, answer);
 }
 
-// The gap between two shapes' bounding spheres, or between such a sphere and a half-space, not both: a lower bound of
-// their distance.
-struct BoundGap {
-  double distance;
-  Vec3 normal, witness;  // as of a contact
-};
-
-BoundGap gap_to_halfspace(const Shape &shape, const Pose &pose, const Plane &plane) {
-  const Vec3 center = pose(shape.bound_center);
-  const double height = dot(plane.normal, center) - plane.offset;
-  return {height - shape.bound_radius, plane.normal, center - (0.5 * (height + shape.bound_radius)) * plane.normal};
-}
-
-BoundGap bound_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
-  if (b.kind == ShapeKind::halfspace) return gap_to_halfspace(a, pose_a, world_plane(pose_b));
-  if (a.kind == ShapeKind::halfspace) {
-    BoundGap gap = gap_to_halfspace(b, pose_b, world_plane(pose_a));
-    gap.normal = -gap.normal;
-    return gap;
-  }
-  const Vec3 center_a = pose_a(a.bound_center), center_b = pose_b(b.bound_center), apart = center_a - center_b;
-  const double length = norm(apart);
-  const Vec3 normal = length > 0.0 ? (1.0 / length) * apart : Vec3{0, 0, 1};
-  return {length - a.bound_radius - b.bound_radius, normal,
-          0.5 * (center_a + center_b + (b.bound_radius - a.bound_radius) * normal)};
-}
-
-// From the exact answer to that of the bounding spheres, which are less than 2 exact_within apart.
+// From the exact answer to that of the bounds, which are less than 2 exact_within apart.
 void fade_to_gap(const BoundGap &gap, double exact_within, ContactSet &result) {
   const double x = gap.distance / exact_within - 1.0;
   if (!(x > 0.0)) return;
@@ -141,10 +111,10 @@ QueryScratch &query_scratch() {
 
 namespace {
 
-// As query_shapes, but for shapes farther apart than `exact_within` (m).
-void query_shapes_within(double exact_within, const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b,
-                         const Pose &pose_b, QueryScratch &scratch, ContactSet &result, cmb_backend &who) {
-  const BoundGap gap = bound_gap(a, pose_a, b, pose_b);
+// As query_shapes, but for shapes whose bounds, `gap` apart, are farther apart than `exact_within` (m).
+void query_shapes_within(double exact_within, const BoundGap &gap, const Scene &scene, const Shape &a,
+                         const Pose &pose_a, const Shape &b, const Pose &pose_b, QueryScratch &scratch,
+                         ContactSet &result, cmb_backend &who) {
   if (gap.distance >= 2.0 * exact_within) {
     result.distance = gap.distance;
     result.normal = gap.normal;
@@ -161,27 +131,53 @@ void query_compounds(const Scene &scene, const BodyShapes &a, const Pose &pose_a
                      double exact_within) {
   scratch.poses_a.clear();
   scratch.poses_b.clear();
+  scratch.apart.clear();
   Pose placed;
   for (const Shape &shape : a) scratch.poses_a.push_back(shape_pose(pose_a, shape, placed));
   for (const Shape &shape : b) scratch.poses_b.push_back(shape_pose(pose_b, shape, placed));
+  const auto take = [&](std::size_t i, std::size_t j, const BoundGap &gap) {
+    ContactSet &contact = scratch.shape_contact;
+    contact.points.clear();
+    cmb_backend who = CMB_BACKEND_AUTO;
+    query_shapes_within(exact_within, gap, scene, a[i], scratch.poses_a[i], b[j], scratch.poses_b[j], scratch, contact,
+                        who);
+    result.points.insert(result.points.end(), contact.points.begin(), contact.points.end());
+    if (contact.distance < result.distance) {
+      result.distance = contact.distance;
+      result.normal = contact.normal;
+      result.witness = contact.witness;
+      report.backend = who;
+    }
+  };
+  const auto gap = [&](std::size_t i, std::size_t j) {
+    return bound_gap(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);
+  };
+  // First what may touch; of what is apart the shapes that seem nearest, and then what can be nearer than they are.
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
       if (pair_entry(a[i], b[j]).method == PairMethod::none) continue;
-      // Shapes apart that cannot be the nearest have nothing to tell.
-      const double bound = bound_gap(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]).distance;
-      if (bound > 0.0 && bound >= result.distance) continue;
-      ContactSet &contact = scratch.shape_contact;
-      contact.points.clear();
-      cmb_backend who = CMB_BACKEND_AUTO;
-      query_shapes_within(exact_within, scene, a[i], scratch.poses_a[i], b[j], scratch.poses_b[j], scratch, contact, who);
-      result.points.insert(result.points.end(), contact.points.begin(), contact.points.end());
-      if (contact.distance < result.distance) {
-        result.distance = contact.distance;
-        result.normal = contact.normal;
-        result.witness = contact.witness;
-        report.backend = who;
+      const double of_spheres = sphere_gap(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);
+      if (of_spheres > 0.0) {
+        scratch.apart.push_back({i, j, of_spheres});
+        continue;
+      }
+      const BoundGap between = gap(i, j);
+      if (between.distance > 0.0) {
+        scratch.apart.push_back({i, j, between.distance});
+      } else {
+        take(i, j, between);
       }
     }
+  }
+  const auto nearest =
+      std::min_element(scratch.apart.begin(), scratch.apart.end(),
+                       [](const ShapesApart &x, const ShapesApart &y) { return x.at_least < y.at_least; });
+  if (nearest == scratch.apart.end()) return;
+  std::iter_swap(scratch.apart.begin(), nearest);
+  for (const ShapesApart &shapes : scratch.apart) {
+    if (shapes.at_least >= result.distance) continue;
+    const BoundGap between = gap(shapes.first, shapes.second);
+    if (between.distance < result.distance) take(shapes.first, shapes.second, between);
   }
 }
 
@@ -197,7 +193,8 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
     if (exact_within == std::numeric_limits<double>::infinity()) {
       query_shapes(scene, a[0], at_a, b[0], at_b, scratch, result, report.backend);
     } else {
-      query_shapes_within(exact_within, scene, a[0], at_a, b[0], at_b, scratch, result, report.backend);
+      const BoundGap gap = bound_gap(a[0], at_a, b[0], at_b);
+      query_shapes_within(exact_within, gap, scene, a[0], at_a, b[0], at_b, scratch, result, report.backend);
     }
     return;
   }

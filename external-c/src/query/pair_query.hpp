@@ -14,6 +14,12 @@
 
 namespace cmb {
 
+// Two shapes of two bodies, by their numbers, whose bounds do not overlap.
+struct ShapesApart {
+  std::size_t first, second;
+  double at_least;  // their distance, m
+};
+
 // Room that queries work in; one for each thread.
 struct QueryScratch {
   BackendScratch backend;
@@ -23,6 +29,7 @@ struct QueryScratch {
   ContactSet shape_contact;
   std::vector<Pose> body_poses;        // of a scene
   std::vector<Pose> poses_a, poses_b;  // of the shapes of two compounds
+  std::vector<ShapesApart> apart;      // of them
   Pose placed_a, placed_b;             // of two single shapes that are not where their bodies are
   SignedDistance answer;                 // kept here, where it need not be cleared for each pair
 };

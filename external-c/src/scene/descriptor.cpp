@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/mesh_descriptor.hpp"
+#include "shape/bounds.hpp"
 
 namespace cmb {
 
@@ -110,6 +111,7 @@ Shape parse_shape(const Token &part, GeometryFiles &files) {
   } else if (shape.kind != ShapeKind::halfspace) {
     shape.bound_radius = convex::core_radius(shape.body) + shape.body.radius;
   }
+  if (shape.kind != ShapeKind::halfspace) shape.bounds = local_bounds(shape);
   return shape;
 }
 

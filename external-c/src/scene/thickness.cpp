@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "mesh/core/triangle_mesh.hpp"
-#include "shape/bounds.hpp"
 
 namespace cmb {
 
@@ -28,7 +27,7 @@ double thickness_of(const Shape &shape) {
     const Vec3 extents = extents_of(*shape.mesh);
     return std::min({extents.x, extents.y, extents.z});
   }
-  const LocalBounds bounds = local_bounds(shape);
+  const LocalBounds &bounds = shape.bounds;
   return 2.0 * (std::min({bounds.half.x, bounds.half.y, bounds.half.z}) + bounds.radius);
 }
 

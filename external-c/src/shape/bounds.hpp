@@ -18,13 +18,7 @@ inline bool overlap(const Bounds &a, const Bounds &b) {
          (a.low.z <= b.high.z) & (b.low.z <= a.high.z);
 }
 
-// A box in a shape's frame, swept by a sphere, that holds the shape. Immutable.
-struct LocalBounds {
-  Vec3 center, half;
-  double radius = 0.0;
-};
-
-// Of every shape but the half-space.
+// Of every shape but the half-space, from its geometry and bounding sphere; a parsed shape keeps them.
 LocalBounds local_bounds(const Shape &shape);
 
 // Half the extent of local bounds along a direction (unit) given in the shape's frame.

@@ -26,6 +26,12 @@ class LibraryShape {
 
 enum class ShapeKind { halfspace, sphere, box, capsule, hull, ellipsoid, cylinder, cone, mesh };
 
+// A box in a shape's frame, swept by a sphere, that holds the shape. Immutable.
+struct LocalBounds {
+  Vec3 center, half;
+  double radius = 0.0;
+};
+
 // Immutable once parsed; shared by threads.
 struct Shape {
   ShapeKind kind = ShapeKind::halfspace;
@@ -38,6 +44,7 @@ struct Shape {
   Pose in_body;                                      // point_in_body = in_body(point_in_shape)
   Vec3 bound_center;                                 // bounding sphere in the shape's frame;
   double bound_radius = 0.0;                         // not for halfspace
+  LocalBounds bounds;                                // nor these
 };
 
 // The shapes of one body; empty where the body has none.

@@ -147,7 +147,7 @@ TEST(VolumeLaw, UnknownOverlapsAndBadPosesAreErrors) {
 
 enum class Law { points, volume };
 
-// A cube on a cube, and one to the side of both; exact_within 0: by the calls that take no such length.
+// A cube on a cube, and one across from both; exact_within 0: by the calls that take no such length.
 struct ThreeCubes {
   double distance[3], depth[12], weight[12], normal[36], point[36];
 
@@ -155,7 +155,7 @@ struct ThreeCubes {
     const char *geometry[] = {"cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1", "cmb/1 box size=1,1,1"};
     const int pairs[] = {1, 2, 1, 3, 2, 3};
     const int scene = cmb_modelica_intern(geometry, 3, pairs, 3, 0);
-    const double position[] = {0, 0, 0.99, 0, 0, 0, 3, 0, 0};
+    const double position[] = {0, 0, 0.99, 0, 0, 0, 2.1, 2.1, 0};
     const double rotation[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     if (exact_within == 0.0 && law == Law::volume) {
       cmb_modelica_query_volume(scene, position, 3, rotation, 3, distance, depth, weight, normal, point);
@@ -173,8 +173,8 @@ class QueryWithin : public testing::TestWithParam<Law> {};
 
 TEST_P(QueryWithin, GivesBoundsFarApartAndTheSameContacts) {
   const ThreeCubes exact(GetParam(), 0.0), bounds(GetParam(), 0.1);
-  EXPECT_NEAR(exact.distance[2], 2.0, 1e-12);
-  EXPECT_NEAR(bounds.distance[2], 3.0 - std::sqrt(3.0), 1e-12) << "the gap of the cubes' bounding spheres";
+  EXPECT_NEAR(exact.distance[2], 1.1 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(bounds.distance[2], 2.1 * std::sqrt(2.0) - std::sqrt(3.0), 1e-12) << "the gap of the cubes' bounding spheres";
   EXPECT_LT(bounds.distance[1], exact.distance[1]);
   EXPECT_NEAR(exact.distance[0], -0.01, 1e-12);
   EXPECT_EQ(bounds.distance[0], exact.distance[0]);

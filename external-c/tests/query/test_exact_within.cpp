@@ -130,4 +130,47 @@ TEST(Within, BodiesAboutOneMiddleAreAnsweredExactly) {
   }
 }
 
+// Rods side by side, whose bounding spheres overlap, and a rod over a half-space: their boxes tell.
+TEST(Within, SlenderBodiesAreBoundedByTheirBoxes) {
+  const std::string rod = "cmb/1 cylinder radius=0.05 length=2";
+  const BodyPose beside{{0.4, 0, 0}, rotation_about({0, 0, 1}, 0.0)};
+  EXPECT_NEAR(ask(PairScene(rod, rod).handle(), 0.01, beside, {}).distance, 0.3, 1e-12);
+  const BodyPose lying{{0, 0, 0.4}, rotation_about({0, 1, 0}, 0.5 * std::acos(-1.0))};
+  EXPECT_NEAR(ask(PairScene(rod, "cmb/1 halfspace").handle(), 0.01, lying, {}).distance, 0.35, 1e-12);
+}
+
+// Whatever order a compound's shapes are asked in, the nearest ones tell.
+TEST(Within, CompoundsAreAsNearAsTheirNearestShapes) {
+  random_bodies::Random random(11);
+  const auto pieces = [&] {
+    std::vector<std::string> found;
+    for (int k = 0; k < 5; ++k) {
+      const Vec3 at = random.uniform(0.0, 0.6) * random.direction();
+      found.push_back((k % 2 == 0 ? "box size=0.1,0.2,0.5" : "cylinder radius=0.05 length=0.4") + std::string(" position=") +
+                      std::to_string(at.x) + "," + std::to_string(at.y) + "," + std::to_string(at.z));
+    }
+    return found;
+  };
+  const auto body = [](const std::vector<std::string> &shapes) {
+    std::string text;
+    for (const std::string &shape : shapes) text += (text.empty() ? "cmb/1 " : ";cmb/1 ") + shape;
+    return text;
+  };
+  for (int k = 0; k < 60; ++k) {
+    const std::vector<std::string> one = pieces(), other = pieces();
+    const BodyPose a{random.uniform(0.0, 3.0) * random.direction(), random_bodies::random_rotation(random)};
+    double least = HUGE_VAL, least_bound = HUGE_VAL;
+    for (const std::string &mine : one) {
+      for (const std::string &theirs : other) {
+        const PairScene scene("cmb/1 " + mine, "cmb/1 " + theirs);
+        least = std::fmin(least, ask(scene.handle(), 0.0, a, {}).distance);
+        least_bound = std::fmin(least_bound, ask(scene.handle(), 0.02, a, {}).distance);
+      }
+    }
+    const PairScene scene(body(one), body(other));
+    EXPECT_EQ(ask(scene.handle(), 0.0, a, {}).distance, least) << k;
+    EXPECT_EQ(ask(scene.handle(), 0.02, a, {}).distance, least_bound) << k;
+  }
+}
+
 }  // namespace

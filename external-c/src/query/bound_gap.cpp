@@ -1,0 +1,62 @@
+#include "query/bound_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manifold/halfspace_manifold.hpp"
+#include "math/pose_algebra.hpp"
+#include "shape/bounds.hpp"
+
+namespace cmb {
+
+namespace {
+
+BoundGap gap_to_halfspace(const Shape &shape, const Pose &pose, const Plane &plane) {
+  const Vec3 center = pose(shape.bound_center);
+  const double height = dot(plane.normal, center) - plane.offset;
+  const double of_box = dot(plane.normal, pose(shape.bounds.center)) - plane.offset -
+                        half_extent(shape.bounds, transposed_times(pose.rotation, plane.normal));
+  return {std::max(height - shape.bound_radius, of_box), plane.normal,
+          center - (0.5 * (height + shape.bound_radius)) * plane.normal};
+}
+
+// The largest gap along the axes of both boxes; where two boxes are apart, as a rule one of these six tells.
+double gap_of_boxes(const LocalBounds &a, const Pose &pose_a, const LocalBounds &b, const Pose &pose_b) {
+  const Pose to_a = relative_pose(pose_a, pose_b);
+  const Vec3 in_a = to_a(b.center) - a.center, in_b = transposed_times(to_a.rotation, in_a);
+  double gap = -HUGE_VAL;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double along_a = std::fabs(in_a[axis]) - a.half[axis] - a.radius - half_extent(b, to_a.rotation.row[axis]);
+    const double along_b =
+        std::fabs(in_b[axis]) - b.half[axis] - b.radius - half_extent(a, to_a.rotation.column(axis));
+    gap = std::max({gap, along_a, along_b});
+  }
+  return gap;
+}
+
+}  // namespace
+
+BoundGap bound_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
+  if (b.kind == ShapeKind::halfspace) return gap_to_halfspace(a, pose_a, world_plane(pose_b));
+  if (a.kind == ShapeKind::halfspace) {
+    BoundGap gap = gap_to_halfspace(b, pose_b, world_plane(pose_a));
+    gap.normal = -gap.normal;
+    return gap;
+  }
+  const Vec3 center_a = pose_a(a.bound_center), center_b = pose_b(b.bound_center), apart = center_a - center_b;
+  const double length = norm(apart);
+  const Vec3 normal = length > 0.0 ? (1.0 / length) * apart : Vec3{0, 0, 1};
+  return {std::max(length - a.bound_radius - b.bound_radius, gap_of_boxes(a.bounds, pose_a, b.bounds, pose_b)), normal,
+          0.5 * (center_a + center_b + (b.bound_radius - a.bound_radius) * normal)};
+}
+
+double sphere_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
+  if (b.kind == ShapeKind::halfspace) {
+    const Plane plane = world_plane(pose_b);
+    return dot(plane.normal, pose_a(a.bound_center)) - plane.offset - a.bound_radius;
+  }
+  if (a.kind == ShapeKind::halfspace) return sphere_gap(b, pose_b, a, pose_a);
+  return norm(pose_a(a.bound_center) - pose_b(b.bound_center)) - a.bound_radius - b.bound_radius;
+}
+
+}  // namespace cmb
