@@ -41,6 +41,11 @@ def add_generation_arguments(parser: ArgumentParser) -> None:
         "--no-contacts", action="store_true", help="parts do not touch each other, except pairs that --include names"
     )
     parser.add_argument(
+        "--clearances",
+        action="store_true",
+        help="the distances of parts that are apart are exact; without it they are lower bounds, which cost less",
+    )
+    parser.add_argument(
         "--tessellation",
         type=float,
         metavar="MM",
@@ -147,4 +152,5 @@ def generation_options(arguments: Namespace) -> GenerateOptions:
         include=tuple(arguments.include),
         up=arguments.up,
         contacts=not arguments.no_contacts,
+        clearances=arguments.clearances,
     )

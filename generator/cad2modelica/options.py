@@ -38,6 +38,7 @@ class GenerateOptions:
         include: pairs that touch each other although they would be left out.
         up: the source's axis that points up ("x", "-x", "y", ...), against gravity; None: as the source has it.
         contacts: whether parts touch each other at all, beside the pairs of ``include``.
+        clearances: whether the distances of parts that are apart are exact, instead of lower bounds, which cost less.
     """
 
     package: str | None = None
@@ -57,6 +58,7 @@ class GenerateOptions:
     include: tuple[tuple[str, str], ...] = ()
     up: str | None = None
     contacts: bool = True
+    clearances: bool = False
 
 
 DEFAULT_OPTIONS: Final = GenerateOptions()

@@ -86,7 +86,7 @@ def process(assembly: Assembly, options: GenerateOptions, progress: Progress) ->
         *(note for item in geometries.values() for note in item.notes),
         *pair_notes,
     )
-    view = mechanism_view(assembly, tree, loops, geometries, pairs)
+    view = mechanism_view(assembly, tree, loops, geometries, pairs, clearances=options.clearances)
     return Mechanism(assembly, tree, loops, geometries, start, view, notes)
 
 

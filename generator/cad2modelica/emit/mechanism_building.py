@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from cad2modelica.collision.collision_shapes import CollisionGeometry
@@ -15,6 +17,8 @@ from cad2modelica.mechanism.model import GROUND, Assembly, JointType, Part, Plan
 from cad2modelica.modelica.text import number, tidy_length, vector
 from cad2modelica.modelica.view import ContactView, MechanismView
 
+EXACT_WITHIN = 0.02  # of the smallest colliding part's radius: distances are exact up to such a gap between bounds
+
 
 def mechanism_view(
     assembly: Assembly,
@@ -22,6 +26,8 @@ def mechanism_view(
     loops: LoopAnalysis,
     geometries: dict[str, CollisionGeometry],
     pairs: list[tuple[str, str]],
+    *,
+    clearances: bool = False,
 ) -> MechanismView:
     """Builds the components and connections of the mechanical model.
 
@@ -31,8 +37,9 @@ def mechanism_view(
         loops: what its loops ask of the joints.
         geometries: collision shapes by part.
         pairs: pairs of part and plane names that may touch.
+        clearances: whether distances of bodies apart are exact.
     """
-    return _Builder(assembly, tree, loops, geometries, pairs).build()
+    return _Builder(assembly, tree, loops, geometries, pairs, None if clearances else _exact_within(geometries)).build()
 
 
 class _Builder:
@@ -43,12 +50,14 @@ class _Builder:
         loops: LoopAnalysis,
         geometries: dict[str, CollisionGeometry],
         pairs: list[tuple[str, str]],
+        exact_within: float | None,
     ) -> None:
         self._assembly = assembly
         self._tree = tree
         self._loops = loops
         self._geometries = geometries
         self._pairs = pairs
+        self._exact_within = exact_within
         strength = float(np.linalg.norm(assembly.gravity))
         view = MechanismView(
             gravity=strength,
@@ -157,9 +166,16 @@ class _Builder:
             stiffness=self._assembly.contacts.stiffness,
             friction=self._assembly.contacts.friction,
             friction_rule=self._assembly.contacts.friction_rule,
+            exact_within=self._exact_within,
         )
         for name in bodies:
             self._draft.connect(f"{names[name]}.frame_a", f"contacts.frame[{index[name]}]")
+
+
+def _exact_within(geometries: Mapping[str, CollisionGeometry]) -> float | None:
+    """Gap up to which distances are exact, in m to one digit; None if nothing collides."""
+    radii = [geometry.ball(IDENTITY).radius for geometry in geometries.values() if geometry.shapes]
+    return float(f"{EXACT_WITHIN * min(radii):.0e}") if radii else None
 
 
 def _free_start(motion: tuple[Array, Array], pose: Pose) -> list[str]:

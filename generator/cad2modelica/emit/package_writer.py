@@ -158,4 +158,6 @@ def _contact_modifiers(contacts: ContactView) -> list[str]:
         modifiers.append(f"friction=ContactMultiBody.Types.Friction.{_FRICTION[contacts.friction]}")
     if contacts.friction_rule is not None:
         modifiers.append(f"frictionRule=ContactMultiBody.Types.CombinationRule.{_RULES[contacts.friction_rule]}")
+    if contacts.exact_within is not None:
+        modifiers.append(f"exactWithin={number(contacts.exact_within)}")
     return modifiers

@@ -36,13 +36,17 @@ class Connection:
 
 @dataclass(frozen=True)
 class ContactView:
-    """What the contact manager is given: bodies in their order, and pairs as 1-based indices."""
+    """What the contact manager is given: bodies in their order, and pairs as 1-based indices.
+
+    ``exact_within`` is the manager's parameter, m; None: distances are exact everywhere.
+    """
 
     bodies: tuple[str, ...]
     pairs: tuple[tuple[int, int], ...]
     stiffness: float | None
     friction: str | None
     friction_rule: str | None
+    exact_within: float | None
 
 
 @dataclass

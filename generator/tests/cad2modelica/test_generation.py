@@ -50,6 +50,15 @@ def test_what_is_written(hammer: Path, tmp_path: Path) -> None:
     assert any("convex pieces" in note and "'arm'" in note for note in package.notes)
 
 
+def test_distances_are_bounds_unless_clearances_are_asked_for(hammer: Path, tmp_path: Path) -> None:
+    package = generate(hammer, tmp_path / "out")
+    found = re.search(r"exactWithin=([^,)\s]+)", (package.root / "Mechanics.mo").read_text())
+    assert found is not None
+    assert 0.0 < float(found[1]) < 0.01  # a fiftieth of the ball's radius
+    package = generate(hammer, tmp_path / "exact", GenerateOptions(clearances=True))
+    assert "exactWithin" not in (package.root / "Mechanics.mo").read_text()
+
+
 def test_graph_shows_every_body_and_joint(hammer: Path, tmp_path: Path) -> None:
     generate(hammer, tmp_path / "out")
     svg = etree.parse(tmp_path / "out" / "graph.svg").getroot()

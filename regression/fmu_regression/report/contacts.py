@@ -16,7 +16,10 @@ _LEAST_OVERLAP = 1e-9  # m; less is rounding
 _MOST_NOTES = 20
 _QUANTITIES = {
     "normalForce": ("Contact force", "normal force in N"),
-    "distance": ("Distance between the bodies", "signed distance in m"),
+    "distance": (
+        "Distance between the bodies",
+        "signed distance in m; where bodies are apart, a lower bound unless exact clearances were asked for",
+    ),
     "approachSpeed": ("Approach speed", "approach speed in m/s"),
 }
 
