@@ -21,6 +21,8 @@ PACKAGE_FILE = "package.xml"
 LEVELS_OF_PACKAGES = 5
 
 _SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.\-]*:")
+_PACKAGE_NAME = re.compile(rb"<name>\s*([^<\s]+)\s*</name>")
+_PACKAGE_BYTES = 100_000  # of a package.xml, whose name stands near its beginning
 
 
 class MeshReferences:
@@ -103,9 +105,10 @@ class MeshReferences:
             raise InputError(f"{reference!r} names no package", place=place, remedy="Write package://NAME/FILE.")
         # The package's own folder if the description lies in it, else one beside; then what the user opens.
         folders = [ancestor for ancestor in self._description.parents if ancestor.name == package]
+        folders += [own for own in self._own_package() if _says_it_is(own, package)]
         folders += [ancestor / package for ancestor in self._above if os.path.isdir(ancestor / package)]
         for opened in self._opened:
-            folders += [opened] if opened.name == package else []
+            folders += [opened] if opened.name == package or _says_it_is(opened, package) else []
             folders += [opened / package] if os.path.isdir(opened / package) else []
         if ".." in PurePosixPath(inner).parts:
             return resolve_inside(next(iter(folders), self._folder), inner, place)  # which refuses it
@@ -116,8 +119,8 @@ class MeshReferences:
         if folders:
             raise _missing(inner, f"which does not exist in {folders[0]}", place)
         raise InputError(
-            f"names the package {package!r}, which does not exist: no folder of that name holds "
-            f"{self._description.name}, or lies beside it or one of the {LEVELS_OF_PACKAGES} folders above",
+            f"names the package {package!r}, which does not exist: no folder of that name, also by its {PACKAGE_FILE}, "
+            f"holds {self._description.name}, or lies beside it or one of the {LEVELS_OF_PACKAGES} folders above",
             place=place,
             remedy=f"Name the folder {package}, or the one that holds it: --package-path FOLDER",
         )
@@ -134,6 +137,16 @@ class MeshReferences:
             if os.path.isfile(folder / inner):
                 return resolve_inside(folder, inner, place)
         return None
+
+
+def _says_it_is(folder: Path, package: str) -> bool:
+    """Whether a folder's package.xml gives the name of a package, whatever the folder is called."""
+    try:
+        with (folder / PACKAGE_FILE).open("rb") as file:
+            found = _PACKAGE_NAME.search(file.read(_PACKAGE_BYTES))
+    except OSError:
+        return False
+    return found is not None and found[1] == package.encode()
 
 
 def _missing(name: str, where: str, place: Place) -> InputError:

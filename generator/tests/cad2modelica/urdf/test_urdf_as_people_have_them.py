@@ -79,6 +79,21 @@ def test_opened_folder_is_read_and_nothing_without_it(tmp_path: Path, reference:
     assert left_out.part("a").meshes == ()
 
 
+@pytest.mark.parametrize("own", [True, False])
+def test_a_package_is_known_by_its_package_xml_too(tmp_path: Path, own: bool) -> None:
+    """A clone may have any name; its package.xml has the one that references mean."""
+    clone = tmp_path / "arm-main"
+    (clone / "meshes").mkdir(parents=True)
+    (clone / "meshes" / "box.stl").write_bytes(stl())
+    (clone / "package.xml").write_text("<?xml version='1.0'?><package><name> arm </name></package>")
+    file = with_mesh(clone / "urdf" if own else tmp_path / "robot", "package://arm/meshes/box.stl")
+    choices = SourceChoices(package_paths=() if own else (clone,))
+    assert len(read_assembly(file, choices=choices).part("a").meshes) == 1
+    (clone / "package.xml").write_text("<package><name>hand</name></package>")
+    with pytest.raises(InputError, match="names the package 'arm'"):
+        read_assembly(with_mesh(clone / "urdf", "package://arm/other/box.stl"))
+
+
 @pytest.mark.parametrize("reference", ["../../secret.stl", "package://arm/../../secret.stl", "meshes/link.stl"])
 def test_opened_folder_opens_nothing_else(tmp_path: Path, reference: str) -> None:
     opened = tmp_path / "arm"
