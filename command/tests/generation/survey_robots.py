@@ -5,8 +5,8 @@ Use ``python command/tests/generation/survey_robots.py PATH [PATH ...] [--second
 files, or folders whose URDF, MJCF and SDFormat descriptions are taken. A Markdown table goes to the standard output
 (with ``--rows`` a row a robot too), every file with its outcome and what is doubtful to the standard error.
 
-Every robot has a process of its own. ``--seconds`` are of the processor, for generating and building together and
-once more for the simulation; children are counted, other load is not.
+Every robot has a process of its own, which is stopped when it, or a compiler that it starts, has used ``--seconds`` of
+the processor. Times are of the processor, all processes together, so that other load does not count.
 """
 
 from __future__ import annotations
@@ -137,13 +137,7 @@ def go(file: Path, arguments: argparse.Namespace) -> int:
         tell(phase="built", build=used() - generated)
         description = read_description(fmu)
         built = used()
-        result = simulate(
-            fmu,
-            signals=signals_for(scene, description),
-            stop=arguments.stop,
-            time_limit=WALL * arguments.seconds,
-            cpu_limit=arguments.seconds,
-        )
+        result = simulate(fmu, signals=signals_for(scene, description), stop=arguments.stop)
     except CmbError as error:
         problems = [line for line in str(error).splitlines() if line.startswith("- ")]
         sys.stderr.write(" ".join((problems[0] if problems else str(error)).split()) + "\n")
@@ -258,7 +252,7 @@ def main() -> int:
     parser.add_argument("--density", type=float)
     arguments = parser.parse_args()
     if arguments.into is not None:
-        resource.setrlimit(resource.RLIMIT_CPU, (int(2 * arguments.seconds), resource.RLIM_INFINITY))
+        resource.setrlimit(resource.RLIMIT_CPU, (int(arguments.seconds), resource.RLIM_INFINITY))
         return go(arguments.paths[0], arguments)
     files = descriptions(arguments.paths, arguments.without)
     outcomes = []
