@@ -81,10 +81,9 @@ Nearest nearest_on_tetrahedron(const Vec3 *p) {
   return result;
 }
 
-GjkResult &settle(GjkResult &result, double distance, double slack) {
+void settle(GjkResult &result, double distance, double slack) {
   const bool proven = result.lower > 0.0 && distance - result.lower <= slack;
   result.status = proven ? GjkResult::Status::apart : GjkResult::Status::uncertain;
-  return result;
 }
 
 }  // namespace
@@ -94,13 +93,19 @@ GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first,
   result.simplex[0] = difference.support(-first);
   result.count = 1;
   result.closest = result.simplex[0].w;
+  gjk_continue(difference, tolerance, enough, result);
+  return result;
+}
+
+void gjk_continue(const MinkowskiDifference &difference, double tolerance, double enough, GjkResult &result) {
   const double noise = 1e-15 * difference.scale;
   const double slack = std::max(tolerance, 1000.0 * noise);
   double distance = norm(result.closest);
-  for (result.steps = 1; result.steps <= 100; ++result.steps) {
+  while (result.steps < 100) {
+    ++result.steps;
     if (!(distance > 64.0 * noise)) {
       result.status = GjkResult::Status::touching;
-      return result;
+      return;
     }
     const DifferencePoint candidate = difference.support(-result.closest);
     const double height = dot(candidate.w, result.closest) / distance;
@@ -110,7 +115,7 @@ GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first,
     }
     if (result.lower > 0.0 && distance - result.lower <= enough * distance) {
       result.status = GjkResult::Status::apart;
-      return result;
+      return;
     }
     bool repeated = false;
     for (int k = 0; k < result.count; ++k) repeated = repeated || same_vertices(candidate, result.simplex[k]);
@@ -129,7 +134,7 @@ GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first,
       std::copy(nearest.weight, nearest.weight + 4, result.weight);
       result.closest = {};
       result.status = GjkResult::Status::touching;
-      return result;
+      return;
     }
     const double next = std::sqrt(nearest.distance2);
     if (!(next < distance)) {  // rounding: no progress; the weights still belong to the last simplex
@@ -145,7 +150,7 @@ GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first,
     result.closest = nearest.point;
     distance = next;
   }
-  return result;
+  result.status = GjkResult::Status::uncertain;
 }
 
 }  // namespace cmb::convex

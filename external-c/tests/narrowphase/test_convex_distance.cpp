@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "math/pose_algebra.hpp"
+#include "narrowphase/analytic/closed_form_distance.hpp"
 #include "narrowphase/minkowski_difference.hpp"
 #include "narrowphase/polytope/feature_enumeration.hpp"
+#include "shape/convex_hull.hpp"
 #include "support/random_bodies.hpp"
 #include "support/reference_smooth.hpp"
 
@@ -293,6 +295,38 @@ TEST(ConvexDistance, CoaxialBodiesOfRevolutionAreProven) {
       }
     }
   }
+}
+
+// Apart, the answer carries its own proof: places of both bodies that are as far from each other as the bodies' extents along the
+// normal.
+TEST(ConvexDistance, CurvedBodiesApartFromHullsAreProven) {
+  Random random(17);
+  DistanceScratch scratch;
+  int apart = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const Vec3 size{random.log_uniform(1e-3, 1), random.log_uniform(0.1, 1), random.log_uniform(0.1, 1)};
+    Polytope hull;
+    if (!build_convex_hull(random_points(random, random.integer(5, 60), size, false), hull, nullptr, nullptr)) continue;
+    const double r = random.log_uniform(0.01, 1), length = random.log_uniform(0.01, 1);
+    const ConvexBody curved[] = {make_cylinder(r, length), make_cone(r, length), make_ellipsoid({r, length, 0.5})};
+    const ConvexBody &a = curved[k % 3], b = make_polytope(hull);
+    Pose pose{random_rotation(random), random.uniform(1.0, 2.0) * random.direction()};
+    for (int step = 0; step < 3; ++step) {  // nearer, down to gaps of 1e-6
+      const SignedDistance d = signed_distance(a, b, pose, scratch);
+      if (!(d.distance > 0.0)) break;
+      ++apart;
+      EXPECT_TRUE(d.proven) << k;
+      EXPECT_NEAR(norm(d.point_a - d.point_b - d.distance * d.normal), 0.0, 1e-10) << k;
+      // The points may slide where surfaces are nearly parallel, which hardly changes the distance.
+      EXPECT_LE(outside(a, d.point_a), 1.5e-7) << k;
+      const Vec3 local = transposed_times(pose.rotation, d.point_b - pose.translation);
+      EXPECT_LE(outside_planes(b, local), 1.5e-7) << k;
+      const MinkowskiDifference difference(a, b, pose);
+      EXPECT_NEAR(dot(difference.support(-d.normal).w, -d.normal), -d.distance, 1e-10) << k;
+      pose.translation = pose.translation + (d.distance * (1.0 - random.log_uniform(1e-6, 0.5))) * d.normal;
+    }
+  }
+  EXPECT_GT(apart, 2000);
 }
 
 // Their difference is nearly a body of revolution, and the least depth a valley nearly all round.

@@ -74,10 +74,50 @@ bool coaxial_translation(const MinkowskiDifference &difference, Vec3 &direction,
   return depth > 0.0;
 }
 
-// How far the points of an overlap, in A's frame, are from lying in the bodies.
+// Whether p lies within the face, whose plane it is in.
+bool is_within_sides(const Polytope &polytope, const Polytope::Face &face, const Vec3 &p) {
+  const std::int32_t *const corners = polytope.face_vertices().data() + face.first;
+  const auto corner = [&](std::int32_t k) { return polytope.vertices()[static_cast<std::size_t>(corners[k])]; };
+  Vec3 from = corner(face.count - 1);
+  for (std::int32_t k = 0; k < face.count; ++k) {
+    const Vec3 to = corner(k);
+    if (dot(cross(to - from, face.normal), p - from) > 0.0) return false;
+    from = to;
+  }
+  return true;
+}
+
+// How far p is from the polytope's vertex that is farthest along d, the edges and the faces there: an upper bound of how far
+// outside it is, from that vertex' surroundings alone.
+double off_support(const Polytope &polytope, const Vec3 &p, const Vec3 &d) {
+  const std::int32_t v = polytope.support_vertex(d);
+  const Vec3 from = p - polytope.vertices()[static_cast<std::size_t>(v)];
+  double nearest2 = norm2(from), nearest_plane = INFINITY;
+  for (std::int32_t k = polytope.neighbour_begin(v); k < polytope.neighbour_begin(v + 1); ++k) {
+    const Polytope::Edge &edge = polytope.edges()[static_cast<std::size_t>(polytope.neighbour_edges()[static_cast<std::size_t>(k)])];
+    const std::int32_t other = edge.vertex[edge.vertex[0] == v ? 1 : 0];
+    const Vec3 along = polytope.vertices()[static_cast<std::size_t>(other)] - polytope.vertices()[static_cast<std::size_t>(v)];
+    nearest2 = std::min(nearest2, norm2(from - std::clamp(dot(from, along) / norm2(along), 0.0, 1.0) * along));
+    for (const std::int32_t f : edge.face) {
+      const Polytope::Face &face = polytope.faces()[static_cast<std::size_t>(f)];
+      const double height = std::fabs(dot(face.normal, from));
+      if (height < nearest_plane && height * height < nearest2 && is_within_sides(polytope, face, p)) nearest_plane = height;
+    }
+  }
+  return std::min(nearest_plane, std::sqrt(nearest2));
+}
+
+// The same of any core; `d` is the outward direction there.
+double off_support(const ConvexBody &body, const Vec3 &p, const Vec3 &d) {
+  return body.core == CoreShape::polytope ? off_support(*body.polytope, p, d) : outside(body, p);
+}
+
+// How far the points nearest to each other, in A's frame, are from lying in the bodies.
 double missing(const MinkowskiDifference &difference, const RefinedDirection &r) {
-  return outside(difference.body_a, r.a) +
-         outside(difference.body_b, transposed_times(difference.b_in_a.rotation, r.b - difference.b_in_a.translation));
+  const Mat3 &rotation = difference.b_in_a.rotation;
+  return off_support(difference.body_a, r.a, r.direction) +
+         off_support(difference.body_b, transposed_times(rotation, r.b - difference.b_in_a.translation),
+                     -transposed_times(rotation, r.direction));
 }
 
 // The same, by the planes of polytopes' faces.
@@ -121,6 +161,27 @@ struct Projections {
 constexpr Projections attempts[] = {{0.9, 4}, {1.0, 8}};
 
 enum class Quick { found, not_proven, too_deep };
+
+// The gaps between the bounds of the distance of bodies apart, relative to it, at which the features there may have the answer.
+constexpr double apart_gaps[] = {1e-2, 1e-4};
+
+// Goes on with a search for the distance of bodies apart until the features that it has come to prove it; false where they do not,
+// or the bodies touch.
+bool find_apart(const MinkowskiDifference &difference, double tolerance, GjkResult &gjk, CoreDistance &result) {
+  const Pose &pose = difference.b_in_a;
+  for (const double gap : apart_gaps) {
+    gjk_continue(difference, tolerance, gap, gjk);
+    if (gjk.status != GjkResult::Status::apart) return false;
+    Vec3 on_a, on_b;
+    nearest_points(gjk, on_a, on_b);
+    RefinedDirection r;
+    if (feature_direction(difference, gjk.direction, on_a, transposed_times(pose.rotation, on_b - pose.translation), r) &&
+        r.height < 0.0 && proven(difference, r, result)) {
+      return true;
+    }
+  }
+  return false;
+}
 
 // Straight through a flat end, or where the bodies, inset until they are apart, are nearest: what is not much in each other
 // most often touches there.
@@ -249,7 +310,11 @@ CoreDistance curved_distance(const ConvexBody &body_a, const ConvexBody &body_b,
   CoreDistance result;
   const Quick quick = known != nullptr ? Quick::not_proven : find_quickly(difference, first, result);
   if (quick == Quick::found) return result;
-  const GjkResult gjk = gjk_distance(difference, first, tolerance);
+  GjkResult gjk = gjk_distance(difference, first, tolerance, 0.1);
+  if (gjk.status == GjkResult::Status::apart) {
+    if (find_apart(difference, tolerance, gjk, result)) return result;
+    if (gjk.status == GjkResult::Status::apart) gjk_continue(difference, tolerance, 0.0, gjk);
+  }
   const bool apart = gjk.status == GjkResult::Status::apart ||
                      (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0);
   if (!apart) {
