@@ -12,28 +12,32 @@ import fmpy
 import pytest
 from contact_foundation.cache import user_cache
 
-# What takes longest comes first, so that no process is left alone with it in the end (scripts/test).
+# What takes longest, by processor time, comes first, so that no process is left alone with it at last (scripts/test).
 LONGEST_FIRST = (
+    # of the full tier
     "generator/tests/cad2modelica/kinematics/test_every_loop.py",
-    "command/tests/regression_cases/test_library_cases.py",
-    "command/tests/regression_cases/test_known_answers.py",
-    "command/tests/generation/test_hammer.py",
-    "library-tests/text/test_flatten.py",
     "command/tests/generation/test_anton.py",
     "command/tests/regression_cases/test_reference_cases.py",
-    "Resources/tests/test_core_motion.py",
-    "generator/tests/cad2modelica/collision/test_decomposition.py",
-    "generator/tests/cad2modelica/kinematics/test_overconstrained_loops.py",
-    "command/tests/studies/test_effects.py",
+    "command/tests/regression_cases/test_loose_tolerances.py",
+    # of both
+    "command/tests/regression_cases/test_known_answers.py",
+    "command/tests/regression_cases/test_library_cases.py",
     "generator/tests/cad2modelica/test_generation.py",
+    "command/tests/generation/test_hammer.py",
+    "library-tests/text/test_flatten.py",
+    "Resources/tests/test_core_motion.py",
     "generator/tests/cad2modelica/kinematics/test_loops.py",
+    "generator/tests/fmi_runtime/test_built_fmus.py",
+    "generator/tests/cad2modelica/collision/test_decomposition.py",
+    "generator/tests/cad2modelica/kinematics/test_joints_and_loops.py",
+    "Resources/tests/test_core_drives.py",
+    "regression/tests/accuracy_study/test_study_runs.py",
+    "command/tests/fmus/test_fmu_command.py",
+    "generator/tests/fmi_runtime/test_packaging.py",
+    "generator/tests/cad2modelica/kinematics/test_overconstrained_loops.py",
     "library-tests/simulation/test_compiled_response.py",
     "library-tests/simulation/test_laws.py",
-    "generator/tests/fmi_runtime/test_built_fmus.py",
-    "command/tests/fmus/test_fmu_command.py",
-    "Resources/tests/test_core_drives.py",
-    "generator/tests/cad2modelica/kinematics/test_joints_and_loops.py",
-    "generator/tests/fmi_runtime/test_packaging.py",
+    "command/tests/studies/test_effects.py",
 )
 
 

@@ -18,6 +18,7 @@ def _oscillator(t):
     return rest + np.exp(-decay * t) * (a * np.cos(omega * t) + decay * a / omega * np.sin(omega * t))
 
 
+@pytest.mark.full
 def test_rotational_drive_trains(simulate):
     result = simulate("RotationalDrives")
     t = result["time"]
@@ -76,6 +77,7 @@ def test_prescribed_rotations(simulate):
     np.testing.assert_allclose(result["inertia[5].phi"], 0.1 + 2 * t, atol=TOLERANCE)
 
 
+@pytest.mark.full
 def test_prescribed_translations(simulate):
     result = simulate("TranslationalMotions")
     t = result["time"]
@@ -131,6 +133,7 @@ def test_signals(simulate):
         np.testing.assert_allclose(result[name][smooth], values[smooth], atol=1e-12, err_msg=name)
 
 
+@pytest.mark.full
 def test_filters(simulate):
     result = simulate("Filters")
     t = result["time"]
@@ -149,7 +152,7 @@ def test_filters(simulate):
     np.testing.assert_allclose(result["pid.y"], pid, atol=1e-7)
 
 
-@pytest.mark.parametrize("kind", ["P", "PI", "PD"])
+@pytest.mark.parametrize("kind", [*(pytest.param(kind, marks=pytest.mark.full) for kind in ("P", "PI")), "PD"])
 def test_controllers_with_feed_forward(simulate, kind):
     result = simulate(f"Controller{kind}")
     t = result["time"]

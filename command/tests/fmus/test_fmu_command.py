@@ -33,6 +33,7 @@ def folder(tmp_path: Path) -> Path:
     return work
 
 
+@pytest.mark.full
 def test_unchanged_files_come_from_the_cache(folder: Path, cmb_here: Cmb, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(folder.parent / "cache"))
 
