@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/angle.hpp"
-
 namespace cmb {
-
-using convex::angle_from_x;
 
 namespace {
 
@@ -26,7 +22,7 @@ double corner_solid_angle(const Vec3 &u, const Vec3 &v, const Vec3 &top) {
   const double lu = std::sqrt(u.x * u.x + u.y * u.y), lv = std::sqrt(v.x * v.x + v.y * v.y);
   const double beside_u = top.x * u.x + top.y * u.y, beside_v = top.x * v.x + top.y * v.y;
   const double cosine = norm(top) * (lu * lv + u.x * v.x + u.y * v.y) + beside_u * lv + beside_v * lu;
-  return 2.0 * angle_from_x(cosine, top.z * std::fabs(u.x * v.y - u.y * v.x));
+  return 2.0 * std::atan2(top.z * std::fabs(u.x * v.y - u.y * v.x), cosine);
 }
 
 }  // namespace
@@ -36,7 +32,7 @@ double triangle_solid_angle(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
   const double numerator = dot(a, cross(b, c));
   const double denominator = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la;
   if (numerator == 0.0) return 0.0;
-  return std::copysign(2.0 * angle_from_x(denominator, std::fabs(numerator)), numerator);
+  return std::copysign(2.0 * std::atan2(std::fabs(numerator), denominator), numerator);
 }
 
 double parallelogram_solid_angle(const DirectionArc &p, const DirectionArc &q) {
@@ -54,7 +50,7 @@ double parallelogram_solid_angle(const DirectionArc &p, const DirectionArc &q) {
   const double cosine_b = diagonal * lb + dot(a, b) * lc + dot(b, c) * la;
   const double cosine_d = diagonal * ld + dot(a, d) * lc + dot(c, d) * la;
   const double sine_b = p.second.z * q.first.z * area, sine_d = p.first.z * q.second.z * area;
-  return 2.0 * angle_from_x(cosine_b * cosine_d - sine_b * sine_d, cosine_b * sine_d + sine_b * cosine_d);
+  return 2.0 * std::atan2(cosine_b * sine_d + sine_b * cosine_d, cosine_b * cosine_d - sine_b * sine_d);
 }
 
 double DirectionCone::solid_angle() const {
@@ -81,7 +77,7 @@ double DirectionCone::solid_angle() const {
     length1 = length2;
     cosine01 = cosine02;
   }
-  return 2.0 * angle_from_x(real, std::fabs(imaginary));
+  return 2.0 * std::atan2(std::fabs(imaginary), real);
 }
 
 }  // namespace cmb

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/angle.hpp"
 #include "math/pi.hpp"
 
 namespace cmb {
@@ -66,7 +65,7 @@ Rectangle perturbed(const Rectangle &face, const Perturbation &perturbation) {
 class NormalAngles {
  public:
   NormalAngles(const Rectangle &a, const Rectangle &b) {
-    const double angle = convex::angle_from_x(dot(a.half[0], b.half[0]), std::fabs(cross(a.half[0], b.half[0])));
+    const double angle = std::atan2(std::fabs(cross(a.half[0], b.half[0])), dot(a.half[0], b.half[0]));
     const double other = std::fabs(0.5 * pi - angle);
     angle_[0][0] = angle;
     angle_[0][1] = dot(a.half[0], b.half[1]) < 0.0 ? pi - other : other;

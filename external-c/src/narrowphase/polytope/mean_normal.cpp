@@ -1,6 +1,5 @@
 #include "narrowphase/polytope/mean_normal.hpp"
 
-#include "math/angle.hpp"
 
 namespace cmb::convex {
 
@@ -61,7 +60,7 @@ double FacetIntegral::value() const {
   if (outside_) return 0.0;
   if (all_beyond_) return full_turn * whole;
   if (!any_angle_) return std::max(0.0, sum_);
-  const double angle = std::copysign(angle_from_x(real_, std::fabs(imaginary_)), imaginary_);
+  const double angle = std::copysign(std::atan2(std::fabs(imaginary_), real_), imaginary_);
   return std::max(0.0, sum_ + whole * (full_turn * turns_ + angle));
 }
 
