@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from contact_foundation.errors import BuildError, InputError, Place
 from contact_foundation.output import whole_folder
-from fmu_regression.fmi.fmu import ModelDescription, check_signals, read_description
+from fmu_regression.fmi.description import ModelDescription, check_signals, read_description
 from fmu_regression.scene.scene_file import Scene, load_scene
 from fmu_regression.scene.signals import pair_signal, require_signals, signals_for
 from fmu_regression.simulate.simulation import default_signals

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from contact_data import modelica_library
 from contact_foundation.progress import Progress
-from fmu_regression.fmi.fmu import read_description
+from fmu_regression.fmi.description import read_description
 from fmu_regression.scene.fmu_scene import scene_of_fmu
 
 from cmb.assembly_file import find_assembly

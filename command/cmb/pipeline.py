@@ -10,7 +10,7 @@ from cad2modelica import generate
 from contact_data import modelica_library
 from contact_foundation.errors import Place
 from contact_foundation.progress import Progress
-from fmu_regression.fmi.fmu import ModelDescription, read_description
+from fmu_regression.fmi.description import ModelDescription, read_description
 from fmu_regression.report.simulation_report import write_report
 from fmu_regression.report.summarise import summarise
 from fmu_regression.results.result import write_csv

@@ -13,7 +13,7 @@ from contact_foundation.errors import CmbError, InputError, Place, ProblemList
 from contact_foundation.toml_text import read_toml
 from fmu_regression.cases.toml_table import TomlTable
 from fmu_regression.compare.checks import Direction
-from fmu_regression.fmi.fmu import StartValue
+from fmu_regression.fmi.description import StartValue
 
 from accuracy_study.answers import ClosedForm, GivenTrajectory, KnownEvents, KnownValue
 from accuracy_study.knobs import AS_MODELLED, KNOBS, PARAMETER, KnobValue, knob

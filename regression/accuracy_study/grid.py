@@ -6,7 +6,7 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 
 from accuracy_study.definition import ONE_AT_A_TIME, Scene, Study
 from accuracy_study.knobs import AS_MODELLED, SOLVERS, KnobValue, Part, part_of

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from contact_foundation.errors import CmbError, SimulationError
 from fmu_regression.compare.provenance import load
-from fmu_regression.fmi.fmu import Mode, StartValue
+from fmu_regression.fmi.binding import Mode
+from fmu_regression.fmi.description import StartValue
 from fmu_regression.results.result import SimulationResult, read_csv
 from fmu_regression.simulate.simulation import simulate
 

@@ -9,13 +9,8 @@ from functools import partial
 from pathlib import Path
 
 from contact_foundation.errors import CmbError
-from fmu_regression.fmi.fmu import (
-    Mode,
-    StartValue,
-    check_signals,
-    check_start_values,
-    read_description,
-)
+from fmu_regression.fmi.binding import Mode
+from fmu_regression.fmi.description import StartValue, check_signals, check_start_values, read_description
 from fmu_regression.results.result import read_csv
 from fmu_regression.simulate.simulation import DEFAULT_ROWS, default_signals, simulate
 from scene_effects.choices import Change, Friction, Restitution

@@ -13,7 +13,7 @@ from contact_foundation.errors import CmbError, ProblemList
 from contact_foundation.progress import Progress, silent
 from fmu_regression.compare.provenance import machine, versions
 from fmu_regression.compare.trajectory_error import convergence_order
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.simulate.workers import Lost, Task, carry_out
 
 from accuracy_study.answers import GivenTrajectory

@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 from contact_foundation.errors import SimulationError
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.simulate.simulation import simulate
 
 TOLERANCES: Final = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8)

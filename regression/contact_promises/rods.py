@@ -16,7 +16,7 @@ from typing import Final
 
 import numpy as np
 from contact_foundation.errors import SimulationError
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.simulate.simulation import simulate
 
 LAWS: Final = ("PainleveRod", "PainleveRodAnchored", "PainleveRodWithoutEvents")

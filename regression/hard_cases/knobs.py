@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 
 RUNS_PER_STRUCTURE: Final = 25
 """Runs that share an FMU: seeds from a multiple of this on."""

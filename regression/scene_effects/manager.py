@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from contact_foundation.errors import InputError, Place
-from fmu_regression.fmi.fmu import ModelDescription
+from fmu_regression.fmi.description import ModelDescription
 from fmu_regression.results.result import SimulationResult
 
 from scene_effects.choices import Friction, Restitution

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from contact_foundation.errors import CmbError
 from contact_foundation.progress import Progress, silent
-from fmu_regression.fmi.fmu import ModelDescription, read_description
+from fmu_regression.fmi.description import ModelDescription, read_description
 from fmu_regression.results.result import SimulationResult, SolverCounters
 from fmu_regression.simulate.simulation import simulate
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from fmu_regression.fmi.fmu import ModelDescription
+from fmu_regression.fmi.description import ModelDescription
 from fmu_regression.results.result import FloatArray, SimulationResult
 from numpy.typing import NDArray
 

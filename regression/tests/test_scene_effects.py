@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from contact_foundation.errors import InputError
-from fmu_regression.fmi.fmu import ModelDescription, Variable
+from fmu_regression.fmi.description import ModelDescription, Variable
 from fmu_regression.results.result import FloatArray, SimulationResult, SolverCounters
 from lxml import html
 from scene_effects.advice import Advice, AdviceItem, advice_text

@@ -59,7 +59,7 @@ def run(arguments: Namespace) -> int:
     check_file(arguments.output)
     check_input(arguments.fmu, arguments.scene)
     parameters = parse_assignments(arguments.set)
-    from fmu_regression.fmi.fmu import read_description
+    from fmu_regression.fmi.description import read_description
     from fmu_regression.results.result import write_csv
     from fmu_regression.scene.fmu_scene import load_scene_of
     from fmu_regression.scene.signals import require_signals, signals_for

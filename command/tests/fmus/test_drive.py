@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 from contact_foundation.errors import SimulationError
-from fmu_regression.fmi.fmu import open_fmu, read_description
+from fmu_regression.fmi.description import read_description
+from fmu_regression.fmi.fmu import open_fmu
 from interactive_drive.machine.controls import choose_controls
 from interactive_drive.machine.machine import Machine
 

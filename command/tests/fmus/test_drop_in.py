@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from contact_data import modelica_library
-from fmu_regression.fmi.fmu import ModelDescription, open_fmu
+from fmu_regression.fmi.description import ModelDescription
+from fmu_regression.fmi.fmu import open_fmu
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu

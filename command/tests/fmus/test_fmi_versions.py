@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from fmu_regression.fmi.fmu import read_description
+from fmu_regression.fmi.description import read_description
 from fmu_regression.results.result import read_csv
 from program import Cmb
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from contact_foundation.cache import user_cache
-from fmu_regression.fmi.fmu import read_description
+from fmu_regression.fmi.description import read_description
 from program import Cmb
 
 FALLING = """model Falling "A falling point"

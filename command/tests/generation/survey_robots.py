@@ -32,7 +32,7 @@ from cad2modelica import Decomposer, GenerateOptions, SourceChoices, generate
 from cad2modelica.generation import GeneratedPackage
 from contact_data import modelica_library
 from contact_foundation.errors import CmbError
-from fmu_regression.fmi.fmu import read_description
+from fmu_regression.fmi.description import read_description
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.scene.energy import energy_balance
 from fmu_regression.scene.scene_file import Scene, load_scene

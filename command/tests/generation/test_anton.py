@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from fmu_regression.fmi.fmu import read_description
+from fmu_regression.fmi.description import read_description
 from fmu_regression.results.result import FloatArray, SimulationResult
 from fmu_regression.scene.loads import mean_over_time, pair_loads
 from fmu_regression.scene.motion import body_motions, center_of_mass

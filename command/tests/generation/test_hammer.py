@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
-from fmu_regression.fmi.fmu import read_description
+from fmu_regression.fmi.description import read_description
 from fmu_regression.results.result import SimulationResult, read_csv
 from fmu_regression.scene.energy import energy_balance
 from fmu_regression.scene.impacts import find_impacts

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from contact_foundation.errors import SimulationError
 from fmpy import simulate_fmu
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from cmb.fmu_provider import FmuProvider
 from fmu_regression.cases.case import load_case
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.simulate.simulation import simulate
 from program import CASES

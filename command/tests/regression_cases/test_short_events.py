@@ -6,7 +6,7 @@ from math import sqrt
 from pathlib import Path
 
 import pytest
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu
 

@@ -10,7 +10,7 @@ import fmpy
 import numpy as np
 from contact_foundation.errors import SimulationError
 from contact_foundation.progress import silent
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.results.result import FloatArray
 from fmu_regression.simulate.limited_process import run_limited
 from fmu_regression.simulate.simulation import simulate

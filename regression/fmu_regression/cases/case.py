@@ -21,7 +21,8 @@ from fmu_regression.compare.checks import (
     SignalCheck,
     ValueCheck,
 )
-from fmu_regression.fmi.fmu import Mode, StartValue
+from fmu_regression.fmi.binding import Mode
+from fmu_regression.fmi.description import StartValue
 
 _DEFAULT_NOMINAL = 1e-3
 _TIME_TOLERANCE_SHARE = 1e-5

@@ -17,7 +17,7 @@ from contact_foundation.progress import Progress, silent
 from fmu_regression.cases.case import Case, find_cases, load_case
 from fmu_regression.compare.checks import Outcome
 from fmu_regression.compare.comparison import evaluate
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.results.result import SimulationResult, read_csv
 from fmu_regression.simulate.simulation import simulate
 from fmu_regression.simulate.workers import carry_out

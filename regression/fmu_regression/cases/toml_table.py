@@ -11,7 +11,7 @@ from typing import Any
 from contact_foundation.errors import CmbError, InputError, Place
 
 from fmu_regression.compare.checks import Window
-from fmu_regression.fmi.fmu import StartValue
+from fmu_regression.fmi.description import StartValue
 
 
 class TomlTable:

@@ -12,7 +12,8 @@ from contact_foundation.progress import Progress, silent
 
 from fmu_regression.compare.provenance import machine, versions
 from fmu_regression.compare.trajectory_error import convergence_order, largest_differences, mean_square
-from fmu_regression.fmi.fmu import Mode, StartValue, read_description
+from fmu_regression.fmi.binding import Mode
+from fmu_regression.fmi.description import StartValue, read_description
 from fmu_regression.results.result import SimulationResult, SolverCounters
 from fmu_regression.scene.energy import energy_balance
 from fmu_regression.scene.scene_file import Scene

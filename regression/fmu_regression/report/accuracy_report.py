@@ -9,7 +9,7 @@ import numpy as np
 from contact_foundation.output import whole_file
 
 from fmu_regression.compare.accuracy import AccuracyPoint, AccuracyStudy
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.report.page import Cell, Column, Row, Section, Table, Tile, render_page
 from fmu_regression.report.plots import Plot, Series
 

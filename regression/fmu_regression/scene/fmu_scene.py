@@ -10,7 +10,8 @@ from typing import Final
 import numpy as np
 from contact_foundation.errors import InputError, Place
 
-from fmu_regression.fmi.fmu import ModelDescription, Variable, open_fmu
+from fmu_regression.fmi.description import ModelDescription, Variable
+from fmu_regression.fmi.fmu import open_fmu
 from fmu_regression.results.result import FloatArray
 from fmu_regression.scene.descriptor_mesh import descriptor_meshes
 from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody, load_scene

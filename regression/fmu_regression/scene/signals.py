@@ -6,7 +6,7 @@ from collections.abc import Container, Sequence
 
 from contact_foundation.errors import InputError, Place
 
-from fmu_regression.fmi.fmu import ModelDescription
+from fmu_regression.fmi.description import ModelDescription
 from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody, SceneJoint
 
 _AXES = (1, 2, 3)

@@ -6,7 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 from fmpy.fmi1 import FMICallException
 
-from fmu_regression.fmi.fmu import Instance, StartValue, Variable
+from fmu_regression.fmi.description import StartValue, Variable
+from fmu_regression.fmi.fmu import Instance
 from fmu_regression.results.result import FloatArray, SolverCounters
 from fmu_regression.simulate.recorder import Recorder
 

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from fmpy.fmi1 import FMICallException
 
-from fmu_regression.fmi.fmu import Instance, StartValue, Variable
+from fmu_regression.fmi.description import StartValue, Variable
+from fmu_regression.fmi.fmu import Instance
 from fmu_regression.results.result import FloatArray, SolverCounters
 from fmu_regression.simulate.cvode import Cvode, IntegrationError, RecoverableError, StepEnd
 from fmu_regression.simulate.recorder import Recorder

@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from fmu_regression.fmi.binding import Reader
-from fmu_regression.fmi.fmu import Instance, Variable
+from fmu_regression.fmi.description import Variable
+from fmu_regression.fmi.fmu import Instance
 from fmu_regression.results.result import FloatArray
 
 

@@ -11,7 +11,9 @@ from typing import NoReturn
 from contact_foundation.errors import InputError, Place, SimulationError
 from contact_foundation.progress import Progress, silent
 
-from fmu_regression.fmi.fmu import Mode, ModelDescription, StartValue, check_signals, check_start_values, open_fmu
+from fmu_regression.fmi.binding import Mode
+from fmu_regression.fmi.description import ModelDescription, StartValue, check_signals, check_start_values
+from fmu_regression.fmi.fmu import open_fmu
 from fmu_regression.results.result import SimulationResult, SolverCounters
 from fmu_regression.simulate.co_simulation import step_through
 from fmu_regression.simulate.grid import output_grid

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from fmu_regression.fmi.fmu import Instance, check_signals, check_start_values, open_fmu
+from fmu_regression.fmi.description import check_signals, check_start_values
+from fmu_regression.fmi.fmu import Instance, open_fmu
 
 from peer_bench.programs.simulation import Settings, Simulation
 from peer_bench.scenes import Scene

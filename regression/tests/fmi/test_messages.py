@@ -6,7 +6,8 @@ import math
 
 import pytest
 from contact_foundation.errors import InputError
-from fmu_regression.fmi.fmu import Instance, ModelDescription, Variable, check_start_values
+from fmu_regression.fmi.description import ModelDescription, Variable, check_start_values
+from fmu_regression.fmi.fmu import Instance
 
 
 def description(*variables: Variable) -> ModelDescription:

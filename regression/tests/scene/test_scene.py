@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from contact_foundation.errors import InputError
-from fmu_regression.fmi.fmu import ModelDescription, Variable
+from fmu_regression.fmi.description import ModelDescription, Variable
 from fmu_regression.scene.scene_file import load_scene
 from fmu_regression.scene.signals import signals_for
 from synthetic import hammer, write_scene

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from contact_foundation.errors import InputError, SimulationError
 from contact_foundation.progress import silent
-from fmu_regression.fmi.fmu import Mode
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.simulate.limited_process import run_limited
 from fmu_regression.simulate.simulation import simulate
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from contact_foundation.errors import InputError, Place
-from fmu_regression.fmi.fmu import ModelDescription, Variable
+from fmu_regression.fmi.description import ModelDescription, Variable
 from fmu_regression.results.result import close_names_remedy
 
 MOST_PARAMETERS = 12

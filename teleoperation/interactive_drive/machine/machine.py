@@ -12,7 +12,8 @@ import numpy as np
 from contact_foundation.errors import InputError, Place, SimulationError
 from fmpy.fmi1 import FMICallException
 from fmu_regression.fmi.binding import Reader, SavedState
-from fmu_regression.fmi.fmu import Fmu, Instance, StartValue, check_signals, check_start_values
+from fmu_regression.fmi.description import StartValue, check_signals, check_start_values
+from fmu_regression.fmi.fmu import Fmu, Instance
 from fmu_regression.results.result import FloatArray
 
 DEFAULT_TOLERANCE = 1e-4

@@ -12,7 +12,8 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 
 from contact_foundation.errors import CmbError
-from fmu_regression.fmi.fmu import StartValue, open_fmu
+from fmu_regression.fmi.description import StartValue
+from fmu_regression.fmi.fmu import open_fmu
 from fmu_regression.simulate.limited_process import end_with_parent
 
 from interactive_drive.machine.machine import Machine

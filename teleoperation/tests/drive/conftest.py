@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from fmu_regression.fmi.fmu import read_description
+from fmu_regression.fmi.description import read_description
 from interactive_drive.machine.controls import choose_controls
 from interactive_drive.operation.key_map import default_key_map
 from interactive_drive.process.worker import Plan

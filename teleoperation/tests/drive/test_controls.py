@@ -8,7 +8,7 @@ from importlib.resources import files
 
 import pytest
 from contact_foundation.errors import InputError
-from fmu_regression.fmi.fmu import read_description
+from fmu_regression.fmi.description import read_description
 from interactive_drive.machine.controls import choose_controls
 from interactive_drive.operation.key_map import AxisBinding, KeyBinding, default_key_map, read_key_map
 
