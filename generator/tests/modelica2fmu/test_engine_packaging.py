@@ -40,6 +40,7 @@ def binaries(fmu: Path) -> set[str]:
         return {name.removeprefix("binaries/") for name in archive.namelist() if name.startswith("binaries/")}
 
 
+@pytest.mark.full
 def test_the_engine_of_an_fmu_needs_the_c_library_alone(tmp_path: Path) -> None:
     fmu = build(tmp_path, "Automatic")
     assert binaries(fmu) == {"linux64/Chosen.so"}
@@ -49,6 +50,7 @@ def test_the_engine_of_an_fmu_needs_the_c_library_alone(tmp_path: Path) -> None:
     assert set(re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic)) <= C_LIBRARY
 
 
+@pytest.mark.full
 @pytest.mark.skipif(not (ENGINE / "libContactMultiBodyFcl.so").is_file(), reason="the engine was built without FCL")
 def test_a_back_end_travels_where_the_model_chooses_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     fmu = build(tmp_path, "Fcl")

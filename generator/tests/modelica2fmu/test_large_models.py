@@ -28,7 +28,7 @@ end Chain;
 """
 
 
-@pytest.mark.parametrize(("masses", "dense"), [(240, True), (260, False)])
+@pytest.mark.parametrize(("masses", "dense"), [pytest.param(240, True, marks=pytest.mark.full), (260, False)])
 def test_a_long_chain_swings_as_its_closed_form_says(simulate, masses, dense):
     waves = 30
     wave_number = waves * math.pi / (masses + 1)

@@ -46,6 +46,7 @@ def test_tree_is_torn_to_its_degrees_of_freedom(built):
     assert built("DoublePendulum").states == ("r1.phi", "r1.w", "r2.phi", "r2.w")
 
 
+@pytest.mark.full
 def test_hexapod_has_no_linear_system_larger_than_its_degrees_of_freedom():
     translation = translate("ReferenceModels.Hexapod.Walk", [MODELS], StandardLibrary(core_subset(), "", "core subset"))
     sizes = [len(block.torn) for block in translation.systems.simulation if hasattr(block, "torn")]
