@@ -56,7 +56,8 @@ def run_study(arguments: Namespace) -> int:
     check_input(arguments.design)
     from depth_study.page.server import StudyServer
     from depth_study.page.session import StudySessions
-    from stereo_views.viewing import Viewing
+    from depth_study.page.viewing import Viewing
+    from scene_viewer.bundle import require_installed
 
     viewing = Viewing(
         eye_distance=arguments.eye_distance,
@@ -64,6 +65,7 @@ def run_study(arguments: Namespace) -> int:
         screen_width=arguments.screen_width,
         viewing_distance=arguments.viewing_distance,
     )
+    require_installed()
     with StudyServer(arguments.port) as server, closing(_opened_study(arguments)) as database:
         print(f"{server.address} shows the study; Ctrl-C ends it. Answers are kept in {arguments.study}.", flush=True)
         if not arguments.no_browser:

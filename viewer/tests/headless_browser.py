@@ -34,6 +34,8 @@ def find_browser() -> str | None:
     return next((path for name in _NAMES if (path := shutil.which(name))), None)
 
 
+needs_bundle = pytest.mark.skipif(not is_installed(), reason=MISSING)
+"""Marks tests that need the viewer's scripts."""
 needs_pages = pytest.mark.skipif(
     find_browser() is None or not is_installed(),
     reason=MISSING if find_browser() else "No Chromium is installed (Debian package chromium).",

@@ -17,6 +17,7 @@ from depth_study.evaluation.published import load_published
 from depth_study.record.database import create_database
 from depth_study.simulation.observers import Population
 from depth_study.simulation.simulated_study import write_simulated_study
+from headless_browser import needs_bundle
 
 
 def test_the_design_is_shown(cmb_here):
@@ -70,6 +71,7 @@ def hear_interrupts():
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@needs_bundle
 def test_the_page_is_served_until_it_is_interrupted(tmp_path):
     study = tmp_path / "study.db"
     words = ["depth-study", "run", str(study), "--port", "0", "--no-browser"]
@@ -88,6 +90,7 @@ def test_the_page_is_served_until_it_is_interrupted(tmp_path):
     assert study.exists()
 
 
+@needs_bundle
 def test_a_port_in_use_is_told_and_no_study_is_made(cmb_here, tmp_path):
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
@@ -99,6 +102,7 @@ def test_a_port_in_use_is_told_and_no_study_is_made(cmb_here, tmp_path):
     assert not (tmp_path / "study.db").exists()
 
 
+@needs_bundle
 def test_a_study_goes_on_with_its_own_design_and_seed_alone(cmb_here, tmp_path):
     study, design = tmp_path / "study.db", tmp_path / "design.toml"
     text = (contact_data.depth_study() / "design.toml").read_text()
@@ -116,7 +120,7 @@ def test_a_study_goes_on_with_its_own_design_and_seed_alone(cmb_here, tmp_path):
         (("design", "--design", "README.md"), "is no TOML"),
         (("evaluate", "README.md"), "is damaged (file is not a database)"),
         (("run", "study.db", "--port", "0", "--eye-distance", "nan"), "eye_distance is nan"),
-        (("run", "README.md", "--port", "0"), "is damaged"),
+        pytest.param(("run", "README.md", "--port", "0"), "is damaged", marks=needs_bundle),
         (("simulate", "--carry-over", "2"), "--carry-over 2 is no share"),
         (("simulate", "--output", "README.md"), "is there already"),
     ],

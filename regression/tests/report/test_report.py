@@ -18,13 +18,13 @@ from fmu_regression.report.simulation_report import write_report
 from fmu_regression.results.result import SimulationResult, read_csv, write_csv
 from fmu_regression.results.thinning import display_rows
 from fmu_regression.scene.scene_file import load_scene
-from headless_browser import needs_pages
+from headless_browser import needs_bundle, needs_pages
 from lxml import html
-from scene_viewer.bundle import MISSING, REMEDY, is_installed
+from scene_viewer.bundle import MISSING, REMEDY
 from scipy.spatial.transform import Rotation
 from synthetic import body, bouncing_ball, box_mesh, hammer, pose_signals, scene, sphere_mesh, write_scene
 
-pytestmark = pytest.mark.skipif(not is_installed(), reason=MISSING)
+pytestmark = needs_bundle
 
 
 @pytest.fixture(scope="module")

@@ -1,17 +1,14 @@
-"""What the page shows: a machine of boxes on a chequered floor, and the cameras of each constellation.
-
-The page draws with the matrices of `stereo_views` and computes no geometry of its own but the machine's swing.
-"""
+"""What the page shows: a machine of boxes on a floor, as data for the viewer, and the camera of each constellation."""
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Mapping
 from typing import Any
 
-from stereo_views.anaglyph import anaglyph_matrices
-from stereo_views.cameras import Camera, CameraModel, cameras
-from stereo_views.viewing import Viewing
+import numpy as np
+from fmu_regression.report.plots import encode_array
+
+from depth_study.page.viewing import Viewing
 
 TECHNIQUES = {
     "plain": "No goggles.",
@@ -22,6 +19,7 @@ TECHNIQUES = {
     "top-and-bottom": "Set the display to pictures above each other, and put on its goggles.",
 }
 """Techniques that the page can show, and what the observer does for them."""
+CAMERAS = ("central", "parallel", "convergent")
 MOTIONS = ("still", "moving")
 
 # Centre and size in m, x to the right, y up, -z away from the observer; colour in sRGB, 0 to 255.
@@ -36,8 +34,12 @@ _BOXES: tuple[tuple[tuple[float, float, float], tuple[float, float, float], tupl
     ((0.62, -0.18, -3.2), (0.14, 0.40, 0.14), (150, 120, 180)),
     ((-0.85, -0.13, -3.6), (0.16, 0.50, 0.16), (120, 150, 160)),
 )
+_CORNERS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
+_QUADS = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+_TRIANGLES = np.array([triangle for a, b, c, d in _QUADS for triangle in ((a, b, c), (a, c, d))])
 _FLOOR = -0.38
-_TILE = 0.3
+_RADIUS = 1.6
+_BACKGROUND = (0.80, 0.84, 0.89)
 _SWING = 0.35  # rad
 _PERIOD = 4.0  # s
 
@@ -49,46 +51,52 @@ def view_of(levels: Mapping[str, str], viewing: Viewing) -> dict[str, Any] | Non
         levels: by factor; known are `technique`, `camera` and `scene`.
         viewing: lengths of cameras and screen.
     """
-    technique, motion = levels.get("technique", ""), levels.get("scene", "")
-    if technique not in TECHNIQUES or motion not in MOTIONS or set(levels) != {"technique", "camera", "scene"}:
+    if set(levels) != {"technique", "camera", "scene"}:
         return None
-    try:
-        model = CameraModel(levels["camera"])
-    except ValueError:
+    technique, camera, motion = levels["technique"], levels["camera"], levels["scene"]
+    if technique not in TECHNIQUES or camera not in CAMERAS or motion not in MOTIONS:
         return None
-    left, right = cameras(model, viewing)
-    return {
-        **technique_data(technique),
-        "moving": motion == "moving",
-        "aspect": viewing.aspect,
-        "left": _matrix(left),
-        "right": _matrix(right),
-    }
+    return {**technique_data(technique), "camera": camera, "moving": motion == "moving", "aspect": viewing.aspect}
 
 
 def technique_data(technique: str) -> dict[str, Any]:
     """What the page needs to show pictures for both eyes by a known technique."""
-    data: dict[str, Any] = {"technique": technique, "goggles": TECHNIQUES[technique]}
-    if technique == "anaglyph":
-        matrices = anaglyph_matrices()
-        data["colours"] = {"left": matrices.left.ravel().tolist(), "right": matrices.right.ravel().tolist()}
-    return data
+    return {"technique": technique, "goggles": TECHNIQUES[technique]}
 
 
 def scene_data(viewing: Viewing) -> dict[str, Any]:
-    """Boxes, floor and swing, as the page draws them; the machine stands at the convergence distance."""
-    shift = _BOXES[0][0][2] + viewing.convergence_distance
-    boxes = [
-        {"center": [x, y, z - shift], "size": list(size), "color": list(color)} for (x, y, z), size, color in _BOXES
-    ]
+    """The viewer's data of one body of boxes, its swing and the lengths; it stands at the convergence distance."""
+    depth = -viewing.convergence_distance
     return {
-        "boxes": boxes,
-        "floor": {"height": _FLOOR, "tile": _TILE, "near": -0.9, "far": -7.2, "half": 3.0},
-        "swing": {"angle": _SWING, "period": _PERIOD, "depth": -viewing.convergence_distance},
-        "viewing": dataclasses.asdict(viewing),
+        "viewer": {
+            "up": [0.0, 1.0, 0.0],
+            "center": [0.0, 0.0, depth],
+            "radius": _RADIUS,
+            "floor": _FLOOR,
+            "follow": False,
+            "largestForce": 1.0,
+            "background": list(_BACKGROUND),
+            "stand": {"eye": [0.0, 0.0, 0.0], "target": [0.0, 0.0, depth]},
+            # The body's origin is the axis of its swing.
+            "bodies": [{"meshes": [_mesh(*box) for box in _BOXES]}],
+        },
+        "swing": {"angle": _SWING, "period": _PERIOD, "depth": depth},
+        "lengths": {
+            "eyeDistance": viewing.eye_distance,
+            "convergenceDistance": viewing.convergence_distance,
+            "screenWidth": viewing.screen_width,
+            "viewingDistance": viewing.viewing_distance,
+        },
     }
 
 
-def _matrix(camera: Camera) -> list[float]:
-    """Row by row."""
-    return [float(value) for value in camera.matrix.ravel()]
+def _mesh(
+    center: tuple[float, float, float], size: tuple[float, float, float], color: tuple[int, int, int]
+) -> dict[str, Any]:
+    """A box as a mesh, about the axis of the first one."""
+    middle = np.array(center) - [0.0, 0.0, _BOXES[0][0][2]]
+    return {
+        "vertices": encode_array(middle + _CORNERS * size, "f4"),
+        "triangles": encode_array(_TRIANGLES, "u4"),
+        "color": [value / 255 for value in color],
+    }

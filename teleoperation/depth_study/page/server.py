@@ -15,6 +15,7 @@ from importlib.resources import files
 from typing import Any
 
 from contact_foundation.errors import CmbError, InputError
+from scene_viewer.bundle import bundled
 
 from depth_study.page.session import OtherTabError, StudySessions
 from depth_study.record.database import AnsweredError, StorageError
@@ -27,7 +28,6 @@ _ASSETS = {
     "/study.css": ("study.css", "text/css; charset=utf-8"),
     "/study.js": ("study.js", "text/javascript; charset=utf-8"),
     "/goggles.js": ("goggles.js", "text/javascript; charset=utf-8"),
-    "/picture.js": ("picture.js", "text/javascript; charset=utf-8"),
 }
 _HEADERS = {
     "Cache-Control": "no-store",
@@ -125,6 +125,8 @@ class _Handler(BaseHTTPRequestHandler):
     def _get(self) -> None:
         if self.path == "/start":
             self._send_json(HTTPStatus.OK, self.server.sessions.start())
+        elif self.path == "/viewer.js":
+            self._send(HTTPStatus.OK, bundled("viewer.js").encode(), _ASSETS["/study.js"][1])
         elif self.path in _ASSETS:
             name, kind = _ASSETS[self.path]
             self._send(HTTPStatus.OK, files("depth_study.page").joinpath("assets", name).read_bytes(), kind)

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from typing import Any
 
 from contact_foundation.errors import CmbError, InputError
-from stereo_views.viewing import Viewing
 
 from depth_study.arrays import IntArray
 from depth_study.design.sequences import sequences_without_end
 from depth_study.page.scene import TECHNIQUES, scene_data, technique_data, view_of
+from depth_study.page.viewing import Viewing
 from depth_study.record.answers import GREATEST, LEAST
 from depth_study.record.database import Answer, StudyDatabase
 

@@ -1,4 +1,4 @@
-"""The page in a real browser: a whole session, two tabs, a program that ends; and what is drawn against geometry."""
+"""The page in a real browser: a whole session, two tabs, a program that ends, the test of goggles."""
 
 from __future__ import annotations
 
@@ -8,18 +8,13 @@ import json
 import numpy as np
 import pytest
 from depth_study.page.scene import view_of
-from headless_browser import Browser, find_browser
-from stereo_views.anaglyph import anaglyph_matrices
-from stereo_views.cameras import CameraModel
-from stereo_views.disparity import disparity
-from stereo_views.viewing import Viewing
+from depth_study.page.viewing import Viewing
+from headless_browser import Browser, find_browser, needs_pages
 from test_page_server import RunningStudy
 
-pytestmark = pytest.mark.skipif(find_browser() is None, reason="no Chromium is installed (Debian package chromium)")
+pytestmark = needs_pages
 
 CHOOSE = "document.querySelector('input[name={0}][value=\"{1}\"]').click()"
-WIDTH, HEIGHT = 960, 540
-VIEWING = Viewing(pixels=WIDTH)
 
 
 @pytest.fixture(scope="module")
@@ -113,104 +108,32 @@ def test_answers_are_deleted_from_the_page(browser, study):
     assert study.database.observers() == {}
 
 
-def drawn(browser, study, view, boxes, expression):
-    """Pixels that a view draws of boxes alone; shape (height, width, 3)."""
+@pytest.mark.parametrize("motion", ["moving", "still"])
+def test_a_moving_scene_moves_and_a_still_one_does_not(browser, study, motion):
     tab = browser.tab(study.server.address)
-    tab.until("!document.getElementById('welcome').hidden")
-    scene = {"boxes": boxes, "floor": {"height": -0.3, "tile": 1, "near": 0, "far": 0, "half": 0}}
-    scene["swing"] = {"angle": 0.3, "period": 4, "depth": -2}
-    values = tab.value(
-        f"""(() => {{
-          const canvas = document.createElement('canvas');
-          canvas.width = {WIDTH}; canvas.height = {HEIGHT};
-          const context = canvas.getContext('2d'), view = {json.dumps(view)}, scene = {json.dumps(scene)};
-          {expression};
-          const pixels = context.getImageData(0, 0, {WIDTH}, {HEIGHT}).data;
-          return btoa(Array.from(pixels, value => String.fromCharCode(value)).join(''));
-        }})()"""
-    )
-    return np.frombuffer(base64.b64decode(values), dtype=np.uint8).astype(float).reshape(HEIGHT, WIDTH, 4)[..., :3]
+    begin(tab, 1)
+    view = view_of({"technique": "plain", "camera": "central", "scene": motion}, Viewing())
+    tab.value(f"stop(); stop = showView(viewer, {json.dumps(view)}, scene)")
+    turn = "viewer.world.bodies[0].quaternion.y"
+    tab.value("new Promise(done => setTimeout(done, 300))")
+    first, frames = tab.value(turn), tab.value("viewer.frames")
+    if motion == "moving":
+        tab.until(f"viewer.frames > {frames} + 3 && Math.abs({turn} - {first}) > 1e-4")
+    else:
+        tab.value("new Promise(done => setTimeout(done, 300))")
+        assert (tab.value(turn), tab.value("viewer.frames")) == (0, frames)
 
 
-def middle(picture):
-    """Mean place of what is not background, in pixels to the right and down."""
-    weight = np.abs(picture - picture[0, 0]).sum(-1)
-    rows, columns = np.indices(weight.shape)
-    return np.array([(weight * columns).sum(), (weight * rows).sum()]) / weight.sum()
-
-
-@pytest.mark.parametrize("camera", ["parallel", "convergent"])
-@pytest.mark.parametrize("depth", [1.2, 2.0, 4.0])
-def test_a_point_of_known_depth_has_the_pixel_disparity_that_geometry_says(browser, study, camera, depth):
-    view = view_of({"technique": "shutter", "camera": camera, "scene": "still"}, VIEWING)
-    place = [0.1, 0.05, -depth]
-    box = [{"center": place, "size": [0.02 * depth, 0.02 * depth, 1e-6], "color": [255, 255, 255]}]
-    left, right = (
-        middle(drawn(browser, study, view, box, f"drawEye(context, view.{eye}, scene, 0)")) for eye in ("left", "right")
-    )
-    wanted = disparity(np.array(place), CameraModel(camera), VIEWING)
-    assert right - left == pytest.approx([wanted[0], -wanted[1]], abs=0.1)
-
-
-def test_outputs_are_made_of_the_left_and_the_right_eye_s_pictures(browser, study):
-    box = [{"center": [0.1, 0.0, -1.2], "size": [0.2, 0.2, 0.2], "color": [240, 200, 120]}]
-    levels = {"camera": "parallel", "scene": "still"}
-
-    def shown(technique):
-        view = view_of({"technique": technique, **levels}, VIEWING)
-        return drawn(browser, study, view, box, "showView(canvas, view, scene)")
-
-    view = view_of({"technique": "shutter", **levels}, VIEWING)
-    left, right = (
-        drawn(browser, study, view, box, f"drawEye(context, view.{eye}, scene, 0)") for eye in ("left", "right")
-    )
-    assert np.abs(left - right).max() > 50
-    rows = shown("polarised")
-    np.testing.assert_array_equal(rows[0::2], left[0::2])
-    np.testing.assert_array_equal(rows[1::2], right[1::2])
-    np.testing.assert_array_equal(shown("shutter"), left)
-    for technique, first, last in (
-        ("side-by-side", np.s_[:, : WIDTH // 2], np.s_[:, WIDTH // 2 :]),
-        ("top-and-bottom", np.s_[: HEIGHT // 2], np.s_[HEIGHT // 2 :]),
-    ):
-        both, shape = (
-            shown(technique),
-            (1 if technique == "top-and-bottom" else 2, 2 if technique == "top-and-bottom" else 1),
-        )
-        for part, whole in ((both[first], left), (both[last], right)):
-            wanted = middle(whole) / np.array([shape[0], shape[1]])
-            assert middle(part) == pytest.approx(wanted, abs=0.5)
-    linear = [np.where(p <= 0.04045 * 255, p / 255 / 12.92, ((p / 255 + 0.055) / 1.055) ** 2.4) for p in (left, right)]
-    mixed = anaglyph_matrices().displayed(*linear)
-    wanted = 255 * np.where(mixed <= 0.0031308, 12.92 * mixed, 1.055 * mixed ** (1 / 2.4) - 0.055)
-    assert np.abs(shown("anaglyph") - wanted).max() <= 1.5
-
-
-def test_a_moving_scene_moves_and_a_still_one_does_not(browser, study):
+@pytest.mark.parametrize("camera", ["central", "parallel", "convergent"])
+def test_a_constellation_is_shown_with_its_camera_its_technique_and_the_study_s_lengths(browser, study, camera):
     tab = browser.tab(study.server.address)
-    tab.until("!document.getElementById('welcome').hidden")
-    for scene, least, most in (("moving", 5, 10**6), ("still", 1, 1)):
-        view = view_of({"technique": "plain", "camera": "central", "scene": scene}, VIEWING)
-        tab.value(
-            "window.shownOn = document.createElement('canvas'); document.body.append(window.shownOn);"
-            f"window.stopped = showView(window.shownOn, {json.dumps(view)}, scene)"
-        )
-        tab.value("new Promise(done => setTimeout(done, 500))")
-        assert least <= int(tab.value("window.shownOn.dataset.frames")) <= most
-        tab.value("window.stopped()")
-
-
-def test_rows_for_polarised_displays_are_counted_on_the_screen(browser, study):
-    tab = browser.tab(study.server.address)
-    tab.until("!document.getElementById('welcome').hidden")
-    tab.value(
-        "window.lone = document.createElement('canvas'); document.body.append(window.lone);"
-        "window.lone.style.position = 'fixed'; window.above = () => window.screenY + outerHeight - innerHeight"
-    )
-    for top in (10, 11):
-        tab.value(f"window.lone.style.top = '{top}px'")
-        even = (int(tab.value("window.above()")) + top) % 2 == 0
-        assert tab.value("firstRightRow(window.lone)") == (1 if even else 0)
+    begin(tab, 1)
+    view = view_of({"technique": "anaglyph", "camera": camera, "scene": "still"}, Viewing())
+    tab.value(f"stop(); stop = showView(viewer, {json.dumps(view)}, scene)")
+    assert tab.value("[viewer.view.camera, viewer.view.output]") == [camera, "anaglyph"]
+    assert list(tab.value("viewer.view.lengths").values()) == [0.065, 2, 0.52, 0.6]
+    apart = tab.value("viewer.paint(); viewer.eyes.right.position.x - viewer.eyes.left.position.x")
+    assert apart == pytest.approx(0 if camera == "central" else 0.065)
 
 
 @pytest.mark.parametrize(
@@ -252,6 +175,27 @@ def test_what_is_nearer_among_the_dots_is_farther_left_for_the_right_eye(browser
         np.testing.assert_array_equal(left[inner], shifted[inner])
         np.testing.assert_array_equal(left[: rows // 4 - 1], right[: rows // 4 - 1])
         assert (left[inner] != right[inner]).mean() > 0.3
+
+
+def test_dots_are_shown_by_the_technique(browser, study):
+    """Rows in turn: those of either eye are that eye's dots."""
+    tab = browser.tab(study.server.address)
+    tab.until("!document.getElementById('welcome').hidden")
+    tab.value("document.getElementById('technique').value = 'polarised'")
+    tab.value("document.querySelector('#goggles-test button').click()")
+    tab.until("!document.getElementById('test').hidden")
+    rows = tab.value(
+        """(() => {
+          const gl = dots.renderer.getContext(), {width, height} = dots.canvas;
+          const pixels = new Uint8Array(4 * width * height);
+          gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+          const row = y => Array.from({length: width}, (_, x) => pixels[4 * ((height - 1 - y) * width + x)]);
+          return [row(270), row(271), row(2), row(3)];
+        })()"""
+    )
+    assert {value for row in rows for value in row} <= {39, 40, 41, 214, 215, 216}
+    assert rows[0] != rows[1]  # the square's dots are shifted
+    assert rows[2] == rows[3]  # outside it both eyes see the same
 
 
 def drawn_dots(browser, study, disparity_dots):

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+import base64
 import http.client
 import json
 import socket
 import threading
 
+import numpy as np
 import pytest
 from contact_foundation.errors import InputError
 from depth_study.page.scene import scene_data, view_of
 from depth_study.page.server import StudyServer
 from depth_study.page.session import StudySessions
+from depth_study.page.viewing import Viewing
 from depth_study.record.answers import SAME
 from depth_study.record.database import create_database, open_database
 from small_designs import DESIGN_FILE, thesis
-from stereo_views.viewing import Viewing
 
 TEXT = DESIGN_FILE.read_text()
 
@@ -240,5 +242,7 @@ def test_constellations_of_other_designs_are_named_and_not_drawn():
 
 def test_the_machine_stands_at_the_convergence_distance():
     scene = scene_data(Viewing(convergence_distance=3.0))
-    assert scene["boxes"][0]["center"][2] == pytest.approx(-3.0)
+    assert scene["viewer"]["stand"] == {"eye": [0, 0, 0], "target": [0, 0, -3]}
     assert scene["swing"]["depth"] == -3.0
+    corners = np.frombuffer(base64.b64decode(scene["viewer"]["bodies"][0]["meshes"][0]["vertices"]), "<f4")
+    assert corners.reshape(-1, 3).mean(axis=0)[[0, 2]] == pytest.approx(0)  # in the axis of the swing

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from cmb.main import main
+from headless_browser import needs_bundle
 from interactive_drive.benchmark.page_client import ReceivedFrame, open_page
 from interactive_drive.server.listening import Listening
 
@@ -24,6 +25,7 @@ def hear_interrupts():
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@needs_bundle
 def test_it_serves_until_interrupted(pushed_mass, tmp_path):
     words = [sys.executable, "-m", "cmb.main", "drive", str(pushed_mass), "--no-browser", "--port", "0"]
     environment = {**os.environ, "TMPDIR": str(tmp_path)}
@@ -48,6 +50,14 @@ def test_it_serves_until_interrupted(pushed_mass, tmp_path):
     assert (process.returncode, errors) == (0, "")
     assert "for a further operator: http://127.0.0.1:" in output
     assert not list(tmp_path.iterdir())  # what was unpacked is gone, nothing was recorded
+
+
+def test_it_is_refused_without_the_viewers_scripts(pushed_mass, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("scene_viewer.bundle._file", lambda name: tmp_path / name)
+    assert main(["drive", str(pushed_mass), "--no-browser", "--port", "0"]) == 2
+    told = capsys.readouterr().err
+    assert "the viewer's scripts are not installed" in told.lower()
+    assert "scripts/setup" in told
 
 
 def test_headless_measures(pushed_mass, capsys):

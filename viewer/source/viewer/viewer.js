@@ -86,8 +86,8 @@ export class Viewer {
     const { renderer, canvas, view, world } = this;
     this.resize();
     this.goAlong();
-    const focus = this.rig.position.distanceTo(this.controls.target), dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
-    const stage = this.data.background, inHeadset = Boolean(this.headset.session);
+    const focus = this.rig.position.distanceTo(this.controls.target), stage = this.data.background;
+    const dark = !stage && window.matchMedia("(prefers-color-scheme: dark)").matches, inHeadset = Boolean(this.headset.session);
     world.scene.background = stage ? new Color().setRGB(...stage, "srgb") : view.output === "plain" && !inHeadset ? null : this.stageColor();
     world.apply(this.shown, dark);
     world.forces.show(this.forces);

@@ -3,7 +3,7 @@
 
 const by = id => document.getElementById(id);
 const tab = Array.from(crypto.getRandomValues(new Uint32Array(4)), n => n.toString(16)).join("");
-let scene = null, state = null, stop = () => {}, shown = 0, techniques = [], trial = null;
+let scene = null, state = null, stop = () => {}, shown = 0, techniques = [], trial = null, viewer = null, dots = null;
 
 function show(id) {
   for (const part of document.querySelectorAll("main")) part.hidden = part.id !== id;
@@ -80,9 +80,7 @@ function fitCanvas() {
   const canvas = by("picture"), aspect = state.view.aspect;
   const width = Math.max(320, Math.min(window.innerWidth, (window.innerHeight - 300) * aspect));
   canvas.style.width = `${Math.round(width)}px`;
-  // One pixel of the picture is one of the display, as rows for polarised displays need it.
-  canvas.width = Math.round(width * window.devicePixelRatio);
-  canvas.height = Math.round(canvas.width / aspect);
+  canvas.style.height = `${Math.round(width / aspect)}px`;
 }
 
 /** Whether a test of the goggles found left and right swapped; kept while the browser is open. */
@@ -94,7 +92,26 @@ function swapped(technique, value) {
 
 function showPicture() {
   stop();
-  stop = showView(by("picture"), { ...state.view, swapped: swapped(state.view.technique) }, scene);
+  if (!viewer) viewer = new contactViewer.Viewer(by("picture"), scene.viewer);
+  stop = showView(viewer, { ...state.view, swapped: swapped(state.view.technique) }, scene);
+}
+
+/** Shows a constellation, the machine swinging if it moves. Returns a function that ends it. */
+function showView(shownBy, view, { swing, lengths }) {
+  const begin = performance.now();
+  let handle = 0;
+  shownBy.view = { camera: view.camera, output: view.technique, swapped: view.swapped, lengths };
+  function draw(now) {
+    const half = view.moving ? swing.angle * Math.sin(2 * Math.PI * (now - begin) / 1000 / swing.period) / 2 : 0;
+    shownBy.place(0, [0, 0, swing.depth, 0, Math.sin(half), 0, Math.cos(half)]);
+    shownBy.draw();
+    if (view.moving) handle = requestAnimationFrame(draw);
+  }
+  draw(begin);
+  return () => {
+    cancelAnimationFrame(handle);
+    shownBy.view.output = "plain";
+  };
 }
 
 function showConstellation() {
@@ -131,9 +148,14 @@ async function begin(observer) {
 
 function showDots() {
   stop();
-  const canvas = by("dots"), view = { ...trial.view, swapped: swapped(trial.view.technique) };
-  const dot = Math.max(3, Math.round(canvas.width / 160));
-  stop = present(canvas, view, false, dotPictures(canvas.width, canvas.height, 2 * trial.truths[trial.answers.length], dot));
+  const canvas = by("dots"), { technique } = trial.view, { width, height } = canvas;
+  const draw = dotPictures(width, height, 2 * trial.truths[trial.answers.length], Math.max(3, Math.round(width / 160)));
+  if (!dots) dots = new contactViewer.FlatPictures(canvas);
+  stop = dots.show(technique, swapped(technique), ...["left", "right"].map(eye => {
+    const picture = Object.assign(document.createElement("canvas"), { width, height });
+    draw(picture.getContext("2d"), eye);
+    return picture;
+  }));
 }
 
 function showWelcome(start) {

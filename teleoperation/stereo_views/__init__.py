@@ -1,1 +1,0 @@
-"""Geometry and colour of pictures for one eye and for two: cameras, disparity, anaglyphs."""

@@ -1,0 +1,247 @@
+"""The viewer's pictures in a real browser: disparities to a tenth of a pixel, outputs, cues of depth."""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from headless_browser import Browser, Tab, find_browser, needs_pages
+from lines_of_sight import FloatArray, Lengths, seen
+from scene_viewer.bundle import bundled
+
+pytestmark = needs_pages
+WIDTH, HEIGHT = 960, 540
+BACKGROUND = [0.1, 0.1, 0.1]
+CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
+TRIANGLES = [0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3]
+PLAIN = {"edges": False, "floor": False, "shading": False, "shadows": False}
+
+
+@pytest.fixture(scope="module")
+def tab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tab]:
+    """A page with a canvas and the viewer."""
+    folder = tmp_path_factory.mktemp("viewer")
+    page = folder / "page.html"
+    style = f"position: fixed; left: 0; top: 0; width: {WIDTH}px; height: {HEIGHT}px"
+    script = bundled("viewer.js").replace("</script", "<\\/script")
+    page.write_text(f'<canvas id="canvas" style="{style}"></canvas><script>{script}</script>', encoding="utf-8")
+    browser = Browser(str(find_browser()), folder / "profile")
+    made = browser.tab("about:blank")
+    made.note_errors()
+    made.go(page.as_uri())
+    yield made
+    assert made.errors() == []
+    browser.close()
+
+
+def box(center: Any, size: Any, color: Any = (1, 1, 1)) -> dict[str, Any]:
+    """A mesh for the viewer."""
+
+    def encoded(values: Any, kind: str) -> str:
+        return base64.b64encode(np.asarray(values, kind).tobytes()).decode()
+
+    corners = np.array(center) + CORNERS * np.array(size) / 2
+    return {"vertices": encoded(corners, "<f4"), "triangles": encoded(TRIANGLES, "<u4"), "color": list(color)}
+
+
+def make(tab: Tab, meshes: list[dict[str, Any]], **more: Any) -> None:
+    """A viewer in the origin that looks along -z."""
+    data = {
+        "up": [0, 1, 0],
+        "center": [0, 0, -2],
+        "radius": 1,
+        "floor": -0.5,
+        "follow": False,
+        "largestForce": 1,
+        "background": BACKGROUND,
+        "stand": {"eye": [0, 0, 0], "target": [0, 0, -2]},
+        "bodies": [{"meshes": meshes}],
+        **more,
+    }
+    tab.value(
+        "if (window.viewer) viewer.renderer.dispose();"
+        f"window.viewer = new contactViewer.Viewer(document.getElementById('canvas'), {json.dumps(data)}); true"
+    )
+
+
+def picture(tab: Tab, shown: dict[str, Any] | None = None, **view: Any) -> FloatArray:
+    """Red, green, blue and alpha, 0 to 255, rows from above; shape (HEIGHT, WIDTH, 4)."""
+    values = tab.value(
+        f"Object.assign(viewer.shown, {json.dumps(shown or {})}); Object.assign(viewer.view, {json.dumps(view)});"
+        """(() => {
+          viewer.paint();
+          const gl = viewer.renderer.getContext(), {width, height} = viewer.canvas;
+          const pixels = new Uint8Array(4 * width * height), parts = [];
+          gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+          const text = part => String.fromCharCode(...part);
+          for (let k = 0; k < pixels.length; k += 32768) parts.push(text(pixels.subarray(k, k + 32768)));
+          return btoa(parts.join(""));
+        })()"""
+    )
+    return np.frombuffer(base64.b64decode(values), np.uint8).astype(float).reshape(HEIGHT, WIDTH, 4)[::-1]
+
+
+def eye(tab: Tab, which: str, **view: Any) -> FloatArray:
+    """What one eye sees: the next frame of frames in turn."""
+    frame = 0 if which == "left" else 1
+    tab.value(f"viewer.outputs.frame = {frame}; true")
+    made = picture(tab, output="shutter", **view)
+    tab.value("cancelAnimationFrame(viewer.pending); viewer.pending = null; true")
+    return made
+
+
+def linear(pixels: FloatArray) -> FloatArray:
+    """Linear light, 0 to 1, of sRGB, 0 to 255."""
+    return np.where(pixels <= 0.04045 * 255, pixels / 255 / 12.92, ((pixels / 255 + 0.055) / 1.055) ** 2.4)
+
+
+def middle(pixels: FloatArray) -> FloatArray:
+    """Mean place of what is not background, in pixels to the right and down."""
+    light = linear(pixels[..., :3])
+    weight = np.abs(light - light[0, 0]).sum(-1)
+    rows, columns = np.indices(weight.shape)
+    return np.array([(weight * columns).sum(), (weight * rows).sum()]) / weight.sum()
+
+
+@pytest.mark.parametrize("camera", ["parallel", "convergent"])
+@pytest.mark.parametrize("depth", [1.2, 2.0, 4.0])
+def test_a_point_of_known_depth_has_the_pixel_disparity_that_geometry_says(tab: Tab, camera: str, depth: float) -> None:
+    place, lengths = [0.1, 0.05, -depth], Lengths()
+    make(tab, [box(place, [0.02 * depth, 0.02 * depth, 1e-6])])
+    view = {"camera": camera, "lengths": lengths.as_page()}
+    picture(tab, PLAIN)
+    left, right = middle(eye(tab, "left", **view)), middle(eye(tab, "right", **view))
+    wanted = seen(np.array([place]), camera, lengths, WIDTH / HEIGHT)[:, 0] * [WIDTH / 2, -HEIGHT / 2]
+    assert right - left == pytest.approx(wanted[1] - wanted[0], abs=0.1)
+    assert left == pytest.approx(
+        wanted[0] + [(WIDTH - 1) / 2, (HEIGHT - 1) / 2], abs=0.15
+    )  # edges have four samples a pixel
+
+
+@pytest.fixture
+def pair(tab: Tab) -> dict[str, FloatArray]:
+    """Pictures of both eyes of a coloured box before the screen."""
+    make(tab, [box([0.1, 0, -1.2], [0.2, 0.2, 0.2], [0.9, 0.7, 0.4])])
+    view = {"camera": "parallel", "lengths": Lengths().as_page(), "swapped": False}
+    picture(tab, {**PLAIN, "shading": True})
+    return {which: eye(tab, which, **view) for which in ("left", "right")}
+
+
+def test_outputs_are_made_of_the_left_and_the_right_eyes_pictures(tab: Tab, pair: dict[str, FloatArray]) -> None:
+    left, right = pair["left"], pair["right"]
+    assert np.abs(left - right).max() > 50
+    rows = picture(tab, output="polarised")
+    first = tab.value("contactViewer.firstRightRow(viewer.canvas)")
+    np.testing.assert_array_equal(rows[first::2], right[first::2])
+    np.testing.assert_array_equal(rows[1 - first :: 2], left[1 - first :: 2])
+    for output, parts, scale in (
+        ("side-by-side", (np.s_[:, : WIDTH // 2], np.s_[:, WIDTH // 2 :]), [2, 1]),
+        ("top-and-bottom", (np.s_[: HEIGHT // 2], np.s_[HEIGHT // 2 :]), [1, 2]),
+    ):
+        both = picture(tab, output=output)
+        for part, whole in zip(parts, (left, right), strict=True):
+            assert middle(both[part]) == pytest.approx(middle(whole) / scale, abs=0.5)
+
+
+def test_an_anaglyph_mixes_linear_colours(tab: Tab, pair: dict[str, FloatArray]) -> None:
+    shown = picture(tab, output="anaglyph")
+    matrices = tab.value(
+        "['fromLeft', 'fromRight'].map(name => viewer.outputs.uniforms[name].value.clone().transpose().elements)"
+    )
+    pictures = (linear(pair[which][..., :3]) for which in ("left", "right"))
+    mixed = sum(light @ np.reshape(matrix, (3, 3)).T for light, matrix in zip(pictures, matrices, strict=True))
+    mixed = np.clip(mixed, 0, 1)
+    wanted = 255 * np.where(mixed <= 0.0031308, 12.92 * mixed, 1.055 * mixed ** (1 / 2.4) - 0.055)
+    assert np.abs(shown[..., :3] - wanted).max() <= 3  # eyes' pictures were read as whole numbers
+
+
+def test_swapped_eyes_are_swapped(tab: Tab, pair: dict[str, FloatArray]) -> None:
+    np.testing.assert_array_equal(eye(tab, "left", swapped=True), pair["right"])
+
+
+def test_frames_in_turn_go_on_by_themselves(tab: Tab) -> None:
+    make(tab, [box([0, 0, -2], [0.1, 0.1, 0.1])])
+    tab.value("viewer.view.output = 'shutter'; window.first = viewer.frames; viewer.draw()")
+    tab.until("viewer.frames > first + 4")
+    tab.value("viewer.view.output = 'plain'; true")
+
+
+def test_a_picture_without_background_is_transparent_and_with_two_eyes_opaque(tab: Tab) -> None:
+    make(tab, [box([0, 0, -2], [0.1, 0.1, 0.1])], background=None)
+    assert picture(tab, PLAIN, output="plain")[0, 0, 3] == 0
+    assert (picture(tab, output="anaglyph")[..., 3] == 255).all()
+
+
+class TestCues:
+    """Each cue of depth changes what it should and can be taken away."""
+
+    def test_shading_and_haze(self, tab: Tab) -> None:
+        make(tab, [box([0, 0, -1.2], [0.3] * 3, [1, 0.5, 0]), box([1.2, 0, -4], [0.6] * 3, [1, 0.5, 0])])
+
+        def colours(**shown: bool) -> set[tuple[float, ...]]:
+            found, counts = np.unique(picture(tab, {**PLAIN, **shown}).reshape(-1, 4), axis=0, return_counts=True)
+            return {tuple(row[:3]) for row, count in zip(found, counts, strict=True) if count > 5000}
+
+        background = tuple(round(255 * value) for value in BACKGROUND)
+        assert colours() == {background, (255, 128, 0)}
+        assert len(colours(shading=True)) > 2
+        hazy = picture(tab, {**PLAIN, "aerial": True}, lengths=Lengths().as_page())
+        row, aside = hazy[HEIGHT // 2, :, :3], round(1.2 / 4 * WIDTH * 0.6 / 0.52)
+        near, far = row[WIDTH // 2], row[WIDTH // 2 + aside]
+        assert far[2] > near[2] + 50  # what is far pales
+        assert far[0] < near[0]
+
+    def test_shadows_lie_on_the_floor(self, tab: Tab) -> None:
+        make(tab, [box([0, 0, -2], [0.4] * 3)], stand={"eye": [0, 1, 0], "target": [0, -0.5, -2]})
+        floor = {**PLAIN, "floor": True, "texture": False}
+        without, with_shadow = picture(tab, floor), picture(tab, {**floor, "shadows": True})
+        darker = (with_shadow - without)[..., :3].sum(-1) < -5
+        assert 500 < darker.sum() < WIDTH * HEIGHT / 4
+
+    def test_texture_grows_denser_with_distance(self, tab: Tab) -> None:
+        make(tab, [box([0, 0, -2], [0.4] * 3)], background=[1, 1, 1], stand={"eye": [0, 0.5, 2], "target": [0, 0, -2]})
+        shown = picture(tab, {**PLAIN, "floor": True, "texture": True, "shadows": False})
+        dark = shown[..., :3].sum(-1) < 740
+
+        def lines(row: int) -> int:
+            return int(np.diff(dark[row].astype(int)).clip(0).sum())
+
+        horizon = int(np.flatnonzero(dark.any(axis=1))[0])
+        assert lines(horizon + 60) > lines(HEIGHT - 30) > 2
+
+    def test_objects_of_known_size_have_that_size(self, tab: Tab) -> None:
+        make(
+            tab, [box([0, 0, -2], [0.01] * 3)], radius=0.36, stand={"eye": [0, 0, 0], "target": [0, 0, -2]}, floor=-0.11
+        )
+        assert tab.value("viewer.world.known.name") == "football, 22 cm"
+        size = tab.value(
+            "(() => { const ball = viewer.world.known.object.children[0]; ball.geometry.computeBoundingSphere();"
+            "return ball.geometry.boundingSphere.radius; })()"
+        )
+        assert size == pytest.approx(0.11)
+        before, after = picture(tab, {**PLAIN, "knownSizes": False}), picture(tab, {"knownSizes": True})
+        assert (before != after).any()
+
+    def test_the_observers_mouse_moves_what_is_near_against_what_is_far(self, tab: Tab) -> None:
+        make(tab, [box([0, 0, -1.5], [0.02, 0.02, 1e-6]), box([0, 0, -2], [0.02, 0.02, 1e-6])])
+        picture(tab, {**PLAIN, "headMotion": True}, output="plain", camera="central")
+
+        def places(x: float) -> tuple[float, float]:
+            tab.value(
+                f"window.move = new PointerEvent('pointermove', {{clientX: {x}, clientY: {HEIGHT / 2}}});"
+                "viewer.canvas.dispatchEvent(move); true"
+            )
+            shown = picture(tab)
+            columns = np.flatnonzero((shown[..., 0] > 100).any(axis=0))
+            return float(columns[0]), float(columns[-1])
+
+        left, right = places(0), places(WIDTH - 1)
+        assert left[1] - left[0] > 40
+        assert right[1] - right[0] > 40
+        # With the head to the left what is near moves to the right, against the screen's middle.
+        assert left[1] > WIDTH / 2 + 30
+        assert right[0] < WIDTH / 2 - 30
