@@ -26,7 +26,7 @@ _FLAGS = (
     "--disable-sync",
     "--remote-debugging-pipe",
 )
-_PATIENCE = 30.0
+_PATIENCE = 120.0
 
 
 def find_browser() -> str | None:

@@ -161,3 +161,20 @@ def test_cues_of_depth_can_be_switched_off(browser, server):
     assert sum(switch(perspective=False).values()) != size
     assert switch(perspective=True) == flat
     assert switch(shading=True) == shaded
+
+
+def test_a_gamepad_pushes_and_one_that_is_unplugged_stands_in_the_middle(browser, server):
+    tab = browser.tab(server.address)
+    tab.until(state("paused · you steer"))
+    slider = "Number(document.getElementById('control-0').value)"
+    tab.value("window.pad = {connected: true, axes: [0, 0.05]}; navigator.getGamepads = () => [null, pad]; true")
+    slide(tab, 40)
+    click(tab, "run")
+    tab.until("parseFloat(document.getElementById('clock').textContent.split(' ')[2]) > 0.1")
+    assert tab.value(slider) == 40  # an axis that rests takes nothing over
+    tab.value("pad.axes[1] = -0.55")
+    tab.until(f"Math.abs({slider} - 50) < 1e-6")  # half of the way behind the dead zone, down to up
+    tab.value("navigator.getGamepads = () => [null, null]; dispatchEvent(new Event('gamepaddisconnected'))")
+    assert tab.value(slider) == 0
+    click(tab, "run")
+    tab.until(state("paused"))

@@ -25,7 +25,7 @@ export class KnownSizes {
     this.object.visible = false;
     if (!this.name) return;
     const material = new MeshPhongMaterial({ color });
-    for (const [x, y] of [[1.15, -0.7], [-1.15, 0.5], [0.7, 2.2], [-0.5, 4.5]]) {
+    for (const [x, y] of [[1.1, -0.6], [-1.1, -0.4], [0.7, 1], [-0.6, 1.1]]) {
       for (const [geometry, middle] of parts()) {
         const mesh = new Mesh(geometry, material);
         mesh.position.set(x * radius, y * radius, middle);
