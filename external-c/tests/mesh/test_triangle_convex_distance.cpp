@@ -1,4 +1,4 @@
-// Distance of a triangle and a round body, and which wedges such a body may reach.
+// Distances of triangles and convex bodies, of meshes and bodies apart, and which wedges a round body may reach.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "mesh/contact/mesh_contact.hpp"
+#include "mesh/contact/polytope_distance.hpp"
 #include "mesh/contact/triangle_convex_distance.hpp"
 #include "mesh/core/triangle_wedge.hpp"
+#include "shape/convex_hull.hpp"
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
@@ -156,6 +158,45 @@ TEST(ApartFromMesh, NoTriangleIsNearer) {
     EXPECT_TRUE(contact.points.empty()) << k;
   }
   EXPECT_GT(apart, 150);
+}
+
+// The same of hulls and boxes, to rounding; each triangle exactly.
+TEST(ApartFromMesh, NoTriangleIsNearerToPolytopes) {
+  random_bodies::Random random(4);
+  double xs[] = {0, 2, 2, 1, 1, 0}, ys[] = {0, 0, 1, 1, 2, 2};
+  const TriangleMesh meshes[] = {mesh_samples::mesh(mesh_samples::sphere_mesh(0.5, 2)),
+                                 mesh_samples::mesh(mesh_samples::box_mesh({0.6, 0.8, 1.0}, 3)),
+                                 mesh_samples::mesh(mesh_samples::angle_prism(xs, ys, 0.0, 1.0))};
+  MeshContactScratch scratch;
+  int apart = 0;
+  for (int k = 0; k < 300; ++k) {
+    const TriangleMesh &mesh = meshes[k % 3];
+    Polytope body = Polytope::box({0.2, 0.3, 0.5});
+    const Vec3 size{random.log_uniform(1e-2, 0.5), 0.4, 0.5};
+    if (k % 2 == 0) {
+      ASSERT_TRUE(build_convex_hull(random_bodies::random_points(random, random.integer(5, 40), size, false), body, nullptr, nullptr));
+    }
+    Pose pose{random_bodies::random_rotation(random), random.uniform(0.0, 2.5) * random.direction()};
+    if (k % 5 == 0) pose.rotation = Mat3{};  // flush
+    cmb::ContactSet contact;
+    polytope_contact(body, pose, mesh, {}, scratch, contact);
+    std::vector<Vec3> vertices, normals, polygon, room;
+    for (const Vec3 &v : body.vertices()) vertices.push_back(pose(v));
+    for (const auto &face : body.faces()) normals.push_back(pose.rotation * face.normal);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
+      least = std::fmin(least, triangle_polytope_distance(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), body, vertices,
+                                                          normals, polygon, room).distance);
+    }
+    if (!(least > 0.0) || mesh.nearest(vertices[0]).distance < 0.0) {
+      EXPECT_LE(contact.distance, 0.0) << k;
+      continue;
+    }
+    ++apart;
+    EXPECT_NEAR(contact.distance, least, 1e-12) << k;
+    EXPECT_TRUE(contact.points.empty()) << k;
+  }
+  EXPECT_GT(apart, 120);
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
 #include "math/pose_algebra.hpp"
 #include "mesh/elastic/elastic_points.hpp"
 #include "mesh/contact/mesh_contact.hpp"
 #include "mesh/contact/nearest_triangle.hpp"
 #include "mesh/contact/polytope_distance.hpp"
+#include "mesh/contact/triangle_convex_distance.hpp"
 #include "mesh/elastic/wedge_overlap.hpp"
 #include "mesh/intersection/pierced_load.hpp"
 #include "mesh/intersection/triangle_section.hpp"
@@ -29,6 +30,9 @@ class PolytopeQuery {
   }
 
   void run() {
+    const NearestPoint nearest = mesh_.nearest(0.5 * (box_.low + box_.high));
+    // A body that no triangle meets touches only what its middle is in, or nothing.
+    if (!(nearest.distance < 0.0 && mesh_.closed()) && apart(nearest.triangle)) return;
     WedgeOverlap overlap(body_, scratch_.body_vertices, scratch_.body_normals, mesh_, 0.5 * (box_.low + box_.high), size_,
                          scratch_.overlap);
     mesh_.hierarchy().visit_near(box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { overlap.add(t); });
@@ -41,30 +45,39 @@ class PolytopeQuery {
       const double load = total_load(result_.points, begin);
       carried *= limit_by_sections(body, mesh_, begin, result_) / load;
     }
-    if (!complete_contact(body, mesh_, pose_, carried, result_)) apart();
+    if (!complete_contact(body, mesh_, pose_, carried, result_)) apart(nearest.triangle);
   }
 
  private:
-  void apart() {
+  // Whether no triangle meets the body; sets distance, normal and witness then. The search begins with triangle `first`.
+  bool apart(std::uint32_t first) {
     NearestTriangle nearest(mesh_);
     // The extents along the best direction so far bound the distance of the others.
     Vec3 direction;
     double lowest = 0.0;
+    const auto offer = [&](std::uint32_t t) {
+      const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
+      const double highest = std::fmax(dot(direction, a), std::fmax(dot(direction, b), dot(direction, c)));
+      if (lowest - highest > nearest.distance()) return;
+      bool proven;
+      TriangleGap gap = triangle_polytope_gap(a, b, c, body_, place_, nearest.distance(), proven);
+      if (!proven) {
+        gap = triangle_polytope_distance(a, b, c, body_, scratch_.body_vertices, scratch_.body_normals,
+                                         scratch_.patch.polygon, scratch_.patch.clipped);
+      }
+      if (!nearest.offer(gap, t)) return;
+      direction = nearest.direction();
+      const Vec3 local = transposed_times(place_.rotation, -direction);
+      lowest = dot(direction, scratch_.body_vertices[static_cast<std::size_t>(body_.support_vertex(local))]);
+    };
+    offer(first);
     mesh_.hierarchy().visit_near(
-        box_, [&] { return nearest.distance() * nearest.distance(); },
+        box_, [&] { return nearest.distance() > 0.0 ? nearest.distance() * nearest.distance() : -1.0; },
         [&](std::uint32_t t) {
-          const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
-          const double highest = std::fmax(dot(direction, a), std::fmax(dot(direction, b), dot(direction, c)));
-          if (lowest - highest > nearest.distance()) return;
-          const TriangleGap gap = triangle_polytope_distance(a, b, c, body_, scratch_.body_vertices,
-                                                             scratch_.body_normals, scratch_.patch.polygon,
-                                                             scratch_.patch.clipped);
-          if (!nearest.offer(gap, t)) return;
-          direction = nearest.direction();
-          lowest = std::numeric_limits<double>::infinity();
-          for (const Vec3 &v : scratch_.body_vertices) lowest = std::fmin(lowest, dot(direction, v));
+          if (nearest.distance() > 0.0) offer(t);
         });
     nearest.write(pose_, result_);
+    return nearest.distance() > 0.0;
   }
 
   const convex::Polytope &body_;

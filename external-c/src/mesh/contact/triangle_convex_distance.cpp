@@ -11,7 +11,8 @@ namespace cmb::mesh {
 namespace {
 
 constexpr int most_steps = 200;
-constexpr double tolerance = 1e-10;
+// Agreement of the bounds, relative to the body: of round ones, and of those with corners, where the search ends at features.
+constexpr double tolerance = 1e-10, polyhedral_tolerance = 1e-14;
 
 // A point of (corners - body) and where it comes from.
 struct Difference {
@@ -77,7 +78,7 @@ bool holds_origin(const Difference *s) {
 // Of the convex hull of some corners; see triangle_convex_gap. `lower` receives a bound that the last direction proves.
 template <std::size_t corner_count>
 TriangleGap hull_convex_gap(const Vec3 (&corner)[corner_count], const convex::ConvexBody &body, const Pose &body_in_mesh,
-                            double enough, double &lower) {
+                            double enough, double tolerance, double &lower) {
   lower = 0.0;
   const auto support = [&](const Vec3 &d) {  // the farthest of the difference along d
     std::size_t farthest = 0;
@@ -148,12 +149,22 @@ TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, con
                                 const Pose &body_in_mesh, double enough) {
   const Vec3 corner[3] = {a, b, c};
   double lower;
-  return hull_convex_gap(corner, body, body_in_mesh, enough, lower);
+  return hull_convex_gap(corner, body, body_in_mesh, enough, tolerance, lower);
+}
+
+TriangleGap triangle_polytope_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,
+                                  const Pose &body_in_mesh, double enough, bool &proven) {
+  const Vec3 corner[3] = {a, b, c};
+  const double size = body.radius() + std::fmax(norm(b - a), norm(c - a));
+  double lower;
+  const TriangleGap gap = hull_convex_gap(corner, convex::make_polytope(body), body_in_mesh, enough, polyhedral_tolerance, lower);
+  proven = gap.distance > enough || gap.distance - lower <= 10.0 * polyhedral_tolerance * size;
+  return gap;
 }
 
 bool are_parted(const Vec3 (&corner)[6], const convex::ConvexBody &body, const Pose &body_in_mesh) {
   double lower;
-  hull_convex_gap(corner, body, body_in_mesh, 0.0, lower);
+  hull_convex_gap(corner, body, body_in_mesh, 0.0, tolerance, lower);
   return lower > 0.0;
 }
 

@@ -13,6 +13,10 @@ namespace cmb::mesh {
 TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::ConvexBody &body,
                                 const Pose &body_in_mesh, double enough);
 
+// The same of a polytope, to rounding where `proven`; where not, rounding ended the search, or the two meet.
+TriangleGap triangle_polytope_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,
+                                  const Pose &body_in_mesh, double enough, bool &proven);
+
 // Whether a plane is found that parts the convex hull of six corners from the body, in the same frames: always one that does,
 // though none may be found where they are hardly apart.
 bool are_parted(const Vec3 (&corner)[6], const convex::ConvexBody &body, const Pose &body_in_mesh);
