@@ -31,6 +31,7 @@ class Function:
         is_discrete: as for statements.
         size: number of lines.
         executions: how often it is executed in one evaluation.
+        kept: offsets of the vectors that it keeps in the work array for later functions.
     """
 
     name: str
@@ -38,6 +39,7 @@ class Function:
     is_discrete: bool
     size: int
     executions: int = 1
+    kept: tuple[int, ...] = ()
 
 
 @dataclass
@@ -103,17 +105,19 @@ def functions_of(prefix: str, statements: Sequence[Statement], frame: FunctionFr
         kind = prefix if chunk.group is None else f"{chunk.group.name}_part"
         counts[kind] = counts.get(kind, 0) + 1
         names.append(f"{kind}_{counts[kind]}")
-    functions = _functions(chunks, names, frame)
-    for group, members in groupby(zip(chunks, names, strict=True), key=lambda pair: pair[0].group):
+    parts = _functions(chunks, names, frame)
+    functions = list(parts)
+    for group, members in groupby(zip(chunks, parts, strict=True), key=lambda pair: pair[0].group):
         if group is not None:
-            functions.append(_group_function(group, [name for _, name in members], frame.signature))
+            functions.append(_group_function(group, [part for _, part in members], frame.signature))
     return functions
 
 
-def _group_function(group: Group, parts: Sequence[str], signature: str) -> Function:
-    calls = "".join(f"  if ((result = {name}(v)) != FMURT_RESULT_OK) return result;\n" for name in parts)
+def _group_function(group: Group, parts: Sequence[Function], signature: str) -> Function:
+    calls = "".join(f"  if ((result = {part.name}(v)) != FMURT_RESULT_OK) return result;\n" for part in parts)
     text = f"int {group.name}({signature})\n{{\n  int result = FMURT_RESULT_OK;\n{calls}  return result;\n}}\n"
-    return Function(group.name, text, False, len(parts), group.executions)
+    kept = tuple(offset for part in parts for offset in part.kept)
+    return Function(group.name, text, False, len(parts), group.executions, kept)
 
 
 def _functions(chunks: Sequence[_Chunk], names: Sequence[str], frame: FunctionFrame) -> list[Function]:
@@ -126,7 +130,8 @@ def _functions(chunks: Sequence[_Chunk], names: Sequence[str], frame: FunctionFr
             [f"int {name}({frame.signature})", "{", *frame.prologue, *body, "  return FMURT_RESULT_OK;", "}", ""]
         )
         executions = chunk.group.executions if chunk.group is not None else 1
-        result.append(Function(name, text, chunk.is_discrete, len(body), executions))
+        kept = tuple(offset for node, (first, offset) in homes.items() if first == position and node in lane_nodes)
+        result.append(Function(name, text, chunk.is_discrete, len(body), executions, kept))
     return result
 
 

@@ -1,7 +1,8 @@
 """C of the Jacobian of the states' derivatives, from the tangents of all blocks.
 
 Tangents are vectors of ``LANES`` directions, so that what does not depend on the direction is computed once for
-several columns; there are as many passes as it takes to give each state a direction.
+several columns; there are as many passes as it takes to give each state a direction. A pass executes the clusters that
+its directions move; what the others left from the pass before is set to zero.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from modelica2fmu.codegen.model_file import function_calls
 from modelica2fmu.codegen.statements import Group, Statement, Write
 from modelica2fmu.codegen.symbol_places import PROLOGUE, SIGNATURE, SymbolPlaces, set_lanes
 from modelica2fmu.equations.blocks import NonlinearBlock
+from modelica2fmu.equations.direction_passes import Cluster, direction_passes
 from modelica2fmu.equations.lanes import LANES, lanes_at
 from modelica2fmu.equations.tangents import (
     CallTangent,
@@ -35,6 +37,7 @@ from modelica2fmu.symbolic.expression import Node
 
 _INPUT: Final = "$input["
 _NUMBERS: Final = "fmurt_tangent_numbers"
+_CLUSTER: Final = "fmurt_tangent_cluster"
 _RELATIVE_STEP: Final = 1.5e-8  # of difference quotients of external functions: the root of the rounding error
 
 
@@ -85,12 +88,23 @@ class _Writer:
         self._shifted: dict[int, str] = {}
 
     def run(self) -> JacobianCode:
-        statements = [statement for step in self._steps for statement in self._statements(step)]
+        wanted = [tangent_name(rate) for rate in self._rates]
+        schedule = direction_passes(self._steps, self._states, wanted)
+        clusters = [
+            [
+                replace(statement, group=Group(f"{_CLUSTER}_{number}", cluster.passes.bit_count()))
+                for step in cluster.steps
+                for statement in self._statements(step)
+            ]
+            for number, cluster in enumerate(schedule.clusters, 1)
+        ]
+        statements = [statement for cluster in clusters for statement in cluster]
         # What does not depend on the direction is computed once for all passes.
         numbers = Statement(numbers_of_lanes(statements, is_tangent), lambda _: [], group=Group(_NUMBERS, 1))
-        parts = functions_of("fmurt_part_tangent", [numbers, *statements], self._places.frame())
-        self._functions.extend(parts)
-        return JacobianCode(tuple(self._functions), self._driver(parts))
+        functions = functions_of("fmurt_part_tangent", [numbers, *statements], self._places.frame())
+        self._functions.extend(functions)
+        kept = {function.name: function.kept for function in functions}
+        return JacobianCode(tuple(self._functions), self._driver(schedule.columns, schedule.clusters, kept))
 
     # --- steps ---
 
@@ -191,16 +205,26 @@ class _Writer:
 
     # --- the whole ---
 
-    def _driver(self, parts: Sequence[Function]) -> str:
+    def _driver(
+        self, passes: Sequence[Sequence[int]], clusters: Sequence[Cluster], kept: Mapping[str, tuple[int, ...]]
+    ) -> str:
         computed = {name for step in self._steps for name in tangent_targets(step)}
         seeds = [self._places.tangent(tangent_name(name)) for name in self._states]
         computed |= {tangent_name(name) for name in self._states}
         rates = [self._places.tangent(name) if (name := tangent_name(rate)) in computed else -1 for rate in self._rates]
-        probes = "".join(_call(name) for name in self._probes)
+        names = [f"{_CLUSTER}_{number}" for number in range(1, len(clusters) + 1)]
+        left = [
+            [*map(self._places.tangent, cluster.handed_on), *kept[name]]
+            for name, cluster in zip(names, clusters, strict=True)
+        ]
+        ends = [sum(map(len, left[: number + 1])) for number in range(len(left))]
         return _DRIVER.format(
             n=len(self._states), seeds=_joined(seeds), rates=_joined(rates), step=self._step,
-            relative=number(_RELATIVE_STEP), probes=probes, numbers=_call(_NUMBERS),
-            calls=_indented(function_calls(parts, "fmurt_part_tangent")),
+            relative=number(_RELATIVE_STEP), probes="".join(_call(name) for name in self._probes),
+            numbers=_call(_NUMBERS), passes=len(passes), clusters=len(clusters), names=",\n    ".join(names),
+            columns=_joined([column for group in passes for column in [*group, *[-1] * (LANES - len(group))]]),
+            active=_joined([cluster.passes >> turn & 1 for turn in range(len(passes)) for cluster in clusters]),
+            left=_joined([offset for offsets in left for offset in offsets] or [0]), ends=_joined(ends),
         )  # fmt: skip
 
 
@@ -259,18 +283,41 @@ _DRIVER: Final = """static fmurt_result jacobian(fmurt_values *v, double *jacobi
     {seeds}}};
   static const int rate[{n}] = {{
     {rates}}};
+  static const int column[{passes} * FMURT_LANES] = {{
+    {columns}}};
+  static int (*const cluster[{clusters}])(fmurt_values *) = {{
+    {names}}};
+  static const unsigned char is_active[{passes} * {clusters}] = {{
+    {active}}};
+  static const int left[] = {{
+    {left}}};
+  static const int left_end[{clusters}] = {{
+    {ends}}};
   double *const w = v->work;
   int result = FMURT_RESULT_OK;
-{numbers}{probes}  for (int first = 0; first < {n}; first += FMURT_LANES) {{
-    for (int j = 0; j < {n}; ++j) {{
-      LANES(w, seed[j]) = (fmurt_lanes){{0}};
-      if (j < first || j >= first + FMURT_LANES) continue;
-      w[seed[j] + j - first] = 1.0;
-      w[{step} + j - first] = {relative} * fmax(fabs(v->real[state[j]]), state_nominal[j]);
+{numbers}{probes}  for (int j = 0; j < {n}; ++j) LANES(w, seed[j]) = (fmurt_lanes){{0}};
+  for (int pass = 0; pass < {passes}; ++pass) {{
+    const int *const columns = column + pass * FMURT_LANES;
+    const unsigned char *const active = is_active + pass * {clusters};
+    for (int lane = 0; lane < FMURT_LANES; ++lane) {{
+      const int j = columns[lane];
+      if (j < 0) continue;
+      w[seed[j] + lane] = 1.0;
+      w[{step} + lane] = {relative} * fmax(fabs(v->real[state[j]]), state_nominal[j]);
     }}
-{calls}    for (int lane = 0; lane < FMURT_LANES && first + lane < {n}; ++lane) {{
-      double *const column = jacobian + (size_t)(first + lane) * {n};
-      for (int i = 0; i < {n}; ++i) column[i] = rate[i] >= 0 ? w[rate[i] + lane] : 0.0;
+    for (int k = 0; k < {clusters}; ++k) {{
+      if (active[k]) {{
+        if ((result = cluster[k](v)) != FMURT_RESULT_OK) return (fmurt_result)result;
+      }} else if (pass == 0 || active[k - {clusters}]) {{
+        for (int e = k > 0 ? left_end[k - 1] : 0; e < left_end[k]; ++e) LANES(w, left[e]) = (fmurt_lanes){{0}};
+      }}
+    }}
+    for (int lane = 0; lane < FMURT_LANES; ++lane) {{
+      const int j = columns[lane];
+      if (j < 0) continue;
+      double *const to = jacobian + (size_t)j * {n};
+      for (int i = 0; i < {n}; ++i) to[i] = rate[i] >= 0 ? w[rate[i] + lane] : 0.0;
+      w[seed[j] + lane] = 0.0;
     }}
   }}
   return (fmurt_result)result;

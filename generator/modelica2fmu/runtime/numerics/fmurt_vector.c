@@ -81,7 +81,15 @@ static int scale_add_identity(realtype factor, SUNMatrix matrix) {
   return 0;
 }
 
+/* CVODE keeps the Jacobian in a clone, and copies it back by the clone's operations. */
+static SUNMatrix clone(SUNMatrix like) {
+  const SUNMatrix matrix = SUNDenseMatrix(SUNDenseMatrix_Rows(like), SUNDenseMatrix_Columns(like), like->sunctx);
+  if (matrix != NULL) fmurt_speed_up_matrix(matrix);
+  return matrix;
+}
+
 void fmurt_speed_up_matrix(SUNMatrix matrix) {
+  matrix->ops->clone = clone;
   matrix->ops->copy = copy;
   matrix->ops->zero = zero;
   matrix->ops->scaleaddi = scale_add_identity;

@@ -234,3 +234,42 @@ def test_integrator_survives_a_point_without_jacobian(simulate):
     # With s = sqrt(x): t = 2 (s - log(1 + s)).
     s = np.sqrt(result["x"])
     assert 2 * (s - np.log1p(s)) == pytest.approx(result["time"], abs=1e-6)
+
+
+CHAIN = """model Chain "Bodies that feel their neighbours, each by a system of two equations"
+  Real x[7](start={0.1, 0.5, 0.9, 0.2, 0.7, 0.4, 0.3}, each fixed=true);
+  Real v[7](start={1, 2, 3, 4, 5, 6, 7}, each fixed=true);
+  Real a[7];
+  Real b[7];
+  Real force[6];
+equation
+  der(x) = v;
+  der(v) = a;
+  for i in 1:6 loop
+    force[i] = sin(x[i + 1] - x[i]) * (1 + v[i] * v[i + 1]);
+  end for;
+  for i in 1:7 loop
+    2 * a[i] + cos(x[i]) * b[i] = (if i < 7 then force[min(i, 6)] else 0) - (if i > 1 then force[max(i - 1, 1)] else 0);
+    cos(x[i]) * a[i] + 3 * b[i] = v[i] ^ 2;
+  end for;
+end Chain;
+"""
+
+
+def test_passes_leave_out_what_their_directions_do_not_move(tmp_path, fmu_cache):
+    source = tmp_path / "Chain.mo"
+    source.write_text(CHAIN)
+    translation = translate("Chain", [source], StandardLibrary(core_subset(), "", "core subset"))
+    report = build_fmu("Chain", [source], tmp_path / "m.fmu", BuildOptions(msl=core_subset(), cache=fmu_cache))
+    slots = translation.generated.slots.of
+    states = [slots[item].index for item in report.states]
+    rates = [slots[f"der({item})"].index for item in report.states]
+    random = np.random.default_rng(2)
+    with initialized(report.fmu, tmp_path / "fmu") as instance:
+        reference = Casadi(translation, instance)
+        for _ in range(3):
+            point = random.standard_normal(len(states))
+            move(instance, point)
+            expected = np.array(reference.jacobian(point))
+            assert np.sum(expected == 0.0) > len(states) ** 2 / 2
+            assert jacobian_of(instance, states, rates) == pytest.approx(expected, rel=1e-9, abs=1e-9)
