@@ -55,6 +55,7 @@ def run(machine: Machine, fmu: Path, folder: Path) -> NDArray[np.float64]:
     return simulate(machine, fmu, VARIABLES, STOP, STEPS, folder)
 
 
+@pytest.mark.full
 @pytest.mark.skipif(bool(BARE.missing()), reason=f"missing: {BARE.missing()}")
 def test_it_runs_on_a_machine_with_nothing_but_the_c_library(tmp_path: Path) -> None:
     fmu = build(tmp_path, LINUX64)
