@@ -8,7 +8,7 @@ import pytest
 from cmb.main import main
 from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
-from modelica2fmu.build import build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
 
 BLOWS_UP = "model Blow\n  Real x(start = 1, fixed = true);\nequation\n  der(x) = x^2;\nend Blow;\n"
 DEAD_CENTRE = """model Dead
@@ -40,16 +40,18 @@ def written(folder: Path, text: str) -> Path:
 
 
 @pytest.fixture(scope="module")
-def weight(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def weight(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Path:
     folder = tmp_path_factory.mktemp("weight")
-    build_fmu("Weight", [written(folder, BODY)], folder / "w.fmu")
+    build_fmu("Weight", [written(folder, BODY)], folder / "w.fmu", BuildOptions(cache=fmu_cache))
     return folder / "w.fmu"
 
 
 @pytest.mark.parametrize("mode", ["me", "cs"])
-def test_a_solution_that_grows_without_bound(tmp_path: Path, capfd: pytest.CaptureFixture[str], mode: str) -> None:
+def test_a_solution_that_grows_without_bound(
+    tmp_path: Path, fmu_cache: Path, capfd: pytest.CaptureFixture[str], mode: str
+) -> None:
     fmu = tmp_path / "b.fmu"
-    build_fmu("Blow", [written(tmp_path, BLOWS_UP)], fmu)
+    build_fmu("Blow", [written(tmp_path, BLOWS_UP)], fmu, BuildOptions(cache=fmu_cache))
     capfd.readouterr()
     assert main(["simulate", str(fmu), "--output", str(tmp_path / "b.csv"), "--stop", "2", "--mode", mode]) == 1
     said = capfd.readouterr()
@@ -61,9 +63,11 @@ def test_a_solution_that_grows_without_bound(tmp_path: Path, capfd: pytest.Captu
 
 
 @pytest.mark.parametrize("mode", ["me", "cs"])
-def test_a_dead_centre_is_told_as_one(tmp_path: Path, capfd: pytest.CaptureFixture[str], mode: str) -> None:
+def test_a_dead_centre_is_told_as_one(
+    tmp_path: Path, fmu_cache: Path, capfd: pytest.CaptureFixture[str], mode: str
+) -> None:
     fmu = tmp_path / "d.fmu"
-    build_fmu("Dead", [written(tmp_path, DEAD_CENTRE)], fmu)
+    build_fmu("Dead", [written(tmp_path, DEAD_CENTRE)], fmu, BuildOptions(cache=fmu_cache))
     capfd.readouterr()
     assert main(["simulate", str(fmu), "--output", str(tmp_path / "d.csv"), "--stop", "2", "--mode", mode]) == 1
     told = capfd.readouterr().err

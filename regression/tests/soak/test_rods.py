@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,10 +15,14 @@ from modelica2fmu.build import BuildOptions, build_fmu
 TESTS = Path(__file__).resolve().parents[3] / "ContactMultiBodyTest"
 
 
-def build(text: str, fmu: Path) -> None:
-    source = fmu.with_name("RandomRod.mo")
-    source.write_text(text, encoding="utf-8")
-    build_fmu("RandomRod", (source, TESTS, modelica_library()), fmu, BuildOptions())
+@pytest.fixture
+def build(fmu_cache: Path) -> Callable[[str, Path], None]:
+    def made(text: str, fmu: Path) -> None:
+        source = fmu.with_name("RandomRod.mo")
+        source.write_text(text, encoding="utf-8")
+        build_fmu("RandomRod", (source, TESTS, modelica_library()), fmu, BuildOptions(cache=fmu_cache))
+
+    return made
 
 
 def test_rods_repeat_and_have_every_law() -> None:
@@ -36,7 +41,7 @@ def test_what_is_wrong_is_seen() -> None:
     assert not replace(right, message="given up after 60 s of wall time").is_right
 
 
-def test_a_strike_during_a_contact_counts_continuously(tmp_path: Path) -> None:
+def test_a_strike_during_a_contact_counts_continuously(tmp_path: Path, build: Callable[[str, Path], None]) -> None:
     """Here a jam drives the rod into the floor 1.28 times as fast as it struck.
 
     A threshold at 1.25 gave other heights at loose tolerances, 734 tolerances off.
@@ -49,7 +54,7 @@ def test_a_strike_during_a_contact_counts_continuously(tmp_path: Path) -> None:
 
 
 @pytest.mark.full
-def test_random_rods_are_right() -> None:
+def test_random_rods_are_right(build: Callable[[str, Path], None]) -> None:
     rows = random_rods(range(100, 106), build).splitlines()[2:]
     assert len(rows) == 10
     assert not [row for row in rows if not row.endswith("|  |")]
