@@ -27,7 +27,7 @@ partial model PartialRestitution "What an impact gives back, and the events that
 
   SI.Velocity impactSpeed[if catchImpacts then m else 0]
     "Approach speed of each pair when its contact began, or of a faster strike since then";
-  Boolean touches[if catchImpacts then m else 0] "= true, if the bodies of the pair touch";
+  Boolean touches[if catchImpacts then m else 0](each start=false, each fixed=true) "= true, if the bodies of the pair touch";
 
 protected
   final parameter Boolean isMemoryless=useRestitution and normalLaw <> Types.NormalLaw.SpringDamper and restitutionMethod

@@ -29,6 +29,13 @@ the states among a quaternion's components anew while they run, as Body asks for
 in initialization. <code>useQuaternions=false</code> of Body also avoids that, but its angles have an attitude in which they fail.</li>
 <li>Variables that users read are results of functions, as <a href=\"modelica://ContactMultiBody.Internal.Unaliased\">Unaliased</a> explains; follow its rules in models of your own that call
 functions of arrays. Impact speeds of version 1.28 are right with this library; earlier states of it gave the speed of the first impact for all.</li>
+<li>In a manager of one pair, a variable of yours that is <code>-contacts.distance[1]</code>, or the negative of <code>approachSpeed[1]</code> or <code>normalForce[1]</code>, ends the
+translation with <code>SimCodeUtil.createEquationsForSystems failed</code>: it takes the place of the function's result. Write what is not merely a negated variable,
+<code>penetration = max(-contacts.distance[1], 0)</code>, or <code>ContactMultiBody.Internal.Unaliased.scalar(-contacts.distance[1])</code>.</li>
+<li>It drops, <strong>without a message</strong>, modifiers of elements of a record that its declaration gives as a whole. Materials and inertias of a manager are such records, they are those of
+its colliders: write <code>material={ball.material,floor.material}</code> or <code>collider={...}</code>, not <code>material(restitution={0.3,0.3})</code>. Materials of
+<a href=\"modelica://ContactMultiBody.Parts.FreeBodies\">FreeBodies</a> and of bodies are not given so, and take either.</li>
+<li>Messages <code>Solving non-linear system failed</code> at level debug in a run that ends well are attempts that were repeated with other states of a quaternion; FreeBody has none.</li>
 <li>A scene of 100 bodies in one array, as <a href=\"modelica://ContactMultiBody.Examples.SpheresOnFloor\">SpheresOnFloor</a>, takes minutes to translate:
 <a href=\"modelica://ContactMultiBody.Examples.SpheresInBox\">SpheresInBox</a> with <code>edge=2</code> shows the same with 8.</li>
 <li>It warns that <code>loadResource</code>, which generated models call for files of hulls, contains an impure call. The file's name is a parameter that is evaluated once, at translation or

@@ -52,7 +52,7 @@ model OffCentreImpact "The end of a rod strikes a ball, both free"
   Modelica.Units.SI.Impulse impulse "What the ball got";
   Modelica.Units.SI.Impulse known=(1 + e)*speed/(1/m + l^2/(m*l^2/3) + 1/mBall) "What rigid bodies would give it";
 equation
-  delivered = -contacts.approachSpeed[1]/speed;
+  delivered = ContactMultiBody.Internal.Unaliased.scalar(-contacts.approachSpeed[1]/speed);
   impulse = -mBall*ball.v_0[3];
   connect(rod.frame_a, contacts.frame[1]);
   connect(ball.frame_a, contacts.frame[2]);

@@ -7,7 +7,7 @@ model FrictionOfPatch "Anchored friction of four points, for any state"
   input Modelica.Units.SI.Velocity velocity[4, 3] "Velocities of the first body against the second";
   input Modelica.Units.SI.Position anchor[6] "Stretch of the patch";
   input Modelica.Units.SI.AngularVelocity w[3] "Mean angular velocity of the bodies";
-  input Modelica.Units.SI.TranslationalSpringConstant stiffness "Stiffness of the static springs";
+  input Modelica.Units.SI.TranslationalSpringConstant stiffness(start=1) "Stiffness of the static springs";
   input Real muStatic(unit="1") "Coefficient of static friction";
   input Real muDynamic(unit="1") "Coefficient of sliding friction";
   output Modelica.Units.SI.Force force[4, 3] "Friction forces";

@@ -176,10 +176,26 @@ class _Model:
 
     # --- the rules --------------------------------------------------------------------------------------------------
 
+    def _unscaled(self, expression: Expression) -> Expression:
+        """An expression without factors and divisors that may be the constant 1."""
+        if expression.kind == "unary" and expression.text in "+-":
+            return Expression("unary", expression.text, (self._unscaled(expression.parts[0]),))
+        if expression.kind == "binary" and expression.text in "*/":
+            left, right = expression.parts
+            if self._is_constant(right):
+                return self._unscaled(left)
+            if expression.text == "*" and self._is_constant(left):
+                return self._unscaled(right)
+        return expression
+
+    def _is_constant(self, expression: Expression) -> bool:
+        component = self._components.get(expression.text)
+        return expression.kind == "ref" and component is not None and bool(component.prefixes & {"final", "constant"})
+
     def _merged(self, owner: str, equation: Equation) -> Iterator[Finding]:
         """No element or slice of an argument or a result is equated with another variable."""
         left = _plain_references(equation.left) if equation.left.kind != "tuple" else None
-        right = _plain_references(equation.right) if equation.right is not None else None
+        right = _plain_references(self._unscaled(equation.right)) if equation.right is not None else None
         if not left or right is None:
             return
         varying = [ref for ref in right if self._varies(ref)]

@@ -148,6 +148,14 @@ def test_generated_models_hold_the_rules(tmp_path: Path) -> None:
     assert [str(finding) for finding in findings(classes)] == []
 
 
+def test_records_that_managers_give_are_replaced_as_a_whole() -> None:
+    """OpenModelica drops modifiers of elements of a manager's materials and inertias, which its colliders give."""
+    managers = r"\b(?:Volume|Compiled)?ContactManager \w+\(((?:[^()]|\((?:[^()]|\([^()]*\))*\))*)\)"
+    declared = [(file.full_name, found[1]) for file in class_files() for found in re.finditer(managers, file.text)]
+    assert len(declared) > 50
+    assert [name for name, changes in declared if re.search(r"\b(?:material|inertia|collider)\(", changes)] == []
+
+
 def test_the_reader_sees_what_the_rules_are_about() -> None:
     """Counts against plain searches of the text: nothing is passed over."""
     classes = classes_below(REPOSITORY / "ContactMultiBody")
@@ -179,6 +187,11 @@ WRONG = [
         MERGED,
     ),
     ("a negated element", "Real r[n, 3]; Real s[n, 3]; equation y = -r[1, 2]; s = vectors(r);", MERGED),
+    (
+        "a negated element by a constant that may be 1",
+        "final parameter Real k=1; Real r[n, 3]; Real s[n, 3]; equation y = -r[1, 2]/k; s = vectors(r);",
+        MERGED,
+    ),
     ("a sum over one element", "Real r[n, 3]; Real s[n, 3]; equation y = sum(r[:, 2]); s = vectors(r);", MERGED),
     (
         "sums in an array",

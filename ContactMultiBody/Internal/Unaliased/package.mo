@@ -9,7 +9,8 @@ which then lose dimensions of size 1 or are no longer understood. An equation wi
 </p>
 <ul>
 <li>What a function with several results gives goes into variables that are arguments of functions and nothing else.</li>
-<li>No element of an array that is an argument or a result is equated with another variable; a sum over one element is such an equation, too.</li>
+<li>No element of an array that is an argument or a result is equated with another variable; a sum over one element is such an equation, too, and so is a product
+with a constant that may be 1 or -1.</li>
 <li>No <code>pre()</code> of a whole array is an argument.</li>
 <li>Functions of arrays that equations call have <code>Inline=false</code>.</li>
 </ul>
