@@ -38,11 +38,12 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     curved_contact(a, pose_a, b, pose_b, answer, distance, scratch.curved, result.points);
     return;
   }
-  const std::size_t begin = result.points.size();
-  polytope_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.mean_normal, result.witness,
-                   -answer.distance, scratch.polytope, result.points);
-  // Where one swallows the other, no corners may be left.
-  if (result.points.size() == begin) result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
+  if (elastic_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.normal, result.witness, scratch.polytopes,
+                      result.points)) {
+    return;
+  }
+  // An overlap by rounding, or a library's.
+  result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
 }
 
 }  // namespace cmb

@@ -4,13 +4,13 @@
 #include "backend/distance_backend.hpp"
 #include "manifold/contact_set.hpp"
 #include "manifold/curved_manifold.hpp"
-#include "manifold/polytope/polytope_manifold.hpp"
+#include "manifold/polytope/elastic_contact.hpp"
 
 namespace cmb {
 
 // Room that manifolds are made in; one for each thread.
 struct ManifoldScratch {
-  PenetrationProfile polytope;
+  ElasticScratch polytopes;
   CurvedManifoldScratch curved;
 };
 

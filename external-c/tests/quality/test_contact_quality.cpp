@@ -51,6 +51,10 @@ TEST_P(WithoutJumps, LoadsAreContinuous) {
   EXPECT_EQ(jumps.jumping, 0) << "by " << jumps.worst << " on path " << jumps.worst_seed << " at " << jumps.worst_place;
 }
 
+INSTANTIATE_TEST_SUITE_P(Polytopes, WithoutJumps,
+                         testing::Values(Pair{"box", "box"}, Pair{"box", "prism"}, Pair{"prism", "prism"}, Pair{"box", "hull-20"},
+                                         Pair{"hull-20", "hull-100"}, Pair{"compound", "compound"}));
+
 INSTANTIATE_TEST_SUITE_P(Cones, WithoutJumps,
                          testing::Values(Pair{"flat-cone", "box"}, Pair{"flat-cone", "capsule"}, Pair{"flat-cone", "hull-20"},
                                          Pair{"flat-cone", "cylinder"}, Pair{"flat-cone", "flat-cone"},
@@ -74,12 +78,13 @@ TEST_P(Elastic, DoesNoWorkAroundClosedPaths) {
 INSTANTIATE_TEST_SUITE_P(Gradients, Elastic,
                          testing::Values(Pair{"box", "halfspace"}, Pair{"prism", "halfspace"}, Pair{"cylinder", "halfspace"},
                                          Pair{"sphere", "box"}, Pair{"ellipsoid", "box"}, Pair{"sphere", "cylinder"},
+                                         Pair{"box", "box"}, Pair{"prism", "prism"}, Pair{"hull-20", "hull-20"},
                                          Pair{"box", "box-mesh"}, Pair{"hull-20", "divided-box-mesh"}, Pair{"box", "sphere-mesh"},
                                          Pair{"hull-20", "torus-mesh"}, Pair{"box", "heightfield"}));
 
-class ElasticOnMeshes : public testing::TestWithParam<Pair> {};
+class ElasticPolytopes : public testing::TestWithParam<Pair> {};
 
-TEST_P(ElasticOnMeshes, DoesNoWorkAroundClosedPaths) {
+TEST_P(ElasticPolytopes, DoesNoWorkAroundClosedPaths) {
   const LoopWork small = sample_loops(GetParam().kinds(), 0.01, 0.01, 24, 1000, 7);
   EXPECT_GT(small.paths, 12);
   EXPECT_LT(small.worst, 1e-4) << "path " << small.worst_seed;
@@ -90,11 +95,16 @@ TEST_P(ElasticOnMeshes, DoesNoWorkAroundClosedPaths) {
   EXPECT_LT(large.mean, 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllMeshes, ElasticOnMeshes,
+INSTANTIATE_TEST_SUITE_P(AllMeshes, ElasticPolytopes,
                          testing::Values(Pair{"box", "box-mesh"}, Pair{"box", "divided-box-mesh"}, Pair{"box", "sphere-mesh"},
                                          Pair{"box", "heightfield"}, Pair{"prism", "box-mesh"}, Pair{"prism", "heightfield"},
                                          Pair{"hull-20", "box-mesh"}, Pair{"hull-20", "divided-box-mesh"},
                                          Pair{"hull-20", "sphere-mesh"}, Pair{"hull-20", "heightfield"},
                                          Pair{"hull-100", "box-mesh"}, Pair{"hull-100", "heightfield"}));
+
+INSTANTIATE_TEST_SUITE_P(AllPolytopes, ElasticPolytopes,
+                         testing::Values(Pair{"box", "box"}, Pair{"box", "prism"}, Pair{"prism", "prism"}, Pair{"box", "hull-20"},
+                                         Pair{"prism", "hull-20"}, Pair{"hull-20", "hull-20"}, Pair{"hull-20", "hull-100"},
+                                         Pair{"compound", "box"}));
 
 }  // namespace

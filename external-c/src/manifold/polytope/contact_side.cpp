@@ -72,6 +72,7 @@ void ContactSide::place(const ContactPolytope &body, const Pose &to_side, const 
 
 void ContactSide::gather(double limit) {
   faces_gathered_ = false;
+  limit_ = limit;
   if (body_->has_sets()) {
     gather_by_sets(limit);
   } else {
@@ -143,7 +144,6 @@ void ContactSide::gather_from_summit(double limit) {
   const std::int32_t *const neighbours = geometry.neighbours().data(), *const numbers = geometry.neighbour_edges().data();
   if (++gathering_ == 0) {
     std::fill(vertex_mark_.begin(), vertex_mark_.end(), Mark{});
-    std::fill(face_mark_.begin(), face_mark_.end(), 0);
     gathering_ = 1;
   }
   const Pose to_side = to_side_;
@@ -194,6 +194,32 @@ void ContactSide::gather_from_summit(double limit) {
   extent_ = extent;
 }
 
+template <typename Take>
+void ContactSide::each_near_face(const Take &take) {
+  if (body_->has_sets()) {
+    for (std::uint64_t left = face_set_; left != 0;) take(take_lowest(left));
+    return;
+  }
+  if (++face_gathering_ == 0) {
+    std::fill(face_mark_.begin(), face_mark_.end(), 0);
+    face_gathering_ = 1;
+  }
+  for (std::size_t k = 0; k < inside_count_; ++k) {
+    const std::int32_t v = number_[index(inside_[k])];
+    const auto *const last = body_->corners(v + 1);
+    for (const auto *corner = body_->corners(v); corner != last; ++corner) {
+      if (face_mark_[index(corner->face)] == face_gathering_) continue;
+      face_mark_[index(corner->face)] = face_gathering_;
+      take(corner->face);
+    }
+  }
+}
+
+void ContactSide::near_faces(std::vector<std::int32_t> &faces) {
+  faces.clear();
+  each_near_face([&](std::int32_t f) { faces.push_back(f); });
+}
+
 void ContactSide::gather_faces() {
   const Vec3 *const row = to_side_.rotation.row, turn = perturbation_.turn;
   perturbed_to_side_.rotation = {{row[0] + turn.y * row[2] - turn.z * row[1], row[1] + turn.z * row[0] - turn.x * row[2],
@@ -213,25 +239,7 @@ void ContactSide::gather_faces() {
     up_face += looks_up ? 1 : 0;
     wall += looks_up ? 0 : 1;
   };
-  if (body_->has_sets()) {
-    for (std::uint64_t left = face_set_; left != 0;) {
-      const convex::Polytope::Face &face = faces[index(take_lowest(left))];
-      add(face.normal, face.offset);
-    }
-  } else {
-    std::uint32_t *const marks = face_mark_.data();
-    const std::uint32_t gathering = gathering_;
-    for (std::size_t k = 0; k < inside_count_; ++k) {
-      const std::int32_t v = number_[index(inside_[k])];
-      const auto *const last = body_->corners(v + 1);
-      for (const auto *corner = body_->corners(v); corner != last; ++corner) {
-        if (marks[corner->face] == gathering) continue;
-        marks[corner->face] = gathering;
-        const convex::Polytope::Face &face = body_->face_of(*corner);
-        add(face.normal, face.offset);
-      }
-    }
-  }
+  each_near_face([&](std::int32_t f) { add(faces[index(f)].normal, faces[index(f)].offset); });
   up_face_count_ = static_cast<std::size_t>(up_face - up_faces_.data());
   wall_count_ = static_cast<std::size_t>(wall - walls_.data());
   faces_gathered_ = true;

@@ -65,6 +65,10 @@ class ContactSide {
   // Gathers what lies beyond `limit`: z > limit.
   void gather(double limit);
 
+  double limit() const { return limit_; }
+  // The faces that reach beyond the limit.
+  void near_faces(std::vector<std::int32_t> &faces);
+
   // How far the body reaches: its greatest z.
   double reach() const { return reach_; }
   // The direction towards the other body, in the body's frame.
@@ -105,7 +109,7 @@ class ContactSide {
   Pose to_side_;
   Perturbation perturbation_;
   std::int32_t summit_ = 0;  // of polytopes without sets: the vertex that reaches farthest
-  double reach_ = 0.0;
+  double reach_ = 0.0, limit_ = 0.0;
   // Room for the largest polytope so far; the first ones count.
   std::vector<double> x_, y_, z_, perturbed_x_, perturbed_y_;
   std::vector<std::int32_t> number_;
@@ -125,20 +129,22 @@ class ContactSide {
     double offset, cosine;
   };
   void gather_faces();
+  template <typename Take>
+  void each_near_face(const Take &take);
   bool faces_gathered_ = false;
   Pose perturbed_to_side_;
   std::vector<UpFace> up_faces_;
   std::vector<Wall> walls_;
   std::size_t up_face_count_ = 0, wall_count_ = 0;
   std::uint64_t face_set_ = 0;  // of polytopes that have sets
-  // For each vertex and face of the polytope the last gathering that met it, and where the vertex is kept.
+  // For each vertex and face of the polytope the last gathering, of its kind, that met it, and where the vertex is kept.
   struct Mark {
     std::uint32_t gathering = 0;
     std::int32_t place = 0;
   };
   std::vector<Mark> vertex_mark_;
   std::vector<std::uint32_t> face_mark_;
-  std::uint32_t gathering_ = 0;
+  std::uint32_t gathering_ = 0, face_gathering_ = 0;
 };
 
 }  // namespace cmb

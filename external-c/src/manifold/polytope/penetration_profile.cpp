@@ -131,8 +131,6 @@ void PenetrationProfile::place(const ContactPolytope &a, const Pose &a_in_axes, 
   mirrored.translation.z = -mirrored.translation.z;
   side_a_.place(a, mirrored, {});
   side_b_.place(b, b_in_axes, perturbation_of(size_));
-  const Vec3 &half_a = a.geometry().box_half(), &half_b = b.geometry().box_half();
-  flush_ = half_a.x > 0.0 && half_b.x > 0.0 && flush_boxes_.find(half_a, mirrored, half_b, b_in_axes, perturbation_of(size_));
   turning_a_ = 0.5;
   if (!a.shares_are_constant() || !b.shares_are_constant()) {
     // The contact normal turns with the body that has a face in it.
@@ -144,10 +142,6 @@ void PenetrationProfile::place(const ContactPolytope &a, const Pose &a_in_axes, 
 void PenetrationProfile::find_corners(double level) {
   corners_.clear();
   level_ = level;
-  if (flush_) {
-    add_flush_corners();
-    return;
-  }
   side_a_.gather(level - side_b_.reach());
   side_b_.gather(level - side_a_.reach());
   region_ = common(side_a_.extent(), side_b_.extent(), margin * size_);
@@ -186,13 +180,6 @@ void PenetrationProfile::add_vertices(const ContactSide &side, VertexStiffness &
     add_corner(at.x, at.y, 0.5 * sense * (at.z - other), depth, part * inverse_hemisphere,
                stiffness.of(i));
   }
-}
-
-// Boxes' edges and vertices that look towards a level face would carry 1 each if their normal cones filled the hemisphere.
-void PenetrationProfile::add_flush_corners() {
-  const double depth = reach(), height = 0.5 * (side_b_.reach() - side_a_.reach());
-  if (!(depth > level_)) return;
-  for (const FlushBoxes::Corner &corner : flush_boxes_) add_corner(corner.x, corner.y, height, depth, corner.part, {1.0, {}});
 }
 
 // Written member by member: objects put together on the stack and copied as a whole would wait for the store.

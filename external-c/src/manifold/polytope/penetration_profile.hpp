@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "manifold/polytope/contact_side.hpp"
-#include "manifold/polytope/flush_boxes.hpp"
 #include "manifold/polytope/vertex_stiffness.hpp"
 
 namespace cmb {
@@ -74,7 +73,6 @@ class PenetrationProfile {
   };
 
   void add_vertices(const ContactSide &side, VertexStiffness &stiffness, ContactSide &other_side, double sense);
-  void add_flush_corners();
   void add_corner(double x, double y, double z, double depth, double part, const Stiffness &scale);
   void add_crossings();
   template <bool own_is_of_a>
@@ -91,8 +89,6 @@ class PenetrationProfile {
 
   double size_ = 0.0, level_ = 0.0, turning_a_ = 0.5;
   ContactSide side_a_, side_b_;
-  FlushBoxes flush_boxes_;
-  bool flush_ = false;
   Extent region_;
   Lines lines_a_, lines_b_;
   // Lines that may cross: as many as were found last.

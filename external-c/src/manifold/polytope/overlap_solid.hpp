@@ -1,0 +1,123 @@
+// What two convex polytopes have in common.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "manifold/polytope/contact_side.hpp"
+
+namespace cmb {
+
+// The surface of the overlap of polytopes A and B, and its first moments.
+//
+// All in the contact axes, whose z runs from B to A: across the overlap, which is thin that way. Results depend on these axes by
+// rounding alone.
+//
+// Where a side of A passes through one of B that looks the same way, as in a stack of equal boxes, the surface goes over from the
+// one to the other at once. Within some hundredths of a depth both are surface in part, which grows linearly with how far each is
+// within the other body.
+class OverlapSolid {
+ public:
+  struct Plane {
+    Vec3 normal;
+    double offset = 0.0;
+    std::int32_t face = 0;  // of its body
+    double below(const Vec3 &p) const { return offset - dot(normal, p); }
+  };
+  // A plane convex polygon of the surface.
+  struct Piece {
+    std::size_t first = 0, count = 0;  // of points(), counter-clockwise from outside
+    Vec3 normal;                       // outward
+    // Of the overlap's surface as it is; of the surface as a force acts on it.
+    bool bounds = true, carries = true;
+    const Plane *fades = nullptr;  // carries as far as share() says, or wholly where null
+  };
+
+  // False where they have nothing in common.
+  bool find(const ContactPolytope &a, const Pose &a_in_axes, const ContactPolytope &b, const Pose &b_in_axes);
+
+  // A's faces within B, B's within A. Of A's all carry; where fades() is true, some of B's carry in part.
+  const std::vector<Piece> &pieces_a() const { return pieces_a_; }
+  const std::vector<Piece> &pieces_b() const { return pieces_b_; }
+  bool fades() const { return fades_; }
+  double share(const Plane &plane, const Vec3 &p) const;
+
+  // Relative to the origin, a corner of the overlap:
+  const Vec3 &origin() const { return origin_; }
+  const std::vector<Vec3> &points() const { return points_; }
+  double volume() const { return volume_; }
+  const Vec3 &middle() const { return middle_; }
+  // The mean of the products of coordinates, from the middle: xx, yy, zz, yz, zx, xy.
+  const double (&spread() const)[6] { return spread_; }
+
+ private:
+  // A corner of a polygon, and the plane of the other body beyond which it is farthest.
+  struct Corner {
+    Vec3 at;
+    std::int32_t plane = -1;  // its number; negative where it is not known
+    double below = 0.0;       // negative beyond
+  };
+  // A polytope's part that may bound the overlap.
+  struct Body {
+    ContactSide side;
+    Pose in_axes;
+    std::vector<Plane> planes;
+    std::vector<Vec3> outline;  // corners of the convex body that is left of it between both bodies' reaches
+    bool few_planes = true;     // few enough to look at all of them
+    std::int32_t last_plane = 0;
+    // Vertices that were looked at, and for each vertex in which search and where.
+    struct Mark {
+      std::uint32_t search = 0;
+      std::int32_t place = 0;
+    };
+    std::vector<Corner> corners;
+    std::vector<Mark> marks;
+
+    const convex::Polytope &geometry() const { return side.body().geometry(); }
+    Plane plane_of(std::int32_t face) const;
+    // By the number that corners have: its place among few planes, else its face's.
+    Plane numbered(std::int32_t number) const { return few_planes ? planes[static_cast<std::size_t>(number)] : plane_of(number); }
+  };
+
+  // Planes of A and B that look the same way, by their places among those.
+  struct Alike {
+    std::size_t a, b;
+    bool flush;  // one plane
+  };
+
+  void look_at(Body &body, double sense);
+  bool keep_cutting(Body &body, const Body &other) const;
+  void cut_faces_of_a();
+  void cut_faces_of_b();
+  void find_alike();
+  void start_polygon(Body &body, const Plane &face, Body &other);
+  void find_plane(Body &body, Corner &corner);
+  static void find_farthest_plane(Body &body, Corner &corner);
+  void leave_out(const Body &other, std::size_t plane);
+  void set_done(const Body &other, std::int32_t plane);
+  void start_search();
+  void cut_by(Body &other);
+  void cut(const Plane &plane);
+  void fade(const Plane &face, const Alike &alike);
+  void append(std::vector<Piece> &pieces, const Vec3 &normal, bool bounds, bool carries, const Plane *fades);
+  void set_origin();
+  bool find_moments();
+
+  Body a_, b_;
+  std::vector<std::int32_t> faces_;
+  std::vector<Corner> polygon_, cut_polygon_, whole_;
+  std::vector<Alike> alike_;
+  // Planes that need not cut the polygon any more: few as a set, many by number.
+  std::uint64_t done_ = 0;
+  std::vector<std::int32_t> done_faces_;
+  std::uint32_t search_ = 0;
+  std::vector<Piece> pieces_a_, pieces_b_;
+  std::vector<Vec3> points_;
+  double size_ = 0.0, fading_ = 0.0;
+  bool fades_ = false;
+  Vec3 origin_, middle_;
+  double volume_ = 0.0, spread_[6] = {};
+};
+
+}  // namespace cmb
