@@ -75,7 +75,7 @@ bool elastic_contact(const ContactPolytope &a, const Pose &pose_a, const Contact
     most = std::fmax(most, -leans[k]);
   }
   // Loads are not negative: rather the points come nearer to the load.
-  double shares[count], squares = 0.0, inertia = 0.0;
+  double shares[count], sum = 0.0, inertia = 0.0;
   Plane2 center;
   for (int k = 0; k < count; ++k) {
     shares[k] = (1.0 + leans[k] / most) / count;
@@ -90,16 +90,16 @@ bool elastic_contact(const ContactPolytope &a, const Pose &pose_a, const Contact
   Vec3 forces[count];
   for (int k = 0; k < count; ++k) {
     forces[k] = shares[k] * (along + twist * cross(along, arms[k]));
-    squares += norm2(forces[k]);
+    sum += norm(forces[k]);
   }
-  // Depths by the loads that store the energy; where bodies are that deep in each other that nothing pushes much, no deeper than this.
+  // All are as deep as stores the energy; where bodies are that deep in each other that nothing pushes much, no deeper than this.
   constexpr double deepest = 4.0;
-  const double by_load = std::fmin(2.0 * energy / (load2 * squares), count * deepest * std::sqrt(2.0 * energy) / load);
+  const double depth = std::fmin(2.0 * energy / (load * sum), deepest * std::sqrt(2.0 * energy));
   const Vec3 at = solid.origin() + solid.middle() + lever - dot(lever, along) * along;
   for (int k = 0; k < count; ++k) {
-    const double length = norm(forces[k]), depth = by_load * load * length;
-    if (!(depth > 0.0)) continue;
-    points.push_back({depth, 1.0 / by_load, axes.rotation * ((1.0 / length) * forces[k]), axes(at + arms[k])});
+    const double length = norm(forces[k]);
+    if (!(length > 0.0)) continue;
+    points.push_back({depth, load * length / depth, axes.rotation * ((1.0 / length) * forces[k]), axes(at + arms[k])});
   }
   return true;
 }

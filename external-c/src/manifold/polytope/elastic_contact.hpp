@@ -15,8 +15,9 @@ struct ElasticScratch {
   OverlapEnergy energy;
 };
 
-// Appends four points of equal weights. For a box's face that lies on another they are its corners, each as deep as it is; else they
-// spread along the surface as those of a rectangle that is as wide. Their normals differ by what torque about the load asks for.
+// Appends four points of equal depth, so that a law of another exponent than 1 keeps their shares of the load: all forces together
+// are scaled. They spread along the surface as the corners of a rectangle that is as wide, a box's face that lies on another at its
+// corners; their weights and normals follow from what torque the load has about them.
 // `normal` (unit, from B to A): the direction across the overlap, `witness` a place in it, both in world axes. False where the
 // bodies overlap by rounding alone.
 bool elastic_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
