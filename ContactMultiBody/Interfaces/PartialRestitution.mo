@@ -26,22 +26,19 @@ partial model PartialRestitution "What an impact gives back, and the events that
     "Damping factor of each pair";
 
   SI.Velocity impactSpeed[if catchImpacts then m else 0]
-    "Approach speed of each pair when its contact began, or of a faster strike since then";
+    "Approach speed of each pair when it last was struck";
   Boolean touches[if catchImpacts then m else 0](each start=false, each fixed=true) "= true, if the bodies of the pair touch";
 
 protected
   final parameter Boolean isMemoryless=useRestitution and normalLaw <> Types.NormalLaw.SpringDamper and restitutionMethod
        == Types.RestitutionMethod.Memoryless "= true, if restitution is delivered without events" annotation (Evaluate=true);
   SI.Velocity strikeSpeed[if catchImpacts then m else 0] "Greatest approach speed of the points where each pair touches";
-  SI.Velocity touchSpeed[if catchImpacts then m else 0] "Approach speed of each pair when its contact began";
-  SI.Velocity caughtSpeed[if catchImpacts then m else 0] "The same after an event now";
-  SI.Velocity strikeExcess[if catchImpacts then m else 0](each start=0, each fixed=true)
-    "What strikes since then add to it";
-  SI.Velocity reachedSpeed[if catchImpacts then m else 0] "Approach speed of each pair that strikes have reached";
+  Boolean struck[if catchImpacts then m else 0] "= true, if a touching pair meets faster than when it last was struck";
+  SI.Velocity caughtSpeed[if catchImpacts then m else 0] "Impact speed of each pair after an event now";
   Real rate[if catchImpacts then m else 0](each unit="s/m") "Damping factor by impact speed of each pair";
 initial equation
   if catchImpacts then
-    pre(touchSpeed) = strikeSpeed;
+    pre(impactSpeed) = strikeSpeed;
   end if;
 equation
   if catchImpacts then
@@ -49,29 +46,26 @@ equation
       touches[i] = distance[i] < 0;
     end for;
     strikeSpeed = Internal.Restitution.strikeSpeeds(depth, pointSpeed);
+    for i in 1:m loop
+      struck[i] = strikeSpeed[i] > 1.25*max(pre(impactSpeed[i]), restSpeed) and distance[i] < 0;
+    end for;
     // Only pre() of scalars, and outside of functions: some tools pass pre() of an array as its present values.
     for i in 1:m loop
-      caughtSpeed[i] = if touches[i] and not pre(touches[i]) then strikeSpeed[i] else pre(touchSpeed[i]);
+      caughtSpeed[i] = if touches[i] and not pre(touches[i]) or struck[i] then strikeSpeed[i] else pre(impactSpeed[i]);
     end for;
     when touches then
-      touchSpeed = caughtSpeed;
+      impactSpeed = caughtSpeed;
+    elsewhen struck then
+      impactSpeed = caughtSpeed;
     end when;
-    for i in 1:m loop
-      reachedSpeed[i] = 1.1*(max(touchSpeed[i], restSpeed) + strikeExcess[i]);
-    end for;
-    der(strikeExcess) = Internal.Restitution.strikeRates(touches, depth, pointSpeed, reachedSpeed, strikeExcess);
-    for i in 1:m loop
-      impactSpeed[i] = Internal.Restitution.impactSpeed(touchSpeed[i], reachedSpeed[i], restSpeed);
-    end for;
     for i in 1:m loop
       rate[i] = NormalForce.dampingRate(dampingFactor[i], impactSpeed[i], restSpeed);
     end for;
   end if;
   annotation (Documentation(info="<html>
 <p>
-The damping of a contact that delivers a restitution depends on the speed at which it began. Either events catch that speed (<code>impactSpeed</code>), which then follows
-<a href=\"modelica://ContactMultiBody.Internal.Restitution.strikeRates\">strikes during the contact</a>, or it is recovered from depth and speed (<code>Memoryless</code>), for which
-<a href=\"modelica://ContactMultiBody.Interfaces.PartialNormalForce\">PartialNormalForce</a> needs the bodies' inertia.
+The damping of a contact that delivers a restitution depends on the speed at which it began. Either events catch that speed (<code>impactSpeed</code>), or it is recovered from depth
+and speed (<code>Memoryless</code>), for which <a href=\"modelica://ContactMultiBody.Interfaces.PartialNormalForce\">PartialNormalForce</a> needs the bodies' inertia.
 </p>
 </html>"));
 end PartialRestitution;

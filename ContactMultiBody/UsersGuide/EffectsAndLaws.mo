@@ -4,7 +4,7 @@ class EffectsAndLaws "Which effects and laws to choose"
   annotation (DocumentationClass=true, Documentation(info="<html>
 <table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
 <tr><th>question</th><th>choice</th><th>costs</th></tr>
-<tr><td>Do bodies bounce, and do you know by how much?</td><td><code>useRestitution=true</code>, law <code>Exact</code> (the default)</td><td>one event at the start of each contact, one state a pair</td></tr>
+<tr><td>Do bodies bounce, and do you know by how much?</td><td><code>useRestitution=true</code>, law <code>Exact</code> (the default)</td><td>one event at the start of each contact</td></tr>
 <tr><td>The same, but without events?</td><td><code>restitutionMethod=Memoryless</code> with <code>inertia={body1.inertia, ...}</code></td><td>about 500 operations a point; exact where the bodies are not held by joints or other contacts</td></tr>
 <tr><td>Do bodies only rest, push and slide?</td><td><code>useRestitution=false</code> with <code>steadyRate</code></td><td>nothing</td></tr>
 <tr><td>Are stiffness and damping given, as of a buffer?</td><td><code>normalLaw=SpringDamper</code></td><td>nothing</td></tr>

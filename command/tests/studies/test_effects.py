@@ -66,7 +66,7 @@ def test_advice_on_a_users_model(cmb: Cmb, tmp_path: Path) -> None:
     assert "without any contact: lamp" in text
     assert "Points a pair: fits. At most 1 point carries" in text
     together = text.split("All that can go, together:")[1]
-    assert "event indicators 3 → 1" in together
+    assert "event indicators 6 → 2" in together
     assert "pairs={{1,2}}" in together
     assert sorted(entry.name for entry in tmp_path.iterdir()) == ["Drop.mo"]
 
