@@ -11,17 +11,16 @@ const INK = { light: [0x1f2b42, 0.85, 0.3], dark: [0x05080d, 1, 0.45] };
 
 export class Floor {
   /** radius: of the scene; frame: rotation from (x, y, z) to two directions along the floor and up. */
-  constructor(radius, frame) {
+  constructor(radius, frame, anisotropy) {
     this.tile = CELLS * Math.pow(10, Math.floor(Math.log10(radius / 2)));
     this.frame = frame;
     this.object = new Group();
     this.object.setRotationFromMatrix(frame);
     const texture = new CanvasTexture(drawTile());
-    // Anisotropic filtering would make lines far away finer, and a picture without a graphics card three times as slow.
-    Object.assign(texture, { wrapS: RepeatWrapping, wrapT: RepeatWrapping, colorSpace: SRGBColorSpace });
+    Object.assign(texture, { wrapS: RepeatWrapping, wrapT: RepeatWrapping, anisotropy, colorSpace: SRGBColorSpace });
     const flat = { side: DoubleSide, depthWrite: false, transparent: true };
     this.grid = new Mesh(disc(12 * radius, this.tile), new MeshBasicMaterial({ map: texture, vertexColors: true, ...flat }));
-    this.shadow = new Mesh(new CircleGeometry(3 * radius, 32), new ShadowMaterial(flat));
+    this.shadow = new Mesh(new CircleGeometry(6 * radius, 32), new ShadowMaterial(flat));
     this.shadow.receiveShadow = true;
     this.grid.renderOrder = 3;
     this.shadow.renderOrder = 2;
