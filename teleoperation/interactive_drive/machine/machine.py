@@ -34,7 +34,10 @@ class Machine:
     Attributes:
         signals: names of the variables of ``row``.
         time: reached, s.
+        at_end: never; see ``recorded_machine``.
     """
+
+    at_end = False
 
     def __init__(
         self,

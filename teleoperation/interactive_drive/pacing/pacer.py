@@ -69,6 +69,12 @@ class Pacer:
         self._recent: deque[float] = deque()
         self._release = self._begun = clock()
 
+    def for_steps_of(self, step: float) -> Pacer:
+        """Another pacer by the same clock, for steps of another length, at the same speed."""
+        other = Pacer(step, self._clock, self._sleep, self._work_clock)
+        other.speed = self.speed
+        return other
+
     def set_speed(self, speed: float) -> None:
         """Simulated over wall time that is aimed at; begins anew."""
         self.speed = min(LARGEST_SPEED, max(LEAST_SPEED, speed))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
+from pathlib import Path
 
 from fmu_regression.results.result import FloatArray
 
@@ -79,6 +80,18 @@ class Record:
 
 
 @dataclass(frozen=True)
+class Replay:
+    """Goes through a record's rows until ``EndReplay``; the machine waits where it is."""
+
+    file: Path
+
+
+@dataclass(frozen=True)
+class EndReplay:
+    """Goes back to the machine, which is paused."""
+
+
+@dataclass(frozen=True)
 class Measure:
     """Asks for what the pacer measured; ``afresh`` clears it."""
 
@@ -90,7 +103,21 @@ class Stop:
     """Ends the process."""
 
 
-Command = SetValues | Run | Pause | SingleStep | SetSpeed | Reset | Save | Restore | Record | Measure | Stop
+Command = (
+    SetValues
+    | Run
+    | Pause
+    | SingleStep
+    | SetSpeed
+    | Reset
+    | Save
+    | Restore
+    | Record
+    | Replay
+    | EndReplay
+    | Measure
+    | Stop
+)
 
 
 # From the simulation.
@@ -107,6 +134,7 @@ class Frame:
         number: counts frames from 1.
         factor: real-time factor, NaN where unknown.
         steps, missed: steps since the start, and those among them that missed their deadline.
+        replayed: whether it is of a record.
     """
 
     time: float
@@ -116,6 +144,7 @@ class Frame:
     factor: float
     steps: int
     missed: int
+    replayed: bool = False
 
 
 @dataclass(frozen=True)
@@ -146,6 +175,7 @@ class Status:
         saved: states to go back to, oldest first.
         recording: whether rows are handed on.
         keeps_states: whether states can be saved.
+        replayed: name of the record that is replayed; "" while there is none.
     """
 
     mode: Mode
@@ -154,6 +184,14 @@ class Status:
     saved: tuple[SavedState, ...] = ()
     recording: bool = False
     keeps_states: bool = False
+    replayed: str = ""
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """Why a command was not carried out; all else stays as it is."""
+
+    text: str
 
 
 @dataclass(frozen=True)
@@ -163,4 +201,4 @@ class Measured:
     record: PacingRecord
 
 
-Report = Frame | RecordedRow | Status | Measured
+Report = Frame | RecordedRow | Status | Refusal | Measured

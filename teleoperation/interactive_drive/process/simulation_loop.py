@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from itertools import count
 from typing import Protocol
 
-from contact_foundation.errors import CmbError, SimulationError
+from contact_foundation.errors import CmbError, InputError, SimulationError
 from fmu_regression.results.result import FloatArray
 
 from interactive_drive.machine.machine import Moment
+from interactive_drive.machine.recorded_machine import RecordedMachine
 from interactive_drive.pacing.pacer import Pacer
 from interactive_drive.process.messages import (
     Command,
+    EndReplay,
     Frame,
     Measure,
     Measured,
@@ -20,6 +23,8 @@ from interactive_drive.process.messages import (
     Pause,
     Record,
     RecordedRow,
+    Refusal,
+    Replay,
     Report,
     Reset,
     Restore,
@@ -40,9 +45,17 @@ _LONGEST_WAIT = 0.25
 
 
 class DrivenMachine(Protocol):
-    """What the loop needs of a machine; see ``machine.Machine``."""
+    """What the loop needs of a machine; see ``machine.Machine`` and ``recorded_machine.RecordedMachine``."""
 
-    time: float
+    signals: tuple[str, ...]
+
+    @property
+    def time(self) -> float:
+        """Reached, s."""
+
+    @property
+    def at_end(self) -> bool:
+        """Whether there is no further step."""
 
     @property
     def keeps_states(self) -> bool:
@@ -102,9 +115,12 @@ class SimulationLoop:
         self._mode = Mode.PAUSED
         self._message = ""
         self._recording = False
+        self._replayed = ""
         self._stamp = 0.0
-        self._frames = 0
+        self._frame_numbers = count(1)
         self._numbers = 0
+        self._waiting: deque[Command] = deque()
+        self._stopped = False
         self._start: Moment | None = None
         self._checkpoints: deque[tuple[SavedState, Moment]] = deque()
         self._saved: list[tuple[SavedState, Moment]] = []
@@ -118,11 +134,13 @@ class SimulationLoop:
             Save: self._save,
             Restore: self._restore,
             Record: self._record,
+            Replay: self._replay,
+            EndReplay: lambda _command: None,  # it ended by itself
             Measure: self._measure,
         }
 
-    def run(self) -> None:
-        """Returns after ``Stop``."""
+    def run(self) -> bool:
+        """Returns after ``Stop``, a replay also where it ends; whether it was ``Stop``."""
         if self._machine.keeps_states:
             self._start = self._machine.save()
         self._report_status()
@@ -130,15 +148,25 @@ class SimulationLoop:
         while True:
             if self._mode is Mode.RUNNING:
                 self._pacer.wait()
-                commands = self._inbox(0.0)
-            else:
-                commands = self._inbox(_LONGEST_WAIT)
-            for command in commands:
+            for command in self._commands(0.0 if self._mode is Mode.RUNNING else _LONGEST_WAIT):
                 if isinstance(command, Stop):
-                    return
+                    return True
+                if self._replayed and isinstance(command, Replay):
+                    self._waiting.appendleft(command)
+                    return False
+                if self._replayed and isinstance(command, EndReplay):
+                    return False
                 self._obey(command)
+                if self._stopped:
+                    return True
             if self._mode is Mode.RUNNING:
                 self._step()
+
+    def _commands(self, timeout: float) -> Iterator[Command]:
+        """Commands one by one; a replay that begins in between takes what is left."""
+        self._waiting.extend(self._inbox(0.0 if self._waiting else timeout))
+        while self._waiting:
+            yield self._waiting.popleft()
 
     def _obey(self, command: Command) -> None:
         try:
@@ -147,6 +175,10 @@ class SimulationLoop:
             self._fail(error)
 
     def _step(self) -> None:
+        if self._machine.at_end:
+            self._mode, self._message = Mode.PAUSED, "the record ends here"
+            self._report_status()
+            return
         self._pacer.step_begins()
         try:
             self._machine.step()
@@ -166,10 +198,9 @@ class SimulationLoop:
         except CmbError as error:
             self._fail(error)
             return
-        self._frames += 1
-        pacer = self._pacer
+        pacer, number, replayed = self._pacer, next(self._frame_numbers), bool(self._replayed)
         self._reports.show(
-            Frame(self._machine.time, row, self._stamp, self._frames, pacer.factor, pacer.steps, pacer.missed)
+            Frame(self._machine.time, row, self._stamp, number, pacer.factor, pacer.steps, pacer.missed, replayed)
         )
 
     def _fail(self, error: CmbError) -> None:
@@ -186,6 +217,7 @@ class SimulationLoop:
                 tuple(sorted(saved, key=lambda state: state.number)),
                 self._recording,
                 self._machine.keeps_states,
+                self._replayed,
             )
         )
 
@@ -202,6 +234,8 @@ class SimulationLoop:
 
     def _run(self, _command: Command) -> None:
         if self._mode is Mode.PAUSED:
+            if self._machine.at_end:
+                self._machine.start_anew()
             self._mode, self._message = Mode.RUNNING, ""
             self._pacer.begin()
             self._report_status()
@@ -273,6 +307,22 @@ class SimulationLoop:
             self._reports.post(RecordedRow(self._machine.time, self._machine.row()))
         elif not command.on:
             self._end_record("")
+
+    def _replay(self, command: Command) -> None:
+        assert isinstance(command, Replay)
+        self._pause(command)
+        self._end_record("another one is replayed")
+        try:
+            machine = RecordedMachine(command.file, self._machine.signals)
+        except InputError as error:
+            self._reports.post(Refusal(str(error)))
+            return
+        replay = SimulationLoop(machine, self._pacer.for_steps_of(machine.step_length), self._inbox, self._reports)
+        replay._replayed = command.file.parent.name
+        replay._waiting, replay._frame_numbers = self._waiting, self._frame_numbers
+        self._stopped = replay.run()
+        self._report_status()
+        self._show()
 
     def _measure(self, command: Command) -> None:
         assert isinstance(command, Measure)

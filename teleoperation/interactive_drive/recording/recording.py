@@ -13,6 +13,7 @@ from fmu_regression.report.simulation_report import write_report
 from fmu_regression.results.result import FloatArray, format_number, read_csv
 
 RESULT, REPORT = "result.csv", "report.html"
+_PREFIX = "record-"
 
 
 class Recording:
@@ -95,11 +96,18 @@ class Recording:
         return self.folder
 
 
+def find_records(output: Path) -> dict[str, Path]:
+    """Records in a folder, by name, oldest first."""
+    files = {file.parent.name: file for file in output.glob(f"{_PREFIX}*/{RESULT}")}
+    numbered = {name for name in files if name.removeprefix(_PREFIX).isdecimal()}
+    return {name: files[name] for name in sorted(numbered, key=lambda name: int(name.removeprefix(_PREFIX)))}
+
+
 def _new_folder(output: Path) -> Path:
     output.mkdir(parents=True, exist_ok=True)
     number = 1
     while True:
-        folder = output / f"record-{number}"
+        folder = output / f"{_PREFIX}{number}"
         try:
             folder.mkdir()
         except FileExistsError:

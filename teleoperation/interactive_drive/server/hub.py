@@ -20,12 +20,15 @@ from fmu_regression.results.result import SimulationResult
 from interactive_drive.picture.frame_encoder import FrameEncoder, Picture
 from interactive_drive.process.messages import (
     Command,
+    EndReplay,
     Frame,
     Measured,
     Mode,
     Pause,
     Record,
     RecordedRow,
+    Refusal,
+    Replay,
     Report,
     Reset,
     Restore,
@@ -36,7 +39,7 @@ from interactive_drive.process.messages import (
     SingleStep,
     Status,
 )
-from interactive_drive.recording.recording import Recording
+from interactive_drive.recording.recording import Recording, find_records
 from interactive_drive.server.drive_session import DriveSession, Simulation
 from interactive_drive.server.operators import Operator
 
@@ -49,6 +52,7 @@ _SIMPLE: Mapping[str, Callable[[], Command]] = {
     "step": SingleStep,
     "reset": Reset,
     "save": Save,
+    "leave": EndReplay,
 }
 
 
@@ -130,11 +134,15 @@ class Hub:
         for report in reports:
             if isinstance(report, Status):
                 self._new_status(report)
+            elif isinstance(report, Refusal):
+                self._remark(report.text, bad=True)
             elif isinstance(report, Measured):
                 self.measured = report
         if frame is not None:
-            if self.frame is not None and frame.time < self.frame.time:
+            last = self.frame or frame
+            if frame.time < last.time or frame.replayed or last.replayed:
                 self._tell_all(self._values_of_controls(frame))
+            if frame.time < last.time or frame.replayed != last.replayed:
                 self._samples.clear()
             self.frame, self._heard_at = frame, heard_at
             self._samples.append(frame)
@@ -165,9 +173,10 @@ class Hub:
             self._remark(str(error), bad=True)
             return
         self._remark(f"recorded: {folder}, {recording.rows} rows, result.csv and report.html")
+        self._tell_all(self._records_message())
 
     def _values_of_controls(self, frame: Frame) -> dict[str, Any]:
-        """What the sliders should show where time went back."""
+        """What the sliders should show where time went back, or in a replay."""
         names = [name for name in self._controls if name in self.session.signals]
         places = self.encoder.places(names)
         return {"type": "controls", "values": {n: float(frame.values[k]) for n, k in zip(names, places, strict=True)}}
@@ -238,6 +247,7 @@ class Hub:
             }
         )
         operator.tell(self._status_message())
+        operator.tell(self._records_message())
         self._tell_steering()
         return operator
 
@@ -265,6 +275,9 @@ class Hub:
     def _status_message(self) -> dict[str, Any]:
         status = self.status
         return {"type": "status", **asdict(status), "mode": status.mode.value}
+
+    def _records_message(self) -> dict[str, Any]:
+        return {"type": "records", "names": list(find_records(self.session.output))}
 
     def take(self, operator: Operator, text: str) -> None:
         """Carries a message of a page out.
@@ -301,6 +314,8 @@ class Hub:
             self._simulation.send(Restore(int(_number(message, "number"))))
         elif kind == "record":
             self._record(message.get("on") is True)
+        elif kind == "replay":
+            self._replay(message.get("record"))
         elif kind == "restart":
             task = asyncio.create_task(asyncio.to_thread(self._simulation.restart))
             self._tasks.add(task)
@@ -321,8 +336,18 @@ class Hub:
             admitted[name] = control.admitted(float(value))
         return admitted
 
+    def _replay(self, name: Any) -> None:
+        records = find_records(self.session.output)
+        if not isinstance(name, str) or name not in records:
+            raise InputError(f"there is no record {name!r}")
+        if self.status.mode in (Mode.STARTING, Mode.ENDED):
+            raise InputError("the simulation's process does not run")
+        self._simulation.send(Replay(records[name]))
+
     def _record(self, on: bool) -> None:
-        if on and self.status.mode not in (Mode.RUNNING, Mode.PAUSED):
+        if on and self.status.replayed:
+            self._remark("a replay is not recorded: its record is there", bad=True)
+        elif on and self.status.mode not in (Mode.RUNNING, Mode.PAUSED):
             self._remark("a machine that does not run cannot be recorded", bad=True)
         elif on and self._recording is None:
             try:

@@ -100,6 +100,37 @@ def test_a_drive_from_the_first_step_to_a_failure_and_back(browser, server, sess
     assert (session.output / "record-1" / "report.html").is_file()
 
 
+def test_a_record_is_replayed_and_the_machine_waits(browser, server):
+    tab = browser.tab(server.address)
+    tab.until(state("paused · you steer"))
+    assert tab.value("document.getElementById('replay').hidden")
+    slide(tab, 30)
+    click(tab, "record")
+    tab.until("document.getElementById('record').textContent === 'End the record'")
+    for k in range(1, 6):
+        click(tab, "step")
+        tab.until(f"document.getElementById('clock').textContent === 't = 0.0{k}0 s'")
+    click(tab, "record")
+    tab.until("document.getElementById('records').value === 'record-1'")
+    click(tab, "step")
+    slide(tab, 60)
+    click(tab, "replay")
+    tab.until(state("replay of record-1, paused · you steer"))
+    tab.until("document.getElementById('clock').textContent === 't = 0.000 s'")
+    assert tab.value("['control-0', 'record', 'save'].every(id => document.getElementById(id).disabled)")
+    click(tab, "run")
+    tab.until("document.getElementById('remarks').textContent.includes('the record ends here')")
+    assert clock(tab) == 0.05
+    assert tab.value("document.getElementById('control-0').value") == "30"
+    click(tab, "replay")
+    tab.until(state("paused · you steer"))
+    tab.until("document.getElementById('clock').textContent === 't = 0.060 s'")
+    tab.until("document.getElementById('control-0').value === '60'")
+    assert not tab.value("document.getElementById('control-0').disabled")
+    click(tab, "step")
+    tab.until("document.getElementById('clock').textContent === 't = 0.070 s'")
+
+
 def test_keys_push_and_a_second_page_watches(browser, server):
     tab = browser.tab(server.address)
     tab.until(state("paused · you steer"))

@@ -35,6 +35,8 @@ STEP = 0.25
 class CountingMachine:
     """x grows by the input push with every step; fails where x would exceed 100."""
 
+    signals, at_end = ("x",), False
+
     def __init__(self, keeps_states: bool = True) -> None:
         self.keeps_states = keeps_states
         self.time, self.x, self.push = 0.0, 0.0, 1.0

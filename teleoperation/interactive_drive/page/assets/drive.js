@@ -11,7 +11,7 @@
 
   const link = new Link(message => {
     ({frame: onFrame, hello: onHello, status: onStatus, steering: onSteering, plots: m => plots.show(m.names), controls: m => controls && controls.show(m.values),
-      remark: onRemark, lost: onLost})[message.type](message);
+      records: onRecords, remark: onRemark, lost: onLost})[message.type](message);
   });
   const say = type => () => link.send({type});
 
@@ -125,6 +125,11 @@
     refresh();
   }
 
+  function onRecords({names}) {
+    get("records").replaceChildren(...names.reverse().map(name => new Option(name, name)));
+    get("records").hidden = get("replay").hidden = !names.length;
+  }
+
   function offers() {
     const last = status.saved[status.saved.length - 1];
     const back = last ? [button(`Go back to the last good state, t = ${last.time.toFixed(2)} s`, {type: "restore", number: last.number})] : [];
@@ -147,13 +152,16 @@
   function refresh() {
     const words = {starting: "starting", running: "running", paused: "paused", failed: "stopped with an error", ended: "ended"};
     const others = steering.operators > 1 ? `, ${steering.operators} operators` : "";
-    get("state").textContent = `${status ? words[status.mode] : "connecting"} · ${steering.you ? "you steer" : "you watch"}${others}`;
+    const replayed = status && status.replayed;
+    get("state").textContent = `${replayed ? `replay of ${replayed}, ` : ""}${status ? words[status.mode] : "connecting"} · ${steering.you ? "you steer" : "you watch"}${others}`;
     get("steer").hidden = steering.you || !steering.free;
     for (const node of document.querySelectorAll("main button, main select")) {
       if (!ALWAYS.includes(node.id) && node.id !== "steer" && !node.closest(".plot, #drawing")) node.disabled = !steering.you;
     }
     if (status && !status.keeps_states) get("save").disabled = get("restore").disabled = true;
-    if (controls) controls.enable(steering.you);
+    get("replay").textContent = replayed ? "Back to the machine" : "Replay";
+    get("record").disabled ||= Boolean(replayed);
+    if (controls) controls.enable(steering.you && !replayed);
   }
 
   function onRemark({text, bad}) {
@@ -180,6 +188,7 @@
   get("restore").onclick = () => link.send({type: "restore", number: Number(get("saved").value)});
   get("speed").onchange = event => link.send({type: "speed", value: Number(event.target.value)});
   get("record").onclick = () => link.send({type: "record", on: !(status && status.recording)});
+  get("replay").onclick = () => link.send(status && status.replayed ? {type: "leave"} : {type: "replay", record: get("records").value});
   get("add").onclick = () => { link.send({type: "signals", names: [...plots.names, get("signal").value]}); get("signal").value = ""; };
   get("clear").onclick = () => link.send({type: "signals", names: []});
   window.addEventListener("keydown", event => {
