@@ -1,9 +1,11 @@
 """Takes robot descriptions the whole road, from the file to a second of motion, and tells what came of each.
 
 Use ``python command/tests/generation/survey_robots.py PATH [PATH ...] [--seconds 60] [--stop 1] [--generate]
-[--without NAME] [--package-path FOLDER] [--allow-missing] [--density KG/M3] [--decomposer vhacd] [--rows]``. Paths are
-files, or folders whose URDF, MJCF and SDFormat descriptions are taken. A Markdown table goes to the standard output
-(with ``--rows`` a row a robot too), every file with its outcome and what is doubtful to the standard error.
+[--without NAME] [--package-path FOLDER] [--allow-missing] [--density KG/M3] [--decomposer vhacd] [--rows]
+[--record FILE]``. Paths are files, or folders whose URDF, MJCF and SDFormat descriptions are taken. A Markdown table
+goes to the standard output (with ``--rows`` a row a robot too), every file with its outcome and what is doubtful to the
+standard error. With ``--record`` outcomes are kept in a file of JSON lines: what is in it is not tried again, and the
+table is of all in it, so that a survey can be made in pieces.
 
 Every robot has a process of its own, which is stopped when it, or a compiler that it starts, has used ``--seconds`` of
 the processor. Times are of the processor, all processes together, so that other load does not count.
@@ -23,7 +25,7 @@ import tempfile
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +46,7 @@ REFUSED = 2
 WALL = 20  # times the limit of processor time: what waits for ever is stopped then
 FORMATS = {"urdf": "robot", "xml": "mujoco", "sdf": "sdf"}
 """Root elements of descriptions by the endings of their files, in lower case."""
+LINKS = re.compile(rb"<(?:link|body)\s")
 PHASES = ("refused", "generated", "built", "ran")
 """How far a robot came. One that is not refused and did not run was stopped, or failed, in the phase after."""
 START = 0.01  # s, in which nothing but an overlap can throw bodies apart
@@ -192,13 +195,16 @@ def doubts_of_motion(scene: Scene, result: SimulationResult) -> list[str]:
     return found
 
 
-def row(found: Outcome, name: str) -> str:
+def row(found: Outcome, common: Path) -> str:
     """A robot as a row of the table."""
     facts = found.facts
-    cells = [name, *(str(facts.get(key, "")) for key in ("bodies", "joints", "pairs"))]
-    cells += [f"{facts[key]:.1f}" if key in facts else "" for key in ("generate", "build")]
-    cells += [f"{facts['run']:.2g}" if "run" in facts else "", str(facts.get("evaluations", ""))]
-    return f"| {' | '.join(cells)} | {found.error.replace('|', '/') or '; '.join(found.doubts) or found.phase} |"
+    source, _, name = os.path.relpath(found.file, common).partition(os.sep)
+    cells = [name or source, source if name else "", str(len(LINKS.findall(found.file.read_bytes())))]
+    cells += [str(facts.get(key, "")) for key in ("bodies", "joints", "pairs")]
+    cells += [f"{facts['generate'] + facts['build']:.0f}" if "build" in facts else ""]
+    cells += [f"{facts['run']:.2g}" if "run" in facts else ""]
+    told = found.error.replace("|", "/").replace(f"{found.file.parent}{os.sep}", "") or "; ".join(found.doubts)
+    return f"| {' | '.join(cells)} | {found.phase or 'crashed'}{f': {told}' if told else ''} |"
 
 
 def table(outcomes: list[Outcome], common: Path, *, rows: bool) -> str:
@@ -206,9 +212,9 @@ def table(outcomes: list[Outcome], common: Path, *, rows: bool) -> str:
     counts = Counter(found.phase or "crashed" for found in outcomes)
     lines = []
     if rows:
-        head = ("robot", "bodies", "joints", "pairs", "generated, s", "built, s", "run, s", "evaluations", "outcome")
+        head = ("robot", "source", "links", "bodies", "joints", "pairs", "built, s", "a second, s", "result")
         lines += [f"| {' | '.join(head)} |", "|---" * len(head) + "|"]
-        lines += [row(found, os.path.relpath(found.file, common)) for found in outcomes] + [""]
+        lines += [row(found, common) for found in outcomes] + [""]
     came = {phase: sum(counts[later] for later in PHASES[place:]) for place, phase in enumerate(PHASES) if place}
     lines += [
         "| robots | refused | generated | built | ran | ran in doubt | median / longest to build, s | to run, s |"
@@ -225,6 +231,21 @@ def _middle_and_most(values: list[float]) -> str:
     return f"{np.median(values):.2g} / {max(values):.2g}" if values else ""
 
 
+def recorded(kept: Path | None) -> list[Outcome]:
+    """The outcomes of earlier pieces of a survey."""
+    if kept is None or not kept.exists():
+        return []
+    facts = [json.loads(line) for line in kept.read_text("utf-8").splitlines()]
+    return [Outcome(**(fact | {"file": Path(fact["file"]), "doubts": tuple(fact["doubts"])})) for fact in facts]
+
+
+def record(found: Outcome, kept: Path | None) -> None:
+    """Keeps an outcome for later pieces."""
+    if kept is not None:
+        with kept.open("a", encoding="utf-8") as file:
+            file.write(json.dumps(asdict(found) | {"file": str(found.file)}) + "\n")
+
+
 def words(arguments: argparse.Namespace, cache: Path) -> list[str]:
     """The options that the process of one robot takes over."""
     given = ["--cache", str(cache), "--seconds", str(arguments.seconds), "--stop", str(arguments.stop)]
@@ -237,7 +258,7 @@ def words(arguments: argparse.Namespace, cache: Path) -> list[str]:
 def main() -> int:
     """Surveys files and folders, or takes one robot into a folder."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("paths", type=Path, nargs="+")
+    parser.add_argument("paths", type=Path, nargs="*")
     parser.add_argument("--into", type=Path, help="take the single file into this folder")
     parser.add_argument("--cache", type=Path, help="folder of the builder's cache; an empty one if left out")
     parser.add_argument("--seconds", type=float, default=60.0)
@@ -246,6 +267,7 @@ def main() -> int:
     parser.add_argument("--without", default="", help="name of folders that are left out")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--rows", action="store_true")
+    parser.add_argument("--record", type=Path, help="keep outcomes in this file, and go on with what it has")
     parser.add_argument("--decomposer", type=Decomposer, choices=list(Decomposer))
     parser.add_argument("--package-path", type=Path, action="append", default=[])
     parser.add_argument("--allow-missing", action="store_true")
@@ -254,15 +276,18 @@ def main() -> int:
     if arguments.into is not None:
         resource.setrlimit(resource.RLIMIT_CPU, (int(arguments.seconds), resource.RLIM_INFINITY))
         return go(arguments.paths[0], arguments)
-    files = descriptions(arguments.paths, arguments.without)
-    outcomes = []
+    outcomes = recorded(arguments.record)
+    done = {found.file for found in outcomes}
+    files = [file for file in descriptions(arguments.paths, arguments.without) if file.absolute() not in done]
     with tempfile.TemporaryDirectory(prefix="cmb-survey-") as cache, ThreadPoolExecutor(arguments.processes) as pool:
         options = words(arguments, arguments.cache or Path(cache))
-        for found in pool.map(lambda file: outcome(file, options, arguments.seconds), files):
+        for found in pool.map(lambda file: outcome(file.absolute(), options, arguments.seconds), files):
             outcomes.append(found)
+            record(found, arguments.record)
             doubts = "; ".join((found.error, *found.doubts)).strip("; ")
             sys.stderr.write(f"{found.phase or 'crashed'}: {found.file} {json.dumps(found.facts)} {doubts}\n")
-    common = Path(os.path.commonpath([file.absolute() for file in files])) if files else Path()
+    files = [found.file for found in outcomes]
+    common = Path(os.path.commonpath(files)) if files else Path()
     common = common.parent if common.is_file() else common
     sys.stdout.write(table(outcomes, common, rows=arguments.rows))
     return 1 if any(not found.phase for found in outcomes) else 0

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cad2modelica.geometry.mesh import Mesh, VolumeIntegrals, bodies, is_closed, join, volume_integrals, weld
+from cad2modelica.geometry.spatial import Array
 from cad2modelica.mechanism.model import MassProperties
 from cad2modelica.source.number_limits import SMALLEST
 
@@ -46,13 +47,20 @@ def check_tensor(properties: MassProperties) -> MassFinding | None:
             "Check which point ('about') and which sign of the products ('products') the numbers belong to.",
             True,
         )
-    if moments[2] > (moments[0] + moments[1]) * (1 + RELATIVE_TOLERANCE):
-        return MassFinding(
-            f"no body has these principal moments of inertia: {listed} kg.m2 (one exceeds the sum of the others)",
-            "Check which point ('about') and which sign of the products ('products') the numbers belong to.",
-            True,
-        )
-    return None
+    return check_moments(properties.inertia)
+
+
+def check_moments(inertia: Array) -> MassFinding | None:
+    """Checks the triangle inequality of the principal moments; with it, none of them is negative."""
+    moments = np.linalg.eigvalsh(inertia)
+    if moments[2] <= (moments[0] + moments[1]) + RELATIVE_TOLERANCE * abs(moments[2]):
+        return None
+    listed = ", ".join(f"{moment:.4g}" for moment in moments)
+    return MassFinding(
+        f"no body has these principal moments of inertia: {listed} kg.m2 (one exceeds the sum of the others)",
+        "Check which point ('about') and which sign of the products ('products') the numbers belong to.",
+        True,
+    )
 
 
 def check_against_mechanism(properties: MassProperties, length: float) -> MassFinding | None:

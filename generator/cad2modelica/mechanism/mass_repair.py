@@ -6,10 +6,12 @@ solver could use is repaired as little as possible; everything doubtful is noted
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from cad2modelica.geometry.mesh import Mesh, join
-from cad2modelica.mechanism.mass_check import check_against_geometry, check_tensor
+from cad2modelica.mechanism.mass_check import check_against_geometry, check_moments, check_tensor
 from cad2modelica.mechanism.model import MassProperties
 
 LEAST_GYRATION = 1e-3
@@ -41,6 +43,18 @@ def usable(properties: MassProperties, meshes: tuple[Mesh, ...]) -> tuple[MassPr
     elif meshes:
         remarks += [doubt.message for doubt in check_against_geometry(properties, meshes)]
     return properties, remarks
+
+
+def impossible_members(members: Iterable[tuple[str, MassProperties]]) -> list[str]:
+    """Remarks on bodies that no mass distribution has, where several are fixed to each other: their sum hides it.
+
+    A member without inertia is a point mass, which is possible.
+    """
+    massive = [(name, properties) for name, properties in members if properties.mass > 0]
+    if len(massive) < 2:
+        return []
+    findings = [(name, check_moments(properties.inertia)) for name, properties in massive]
+    return [f"{name!r}, fixed to others: {finding.message}" for name, finding in findings if finding is not None]
 
 
 def _listed(moments: np.ndarray) -> str:

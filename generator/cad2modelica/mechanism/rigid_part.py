@@ -10,7 +10,7 @@ from contact_foundation.errors import Place
 from cad2modelica.geometry.mesh import Mesh
 from cad2modelica.geometry.spatial import Pose
 from cad2modelica.mechanism.mass_properties import NO_MASS, together
-from cad2modelica.mechanism.mass_repair import usable
+from cad2modelica.mechanism.mass_repair import impossible_members, usable
 from cad2modelica.mechanism.model import CollisionChoice, MassProperties, Part
 
 
@@ -18,6 +18,7 @@ from cad2modelica.mechanism.model import CollisionChoice, MassProperties, Part
 class Member:
     """What one body brings into its part: surfaces and mass, in the part's axes."""
 
+    name: str
     shown: Sequence[Mesh]
     colliding: Sequence[Mesh]
     mass: MassProperties = NO_MASS
@@ -58,6 +59,7 @@ def rigid_part(
     if properties.mass > 0:
         properties, remarks = usable(properties, shown or colliding)
         notes += [f"body {name!r}: {remark}" for remark in remarks]
+        notes += [f"body {remark}" for remark in impossible_members((item.name, item.mass) for item in members)]
     return Part(
         name=name,
         material=material,

@@ -106,6 +106,7 @@ class PartReader:
             lightest = self._inertial(body.inertial)
         return (
             Member(
+                body.name,
                 [geom.shown for geom in geoms if geom.visible],
                 [geom.colliding for geom in geoms if geom.colliding is not None],
                 self._bounded(lightest) if not body.is_static else NO_MASS,

@@ -151,7 +151,7 @@ class PartReader:
             colliding += mesh
             masses += mass
         if grounded:
-            return Member(shown, colliding)
+            return Member(link.name, shown, colliding)
         for flag in ("gravity", "kinematic"):
             if elements.flag(link.element, flag, flag == "gravity") != (flag == "gravity"):
                 text = "gravity is switched off for it" if flag == "gravity" else "it is kinematic"
@@ -160,8 +160,8 @@ class PartReader:
             if not masses:
                 message = "its mass is to come from its collisions, and there are none"
                 self._problems.add(message, elements.place(link.element), "Give a mass.")
-            return Member(shown, colliding, together(masses))
-        return Member(shown, colliding, placed(self._mass(link, inertial), host.inner))
+            return Member(link.name, shown, colliding, together(masses))
+        return Member(link.name, shown, colliding, placed(self._mass(link, inertial), host.inner))
 
     def _mass(self, link: Link, inertial: etree._Element | None) -> MassProperties:
         """Mass properties in the link's axes; the format's default is 1 kg with unit inertia."""

@@ -18,7 +18,7 @@ from cad2modelica.geometry.mesh import Mesh
 from cad2modelica.geometry.spatial import IDENTITY, Pose
 from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY, STOP_TIME, TOLERANCE
 from cad2modelica.mechanism.mass_properties import NO_MASS, placed, solid_mass, together
-from cad2modelica.mechanism.mass_repair import usable
+from cad2modelica.mechanism.mass_repair import impossible_members, usable
 from cad2modelica.mechanism.model import (
     GROUND,
     Assembly,
@@ -206,6 +206,8 @@ class _UrdfReader:
                 properties, meshes or tuple(mesh for item in members for mesh in item.collision)
             )
             self._notes += [f"link {link.name!r}: {remark}" for remark in remarks]
+            pieces = ((item.link.name, item.mass) for item in members)
+            self._notes += [f"link {remark}" for remark in impossible_members(pieces)]
         else:
             self._notes.append(f"link {link.name!r} has no mass: it only carries what is behind it")
         return self._part(link, pose, members, properties, grounded=False)

@@ -25,6 +25,8 @@ TYPES = {
     "fixed": JointType.FIXED,
 }
 _IGNORED = {"safety_controller", "calibration"}
+WORLD = "world"
+"""The name by which descriptions mean the fixed surroundings, with or without a link of that name."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +82,8 @@ class UrdfTree:
 def read_tree(root: etree._Element, elements: UrdfElements, density: bool) -> UrdfTree:
     """Reads links and joints.
 
-    A root link without mass is the ground; links that are fixed to others belong to one part with them.
+    A root link without mass, or of the name ``world``, is the ground; links that are fixed to others belong to one part
+    with them.
 
     Args:
         root: the element ``robot``.
@@ -125,7 +128,16 @@ class _TreeReader:
             links[name] = Link(name, element, self._density and hangs and gets_mass_by_density(element))
             if has_inertia_alone(element):
                 self._notes.append(Lost(f"link {name!r} has inertia without mass, which is left out"))
+        self._add_world(links)
         return links
+
+    def _add_world(self, links: dict[str, Link]) -> None:
+        """The fixed surroundings, where joints have them as parent and no link is declared for them."""
+        parents = {
+            parent.get("link", "") for joint in self._root.iterchildren("joint") for parent in joint.iter("parent")
+        }
+        if WORLD in parents and WORLD not in links:
+            links[WORLD] = Link(WORLD, etree.Element("link", name=WORLD))
 
     def joints(self, links: dict[str, Link]) -> list[UrdfJoint]:
         """All joints in the order of the file."""
@@ -217,8 +229,10 @@ class _TreeReader:
         hosts: dict[str, Host] = {}
         for name, link in links.items():
             if name not in children:
-                grounded = not link.has_mass
+                grounded = name == WORLD or not link.has_mass
                 hosts[name] = Host(GROUND if grounded else name, IDENTITY, IDENTITY)
+                if name == WORLD and link.has_mass:
+                    self._notes.append(f"link {name!r} means the fixed surroundings: its mass does not count")
                 if not grounded:
                     self._notes.append(f"link {name!r} is the root and moves freely; --ground {name} holds it")
         carries_mass = self._links_that_carry_mass(order, links)

@@ -198,6 +198,51 @@ def test_links_fixed_to_the_world_stand_there(tmp_path: Path) -> None:
     assert assembly.aliases == {"world": "base"}
 
 
+@pytest.mark.parametrize("kind", ["fixed", "revolute"])
+@pytest.mark.parametrize("declared", [(), (link("world", None),), (link("world", 2.0),)])
+def test_a_parent_named_world_is_the_fixed_surroundings(tmp_path: Path, declared: tuple[str, ...], kind: str) -> None:
+    """With or without a link of that name, and whatever its mass: Drake's files declare none."""
+    file = write(
+        tmp_path,
+        *declared,
+        link("base", 3.0),
+        link("arm"),
+        joint("w", kind, "world", "base", '<origin xyz="0 0 2"/>'),
+        joint("j", "revolute", "base", "arm"),
+    )
+    assembly = read_assembly(file)
+    assert [part.name for part in assembly.parts] == (["arm"] if kind == "fixed" else ["base", "arm"])
+    assert assembly.joints[0].parent == GROUND
+    np.testing.assert_allclose(assembly.joints[0].origin, [0, 0, 2])
+    assert not any("moves freely" in note for note in assembly.notes)
+    assert any("'world'" in note and "mass" in note for note in assembly.notes) == ('mass value="2' in str(declared))
+
+
+def test_a_world_that_hangs_on_a_link_is_told(tmp_path: Path) -> None:
+    file = write(tmp_path, link("base"), link("arm"), joint("w", "fixed", "base", "world"))
+    with pytest.raises(InputError, match="child 'world' is no link"):
+        read_assembly(file)
+
+
+def test_inertia_of_no_body_is_told_though_the_link_is_fixed_to_another(tmp_path: Path) -> None:
+    """The sum of both would be a body's; a point mass is one."""
+    wrong = '<inertial><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.05" ixy="0" ixz="0" iyz="0"/></inertial>'
+    point = '<inertial><mass value="1"/><inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/></inertial>'
+    file = write(
+        tmp_path,
+        link("arm"),
+        link("tool", None, wrong),
+        link("weight", None, point),
+        joint("f", "fixed", "arm", "tool"),
+        joint("g", "fixed", "arm", "weight"),
+    )
+    found = [note for note in read_assembly(file).notes if "principal moments" in note]
+    assert found == [
+        "link 'tool', fixed to others: no body has these principal moments of inertia: "
+        "0.01, 0.01, 0.05 kg.m2 (one exceeds the sum of the others)"
+    ]
+
+
 def test_ground_takes_an_empty_root(tmp_path: Path) -> None:
     file = write(tmp_path, link("base_link", None), link("arm"), joint("j", "revolute", "base_link", "arm"))
     assert read_assembly(file).aliases == {"base_link": GROUND}
