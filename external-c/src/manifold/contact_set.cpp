@@ -12,6 +12,12 @@ double total_load(const std::vector<ContactPoint> &points, std::size_t begin) {
   return load;
 }
 
+Vec3 net_load(const std::vector<ContactPoint> &points, std::size_t begin) {
+  Vec3 sum;
+  for (std::size_t k = begin; k < points.size(); ++k) sum = sum + (points[k].weight * points[k].depth) * points[k].normal;
+  return sum;
+}
+
 namespace {
 
 // Of so many points the best of all pairs is united.

@@ -33,6 +33,8 @@ inline void reverse(ContactSet &contact) {
 
 // The sum of weight * depth.
 double total_load(const std::vector<ContactPoint> &points, std::size_t begin = 0);
+// The sum of weight * depth * normal.
+Vec3 net_load(const std::vector<ContactPoint> &points, std::size_t begin = 0);
 
 // The greatest depth of the points, or of other corners of a contact, from `begin` on; 0 where there are none.
 template <typename Corner>

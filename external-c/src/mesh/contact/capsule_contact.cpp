@@ -107,19 +107,12 @@ class CapsuleQuery {
     result_.witness = pose_(nearest_at_ - (radius_ + 0.5 * distance_) * nearest_normal_);
     // No section of a triangle is deeper than this. Of a capsule with its axis through a wall the ends push apart: only what
     // is left of that counts.
-    const double deepest = crosses_ ? radius_ : -distance_, load = crosses_ ? net_load() : total_load(result_.points, begin_);
+    const double deepest = crosses_ ? radius_ : -distance_;
+    const double load = crosses_ ? norm(net_load(result_.points, begin_)) : total_load(result_.points, begin_);
     if (least_load_part * load < deepest) complete_contact(body_, mesh_, pose_, load, result_);
   }
 
  private:
-  double net_load() const {
-    Vec3 sum;
-    for (std::size_t i = begin_; i < result_.points.size(); ++i) {
-      sum = sum + (result_.points[i].weight * result_.points[i].depth) * result_.points[i].normal;
-    }
-    return norm(sum);
-  }
-
   void keep_nearest(double distance, const Vec3 &at, const Vec3 &normal) {
     if (!(distance < distance_)) return;
     distance_ = distance;

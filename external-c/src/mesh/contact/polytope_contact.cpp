@@ -45,7 +45,8 @@ class PolytopeQuery {
       const double load = total_load(result_.points, begin);
       carried *= limit_by_sections(body, mesh_, begin, result_) / load;
     }
-    if (!complete_contact(body, mesh_, pose_, carried, result_)) apart(nearest.triangle);
+    const CarriedLoad all{carried, norm(net_load(result_.points, begin)), carried > 0.0 ? std::sqrt(2.0 * overlap.energy()) : 0.0};
+    if (!complete_contact(body, mesh_, pose_, all, result_)) apart(nearest.triangle);
   }
 
  private:

@@ -78,12 +78,13 @@ double limit_by_sections(const SectionedBody &body, const TriangleMesh &mesh, st
   return limit_load(most_sections * deepest, begin, result);
 }
 
-bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, double load,
+bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, const CarriedLoad &carried,
                       ContactSet &result) {
+  const double load = carried.load;
   if (!(load > 0.0)) result.distance = 0.0;
   const Vec3 center = body.center();
   const Bounds box = body.bounds();
-  const double enough = least_load_part * load;
+  const double enough = carried.enough();
   const InteriorPoint middle(mesh, center);
   if (load > 0.0 && middle.depth() <= enough) {
     bool lacks = false;
@@ -101,7 +102,8 @@ bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const
     section.depth = std::fmin(section.depth, std::fmin(below, above));
     pierced.add(section, normal, below, 0.5 * norm(cross(corner[1] - corner[0], corner[2] - corner[0])));
   });
-  const double part = lacking_part(load, std::fmax(pierced.deepest(), middle.depth()));
+  const double deepest = std::fmax(pierced.deepest(), middle.depth());
+  const double part = lacking_part(carried.counted(deepest), deepest);
   pierced.finish(part, pose, result);
   middle.push_out(pierced.deepest(), part, pose, result);
   return load > 0.0 || result.distance < 0.0;

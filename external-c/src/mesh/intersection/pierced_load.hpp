@@ -17,6 +17,27 @@ inline double lacking_part(double load, double depth) {
   return depth > 0.0 ? std::fmax(0.0, 1.0 - least_load_part * load / depth) : 0.0;
 }
 
+// What a contact carries without what passes through the body.
+struct CarriedLoad {
+  double load = 0.0;     // the sum of weight * depth
+  double pushing = 0.0;  // what is left of it where its parts oppose each other
+  double depth = 0.0;    // about how deep in the surface what carries lies
+
+  CarriedLoad(double only) : load(only), pushing(only) {}
+  CarriedLoad(double all, double left, double deep) : load(all), pushing(left), depth(deep) {}
+
+  // Loads that oppose each other hold a body in a groove, but lead none off a wall that goes through it: much deeper than what
+  // carries lies in that wall.
+  double counted(double section) const {
+    const double share = depth > 0.0 ? std::fmin(1.0, std::fmax(0.0, 2.0 - 0.5 * section / depth)) : 1.0;
+    return pushing + share * (load - pushing);
+  }
+  // Sections as deep as this lack nothing.
+  double enough() const {
+    return std::fmax(least_load_part * std::fmin(pushing, load), std::fmin(least_load_part * load, 2.0 * depth));
+  }
+};
+
 // Sections push along their triangle's normal with their own depth; the load is their mean. They count by their area, and by
 // how good a way out that normal is: where a body has h below the triangle's plane, by the fourth power of depth / h. A wall
 // through a body pushes to the side from which less has to come through.
@@ -53,11 +74,11 @@ double limit_load(double limit, std::size_t begin, ContactSet &result);
 // as leaves contacts from the front alone. A body wholly behind a sheet is free, and gets there without a jump. Returns the load.
 double limit_by_sections(const SectionedBody &body, const TriangleMesh &mesh, std::size_t begin, ContactSet &result);
 
-// Completes the contact of a convex body with a mesh. `load` is that of the points in `result`, which are those of the body's
+// Completes the contact of a convex body with a mesh. `carried` is that of the points in `result`, which are those of the body's
 // surface that faces the mesh's triangles; distance, normal and witness are set where it is positive. Where it is too little for
 // what passes through the body, adds PiercedLoad; where a closed mesh has swallowed the body's middle, a point that leads it
 // out the shortest way. Returns false, with no points added, where the two do not touch.
-bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, double load,
+bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, const CarriedLoad &carried,
                       ContactSet &result);
 
 }  // namespace cmb::mesh
