@@ -16,8 +16,9 @@
 # make large     lets a thousand spheres fill a box: builds and runs regression/cases/large, some minutes
 # make test-msl  passes the tests with the Standard Library's examples (MODELICAPATH; about fifteen minutes)
 # make test-omc  runs the examples through OpenModelica where it is installed
+# make pictures  draws the pages in docs/images anew; some minutes
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc icons bench-peers
+.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc icons pictures bench-peers
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -60,6 +61,9 @@ test-msl: setup-test
 
 test-omc: setup
 	scripts/test-omc
+
+pictures: setup
+	.venv/bin/python scripts/pictures
 
 icons: setup
 	.venv/bin/python scripts/render-icons

@@ -154,6 +154,6 @@ class Tab:
         found: list[str] = self.value("complaints")
         return found
 
-    def picture(self, target: Path) -> None:
-        """Saves what the page looks like as PNG."""
-        target.write_bytes(base64.b64decode(self.command("Page.captureScreenshot")["data"]))
+    def picture(self) -> bytes:
+        """What the page looks like, as PNG."""
+        return base64.b64decode(self.command("Page.captureScreenshot")["data"])

@@ -36,7 +36,7 @@ export class Viewer {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.autoUpdate = false;
-    this.world = new World(data, this.renderer.capabilities.getMaxAnisotropy());
+    this.world = new World(data);
     this.outputs = new Outputs(this.renderer);
     this.headset = new Headset(this.renderer, this.world.scene, this.world.up);
     this.eyes = new Eyes();

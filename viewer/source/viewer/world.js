@@ -15,7 +15,7 @@ const SHADOW_SIZE = 2048;
 
 export class World {
   /** data: bodies with meshes, up, center, radius, floor and largestForce as in animation.py. */
-  constructor(data, anisotropy) {
+  constructor(data) {
     const { radius } = data;
     this.data = data;
     this.scene = new Scene();
@@ -29,7 +29,7 @@ export class World {
     this.surfaces = [];
     this.bodies = data.bodies.map(body => this.makeBody(body));
     this.forces = new Forces(radius, data.largestForce);
-    this.floor = new Floor(radius, frame, anisotropy);
+    this.floor = new Floor(radius, frame);
     this.known = new KnownSizes(radius);
     this.known.object.setRotationFromMatrix(frame);
     this.fog = new Fog(HAZE);
