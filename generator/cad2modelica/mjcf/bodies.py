@@ -8,7 +8,7 @@ from lxml import etree
 
 from cad2modelica.geometry.spatial import IDENTITY, Pose
 from cad2modelica.mechanism.model import GROUND
-from cad2modelica.mjcf.document import ACTUATORS, MAIN, MjcfDocument
+from cad2modelica.mjcf.document import ACTUATORS, COPY, MAIN, MjcfDocument
 from cad2modelica.mjcf.elements import Item, MjcfElements
 
 WORLD = "world"
@@ -110,10 +110,10 @@ class _BodyReader:
 
     def _frame(self, element: etree._Element, copies: Pose) -> tuple[Pose, Pose]:
         """The pose of a frame; and of a copy of a replication, where the next copy stands."""
-        if element.get("cmb-copy") is None:
+        if element.get(COPY) is None:
             return self._elements.pose(Item(element, {str(k): str(v) for k, v in element.items()})), copies
         item = Item(element, {str(k): str(v) for k, v in element.items()})
-        if element.get("cmb-copy") == "0":
+        if element.get(COPY) == "0":
             copies = IDENTITY
         angles = self._elements.numbers(item, "turn", (0.0, 0.0, 0.0))
         step = Pose(self._elements.numbers(item, "offset", (0.0, 0.0, 0.0)), self._elements.euler(angles))

@@ -15,6 +15,7 @@ from cad2modelica.source.xml_document import read_xml
 
 MOST_INCLUDES = 500
 MOST_ELEMENTS = 200_000
+COPY = "cmb-copy"
 MAIN = "main"
 ACTUATORS = frozenset(
     (
@@ -162,12 +163,14 @@ class MjcfDocument:
         """One frame for each copy, each displaced against the one before it; names get a number each."""
         item = self.item(element, MAIN)
         count = self._elements.integer(item, "count", 0)
-        size = sum(1 for _ in element.iter())
-        place = self._elements.place(element)
-        self._copied += max(count, 0) * size
+        if not any(COPY in around.attrib for around in element.iterancestors()):  # else counted with the outer one
+            self._copied += _written_out(element)
         if count < 1 or self._copied > MOST_ELEMENTS:
+            size = sum(1 for _ in element.iter())
             self._elements.problems.add(
-                f"count={count} copies of {size} elements", place, f"From 1 to {MOST_ELEMENTS} elements in all."
+                f"count={count} copies of {size} elements",
+                self._elements.place(element),
+                f"From 1 to {MOST_ELEMENTS} elements in all.",
             )
             return
         separator = element.get("sep", "")
@@ -177,7 +180,7 @@ class MjcfDocument:
             for key in ("childclass", FILE_MARK):
                 if element.get(key) is not None:
                     copy.set(key, element.get(key, ""))
-            copy.set("cmb-copy", f"{number}")
+            copy.set(COPY, f"{number}")
             copy.set("offset", element.get("offset", "0 0 0"))
             copy.set("turn", element.get("euler", "0 0 0"))
             for child in element:
@@ -187,6 +190,12 @@ class MjcfDocument:
                     if inner is not copy and inner.get(key) is not None:
                         inner.set(key, f"{inner.get(key)}{separator}{number:0{digits}}")
             yield copy
+
+
+def _written_out(element: etree._Element) -> int:
+    """How many elements this one comes to, with all replications in it."""
+    count = element.get("count", "") if element.tag == "replicate" else "1"
+    return (int(count[:12]) if count.isdecimal() else 0) * (1 + sum(map(_written_out, element)))
 
 
 def merged(defaults: Mapping[str, str], own: Mapping[str, str]) -> Attributes:
