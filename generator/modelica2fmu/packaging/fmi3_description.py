@@ -1,7 +1,7 @@
 """The XML files of FMI 3.0.2: modelDescription, buildDescription, terminalsAndIcons.
 
 FMI 3.0 numbers all variables in one sequence, so the uppermost four bits of a value reference say what kind it
-is (``runtime/fmi/fmi3_functions.c`` reads them). Variables that share a slot are aliases of one variable, except
+is (``runtime/fmi/fmi3_values.c`` reads them). Variables that share a slot are aliases of one variable, except
 outputs: an alias has no causality, so an output gets a reference of its own by the six bits after these.
 """
 

@@ -28,13 +28,13 @@ class Layout:
 
     Attributes:
         platform: the folder of a platform's binaries.
-        functions: the C file of the runtime with this version's functions.
+        prefix: that of the runtime's C files with this version's functions.
         describe: writes modelDescription.xml.
         complete: writes, into the FMU's folder with all its sources, the other files that the version has.
     """
 
     platform: Callable[[Platform], str]
-    functions: str
+    prefix: str
     describe: Callable[[ModelDescription], bytes]
     complete: Callable[[ModelDescription, Path], None]
 
@@ -54,6 +54,6 @@ def _complete_fmi3(description: ModelDescription, folder: Path) -> None:
 
 
 LAYOUTS = {
-    FmiVersion.FMI2: Layout(lambda platform: platform.name, "fmi2_functions.c", fmi2_description, _complete_fmi2),
-    FmiVersion.FMI3: Layout(lambda platform: platform.fmi3, "fmi3_functions.c", fmi3_description, _complete_fmi3),
+    FmiVersion.FMI2: Layout(lambda platform: platform.name, "fmi2_", fmi2_description, _complete_fmi2),
+    FmiVersion.FMI3: Layout(lambda platform: platform.fmi3, "fmi3_", fmi3_description, _complete_fmi3),
 }

@@ -57,9 +57,9 @@ def _write_sources(
     layout: Layout,
 ) -> None:
     folder.mkdir()
-    other_versions = {other.functions for other in LAYOUTS.values()} - {layout.functions}
+    other_versions = tuple(other.prefix for other in LAYOUTS.values() if other.prefix != layout.prefix)
     for path in runtime_files():
-        if path.name not in other_versions:
+        if not path.name.startswith(other_versions):
             shutil.copyfile(path, folder / path.name)
     (folder / INTERFACE_FILE).write_text(interface_source(description, options), encoding="utf-8")
     for source in sources:

@@ -8,37 +8,12 @@
 #ifndef FMURT_FMU_H
 #define FMURT_FMU_H
 
-#include "fmurt_access.h"
-#include "fmurt_instance.h"
-#include "fmurt_state.h"
-
-/* Numerically fmi2Status and fmi3Status. */
-typedef enum fmurt_fmu_status { FMURT_FMU_OK, FMURT_FMU_WARNING, FMURT_FMU_DISCARD, FMURT_FMU_ERROR } fmurt_fmu_status;
-
-typedef struct fmurt_fmu {
-  fmurt_instance *instance;
-  int co_simulation;
-  int event_mode_used;      /* co-simulation: the importer handles events in event mode (FMI 3.0) */
-  int early_return_allowed; /* co-simulation: a step may end at an event (FMI 3.0) */
-} fmurt_fmu;
-
-enum {
-  FMURT_BEFORE_START = FMURT_PHASE_INSTANTIATED | FMURT_PHASE_INITIALIZATION,
-  FMURT_MODEL_EXCHANGE = FMURT_PHASE_EVENT | FMURT_PHASE_CONTINUOUS,
-  FMURT_CO_SIMULATION = FMURT_PHASE_STEP | FMURT_PHASE_STEP_FAILED,
-  FMURT_AFTER_END = FMURT_PHASE_TERMINATED | FMURT_PHASE_ERROR,
-  FMURT_ANY_PHASE = FMURT_BEFORE_START | FMURT_MODEL_EXCHANGE | FMURT_CO_SIMULATION | FMURT_AFTER_END
-};
+#include "fmurt_fmu_check.h"
 
 /* Makes the instance inside fmu, whose other members the caller has set. NULL, or why it could not be made. */
 const char *fmurt_fmu_open(fmurt_fmu *fmu, const char *name, const char *token, int logging, fmurt_log_sink sink,
                            void *receiver);
 void fmurt_fmu_close(fmurt_fmu *fmu);
-
-/* 1 if the instance is in one of these phases, 0 (logged) if not. */
-int fmurt_fmu_permits(fmurt_fmu *fmu, const char *call, int phases);
-/* Logs the reason; FMURT_FMU_ERROR. */
-fmurt_fmu_status fmurt_fmu_refuse(fmurt_fmu *fmu, const char *call, const char *reason);
 
 fmurt_fmu_status fmurt_fmu_set_logging(fmurt_fmu *fmu, const char *call, int on, size_t count,
                                        const char *const *categories);
