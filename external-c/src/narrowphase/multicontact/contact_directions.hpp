@@ -2,7 +2,7 @@
 // the Minkowski difference C = A - B.
 //
 // The minimum translation jumps where two places of C's surface become equally near; the projection onto the convex set of the
-// centres of all balls of a given radius in C does not. Derivation: narrowphase/README.md, "Contact directions".
+// centres of all balls of a given radius in C does not. Derivation: docs/engine/narrowphase.md, "Contact directions".
 #pragma once
 
 #include "narrowphase/convex_distance.hpp"
