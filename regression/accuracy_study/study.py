@@ -46,14 +46,12 @@ class SceneFindings:
         rows: in the order of the grid.
         errors: of each variant, without the solver's; where its FMU could not be built, the reason only.
         tight: tolerance of the tight trajectories.
-        energy_is_known: whether the scene shows its energy.
     """
 
     scene: Scene
     rows: tuple[Row, ...]
     errors: Mapping[Variant, VariantErrors]
     tight: float
-    energy_is_known: bool
 
     def order(self, variant: Variant, solver: Mode, max_step: float | None) -> float | None:
         """Exponent p of solver error ~ tolerance^p, or None where too few points tell."""
@@ -245,4 +243,4 @@ def _findings(
             cause = lost.get(task.key, "is missing")
             outcome = found or Outcome(failure=f"its process was ended again and again: {cause}")
         rows.append(Row(run, outcome))
-    return SceneFindings(scene, tuple(rows), errors, _tight_tolerance(scene), bool(prepared.models.energy))
+    return SceneFindings(scene, tuple(rows), errors, _tight_tolerance(scene))

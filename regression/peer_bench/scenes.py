@@ -52,7 +52,6 @@ class World:
         restitution: coefficient, of every pair.
         impact_speed: of the first impact, m/s, for laws whose restitution depends on it.
         gravity: m/s2.
-        bodies_touch: whether bodies touch each other, not the floor alone.
     """
 
     bodies: tuple[Body, ...]
@@ -60,7 +59,6 @@ class World:
     restitution: float
     impact_speed: float
     gravity: Vector = (0.0, 0.0, -GRAVITY)
-    bodies_touch: bool = True
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,7 @@ PAIR_PARAMETERS = (
     "rollingLever",
 )
 """Parameters of a ContactManager that have one number for each pair."""
-_SCALARS = ("restSpeed", "limitSpeed", "regularisationSpeed", "turningRegularisationSpeed")
+_SCALARS = ("restSpeed", "regularisationSpeed", "turningRegularisationSpeed")
 
 
 @dataclass(frozen=True)
@@ -100,14 +100,13 @@ class Parameters:
 
     Attributes:
         pair: name to a number for each pair, for each of PAIR_PARAMETERS.
-        rest_speed, limit_speed, regularisation_speed: m/s.
+        rest_speed, regularisation_speed: m/s.
         turning_regularisation_speed: rad/s.
         masses: kg of each body; infinite for what is fixed.
     """
 
     pair: Mapping[str, tuple[float, ...]]
     rest_speed: float
-    limit_speed: float
     regularisation_speed: float
     turning_regularisation_speed: float
     masses: tuple[float, ...]
@@ -168,7 +167,6 @@ def read_parameters(manager: Manager, result: SimulationResult) -> Parameters:
     return Parameters(
         pair={p: tuple(number(f"{manager.name}.{p}[{i}]") for i in pairs) for p in PAIR_PARAMETERS},
         rest_speed=number(f"{manager.name}.restSpeed"),
-        limit_speed=number(f"{manager.name}.limitSpeed"),
         regularisation_speed=number(f"{manager.name}.regularisationSpeed"),
         turning_regularisation_speed=number(f"{manager.name}.turningRegularisationSpeed"),
         masses=tuple(

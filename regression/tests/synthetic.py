@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import functools
 import json
 import math
 from pathlib import Path
@@ -189,7 +191,15 @@ DAMPING = 1.433
 
 
 def hammer(rows: int = 1000) -> tuple[dict[str, Any], SimulationResult]:
-    """Arm and hammer in the plane y = 0; the hammer's round peen hits the top of an anvil, F = k x (1 + d x'/v0)."""
+    """Arm and hammer in the plane y = 0; the hammer's round peen hits the top of an anvil, F = k x (1 + d x'/v0).
+
+    Integrated once a process; each call gets a copy of its own.
+    """
+    return copy.deepcopy(_integrated_hammer(rows))
+
+
+@functools.cache
+def _integrated_hammer(rows: int) -> tuple[dict[str, Any], SimulationResult]:
 
     def center(q1: float, q2: float) -> tuple[np.ndarray, np.ndarray]:
         a = q1 + q2

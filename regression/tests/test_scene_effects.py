@@ -48,7 +48,6 @@ def parameters(**pair: tuple[float, ...]) -> Parameters:
     return Parameters(
         pair={**values, **pair},
         rest_speed=0.01,
-        limit_speed=0.01,
         regularisation_speed=1e-3,
         turning_regularisation_speed=0.01,
         masses=(1.0, 3.0, math.inf),

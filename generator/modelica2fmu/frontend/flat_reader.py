@@ -157,7 +157,6 @@ class _Reader(ExpressionReader):
             body=self._statements(item["body"]),
             external=None if external is None else self._external(name, external),
             is_constructor=bool(item["is_constructor"]),
-            is_pure=bool(item["pure"]),
             span=self.span(item),
         )
 

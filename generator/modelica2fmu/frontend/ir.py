@@ -340,7 +340,6 @@ class Function:
     body: tuple[Statement, ...]
     external: External | None = None
     is_constructor: bool = False
-    is_pure: bool = True
     span: Span | None = None
 
 

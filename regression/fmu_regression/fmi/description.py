@@ -66,7 +66,6 @@ class ModelDescription:
         state_count: number of continuous states, elements of arrays included.
         indicator_count: number of event indicators.
         needs_completed_step: whether the FMU wants to hear of every completed step.
-        variable_steps: whether the co-simulation takes communication steps of different lengths.
         start, stop, tolerance, interval: the default experiment, where given.
         generation_tool: the tool that wrote the FMU, or "".
         keeps_states: whether the co-simulation saves and restores its whole state.
@@ -81,7 +80,6 @@ class ModelDescription:
     state_count: int
     indicator_count: int
     needs_completed_step: bool
-    variable_steps: bool
     start: float
     stop: float | None
     tolerance: float | None
@@ -124,7 +122,6 @@ def read_description(path: Path) -> ModelDescription:
         state_count=sum(math.prod(d.variable.shape or ()) for d in raw.derivatives or []),
         indicator_count=int(raw.numberOfEventIndicators or 0),
         needs_completed_step=bool(raw.modelExchange is not None and raw.modelExchange.needsCompletedIntegratorStep),
-        variable_steps=bool(raw.coSimulation is not None and raw.coSimulation.canHandleVariableCommunicationStepSize),
         start=_number(experiment.startTime if experiment else None) or 0.0,
         stop=_number(experiment.stopTime if experiment else None),
         tolerance=_number(experiment.tolerance if experiment else None),

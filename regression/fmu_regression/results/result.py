@@ -31,7 +31,6 @@ class SolverCounters:
         convergence_failures: steps rejected because Newton's iteration did not converge.
         state_events: zero crossings located.
         time_events: events at times that the model announced.
-        root_evaluations: calls of the event indicators.
     """
 
     steps: int = 0
@@ -41,7 +40,6 @@ class SolverCounters:
     convergence_failures: int = 0
     state_events: int = 0
     time_events: int = 0
-    root_evaluations: int = 0
 
 
 @dataclass(frozen=True)

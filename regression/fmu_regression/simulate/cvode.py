@@ -96,7 +96,6 @@ _counter = {
         "JacEvals",
         "ErrTestFails",
         "NonlinSolvConvFails",
-        "GEvals",
     )
 }
 _JacobianFn = ctypes.CFUNCTYPE(
@@ -322,7 +321,6 @@ class Cvode:
             convergence_failures=by_name["NonlinSolvConvFails"],
             state_events=state_events,
             time_events=time_events,
-            root_evaluations=by_name["GEvals"],
         )
 
     def _current(self) -> np.ndarray[Any, np.dtype[np.int64]]:

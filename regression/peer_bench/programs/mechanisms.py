@@ -21,7 +21,6 @@ FOOT_RADIUS: Final = 1e-4
 FOOT_STIFFNESS: Final = 2e4
 FOOT_DISSIPATION: Final = 0.5
 FOOT_FRICTION: Final = 0.7
-FOOT_SLIP: Final = 1e-2
 
 
 @dataclass(frozen=True)

@@ -146,6 +146,7 @@ def test_sentences_page_and_pictures(clean):
     assert len(marks) == 12
 
 
+@pytest.mark.full
 def test_any_number_of_processes_gives_the_same(clean, bouncing_mass, tmp_path):
     carried_out(tmp_path, bouncing_mass, jobs=3)
     assert table(tmp_path) == table(clean[0])

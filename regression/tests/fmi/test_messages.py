@@ -21,7 +21,6 @@ def description(*variables: Variable) -> ModelDescription:
         state_count=0,
         indicator_count=0,
         needs_completed_step=False,
-        variable_steps=True,
         start=0.0,
         stop=None,
         tolerance=None,

@@ -15,7 +15,7 @@ from fmu_regression.report.animation import frame_rows, make_animation, quaterni
 from fmu_regression.report.page import Section, render_page
 from fmu_regression.report.picture import save_pictures
 from fmu_regression.report.simulation_report import write_report
-from fmu_regression.results.result import SimulationResult, read_csv, write_csv
+from fmu_regression.results.result import SimulationResult, read_csv
 from fmu_regression.results.thinning import display_rows
 from fmu_regression.scene.scene_file import load_scene
 from headless_browser import needs_bundle, needs_pages
@@ -25,17 +25,6 @@ from scipy.spatial.transform import Rotation
 from synthetic import body, bouncing_ball, box_mesh, hammer, pose_signals, scene, sphere_mesh, write_scene
 
 pytestmark = needs_bundle
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """result.csv, scene.json and report.html of the hammer."""
-    folder = tmp_path_factory.mktemp("report")
-    content, result = hammer()
-    write_scene(content, folder / "scene.json")
-    write_csv(result, folder / "result.csv")
-    write_report(read_csv(folder / "result.csv"), folder / "scene.json", folder / "report.html")
-    return folder
 
 
 def page_data(page: Path) -> dict[str, Any]:

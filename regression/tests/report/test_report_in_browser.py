@@ -8,24 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from fmu_regression.report.simulation_report import write_report
-from fmu_regression.results.result import read_csv, write_csv
+from fmu_regression.results.result import read_csv
 from headless_browser import Browser, Tab, find_browser, needs_pages
-from synthetic import hammer, write_scene
 
 pytestmark = needs_pages
 ZOOMED = "Array.from(document.querySelectorAll('.plot'), plot => plot.classList.contains('zoomed'))"
 DATA = "JSON.parse(document.getElementById('data').textContent)"
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("report")
-    content, result = hammer()
-    write_scene(content, folder / "scene.json")
-    write_csv(result, folder / "result.csv")
-    write_report(read_csv(folder / "result.csv"), folder / "scene.json", folder / "report.html")
-    return folder
 
 
 @pytest.fixture(scope="module")
