@@ -92,7 +92,7 @@ def test_spherical_circles_steadily(simulate, vector, name):
 @pytest.mark.parametrize(
     "name",
     [
-        "FreeMotionQuaternions",
+        pytest.param("FreeMotionQuaternions", marks=pytest.mark.full),
         pytest.param("FreeMotionAngles", marks=pytest.mark.full),
         "FreeMotionWithoutStates",
         "FreeBodyQuaternions",

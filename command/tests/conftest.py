@@ -39,6 +39,12 @@ def cmb(cache_home: Path) -> Cmb:
 
 
 @pytest.fixture
+def tests_cache(cache_home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keeps what the tests' own process builds in the tests' cache, not in the user's."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(cache_home))
+
+
+@pytest.fixture
 def cmb_here(cache_home: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Cmb:
     """The same in the tests' own process, which spares the program's start; what it does not catch fails the test."""
 

@@ -46,14 +46,17 @@ def weight(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Path:
     return folder / "w.fmu"
 
 
+@pytest.fixture(scope="module")
+def blow(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Path:
+    folder = tmp_path_factory.mktemp("blow")
+    return build_fmu("Blow", [written(folder, BLOWS_UP)], folder / "b.fmu", BuildOptions(cache=fmu_cache)).fmu
+
+
 @pytest.mark.parametrize("mode", ["me", "cs"])
 def test_a_solution_that_grows_without_bound(
-    tmp_path: Path, fmu_cache: Path, capfd: pytest.CaptureFixture[str], mode: str
+    tmp_path: Path, blow: Path, capfd: pytest.CaptureFixture[str], mode: str
 ) -> None:
-    fmu = tmp_path / "b.fmu"
-    build_fmu("Blow", [written(tmp_path, BLOWS_UP)], fmu, BuildOptions(cache=fmu_cache))
-    capfd.readouterr()
-    assert main(["simulate", str(fmu), "--output", str(tmp_path / "b.csv"), "--stop", "2", "--mode", mode]) == 1
+    assert main(["simulate", str(blow), "--output", str(tmp_path / "b.csv"), "--stop", "2", "--mode", mode]) == 1
     said = capfd.readouterr()
     told = said.out + said.err
     assert len(told.splitlines()) <= 2
@@ -62,14 +65,15 @@ def test_a_solution_that_grows_without_bound(
         assert word not in told
 
 
+@pytest.fixture(scope="module")
+def dead(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Path:
+    folder = tmp_path_factory.mktemp("dead")
+    return build_fmu("Dead", [written(folder, DEAD_CENTRE)], folder / "d.fmu", BuildOptions(cache=fmu_cache)).fmu
+
+
 @pytest.mark.parametrize("mode", ["me", "cs"])
-def test_a_dead_centre_is_told_as_one(
-    tmp_path: Path, fmu_cache: Path, capfd: pytest.CaptureFixture[str], mode: str
-) -> None:
-    fmu = tmp_path / "d.fmu"
-    build_fmu("Dead", [written(tmp_path, DEAD_CENTRE)], fmu, BuildOptions(cache=fmu_cache))
-    capfd.readouterr()
-    assert main(["simulate", str(fmu), "--output", str(tmp_path / "d.csv"), "--stop", "2", "--mode", mode]) == 1
+def test_a_dead_centre_is_told_as_one(tmp_path: Path, dead: Path, capfd: pytest.CaptureFixture[str], mode: str) -> None:
+    assert main(["simulate", str(dead), "--output", str(tmp_path / "d.csv"), "--stop", "2", "--mode", mode]) == 1
     told = capfd.readouterr().err
     assert "is singular at time" in told
     assert "the equation in Dead.mo, line 5, holds" in told

@@ -118,6 +118,7 @@ def test_wrong_options(words: list[str], said: str, folder: Path, cmb_here: Cmb)
     assert [path.name for path in folder.iterdir()] == ["Falling.mo"]
 
 
+@pytest.mark.full
 def test_without_a_place_for_the_cache_it_builds_all_the_same(
     folder: Path, cmb_here: Cmb, monkeypatch: pytest.MonkeyPatch
 ) -> None:

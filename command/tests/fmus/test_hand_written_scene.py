@@ -9,6 +9,8 @@ import pytest
 from cmb.main import main
 from fmu_regression.scene.fmu_scene import scene_of_fmu
 
+pytestmark = pytest.mark.usefixtures("tests_cache")
+
 README = Path(__file__).resolve().parents[3] / "README.md"
 TWO = """model Two
   inner Modelica.Mechanics.MultiBody.World world(n={0,0,-1});
@@ -31,7 +33,7 @@ def built(folder: Path, name: str, text: str, *words: str) -> Path:
     return fmu
 
 
-@pytest.mark.parametrize("fmi", ["2", "3"])
+@pytest.mark.parametrize("fmi", [pytest.param("2", marks=pytest.mark.full), "3"])
 def test_the_readmes_drop_is_reported_as_a_generated_model(tmp_path: Path, fmi: str) -> None:
     text = README.read_text().split("```modelica\n")[1].split("```")[0]
     fmu = built(tmp_path, "Drop", text, "--fmi", fmi)

@@ -11,6 +11,8 @@ from contact_foundation.errors import InputError
 from fmpy import read_model_description, simulate_fmu
 from modelica2fmu.scene.outputs import OutputGroup, output_groups
 
+pytestmark = pytest.mark.usefixtures("tests_cache")
+
 DROP = """model Drop
   inner Modelica.Mechanics.MultiBody.World world(n={0,0,-1});
   ContactMultiBody.Parts.Body ball(
@@ -35,7 +37,7 @@ def built(folder: Path, *words: str, text: str = DROP) -> Path:
     return fmu
 
 
-@pytest.mark.parametrize("fmi", ["2", "3"])
+@pytest.mark.parametrize("fmi", [pytest.param("2", marks=pytest.mark.full), "3"])
 def test_another_importer_records_the_scene(tmp_path: Path, fmi: str) -> None:
     fmu = built(tmp_path, "--outputs", "all", "--fmi", fmi)
     outputs = [

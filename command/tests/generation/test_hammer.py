@@ -114,6 +114,7 @@ def test_the_fmu_runs_elsewhere(hammer: Path, tmp_path: Path, result: Simulation
     assert run["shoulder.phi"][-1] == pytest.approx(np.interp(0.3, result.time, result["shoulder.phi"]), abs=1e-4)
 
 
+@pytest.mark.full
 def test_the_same_input_gives_the_same_bytes(hammer: Path, cmb: Cmb, tmp_path: Path) -> None:
     done = cmb("generate", HAMMER, "--output", tmp_path / "model")
     assert done.returncode == 0, done.stderr

@@ -9,7 +9,6 @@ from program import CaseCheck, cases_of
 
 QUICK = {
     "backspin_ball",
-    "ball_against_wall_100",
     "bouncing_ball",
     "box_on_edge",
     "falling_domino",

@@ -16,7 +16,7 @@ from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu
 from program import ROOT
 
-LOOPS = Path(__file__).parent / "fixtures" / "ClosingLoops.mo"
+SOURCE = Path(__file__).parent / "fixtures" / "ClosingLoops.mo"
 STUDIES = (ROOT / "Resources" / "studies" / "StudyScenes.mo", ROOT / "Resources" / "reference" / "ReferenceModels.mo")
 QUICK, FULL = 12, 400
 MODES: tuple[Mode, ...] = ("cs", "me")
@@ -33,10 +33,14 @@ class Loop:
 
 
 FOUR_BAR = Loop("StudyScenes.FourBarOnStop", STUDIES, ("j2.phi", "j4.phi"), ("j2.w", "j4.w"))
-SLIDER = Loop("ClosingLoops.SliderCrank", (LOOPS,), ("j2.phi", "j4.s"), ("j2.w", "j4.v"))
+SLIDER = Loop("ClosingLoops.SliderCrank", (SOURCE,), ("j2.phi", "j4.s"), ("j2.w", "j4.v"))
 SPATIAL = Loop(
-    "ClosingLoops.SpatialFourBar", (LOOPS,), ("j4.phi", "j2.phi_a", "j2.phi_b"), ("j4.w", "j2.w_a", "j2.w_b")
+    "ClosingLoops.SpatialFourBar", (SOURCE,), ("j4.phi", "j2.phi_a", "j2.phi_b"), ("j4.w", "j2.w_a", "j2.w_b")
 )
+LOOPS = [
+    pytest.param(loop, id=loop.model.split(".")[1], marks=pytest.mark.full if loop is SLIDER else ())
+    for loop in (FOUR_BAR, SLIDER, SPATIAL)
+]
 Build = Callable[[Loop], Path]
 
 
@@ -65,7 +69,7 @@ def largest_leap(loop: Loop, result: SimulationResult) -> float:
 
 
 @pytest.mark.parametrize("count", [QUICK, pytest.param(FULL, marks=pytest.mark.full)])
-@pytest.mark.parametrize("loop", [FOUR_BAR, SLIDER, SPATIAL], ids=lambda loop: loop.model.split(".")[1])
+@pytest.mark.parametrize("loop", LOOPS)
 def test_no_loop_changes_its_closure(loop: Loop, count: int, build: Build) -> None:
     fmu = build(loop)
     random = np.random.default_rng(1)
@@ -90,7 +94,7 @@ def test_no_loop_changes_its_closure(loop: Loop, count: int, build: Build) -> No
 
 
 @pytest.mark.parametrize("count", [QUICK // 2, pytest.param(FULL // 4, marks=pytest.mark.full)])
-@pytest.mark.parametrize("loop", [FOUR_BAR, SLIDER, SPATIAL], ids=lambda loop: loop.model.split(".")[1])
+@pytest.mark.parametrize("loop", LOOPS)
 def test_importers_that_complete_few_steps_keep_the_closure(loop: Loop, count: int, build: Build) -> None:
     """FMPy's model exchange tells of one completed step an output interval, and knows no discarded evaluation.
 

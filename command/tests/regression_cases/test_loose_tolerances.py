@@ -135,6 +135,7 @@ def test_a_rod_is_thrown_off_alike_at_every_tolerance(
         assert found == pytest.approx(expected, abs=min(5.0 * SPREAD * tolerance, 0.4))
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("mode", ["me", "cs"])
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4, 1e-5])
 @pytest.mark.parametrize("mu", [1.0, 1.1])

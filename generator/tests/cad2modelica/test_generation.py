@@ -100,6 +100,7 @@ def test_geometry_beside_another_path_gives_the_same_bytes(hammer: Path, tmp_pat
     assert files_of(tmp_path / "first") == files_of(tmp_path / "second")
 
 
+@pytest.mark.full
 def test_translates_with_the_core_library(hammer: Path, tmp_path: Path) -> None:
     """The mechatronic model, and with it the mechanical model it extends."""
     package = generate(hammer, tmp_path / "out")
@@ -174,7 +175,7 @@ def reframed(file: Path, turns: dict[str, Rotation], shifts: dict[str, np.ndarra
     tree.write(file)
 
 
-@pytest.mark.parametrize("swapped", [False, True])
+@pytest.mark.parametrize("swapped", [pytest.param(False, marks=pytest.mark.full), True])
 def test_motion_does_not_depend_on_the_description(hammer: Path, tmp_path: Path, swapped: bool) -> None:
     """Turned and shifted part coordinate systems and exchanged joint partners describe the same mechanism.
 
@@ -283,27 +284,29 @@ def test_own_classes_are_kept_and_listed(hammer: Path, tmp_path: Path) -> None:
     assert any("Drive.mo" in note and "'elbow'" in note for note in again.notes)
 
 
-def test_package_of_another_name_is_not_lost(hammer: Path, tmp_path: Path) -> None:
-    package = generate(hammer, tmp_path / "out")
+def test_package_of_another_name_is_not_lost(pendulum: Path, tmp_path: Path) -> None:
+    package = generate(pendulum, tmp_path / "out")
     before = files_of(package.root)
-    with pytest.raises(InputError, match="holds the package 'Hammer'"):
-        generate(hammer, tmp_path / "out", GenerateOptions(package="Press"))
+    with pytest.raises(InputError, match="holds the package 'Pendulum'"):
+        generate(pendulum, tmp_path / "out", GenerateOptions(package="Press"))
     assert files_of(package.root) == before
 
 
-def test_other_files_in_the_output_are_not_lost(hammer: Path, tmp_path: Path) -> None:
-    generate(hammer, tmp_path / "out")
-    generate(hammer, tmp_path / "out")
+def test_other_files_in_the_output_are_not_lost(pendulum: Path, tmp_path: Path) -> None:
+    generate(pendulum, tmp_path / "out")
+    generate(pendulum, tmp_path / "out")
     (tmp_path / "out" / "notes.txt").write_text("mine")
     with pytest.raises(InputError, match=r"notes\.txt"):
-        generate(hammer, tmp_path / "out")
+        generate(pendulum, tmp_path / "out")
     assert (tmp_path / "out" / "notes.txt").read_text() == "mine"
 
 
-@pytest.mark.parametrize("name", ["scene.json", "Hammer/Mechanics.mo", "Hammer/Mechatronics.mo", "Hammer/Resources"])
-def test_folders_in_place_of_files_are_not_lost(hammer: Path, tmp_path: Path, name: str) -> None:
+@pytest.mark.parametrize(
+    "name", ["scene.json", "Pendulum/Mechanics.mo", "Pendulum/Mechatronics.mo", "Pendulum/Resources"]
+)
+def test_folders_in_place_of_files_are_not_lost(pendulum: Path, tmp_path: Path, name: str) -> None:
     """And files in place of folders: nothing of the modeller's own goes, whatever its name."""
-    generate(hammer, tmp_path / "out")
+    generate(pendulum, tmp_path / "out")
     place = tmp_path / "out" / name
     is_file = place.is_file()
     if is_file:
@@ -314,17 +317,17 @@ def test_folders_in_place_of_files_are_not_lost(hammer: Path, tmp_path: Path, na
         shutil.rmtree(place)
         place.write_text("years of work")
     with pytest.raises(InputError) as caught:
-        generate(hammer, tmp_path / "out")
+        generate(pendulum, tmp_path / "out")
     assert str(place) in str(caught.value)
     assert (place / "mine" if is_file else place).read_text() == "years of work"
 
 
-def test_file_in_place_of_the_package_is_not_lost(hammer: Path, tmp_path: Path) -> None:
-    generate(hammer, tmp_path / "out")
-    shutil.rmtree(tmp_path / "out" / "Hammer")
-    (tmp_path / "out" / "Hammer").write_text("years of work")
+def test_file_in_place_of_the_package_is_not_lost(pendulum: Path, tmp_path: Path) -> None:
+    generate(pendulum, tmp_path / "out")
+    shutil.rmtree(tmp_path / "out" / "Pendulum")
+    (tmp_path / "out" / "Pendulum").write_text("years of work")
     with pytest.raises(InputError, match="is no folder"):
-        generate(hammer, tmp_path / "out")
+        generate(pendulum, tmp_path / "out")
 
 
 def test_damaged_records_count_as_none(pendulum: Path, tmp_path: Path) -> None:
@@ -385,6 +388,7 @@ def test_names_are_legal_unique_and_described(pendulum: Path, tmp_path: Path) ->
     load(tmp_path / "out", package.mechatronics)
 
 
+@pytest.mark.full
 def test_package_name_can_be_chosen(hammer: Path, tmp_path: Path) -> None:
     package = generate(hammer, tmp_path / "out", GenerateOptions(package="MyPress"))
     assert package.name == "MyPress"

@@ -228,14 +228,14 @@ def gone_slowly(start: list[float]) -> Array:
 def test_following_takes_no_other_solution(follow_system: Callable[..., tuple[int, Array]]) -> None:
     """Where Newton's iteration would come to another closure, or to the same after turns, a step is too long."""
     random, refused = np.random.default_rng(5), 0
-    near = CLOSURES[0] + random.uniform(-0.3, 0.3, (100, 2))
-    starts = [*near.tolist(), *random.uniform(-3.0, 3.0, (100, 2)).tolist()]
+    near = CLOSURES[0] + random.uniform(-0.2, 0.2, (50, 2))
+    starts = [*near.tolist(), *random.uniform(-3.0, 3.0, (25, 2)).tolist()]
     for start in starts:
         result, x = follow_system(4, start, FOLLOW)
         refused += result == DISCARD
         if result == OK:
             assert x == pytest.approx(gone_slowly(start), abs=1e-6)
-    assert 100 < refused < 183
+    assert 0.5 < refused / len(starts) < 0.9
     assert follow_system(4, [0.1, -2.5], FOLLOW)[0] == DISCARD
     assert follow_system(4, [0.1, -2.5], FOLLOW_OR_SOLVE)[0] == OK
 

@@ -87,6 +87,7 @@ def test_an_l_becomes_two_boxes_worth_of_pieces() -> None:
     assert f"{len(hulls)} convex pieces" in note
 
 
+@pytest.mark.full
 def test_faces_turned_inside_out_give_the_same_pieces() -> None:
     vertices, triangles = prism(L_OUTLINE, 1.0)
     plain, turned = shapes_of(vertices, triangles), shapes_of(vertices, triangles[:, ::-1])
@@ -218,6 +219,7 @@ def test_vhacd_keeps_the_error_and_the_number() -> None:
     assert [piece.tobytes() for piece in fresh.pieces] == [piece.tobytes() for piece in again.pieces]
 
 
+@pytest.mark.full
 def test_decomposers_have_entries_of_their_own() -> None:
     vertices, triangles = prism(L_OUTLINE, 1.0)
     first = decompose(vertices, triangles, 0.2, 4)
@@ -226,6 +228,7 @@ def test_decomposers_have_entries_of_their_own() -> None:
     assert [p.tobytes() for p in first.pieces] != [p.tobytes() for p in second.pieces]
 
 
+@pytest.mark.full
 def test_without_a_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     blocked = tmp_path / "file"
     blocked.write_text("")

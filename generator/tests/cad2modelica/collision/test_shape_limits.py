@@ -18,7 +18,7 @@ from contact_data import contact_engine
 from contact_foundation.errors import Place
 from scipy.spatial import ConvexHull
 
-FINE = 30_000
+FINE = 10_000
 
 
 def shapes_of(vertices: np.ndarray, triangles: Indices, choice: CollisionChoice) -> CollisionGeometry:
@@ -121,6 +121,7 @@ def test_thinned_hull_differs_by_no_more_than_it_says() -> None:
     assert error <= 1.5 * beyond
 
 
+@pytest.mark.full
 def test_fine_hulls_of_one_part_keep_within_the_length_of_a_descriptor() -> None:
     """Forty eggs of 4000 corners each share what is allowed; the thinner the hull, the greater the distance told."""
     egg_hull = ConvexHull(egg(4000) / 100)
@@ -146,9 +147,10 @@ def test_few_corners_stay_as_they_are() -> None:
     np.testing.assert_array_equal(left, hull.points[hull.vertices])
 
 
+@pytest.mark.full
 @pytest.mark.skipif(not contact_engine().is_file(), reason="the contact engine is not installed")
 def test_the_contact_engine_takes_both(tmp_path: Path) -> None:
-    """An egg of 30 000 corners, 0.1 m deep in one house of a row of 1100; both reach the engine through the package."""
+    """An egg of 10 000 corners, 0.1 m deep in one house of a row of 1100; both reach the engine through the package."""
     vertices, triangles = houses(np.full(MOST_SHAPES + 76, 2.0))
     fine = ConvexHull(egg(FINE))
     for name, corners, faces in (("town", vertices, triangles), ("egg", fine.points, fine.simplices)):

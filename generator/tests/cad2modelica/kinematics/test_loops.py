@@ -92,6 +92,7 @@ def test_eight_bodies_and_nine_joints_have_two_cut_joints(tmp_path: Path) -> Non
     assert text.count("Joints.RevolutePlanarLoopConstraint ") == 2
 
 
+@pytest.mark.full
 def test_two_loops_that_share_bodies_stay_closed(tmp_path: Path, fmu_cache: Path) -> None:
     motion = moved(FIXTURE, tmp_path, fmu_cache, ["crank", "coupler", "rocker", "link", "lever", "hand"], 0.5)
     points = {name: np.array(value) for name, value in make_two_loops.POINTS.items()}

@@ -57,6 +57,7 @@ def motions(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> tuple[
     return Motion(position, rotation, 0.0), ConstrainedBodies(assembly).simulate({}, list(TIMES))
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("name", NAMES)
 def test_moves_as_free_bodies_with_constraint_forces_do(motions: tuple[Motion, Motion], name: str) -> None:
     found, expected = motions

@@ -376,7 +376,7 @@ def test_unknown_nodes_are_reported(tmp_path: Path) -> None:
     assert not any("Viewpoint" in note for note in found.notes)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=50, deadline=None)
 @given(data=st.data())
 def test_damaged_text_never_fails_unexpectedly(data: st.DataObject, tmp_path_factory: pytest.TempPathFactory) -> None:
     """Any cut, insertion or replacement either reads or gives an InputError."""

@@ -120,7 +120,11 @@ def test_annotations_that_make_no_sense_give_no_icon_or_an_empty_one(tmp_path, t
 
 
 @pytest.mark.parametrize(
-    ("version", "place"), [(FmiVersion.FMI2, "model.png"), (FmiVersion.FMI3, "terminalsAndIcons/icon.png")]
+    ("version", "place"),
+    [
+        pytest.param(FmiVersion.FMI2, "model.png", marks=pytest.mark.full),
+        (FmiVersion.FMI3, "terminalsAndIcons/icon.png"),
+    ],
 )
 def test_fmus_show_the_model_s_icon_or_the_default(tmp_path, fmu_cache, version, place):
     body = "Real x(start = 1, fixed = true);\nequation\n der(x) = -x;"

@@ -32,7 +32,9 @@ def translated(folder: Path, text: str) -> Translation:
     return translate("Drop", [folder / "Drop.mo", LIBRARY], StandardLibrary(core_subset(), "", "core subset"))
 
 
-@pytest.mark.parametrize("left_out", [(0,), (1,), (0, 1)])
+@pytest.mark.parametrize(
+    "left_out", [pytest.param((0,), marks=pytest.mark.full), pytest.param((1,), marks=pytest.mark.full), (0, 1)]
+)
 def test_frames_that_are_connected_to_nothing_are_named(tmp_path, left_out):
     text = DROP
     for number in left_out:
