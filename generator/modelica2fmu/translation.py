@@ -91,6 +91,8 @@ def translate(
         reduced = eliminate_aliases(scalar, source_map)
         clock.begin("sort")
         systems = build_systems(reduced, source_map.place)
+        if flat.refusal is not None:
+            raise flat.refusal
         clock.begin("generate")
         generated = generate(reduced, systems, external.includes, source_map.place)
     finally:

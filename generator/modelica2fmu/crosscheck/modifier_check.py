@@ -6,7 +6,7 @@ that no type has without a word.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -19,6 +19,7 @@ from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import ComponentDeclaration, Extent, Modifier
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.near_names import near_names
+from modelica2fmu.crosscheck.own_classes import found_class, own_classes
 
 # Modelica 3.6, section 4.8.
 _OF_ALL: Final = ("quantity", "start", "fixed")
@@ -69,43 +70,19 @@ class _ModifierCheck:
 
     def run(self, root: ClassInstance) -> InputError | None:
         """Raises InputError at the first modifier of nothing, in the order in which components are declared."""
-        waiting, seen = [root], set()
         missing: list[InputError] = []
-        while waiting:
-            for each in self._own_classes(waiting.pop(0)):
-                if each.definition.extent in seen:
-                    continue
-                seen.add(each.definition.extent)
-                for base in each.definition.bases:
-                    found = self._class(each, base.type_name)
-                    if found is not None:
-                        self._arguments(base.arguments, found, ".".join(base.type_name), self.model)
-                for component in each.definition.components.values():
-                    found = self._class(each, component.type_name)
-                    if found is None:
-                        missing.append(self._missing(component))
-                    else:
-                        self._component(component, found)
-                        waiting.append(found)
+        for each in own_classes(root, self.own):
+            for base in each.definition.bases:
+                found = found_class(each, base.type_name)
+                if found is not None:
+                    self._arguments(base.arguments, found, ".".join(base.type_name), self.model)
+            for component in each.definition.components.values():
+                found = found_class(each, component.type_name)
+                if found is None:
+                    missing.append(self._missing(component))
+                else:
+                    self._component(component, found)
         return missing[0] if missing else None
-
-    def _own_classes(self, instance: ClassInstance) -> Iterator[ClassInstance]:
-        """The user's, of a class and what it extends; what is not found is left out."""
-        if instance.definition.extent.file.is_relative_to(self.own):
-            yield instance
-            try:
-                bases = instance.bases
-            except (UnknownError, UnreadableError, RecursionError):
-                return
-            for base in bases:
-                yield from self._own_classes(base)
-
-    @staticmethod
-    def _class(scope: ClassInstance, name: tuple[str, ...]) -> ClassInstance | None:
-        try:
-            return scope.lookup(name)
-        except (UnknownError, UnreadableError, RecursionError):
-            return None
 
     def _missing(self, component: ComponentDeclaration) -> InputError:
         place = self.place_of(component.extent)

@@ -1,4 +1,4 @@
-"""What a model lacks that has fewer equations than unknowns."""
+"""What is wrong with a model that has more or fewer equations than unknowns."""
 
 from __future__ import annotations
 
@@ -8,17 +8,37 @@ from dataclasses import replace
 from typing import Any, Final
 
 from modelica2fmu.frontend.runner import Request
+from modelica2fmu.library.class_text import without_comments_and_strings
 
 _COUNTED: Final = re.compile(r"\bContactManager\s+(?P<name>\w+)\s*\([^;]*?\bn\s*=\s*(?P<count>\d+)\b", re.S)
 _MOST_FRAMES: Final = 1000
 _PARTIAL: Final = "cmb partial model"
 _UNBALANCED: Final = re.compile(r"unbalanced model: (\d+) equations, (\d+) unknowns")
+_ROOTLESS: Final = re.compile(r"Connections\.branch\((\w+)[^()]*\) belongs to .* with no Connections\.root")
+_WORLD: Final = re.compile(r"(?:^|;)(?P<prefixes>[\w\s]*?)\b(?:[A-Za-z]\w*\.)*MultiBody\.World\s+(?P<name>\w+)")
 
 
 def lacks_equations(error: str) -> bool:
     """= true, if an error says that a model has fewer equations than unknowns."""
     found = _UNBALANCED.search(error)
     return found is not None and int(found[1]) < int(found[2])
+
+
+def is_unbalanced(error: str) -> bool:
+    """= true, if an error says that a model has more or fewer equations than unknowns."""
+    return _UNBALANCED.search(error) is not None
+
+
+def loose_component(error: str) -> str | None:
+    """The component that an error finds connected to nothing that has an orientation."""
+    found = _ROOTLESS.search(error)
+    return None if found is None else found[1]
+
+
+def world_without_inner(text: str) -> str | None:
+    """Name of a component of MultiBody's ``World`` that is declared without ``inner``, so that no part finds it."""
+    found = (each for each in _WORLD.finditer(without_comments_and_strings(text)))
+    return next((each["name"] for each in found if not {"inner", "outer"} & set(each["prefixes"].split())), None)
 
 
 def unbalanced_form(request: Request) -> Request | None:

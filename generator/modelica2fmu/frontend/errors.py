@@ -100,7 +100,7 @@ def _own_mistake(message: str, model: str, file: Path) -> InputError | None:
 def unconnected_error(frames: Sequence[str], model: str, file: Path) -> InputError:
     """Frames are connected to nothing, so nothing says where they are."""
     component = re.split(r"[.\[]", frames[0], maxsplit=1)[0]
-    line = _line_of(re.compile(rf"(?<![\w.]){re.escape(component)}(?!\w)"), file)
+    line = _line_of_name(component, file)
     several = len(frames) > 1
     return InputError(
         f"{', '.join(frames)} {'are' if several else 'is'} connected to nothing: no equation says where "
@@ -110,9 +110,27 @@ def unconnected_error(frames: Sequence[str], model: str, file: Path) -> InputErr
     )
 
 
+def loose_error(component: str, model: str, file: Path) -> InputError:
+    """A component has no connection to anything that has a place."""
+    return InputError(
+        f"{component} is connected to nothing that has a place: no equation says where it is",
+        place=Place(file=file, line=_line_of_name(component, file), component=model),
+        remedy="connect one of its frames to the world or to a body",
+    )
+
+
+def not_inner_error(world: str, model: str, file: Path) -> InputError:
+    """The world is not declared as inner, and parts look for one that is."""
+    return InputError(
+        f"{world} is declared without inner: parts do not find it",
+        place=Place(file=file, line=_line_of_name(world, file), component=model),
+        remedy=f"write: inner Modelica.Mechanics.MultiBody.World {world}",
+    )
+
+
 def misplaced_error(row: MisplacedRow, model: str, file: Path) -> InputError:
     """A manager of contacts takes a body's geometry or material for another one."""
-    line = _line_of(re.compile(rf"(?<![\w.]){re.escape(row.taken)}(?!\w)"), file)
+    line = _line_of_name(row.taken, file)
     return InputError(
         row.message,
         place=Place(file=file, line=line, component=model),
@@ -130,7 +148,12 @@ def _layout_error(package: Path, problems: list[str]) -> InputError:
 def _line_of_quoted_name(message: str, file: Path) -> int | None:
     """Line of the first mention of a name that the message quotes, where it gives no place itself."""
     quoted = re.search(r"['`]([A-Za-z_][\w.]*)['`]", message)
-    return None if quoted is None else _line_of(re.compile(rf"(?<![\w.]){re.escape(quoted[1])}(?!\w)"), file)
+    return None if quoted is None else _line_of_name(quoted[1], file)
+
+
+def _line_of_name(name: str, file: Path) -> int | None:
+    """Line of the first mention of a component."""
+    return _line_of(re.compile(rf"(?<![\w.]){re.escape(name)}(?!\w)"), file)
 
 
 def _line_of(pattern: re.Pattern[str], file: Path) -> int | None:

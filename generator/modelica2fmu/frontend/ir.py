@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import Enum
 
+from contact_foundation.errors import InputError
+
 from modelica2fmu.library.source_map import Span
 
 # --- expressions ---------------------------------------------------------------------------------------------
@@ -452,3 +454,4 @@ class FlatModel:
     enumeration_literals: dict[str, int]
     record_types: dict[str, RecordType] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()  # assumptions the user should know of
+    refusal: InputError | None = None  # of a model that is not balanced, where nothing that comes after says why

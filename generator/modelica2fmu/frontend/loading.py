@@ -15,13 +15,29 @@ from contact_foundation.errors import InputError, Place
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.collider_order import misplaced_row
+from modelica2fmu.crosscheck.connect_check import check_connects
 from modelica2fmu.crosscheck.flat_check import added_components, check_flat_model
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.frontend import ir
-from modelica2fmu.frontend.balance import frames_without_connect, lacks_equations, unbalanced_form, unplaced_frames
+from modelica2fmu.frontend.balance import (
+    frames_without_connect,
+    is_unbalanced,
+    lacks_equations,
+    loose_component,
+    unbalanced_form,
+    unplaced_frames,
+    world_without_inner,
+)
 from modelica2fmu.frontend.concatenation import have_values, with_arrays_written_out
-from modelica2fmu.frontend.errors import FrontEndError, front_end_error, misplaced_error, unconnected_error
+from modelica2fmu.frontend.errors import (
+    FrontEndError,
+    front_end_error,
+    loose_error,
+    misplaced_error,
+    not_inner_error,
+    unconnected_error,
+)
 from modelica2fmu.frontend.flat_reader import read_flat_model
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
 from modelica2fmu.frontend.package_view import package_view
@@ -73,10 +89,11 @@ def load_flat_model(
         request = _request(model, file, given)
         text = source_map.text(file)
         library = ClassLibrary(given.file, text, given.roots)
-        missing = _check_modifiers(model, given.file, source_map, library)
+        missing = _check_own_text(model, given.file, source_map, library)
         loaded = _Loaded(ask(request, remark), given.file, given.roots)
+        unbalanced = None
         if loaded.answer.flat is None:
-            _check_connections(loaded.answer.error, request, file, remark)
+            unbalanced = _unbalanced(loaded.answer.error, request, file, remark)
             if request.text is None:
                 folder = Path(folders.enter_context(tempfile.TemporaryDirectory(prefix="cmb-package-")))
                 loaded = _with_package_written_out(loaded, request, folder, source_map, remark)
@@ -90,7 +107,10 @@ def load_flat_model(
                 error=given.restored(answer.error),
                 diagnostics=tuple(given.restored(each) for each in answer.diagnostics),
             )
-            raise missing or front_end_error(words, model, file, library) from FrontEndError(words.error)
+            refusal = missing or front_end_error(words, model, file, library)
+            if unbalanced is not None:
+                return replace(read_flat_model(unbalanced, model, source_map), refusal=refusal)
+            raise refusal from FrontEndError(words.error)
         if loaded.file != given.file or source_map.text(file) != text:  # arrays were written out
             library = ClassLibrary(loaded.file, source_map.text(file), loaded.roots)
         _check(answer.flat, model, source_map, library)
@@ -104,14 +124,26 @@ def load_flat_model(
         return replace(read_flat_model(answer.flat, model, source_map), warnings=warnings)
 
 
-def _check_connections(error: str, request: Request, file: Path, remark: Callable[[str], None]) -> None:
-    """Raises InputError if frames that are connected to nothing are why the model lacks equations."""
-    unbalanced = unbalanced_form(request) if lacks_equations(error) else None
-    flat = None if unbalanced is None else ask(unbalanced, remark).flat
-    frames = [] if unbalanced is None else frames_without_connect(unbalanced.text or "")
-    frames = frames if flat is None else unplaced_frames(flat)
-    if frames:
+def _unbalanced(error: str, request: Request, file: Path, remark: Callable[[str], None]) -> dict[str, Any] | None:
+    """The flattened form of a model that has more or fewer equations than unknowns; None if there is none.
+
+    Raises:
+        InputError: connections, or their lack, or a world that is not ``inner`` are why.
+    """
+    loose = loose_component(error)
+    if loose is not None:
+        raise loose_error(loose, request.model, file)
+    form = unbalanced_form(request) if is_unbalanced(error) else None
+    if form is None:
+        return None
+    flat = ask(form, remark).flat
+    world = world_without_inner(request.text or "")
+    if world is not None:
+        raise not_inner_error(world, request.model, file)
+    frames = frames_without_connect(request.text or "") if flat is None else unplaced_frames(flat)
+    if frames and lacks_equations(error):
         raise unconnected_error(frames, request.model, file)
+    return flat
 
 
 def _with_arrays_written_out(
@@ -128,10 +160,16 @@ def _with_arrays_written_out(
     return other
 
 
-def _check_modifiers(model: str, file: Path, source_map: SourceMap, library: ClassLibrary) -> InputError | None:
-    """The error of a class that is not found; raises InputError if the user modifies what is not there."""
+def _check_own_text(model: str, file: Path, source_map: SourceMap, library: ClassLibrary) -> InputError | None:
+    """The error of a class that is not found.
+
+    Raises:
+        InputError: the user modifies what is not there, or connects connectors of different kinds.
+    """
     own = file.parent if file.name == "package.mo" else file
-    return check_modifiers(model, library, own, _places(source_map))
+    missing = check_modifiers(model, library, own, _places(source_map))
+    check_connects(model, library, own, _places(source_map))
+    return missing
 
 
 def _places(source_map: SourceMap) -> Callable[[Extent], Place]:

@@ -77,3 +77,73 @@ def test_a_mistake_is_told_by_its_own_line_alone(tmp_path, right, wrong, line, s
     assert ".mo:" not in caught.value.message
     assert caught.value.place is not None
     assert (caught.value.place.file, caught.value.place.line) == (tmp_path / "Drop.mo", line)
+
+
+JOINT = "Modelica.Mechanics.MultiBody.Joints.Revolute hinge;"
+TORQUE = "Modelica.Mechanics.Rotational.Sources.Torque torque;"
+
+
+@pytest.mark.parametrize(
+    ("declared", "equations", "said"),
+    [
+        (
+            "Modelica.Mechanics.MultiBody.Parts.FixedTranslation bar(r={1,0,0});",
+            "",
+            "Drop.mo:8: Drop: bar is connected",
+        ),
+        (JOINT, "", "Drop.mo:8: Drop: hinge is connected to nothing"),
+        (JOINT, "connect(hinge.frame_b, ball.frame_a);", "no equation determines: hinge.angle"),
+        (TORQUE, "", "no equation determines: torque.flange.phi"),
+        ("Modelica.Blocks.Math.Gain g(k=2);", "", "no equation determines: g.u"),
+        ("Real x;", "", "no equation determines: x"),
+        ("Real x[3];", "x[1] = 1; x[2] = 2;", "no equation determines: x[3]"),
+        ("Real x;", "x = 1; x = time;", "Drop.mo:12: the model is structurally singular"),
+        ("", "ball.m = 2;", "equations that determine nothing: 0 = (ball.m - 2.0)"),
+    ],
+)
+def test_what_lacks_or_is_too_much_is_named(tmp_path, declared, equations, said):
+    """Not only the numbers of equations and unknowns."""
+    text = DROP.replace("equation\n", f"  {declared}\nequation\n").replace("end Drop;", f"  {equations}\nend Drop;")
+    with pytest.raises(InputError) as caught:
+        translated(tmp_path, text)
+    assert said in str(caught.value)
+
+
+def test_a_world_without_inner_is_told(tmp_path):
+    with pytest.raises(InputError) as caught:
+        translated(tmp_path, DROP.replace("  inner ", "  "))
+    assert "Drop.mo:2: Drop: world is declared without inner" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("declared", "ends", "said"),
+    [
+        (
+            "Modelica.Mechanics.Rotational.Components.Inertia j(J=1);",
+            "j.flange_a, ball.frame_a",
+            "j.flange_a has phi, tau",
+        ),
+        ("Modelica.Mechanics.Translational.Components.Mass s(m=1);", "ball.frame_a, s.flange_b", "s.flange_b has f, s"),
+        ("Modelica.Blocks.Sources.Constant c(k=1);", "c.y, ball.frame_a", "c.y has a Real"),
+        (
+            "Modelica.Blocks.Sources.Constant c(k=1); connector Flag = input Boolean; Flag n;",
+            "c . y, n",
+            "n has a Boolean",
+        ),
+    ],
+)
+def test_connectors_of_different_kinds_are_refused(tmp_path, declared, ends, said):
+    """The front end drops such a connection without a word."""
+    text = DROP.replace("equation\n", f"  {declared}\nequation\n  // connect(no, matter)\n  connect({ends});\n")
+    with pytest.raises(InputError) as caught:
+        translated(tmp_path, text)
+    assert said in caught.value.message
+    assert caught.value.place is not None
+    assert caught.value.place.line == 11
+
+
+def test_buses_are_left_to_the_front_end(tmp_path):
+    buses = "expandable connector A Real a; end A; expandable connector B Real b; end B; A a; B b;"
+    text = DROP.replace("equation\n", f"  {buses}\nequation\n  connect(a, b);\n")
+    with pytest.raises(InputError, match="expandable connector"):
+        translated(tmp_path, text)

@@ -1,0 +1,94 @@
+"""Whether connected connectors have the same elements (Modelica 3.6, section 9.3), which the front end does not ask."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from contact_foundation.errors import InputError, Place
+
+from modelica2fmu.crosscheck.class_instances import ClassInstance, Names, UnknownError
+from modelica2fmu.crosscheck.class_library import ClassLibrary
+from modelica2fmu.crosscheck.class_syntax import Extent
+from modelica2fmu.crosscheck.class_tokens import UnreadableError
+from modelica2fmu.crosscheck.own_classes import own_classes
+from modelica2fmu.library.class_text import without_comments_and_strings
+
+_END: Final = r"([A-Za-z_]\w*(?:\[[^\[\]]*\])?(?:\s*\.\s*[A-Za-z_]\w*(?:\[[^\[\]]*\])?)*)"
+_CONNECT: Final = re.compile(rf"\bconnect\s*\(\s*{_END}\s*,\s*{_END}\s*\)")
+_SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]|\s")
+_EXPANDABLE: Final = re.compile(r"\bexpandable\s+connector\b")
+
+
+@dataclass(frozen=True)
+class _Connect:
+    """A connect equation with the names of its ends, and the class in which it stands."""
+
+    ends: tuple[str, str]
+    scope: ClassInstance
+    extent: Extent
+
+
+def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Callable[[Extent], Place]) -> None:
+    """Holds the connectors that the user connects against each other, as far as their classes are found.
+
+    Args:
+        model: full name.
+        library: the sources.
+        own: file or folder of the user's own classes; others are taken as right.
+        place_of: the place of a range of a file.
+
+    Raises:
+        InputError: two connectors have different elements.
+    """
+    try:
+        root = Names(library).find(tuple(model.split(".")))
+    except (UnknownError, UnreadableError, RecursionError):
+        return
+    for scope in own_classes(root, own):
+        for connect in _connects(scope, library):
+            try:
+                first, second = (_described(_class_of(scope, end), library) for end in connect.ends)
+            except (UnknownError, UnreadableError, RecursionError):
+                continue
+            if first is None or second is None or first == second:
+                continue
+            raise InputError(
+                f"{connect.ends[0]} has {', '.join(first)}, but {connect.ends[1]} has {', '.join(second)}: "
+                "only connectors with the same elements can be connected",
+                place=Place(file=(place := place_of(connect.extent)).file, line=place.line, component=model),
+                remedy="connect each to a connector of its own kind",
+            )
+
+
+def _connects(scope: ClassInstance, library: ClassLibrary) -> Iterator[_Connect]:
+    for section in scope.definition.behaviour:
+        # One character a byte, so that places in the text are places in the file.
+        text = without_comments_and_strings(library.text(section).encode().decode("latin-1"))
+        for match in _CONNECT.finditer(text):
+            extent = Extent(section.file, section.start + match.start(), section.start + match.end())
+            yield _Connect((match[1], match[2]), scope, extent)
+
+
+def _class_of(scope: ClassInstance, end: str) -> ClassInstance:
+    """The class of a component of components; raises UnknownError."""
+    found = scope
+    for name in _SUBSCRIPTS.sub("", end).split("."):
+        component = found.component(name)
+        if component is None:
+            raise UnknownError(name)
+        found = component.type
+    return found
+
+
+def _described(connector: ClassInstance, library: ClassLibrary) -> list[str] | None:
+    """What a connector consists of, sorted: names, or its type if it is a single value; None if that can vary."""
+    predefined = connector.predefined
+    if predefined is not None:
+        return ["an enumeration" if predefined.definition.is_enumeration else f"a {predefined.definition.name}"]
+    if any(_EXPANDABLE.search(library.text(each.definition.extent)) for each in connector.chain()):
+        return None
+    return sorted(set(connector.component_names())) or None
