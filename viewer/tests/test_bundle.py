@@ -45,6 +45,14 @@ def test_scripts_carry_their_licences_and_ask_for_nothing_elsewhere() -> None:
     assert "Leon Sorokin" in bundled("plots.js")
 
 
+@needs_bundle
+def test_the_wheel_carries_the_scripts(tmp_path: Path) -> None:
+    words = [sys.executable, "setup.py", "-q", "build_py", "--build-lib", str(tmp_path)]
+    subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=True)
+    for name in NAMES:
+        assert (tmp_path / "scene_viewer" / "bundle" / name).read_text(encoding="utf-8") == bundled(name)
+
+
 @pytest.mark.skipif(shutil.which("npm") is None, reason="npm is not installed")
 def test_a_registry_that_cannot_be_reached_is_told_in_one_line(tmp_path: Path) -> None:
     leave = shutil.ignore_patterns("node_modules", "bundle", "tests")

@@ -10,6 +10,7 @@ import threading
 
 import numpy as np
 import pytest
+from cmb.main import main
 from contact_foundation.errors import InputError
 from depth_study.page.scene import scene_data, view_of
 from depth_study.page.server import StudyServer
@@ -246,3 +247,10 @@ def test_the_machine_stands_at_the_convergence_distance():
     assert scene["swing"]["depth"] == -3.0
     corners = np.frombuffer(base64.b64decode(scene["viewer"]["bodies"][0]["meshes"][0]["vertices"]), "<f4")
     assert corners.reshape(-1, 3).mean(axis=0)[[0, 2]] == pytest.approx(0)  # in the axis of the swing
+
+
+def test_without_the_viewers_scripts_it_is_refused_and_no_study_is_made(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("scene_viewer.bundle._file", lambda name: tmp_path / "gone" / name)
+    assert main(["depth-study", "run", str(tmp_path / "study.db"), "--no-browser", "--port", "0"]) == 2
+    assert "scripts/setup" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())

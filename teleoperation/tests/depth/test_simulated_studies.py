@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import fields
+from pathlib import Path
 
 import numpy as np
 import pytest
+from cmb.main import main
 from contact_foundation.errors import InputError
 from depth_study.design.sequences import make_sequences
 from depth_study.evaluation.published import load_published
@@ -17,6 +20,7 @@ from depth_study.simulation.simulated_study import write_simulated_study
 from small_designs import DESIGN_FILE, PUBLISHED_FILE, thesis
 
 DESIGN = thesis()
+DOCUMENT = Path(__file__).resolve().parents[3] / "docs" / "teleoperation.md"
 LEVELS = load_published(PUBLISHED_FILE, DESIGN).levels
 
 
@@ -136,3 +140,20 @@ def test_equal_seeds_give_equal_studies(tmp_path, sequences):
     np.testing.assert_array_equal(tables[0].relative, tables[1].relative)
     assert not np.array_equal(tables[0].absolute, tables[2].absolute)
     assert not np.isnan(tables[0].absolute).any()
+
+
+def test_the_documented_table_is_what_simulate_and_evaluate_print(tmp_path, sequences, capsys):
+    """docs/teleoperation.md: a study of seed 1 beside the published levels."""
+    study = tmp_path / "simulated.db"
+    write_simulated_study(study, DESIGN_FILE, sequences, LEVELS, Population(), 1)
+    assert main(["depth-study", "evaluate", str(study)]) == 0
+    printed = dict(line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines() if "/" in line.split(" ")[0])
+    documented = re.findall(r"^\| (\w+/\w+/\w+) \| (.+) \|$", DOCUMENT.read_text(), re.MULTILINE)
+    assert len(documented) == len(DESIGN.names)
+    for name, cells in documented:
+        level, near, all_of_them, mixed, published, off = cells.replace(" `*`", "").split(" | ")
+        _, *rest = printed[name].rstrip("*").split()
+        told = [rest[k] for k in (0, 1, 2, 8, 9)]
+        assert [level, near, all_of_them, published, off] == told, name
+        # Another version of statsmodels may stop its iteration a little elsewhere.
+        assert float(mixed.split()[0]) == pytest.approx(float(rest[6]), abs=0.02)
