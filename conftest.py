@@ -15,29 +15,31 @@ from contact_foundation.cache import user_cache
 # What takes longest, by processor time, comes first, so that no process is left alone with it at last (scripts/test).
 LONGEST_FIRST = (
     # of the full tier
+    "command/tests/regression_cases/test_loose_tolerances.py",
+    "command/tests/regression_cases/test_reference_cases.py",
+    "command/tests/regression_cases/test_loop_closures.py",
     "generator/tests/cad2modelica/kinematics/test_every_loop.py",
     "command/tests/generation/test_anton.py",
-    "command/tests/regression_cases/test_reference_cases.py",
-    "command/tests/regression_cases/test_loose_tolerances.py",
     # of both
     "command/tests/regression_cases/test_known_answers.py",
-    "command/tests/regression_cases/test_library_cases.py",
     "generator/tests/cad2modelica/test_generation.py",
-    "command/tests/generation/test_hammer.py",
     "library-tests/text/test_flatten.py",
+    "command/tests/generation/test_hammer.py",
     "Resources/tests/test_core_motion.py",
-    "generator/tests/cad2modelica/kinematics/test_loops.py",
+    "library-tests/simulation/test_laws.py",
+    "generator/tests/modelica2fmu/expand/test_geometry_files.py",
     "generator/tests/fmi_runtime/test_built_fmus.py",
-    "generator/tests/cad2modelica/collision/test_decomposition.py",
     "generator/tests/cad2modelica/kinematics/test_joints_and_loops.py",
+    "generator/tests/modelica2fmu/codegen/test_jacobian.py",
+    "command/tests/regression_cases/test_library_cases.py",
+    "generator/tests/modelica2fmu/crosscheck/test_redeclarations.py",
+    "generator/tests/cad2modelica/kinematics/test_loops.py",
+    "generator/tests/cad2modelica/collision/test_decomposition.py",
+    "command/tests/fmus/test_fmi_versions.py",
+    "generator/tests/fmi_runtime/test_sanitizers.py",
+    "generator/tests/cad2modelica/kinematics/test_overconstrained_loops.py",
     "Resources/tests/test_core_drives.py",
     "regression/tests/accuracy_study/test_study_runs.py",
-    "command/tests/fmus/test_fmu_command.py",
-    "generator/tests/fmi_runtime/test_packaging.py",
-    "generator/tests/cad2modelica/kinematics/test_overconstrained_loops.py",
-    "library-tests/simulation/test_compiled_response.py",
-    "library-tests/simulation/test_laws.py",
-    "command/tests/studies/test_effects.py",
 )
 
 
