@@ -74,6 +74,8 @@ has to call functions with <code>external \"C\"</code> and arrays of Strings, gi
 <li>rumoca 0.10.2 leaves some redeclarations of components out without a word: modifiers in <code>constrainedby</code> clauses, modifiers of a replaceable declaration where an element
 redeclares it, and <code>extends Base(redeclare ...)</code> where the component comes from a class that Base extends. The FMU builder finds these and more, and refuses the model with the place and what to write instead:
 modifiers with the redeclaration or in a class of its own, redeclarations one <code>extends</code> away from the declaration.</li>
+<li>A modifier that gives some fields of a record takes the value from it that a modifier further in gave, <code>floor(material(restitution=0.4))</code> in a model that extends one with
+<code>floor(material=Materials.Steel())</code>. The FMU builder refuses that: give the whole record, <code>material=Materials.Steel(restitution=0.4)</code>. Fields of a manager's materials beside <code>collider={...}</code> are taken.</li>
 <li>Lists of colliders, geometries, materials or inertias in another order than the connected frames are refused. Other tools see that only where a Ground or a Fixed is involved, see
 <a href=\"modelica://ContactMultiBody.Parts.Collider\">Collider</a>.</li>
 <li>Long vertex lists of <a href=\"modelica://ContactMultiBody.Shapes.hull\">hull</a> are better given as one literal descriptor string.</li>

@@ -74,6 +74,7 @@ class Component:
         type: its class with all modifiers that hold.
         declarations: where it is declared: originally and where it is redeclared.
         binding: the value that holds.
+        overridden: values that it wins over.
         is_certain: = false, if the specification leaves open which modifiers remain after a redeclaration.
         redeclaration: the modifier that redeclares it.
         is_outer: = true, if another component stands for it.
@@ -83,6 +84,7 @@ class Component:
     type: ClassInstance
     declarations: tuple[Extent, ...]
     binding: Value | None
+    overridden: tuple[Value, ...]
     is_certain: bool
     redeclaration: Modifier | None
     is_outer: bool
@@ -365,9 +367,10 @@ class ClassInstance:
             raise UnknownError(declared.name)
         constraint = self._constraint(declared, rest) if redeclaration or declared.constraint else ()
         above = (*_layers(outer), Layer(element.arguments, layer.scope, Role.DECLARATION), *constraint)
-        binding = _value(outer)
-        if binding is None and element.value is not None:
-            binding = Value(element.value, layer.scope, Role.DECLARATION, redeclaration)
+        values = _values(outer)
+        if element.value is not None:
+            values.append(Value(element.value, layer.scope, Role.DECLARATION, redeclaration))
+        binding = values[0] if values else None
         # Whether a value of the original declaration and modifiers in between remain is read in different ways.
         is_certain = not any(modifier.redeclared is None for modifier, _ in rest)
         if redeclaration is not None and binding is None and declared.value is not None:
@@ -376,6 +379,7 @@ class ClassInstance:
             layer.scope.lookup(element.type_name).modified(above),
             tuple(dict.fromkeys((declared.extent, element.extent))),
             binding,
+            tuple(values[1:]),
             is_certain,
             redeclaration,
             declared.is_outer,
@@ -389,10 +393,6 @@ def _first_redeclaration(modifiers: _Modifiers) -> int | None:
 
 def _layers(modifiers: _Modifiers) -> tuple[Layer, ...]:
     return tuple(Layer(item.arguments, layer.scope, layer.role) for item, layer in modifiers if item.arguments)
-
-
-def _value(modifiers: _Modifiers) -> Value | None:
-    return next(iter(_values(modifiers)), None)
 
 
 def _values(modifiers: _Modifiers) -> list[Value]:

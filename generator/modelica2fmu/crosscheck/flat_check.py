@@ -17,7 +17,7 @@ from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, Names, Role, UnknownError, Value
 from modelica2fmu.crosscheck.class_library import ClassLibrary
-from modelica2fmu.crosscheck.class_syntax import Modifier
+from modelica2fmu.crosscheck.class_syntax import Extent, Modifier
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.flat_expression_check import ExpressionCheck, Site
 from modelica2fmu.crosscheck.flat_reading import FlatReading, WrittenPlaces, spans
@@ -25,6 +25,7 @@ from modelica2fmu.crosscheck.flat_reading import FlatReading, WrittenPlaces, spa
 _PART: Final = re.compile(r"'(?:\\.|[^'\\])*'|[^.\[\]]+(?:\[[^\]]*\])?")
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
 _REFERENCE: Final = re.compile(r"\.?(?!(?:true|false)\b)[A-Za-z_][\w.\s\[\],:]*")
+_CALL: Final = re.compile(r"\.?([A-Za-z_][\w.]*) ?\(")
 _EQUATIONS: Final = ("equations", "initial_equations")
 _ALGORITHMS: Final = ("algorithms", "initial_algorithms")
 _ALGORITHM_OF: Final = "algorithm from "
@@ -214,6 +215,7 @@ class _FlatCheck:
             return
         value = record.component.binding
         instance = record.instance
+        self._record(path, length, record.component, variable)
         for name in path[length:]:
             arguments = self._reading.library.arguments(value.extent)
             order = instance.fields()
@@ -229,16 +231,59 @@ class _FlatCheck:
         if not any(self._reading.begins_in(span, value.extent) for span in places) and not _REFERENCE.fullmatch(
             self._reading.text(value.extent)
         ):
-            raise self._reading.ignored_value(variable["name"], value, variable["binding"])
+            is_nested = len(path) > length + 1
+            wrong = self._reading.ignored_value if is_nested else self._reading.forgotten_record
+            raise wrong(variable["name"], value, variable["binding"])
 
-    def _is_copy(self, path: _Path, value: Value, places: list[Mapping[str, int]]) -> bool:
+    def _record(self, path: _Path, length: int, record: Component, variable: Mapping[str, Any]) -> None:
+        """A field of a record that has a value is not what it would be without that value.
+
+        The front end forgets a record's value where an outer modifier changes some of its fields.
+        """
+        value, around, component = record.binding, self._node(path[:-1]), self._node(path)
+        places = list(spans(variable["binding"]))
+        if value is None or around is None or component is None or component.component is None or not places:
+            return
+        if self._is_copy(path[:length], value, places, path[length:]):
+            return
+        left = [each.extent for each in record.overridden]
+        own = component.component.binding
+        classes = [each.definition.extent for each in around.instance.chain()]
+        is_default = own is not None and any(_lies_in(own.extent, each) for each in classes)
+        if own is not None and is_default and not self._may_be_default(value, path[length:], own.extent):
+            left.append(own.extent)
+        is_right = any(self._reading.begins_in(span, value.extent) for span in places)
+        if not is_right and any(self._reading.begins_in(span, extent) for span in places for extent in left):
+            raise self._reading.forgotten_record(variable["name"], value, variable["binding"])
+
+    def _may_be_default(self, value: Value, names: _Path, default: Extent) -> bool:
+        """= true, if a value may give a field the default of the declared class: a constructor without the argument."""
+        text = self._reading.text(value.extent)
+        called = _CALL.match(text)
+        if called is None:
+            return "(" in text
+        try:
+            instance = value.scope.lookup(tuple(called[1].split(".")))
+        except UnknownError:
+            return True
+        if instance.definition.kind == "function":
+            return True
+        found: Component | None = None
+        for name in names:
+            found = instance.component(name)
+            if found is None:
+                return True
+            instance = found.type
+        return found is None or found.binding is None or found.binding.extent == default
+
+    def _is_copy(self, path: _Path, value: Value, places: list[Mapping[str, int]], field: _Path = ()) -> bool:
         """= true, if the value is a name, and the front end put in its place what that name is bound to."""
         text = self._reading.text(value.extent)
         if not _REFERENCE.fullmatch(text):
             return False
         found = {(span["source"], span["start"]) for span in places}
         for length in range(len(path)):
-            for other in self._variables.get((*path[:length], *_names(text)), ()):
+            for other in self._variables.get((*path[:length], *_names(text), *field), ()):
                 if found & {(span["source"], span["start"]) for span in spans(other["binding"])}:
                     return True
         return False
@@ -361,6 +406,10 @@ def _has_lost_its_right_side(equation: Mapping[str, Any]) -> bool:
     right = residual["rhs"]["Literal"]
     left = residual["lhs"].get("BuiltinCall")
     return left is not None and left["function"] == "Der" and bool(right.get("span") == equation["span"])
+
+
+def _lies_in(inner: Extent, outer: Extent) -> bool:
+    return inner.file == outer.file and outer.start <= inner.start and inner.end <= outer.end
 
 
 def _names(path: str) -> _Path:

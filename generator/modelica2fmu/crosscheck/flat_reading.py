@@ -35,6 +35,10 @@ _REMEDIES: Final = {
     Role.CLASS: "give it in a class of its own, as in `model Stiff = Spring(k = 2)`, and redeclare as that",
 }
 _DOTTED: Final = "write it with parentheses: a(k = 2) in place of a.k = 2"
+_RECORD: Final = (
+    "another modifier gives fields of this record, and its other fields are lost: give the whole record there, as in"
+    " material = Steel(restitution = 0.3)"
+)
 _REDECLARE: Final = (
     "redeclare it in a class that extends the one with the declaration directly, and use that class; or in the modifier"
     " of a component whose class has the declaration"
@@ -115,13 +119,14 @@ class FlatReading:
         extent = next((found for span in spans(tree) if (found := self.extent(span)) is not None), None)
         return "no value" if extent is None else self.shown(extent)
 
-    def ignored_value(self, name: str, value: Value, tree: Any) -> UnsupportedModelError:
+    def ignored_value(self, name: str, value: Value, tree: Any, remedy: str | None = None) -> UnsupportedModelError:
         """A value of a variable or of an attribute was left out.
 
         Args:
             name: of the variable or attribute.
             value: that holds.
             tree: the expression that the front end has instead.
+            remedy: what to do, if not what the place of the value suggests.
         """
         dotted = value.modifier is not None and value.modifier.is_dotted
         extent = value.extent if value.modifier is None else value.modifier.extent
@@ -130,8 +135,12 @@ class FlatReading:
             f"the front end does not carry {self.shown(extent)}{where} through to {name}, which would be "
             f"{self.taken(tree)}",
             place=self.place_of(extent),
-            remedy=_DOTTED if dotted else _REMEDIES.get(value.role, _OWN_CLASS),
+            remedy=remedy or (_DOTTED if dotted else _REMEDIES.get(value.role, _OWN_CLASS)),
         )
+
+    def forgotten_record(self, name: str, value: Value, tree: Any) -> UnsupportedModelError:
+        """A record lost its value where another modifier gives some fields; arguments as of ``ignored_value``."""
+        return self.ignored_value(name, value, tree, _RECORD)
 
     def ignored_redeclaration(self, name: str, extent: Extent, consequence: str = "") -> UnsupportedModelError:
         """A component or class was not replaced."""

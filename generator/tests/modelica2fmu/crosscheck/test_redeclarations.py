@@ -156,6 +156,27 @@ CLASSES = """
     parameter Outer data;
     Real y = data.data.a;
   end WithOuter;
+  model ByName
+    parameter Data d(a = 7);
+    WithData w(data = d);
+  end ByName;
+  model ByConstructor
+    WithData w(data = Data(a = 7));
+  end ByConstructor;
+  record Sevens
+    extends Data(a = 7);
+  end Sevens;
+  model ByClass
+    WithData w(data = Sevens());
+  end ByClass;
+  model ByArray
+    parameter Data d(a = 7);
+    WithTwo w(data = {d, d});
+  end ByArray;
+  model WithTwo
+    parameter Data data[2];
+    Real y = data[1].a + data[2].b;
+  end WithTwo;
   model HoldsData
     replaceable parameter Data data;
     Real y = data.a + data.b;
@@ -288,6 +309,10 @@ HONOURED = [
     Honoured("RecordByConstructor", "WithData w(data = Data(a = 7, b = 8)); WithData v(data = Data(9));",
              {"w.y": 15, "v.y": 11}),
     Honoured("RecordByName", "parameter Data d(a = 7); WithData w(data = d);", {"w.y": 9}),
+    Honoured("RecordAgain", "extends ByName(w(data = Data(a = 9, b = 3)));", {"w.y": 12}),
+    Honoured("RecordOfClass", "extends ByClass;", {"w.data.a": 7}),
+    Honoured("RecordsOfArray", "extends ByArray(d(a = 8)); WithTwo v(data = {Data(), Sevens()});",
+             {"w.data[1].a": 8, "v.data[2].a": 7}),
     Honoured("RecordModified", "WithOuter w(data(data(a = 9)));", {"w.y": 9}),
     Honoured("Arrays", "Linear a[2](k = {3, 4}); Linear b[2](each k = 5);", {"a[2].f": 4, "b[1].f": 5}),
     Honoured("NestedArrays", "Part p[2](each a(k = 6)); Holder h[2](redeclare Damped x);",
@@ -300,6 +325,7 @@ HONOURED = [
 
 CONSTRAINT = "repeat it in the declaration and in each redeclaration"
 OWN_CLASS = "in a class of its own, as in `model Stiff = Spring(k = 2)`"
+WHOLE_RECORD = "give the whole record"
 DIRECTLY = "redeclare it in a class that extends the one with the declaration directly"
 
 REFUSED = [
@@ -337,6 +363,13 @@ REFUSED = [
             "redeclare parameter MoreData data", "data.a", DIRECTLY),
     Refused("record in a record", "WithOuter w(data = Outer(data = Data(a = 8)));", "8", "w.data.data.a", OWN_CLASS),
     Refused("record in a record, by place", "WithOuter w(data = Outer(Data(8)));", "8", "w.data.data.a", OWN_CLASS),
+    Refused("record by name, then a field", "extends ByName(w(data(b = 3)));", "data = d", "w.data.a", WHOLE_RECORD),
+    Refused("record by constructor, then a field", "extends ByConstructor(w(data(b = 3)));", "7", "w.data.a",
+            WHOLE_RECORD, "data = Data(a = 7)"),
+    Refused("record of a class, then a field", "extends ByClass(w(data(b = 3)));", "data = Sevens()", "w.data.a",
+            WHOLE_RECORD),
+    Refused("records in an array, then a field", "extends ByArray(w(data(b = {3, 3})));", "data = {d, d}",
+            "w.data[1].a", WHOLE_RECORD),
     Refused("dotted modifier", "Part p(a.k = 2);", "a.k = 2", "p.a.k", "write it with parentheses"),
     Refused("dotted start", "Falling p(x.start = 2);", "x.start = 2", "start of p.x", "write it with parentheses"),
     Refused("no variables", "extends ExtendsEmpty(redeclare Filled x);", "redeclare Filled x", "x", DIRECTLY),
