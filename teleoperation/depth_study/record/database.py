@@ -143,10 +143,10 @@ class StudyDatabase:
         """
         self.store_all(observer, [answer])
 
-    def store_all(self, observer: int, answers: list[Answer]) -> None:
-        """Stores answers that follow each other, all or none of them; raises what `store` does."""
+    def store_all(self, observer: int, answers: list[Answer], at: datetime | None = None) -> None:
+        """Stores answers that follow each other, all or none, given at a time (now); raises what `store` does."""
         sequence = self.sequence(observer)
-        now = datetime.now(UTC).isoformat(timespec="seconds")
+        now = (at or datetime.now(UTC)).isoformat(timespec="seconds")
         with self._lock, self._errors(), self._connection as transaction:
             query = "SELECT count(*) FROM answer WHERE observer = ?"
             (done,) = transaction.execute(query, (observer,)).fetchone()

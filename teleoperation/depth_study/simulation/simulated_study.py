@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,8 @@ from contact_foundation.output import whole_file
 from depth_study.arrays import FloatArray, IntArray
 from depth_study.record.database import Answer, create_database
 from depth_study.simulation.observers import Population, draw_answers
+
+_NEVER = datetime(1970, 1, 1, tzinfo=UTC)  # nobody answered, and equal seeds shall give equal files
 
 
 def write_simulated_study(
@@ -38,6 +41,7 @@ def write_simulated_study(
                         Answer(k, int(score), None if k == 0 else int(difference))
                         for k, (score, difference) in enumerate(zip(absolute, np.nan_to_num(relative), strict=True))
                     ],
+                    at=_NEVER,
                 )
         finally:
             database.close()

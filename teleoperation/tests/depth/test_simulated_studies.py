@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from dataclasses import fields
 from pathlib import Path
 
@@ -133,9 +134,11 @@ def test_equal_seeds_give_equal_studies(tmp_path, sequences):
     tables = []
     for name, seed in (("a.db", 1), ("b.db", 1), ("c.db", 2)):
         write_simulated_study(tmp_path / name, DESIGN_FILE, sequences[:5], LEVELS, Population(), seed)
+        time.sleep(1.1 * (name == "a.db"))  # the file holds whole seconds
         database = open_database(tmp_path / name)
         tables.append(database.answers())
         database.close()
+    assert (tmp_path / "a.db").read_bytes() == (tmp_path / "b.db").read_bytes()
     np.testing.assert_array_equal(tables[0].absolute, tables[1].absolute)
     np.testing.assert_array_equal(tables[0].relative, tables[1].relative)
     assert not np.array_equal(tables[0].absolute, tables[2].absolute)
