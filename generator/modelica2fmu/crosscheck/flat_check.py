@@ -25,6 +25,7 @@ from modelica2fmu.crosscheck.flat_reading import FlatReading, WrittenPlaces, spa
 _PART: Final = re.compile(r"'(?:\\.|[^'\\])*'|[^.\[\]]+(?:\[[^\]]*\])?")
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
 _REFERENCE: Final = re.compile(r"\.?(?!(?:true|false)\b)[A-Za-z_][\w.\s\[\],:]*")
+_NAME: Final = re.compile(r"(?!(?:true|false)\b)[A-Za-z_][\w.]*")
 _CALL: Final = re.compile(r"\.?([A-Za-z_][\w.]*) ?\(")
 _EQUATIONS: Final = ("equations", "initial_equations")
 _ALGORITHMS: Final = ("algorithms", "initial_algorithms")
@@ -250,18 +251,22 @@ class _FlatCheck:
         own = component.component.binding
         classes = [each.definition.extent for each in around.instance.chain()]
         is_default = own is not None and any(_lies_in(own.extent, each) for each in classes)
-        if own is not None and is_default and not self._may_be_default(value, path[length:], own.extent):
+        if own is not None and is_default and not self._may_be_default(value, path[:length], path[length:], own.extent):
             left.append(own.extent)
         is_right = any(self._reading.begins_in(span, value.extent) for span in places)
         if not is_right and any(self._reading.begins_in(span, extent) for span in places for extent in left):
             raise self._reading.forgotten_record(variable["name"], value, variable["binding"])
 
-    def _may_be_default(self, value: Value, names: _Path, default: Extent) -> bool:
-        """= true, if a value may give a field the default of the declared class: a constructor without the argument."""
+    def _may_be_default(self, value: Value, path: _Path, names: _Path, default: Extent) -> bool:
+        """= true, if a value may give a field the default of the declared class.
+
+        A constructor without the argument does, and so may what is not looked into: functions, constants of packages.
+        """
         text = self._reading.text(value.extent)
         called = _CALL.match(text)
         if called is None:
-            return "(" in text
+            named = _NAME.findall(text)
+            return "(" in text or not all(self._is_variable(path, (*_names(each), *names)) for each in named)
         try:
             instance = value.scope.lookup(tuple(called[1].split(".")))
         except UnknownError:
@@ -275,6 +280,10 @@ class _FlatCheck:
                 return True
             instance = found.type
         return found is None or found.binding is None or found.binding.extent == default
+
+    def _is_variable(self, path: _Path, name: _Path) -> bool:
+        """= true, if a name that is written in a component or around it is that of a variable."""
+        return any((*path[:length], *name) in self._variables for length in range(len(path)))
 
     def _is_copy(self, path: _Path, value: Value, places: list[Mapping[str, int]], field: _Path = ()) -> bool:
         """= true, if the value is a name, and the front end put in its place what that name is bound to."""

@@ -169,6 +169,9 @@ CLASSES = """
   model ByClass
     WithData w(data = Sevens());
   end ByClass;
+  package Shelf
+    constant Data d(a = 7);
+  end Shelf;
   model ByArray
     parameter Data d(a = 7);
     WithTwo w(data = {d, d});
@@ -313,6 +316,8 @@ HONOURED = [
     Honoured("RecordOfClass", "extends ByClass;", {"w.data.a": 7}),
     Honoured("RecordsOfArray", "extends ByArray(d(a = 8)); WithTwo v(data = {Data(), Sevens()});",
              {"w.data[1].a": 8, "v.data[2].a": 7}),
+    Honoured("RecordOfPackage", "WithData w(data = Shelf.d); WithTwo v(data = {Shelf.d, Shelf.d});",
+             {"w.y": 9, "v.y": 9}),
     Honoured("RecordModified", "WithOuter w(data(data(a = 9)));", {"w.y": 9}),
     Honoured("Arrays", "Linear a[2](k = {3, 4}); Linear b[2](each k = 5);", {"a[2].f": 4, "b[1].f": 5}),
     Honoured("NestedArrays", "Part p[2](each a(k = 6)); Holder h[2](redeclare Damped x);",
