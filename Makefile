@@ -17,8 +17,9 @@
 # make test-msl  passes the tests with the Standard Library's examples (MODELICAPATH; about fifteen minutes)
 # make test-omc  runs the examples through OpenModelica where it is installed
 # make pictures  draws the pages in docs/images anew; some minutes
+# make video     bytes a second of poses and of rendered video, for one eye and for two; some minutes
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc icons pictures bench-peers
+.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc icons pictures video bench-peers
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -61,6 +62,10 @@ test-msl: setup-test
 
 test-omc: setup
 	scripts/test-omc
+
+video: setup
+	.venv/bin/python -m pip install -q --disable-pip-version-check av==18.1.0
+	.venv/bin/python scripts/bench-video
 
 pictures: setup
 	.venv/bin/python scripts/pictures
