@@ -97,6 +97,7 @@ def test_model_the_builder_cannot_translate(cmb: Cmb, tmp_path: Path) -> None:
         (["fmu", "None"], "no source holds None\n"),
         (["fmu", "Ball.mo"], "Give the name, and the file as its source: Ball --source Ball.mo"),
         (["simulate", "no.fmu", "--output", "a.csv"], "no.fmu"),
+        (["simulate", ".", "--output", "a.csv"], "is a folder, not an FMU"),
         (["report", "no.csv", "--output", "a.html"], "no.csv"),
         (["regress", "nocases"], "nocases"),
         (["msl", "--msl", "nowhere"], "nowhere"),

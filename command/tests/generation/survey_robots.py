@@ -203,8 +203,15 @@ def row(found: Outcome, common: Path) -> str:
     cells += [str(facts.get(key, "")) for key in ("bodies", "joints", "pairs")]
     cells += [f"{facts['generate'] + facts['build']:.0f}" if "build" in facts else ""]
     cells += [f"{facts['run']:.2g}" if "run" in facts else ""]
-    told = found.error.replace("|", "/").replace(f"{found.file.parent}{os.sep}", "") or "; ".join(found.doubts)
+    told = _short(found.error) or "; ".join(found.doubts)
     return f"| {' | '.join(cells)} | {found.phase or 'crashed'}{f': {told}' if told else ''} |"
+
+
+def _short(error: str) -> str:
+    """What went wrong without advice and without folders of this machine."""
+    said = re.split(r" Copy the file| Name the folder|: no folder of that name", error.removeprefix("- "))[0]
+    said = re.sub(r"( in)? /\S*", "", re.sub(r"/\S*/(?=[^/\s]+:\d)", "", said))
+    return said.replace("|", "/")
 
 
 def table(outcomes: list[Outcome], common: Path, *, rows: bool) -> str:

@@ -159,7 +159,8 @@ def open_fmu(path: Path) -> Iterator[Fmu]:
         InputError: the file is missing, no FMU, neither FMI 2.0 nor 3.0, or has no binary for this platform.
     """
     if not path.is_file():
-        raise InputError("there is no such file", place=Place(file=path))
+        said = "is a folder, not an FMU" if path.is_dir() else "there is no such file"
+        raise InputError(said, place=Place(file=path))
     description = read_description(path)
     folder = Path(tempfile.mkdtemp(prefix="cmb-fmu-"))
     try:
