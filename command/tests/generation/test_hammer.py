@@ -5,12 +5,18 @@ from __future__ import annotations
 import shutil
 import tomllib
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
+from fmu_regression.cases.case import load_case
+from fmu_regression.cases.runner import Verdict, run_case
+from fmu_regression.compare.checks import SignalCheck
+from fmu_regression.fmi.binding import Mode
 from fmu_regression.fmi.description import read_description
+from fmu_regression.report.case_summary import text_table
 from fmu_regression.results.result import SimulationResult, read_csv
 from fmu_regression.scene.energy import energy_balance
 from fmu_regression.scene.impacts import find_impacts
@@ -19,6 +25,8 @@ from fmu_regression.scene.signals import signals_for
 from fmu_regression.simulate.simulation import simulate
 from lxml import html
 from program import HAMMER, Cmb
+
+TRAJECTORY = Path(__file__).with_name("hammer_trajectory.toml")
 
 
 @pytest.fixture(scope="module")
@@ -66,6 +74,15 @@ def test_motion_before_the_impact(result: SimulationResult) -> None:
         for joint in ("shoulder", "elbow"):
             angle = np.interp(row["time"], result.time, result[f"{joint}.phi"])
             assert angle == pytest.approx(row[joint], abs=2e-5)
+
+
+@pytest.mark.parametrize("mode", ["me", "cs"])
+def test_trajectories_are_those_of_openmodelica(hammer: Path, mode: Mode) -> None:
+    case = load_case(TRAJECTORY)
+    # By co-simulation events show at communication points only.
+    checks = tuple(check for check in case.checks if mode == "me" or isinstance(check, SignalCheck))
+    result = run_case(replace(case, modes=(mode,), checks=checks), hammer / "hammer.fmu", time_limit=180)
+    assert result.verdict is Verdict.PASSED, text_table([result])
 
 
 def test_energy_never_rises(scene: Scene, result: SimulationResult) -> None:
