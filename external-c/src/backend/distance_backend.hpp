@@ -14,7 +14,7 @@ struct BackendScratch {
 };
 
 // The engine's own exact path: answers for all shapes but half-spaces and meshes. Poses map the shapes' frames to the
-// world, in whose axes the answer is, with the mean normal of boxes and hulls. Never throws.
+// world, in whose axes the answer is. Never throws.
 void find_exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, BackendScratch &scratch,
                          SignedDistance &answer);
 SignedDistance exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,

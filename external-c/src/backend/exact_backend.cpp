@@ -19,7 +19,6 @@ void between_spheres(double radius_a, const Vec3 &center_a, double radius_b, con
   answer.normal = length > 0.0 ? (1.0 / length) * apart : if_together;
   answer.point_a = center_a - radius_a * answer.normal;
   answer.point_b = center_b + radius_b * answer.normal;
-  answer.mean_normal = answer.normal;
   answer.proven = true;
   answer.interior_ball = radius_a + radius_b;
 }
@@ -39,7 +38,6 @@ void set_answer(const convex::SignedDistance &found, const Pose &frame, SignedDi
   answer.point_b = frame(found.point_b);
   answer.proven = found.proven;
   answer.interior_ball = found.interior_ball;
-  answer.mean_normal = answer.normal;
 }
 
 void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, SignedDistance &answer) {
@@ -48,7 +46,7 @@ void between_capsules(const Shape &a, const Pose &pose_a, const Shape &b, const 
                                    pose_b.translation - pose_a.translation);
   const double radius_a = a.body.radius, radius_b = b.body.radius;
   answer.distance = axes.distance - radius_a - radius_b;
-  answer.normal = answer.mean_normal = -axes.direction;
+  answer.normal = -axes.direction;
   answer.point_a = pose_a.translation + axes.a + radius_a * axes.direction;
   answer.point_b = pose_a.translation + axes.b - radius_b * axes.direction;
   answer.proven = axes.proven;
@@ -70,7 +68,7 @@ void to_ball(const Shape &a, const Pose &pose_a, double radius_b, const Vec3 &ce
   const Vec3 outward = pose_a.rotation * direction;
   const Vec3 of_a = center_b - (distance - a.body.radius) * outward, of_b = center_b - radius_b * outward;
   answer.distance = distance - a.body.radius - radius_b;
-  answer.normal = answer.mean_normal = reversed ? outward : -outward;
+  answer.normal = reversed ? outward : -outward;
   answer.point_a = reversed ? of_b : of_a;
   answer.point_b = reversed ? of_a : of_b;
   answer.proven = true;
@@ -106,11 +104,9 @@ void find_exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, con
       return;
     default: break;
   }
-  const bool polytopes = pair.method == PairMethod::polytope_polytope;
   const convex::SignedDistance found =
-      convex::signed_distance(a.body, b.body, relative_pose(pose_a, pose_b), scratch.distance, polytopes);
+      convex::signed_distance(a.body, b.body, relative_pose(pose_a, pose_b), scratch.distance);
   set_answer(found, pose_a, answer);
-  if (polytopes) answer.mean_normal = pose_a.rotation * found.mean_normal;
 }
 
 SignedDistance exact_distance(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,

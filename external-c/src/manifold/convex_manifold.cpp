@@ -1,6 +1,6 @@
 #include "manifold/convex_manifold.hpp"
 
-#include "narrowphase/polytope/mean_normal.hpp"
+#include "narrowphase/multicontact/contact_directions.hpp"
 #include "shape/pair_table.hpp"
 
 namespace cmb {
@@ -14,7 +14,7 @@ bool touches_at_its_witness(const Shape &a, const Shape &b, const SignedDistance
   if (!ball_a && !ball_b) return false;
   // The reach is no more than 1.5 depths, which takes no root.
   return answer.interior_ball >= -1.5 * answer.distance ||
-         answer.interior_ball >= convex::averaging_radius(-answer.distance, a.bound_radius + b.bound_radius);
+         answer.interior_ball >= convex::inner_parallel_radius(-answer.distance, a.bound_radius + b.bound_radius);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "manifold/rod_end_share.hpp"
 #include "math/pose_algebra.hpp"
 #include "narrowphase/multicontact/contact_directions.hpp"
-#include "narrowphase/polytope/mean_normal.hpp"
 #include "shape/pair_table.hpp"
 #include "shape/rim_polytope.hpp"
 
@@ -274,7 +273,7 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
                     std::vector<ContactPoint> &points) {
   const double size = a.bound_radius + b.bound_radius, depth = -answer.distance;
   // No other way is near; the reach is no more than 1.5 depths, which takes no root.
-  if (answer.interior_ball >= 1.5 * depth || answer.interior_ball >= convex::averaging_radius(depth, size)) {
+  if (answer.interior_ball >= 1.5 * depth || answer.interior_ball >= convex::inner_parallel_radius(depth, size)) {
     contact_along(a, pose_a, b, pose_b, answer, scratch, points);
     return;
   }
@@ -284,7 +283,7 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   const std::size_t first = points.size();
   double rest = 1.0, scale = 1.0;  // the shares' part, and what makes the sum of share * normal a unit vector again
   const double shortest =
-      directions.count > 1 ? shortest_part(convex::averaging_radius(depth, size), a.body.radius + b.body.radius, depth) : 0.0;
+      directions.count > 1 ? shortest_part(convex::inner_parallel_radius(depth, size), a.body.radius + b.body.radius, depth) : 0.0;
   if (shortest > 0.0) {
     rest -= shortest;
     Vec3 sum = shortest * nearest.normal;
@@ -298,7 +297,7 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     if (!(way.depth > 0.0)) continue;  // within rounding of touching
     SignedDistance along = answer;
     along.distance = -way.depth;
-    along.normal = along.mean_normal = pose_a.rotation * way.normal;
+    along.normal = pose_a.rotation * way.normal;
     along.point_a = pose_a(way.point_a);
     const Vec3 aside = pose_a.rotation * way.aside;
     along.point_b = along.point_a + way.depth * along.normal;

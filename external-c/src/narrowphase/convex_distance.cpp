@@ -18,7 +18,7 @@ namespace {
 
 CoreDistance exchanged(const CoreDistance &d, const Pose &pose) {
   // Computed in B's frame with the roles exchanged.
-  return {d.distance, -(pose.rotation * d.direction), pose(d.b), pose(d.a), d.method, d.proven, {}};
+  return {d.distance, -(pose.rotation * d.direction), pose(d.b), pose(d.a), d.method, d.proven};
 }
 
 // How far the witness points of an overlap are from lying opposite each other.
@@ -58,14 +58,9 @@ double outside_box(const Vec3 &half, const Vec3 &p) {
   return std::max({std::fabs(p.x) - half.x, std::fabs(p.y) - half.y, std::fabs(p.z) - half.z});
 }
 
-CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const BoxPair &boxes, const BoxAxes &axes,
-                               bool with_mean) {
+CoreDistance overlapping_boxes(const ConvexBody &a, const ConvexBody &b, const BoxPair &boxes, const BoxAxes &axes) {
   const Pose &pose = boxes.b_in_a();
   CoreDistance result{axes.separation, axes.axis, axes.a, axes.b, DistanceMethod::separating_axes, true};
-  if (with_mean) {
-    result.mean_outward =
-        mean_normal_of_boxes(boxes, axes.edges, std::max(0.0, -axes.separation), core_radius(a) + core_radius(b));
-  }
   const double scale = norm(a.half) + norm(b.half);
   const Vec3 b_local = transposed_times(pose.rotation, axes.b - pose.translation);
   const double outside = std::max(outside_box(a.half, axes.a), outside_box(b.half, b_local));
@@ -81,18 +76,17 @@ constexpr double polyhedral_tolerance = 1e-14;
 
 // Of boxes, polytopes and segments.
 CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, Vec3 first,
-                      DistanceScratch &scratch, bool with_mean) {
+                      DistanceScratch &scratch) {
   const MinkowskiDifference difference(body_a, body_b, pose);
   const double tolerance = polyhedral_tolerance * difference.scale;
   const double size = core_radius(body_a) + core_radius(body_b);
   if (has_facets(body_a.core) && has_facets(body_b.core) && norm2(pose.translation) <= size * size) {
     FacetWalk::Result walked;
-    const FacetWalk::Outcome outcome = scratch.facet_walk.minimum_translation(difference, -first, with_mean ? size : 0.0,
-                                                                              walked);
+    const FacetWalk::Outcome outcome = scratch.facet_walk.minimum_translation(difference, -first, walked);
     if (outcome == FacetWalk::Outcome::found) {
       ++scratch.counters.walks;
       return with_checked_witness(difference, {-walked.depth, walked.direction, walked.a, walked.b,
-                                               DistanceMethod::facet_walk, true, walked.mean_outward});
+                                               DistanceMethod::facet_walk, true});
     }
     if (outcome == FacetWalk::Outcome::apart) first = -walked.direction;
   }
@@ -107,15 +101,14 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
   }
   if (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0) return enumerated(difference, scratch);
   const PenetrationResult inside =
-      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, tolerance, 1024, with_mean ? size : 0.0);
+      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, tolerance, 1024);
   // A negative depth says that the origin is outside after all.
   if (!inside.proven || inside.depth < -1e-12 * difference.scale) return enumerated(difference, scratch);
   return with_checked_witness(difference, {-inside.depth, inside.direction, inside.a, inside.b,
-                                           DistanceMethod::expanding_polytope, true, inside.mean_outward});
+                                           DistanceMethod::expanding_polytope, true});
 }
 
-CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose &pose, DistanceScratch &scratch,
-                           bool with_mean) {
+CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose &pose, DistanceScratch &scratch) {
   if (lies_on_line(a.core) && lies_on_line(b.core)) {
     return distance_of_segments({0, 0, 1}, a.half.z, normalized(pose.rotation.column(2)), b.half.z, pose.translation);
   }
@@ -129,7 +122,7 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
     const BoxPair boxes(a.half, b.half, pose);
     BoxAxes axes;
     find_box_axes(boxes, axes);
-    if (axes.separation <= 0.0) return overlapping_boxes(a, b, boxes, axes, with_mean);
+    if (axes.separation <= 0.0) return overlapping_boxes(a, b, boxes, axes);
     first = -axes.axis;
   }
   if (is_box_like(a.core) && is_box_like(b.core)) {
@@ -139,7 +132,7 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
   }
   if (norm2(first) == 0.0) first = {1, 0, 0};
   if (!is_polyhedral(a.core) || !is_polyhedral(b.core)) return curved_distance(a, b, pose, first, scratch);
-  return iterated(a, b, pose, first, scratch, with_mean);
+  return iterated(a, b, pose, first, scratch);
 }
 
 }  // namespace
@@ -175,8 +168,7 @@ Feature support_feature(const ConvexBody &body, const Vec3 &m) {
   }
 }
 
-SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, DistanceScratch &scratch,
-                               bool with_mean) {
+SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, DistanceScratch &scratch) {
   ++scratch.counters.queries;
   SignedDistance result;
   const Mat3 &r = b_in_a.rotation;
@@ -188,11 +180,11 @@ SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const P
   const double largest = std::max({std::fabs(t.x), std::fabs(t.y), std::fabs(t.z)});
   CoreDistance core;
   if (largest < 1e100) {
-    core = core_distance(a, b, b_in_a, scratch, with_mean);
+    core = core_distance(a, b, b_in_a, scratch);
   } else {
     // So far away that squares overflow: the bodies are points.
     const Vec3 shrunk = (1.0 / largest) * t;
-    core = {std::fmin(norm(shrunk) * largest, 1.7e308), normalized(shrunk), {}, t, DistanceMethod::closed_form, false, {}};
+    core = {std::fmin(norm(shrunk) * largest, 1.7e308), normalized(shrunk), {}, t, DistanceMethod::closed_form, false};
   }
   return swept_distance(core, a.radius, b.radius);
 }

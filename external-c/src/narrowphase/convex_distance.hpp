@@ -43,9 +43,6 @@ struct SignedDistance {
   Vec3 point_a;           // witness points on both surfaces, in A's frame:
   Vec3 point_b;           // point_a - point_b = distance * normal
   DistanceMethod method = DistanceMethod::closed_form;
-  // Where asked for: the mean normal of the difference's surface near the origin (mean_normal.hpp), unit, from B to A;
-  // else the normal.
-  Vec3 mean_normal{0, 0, 1};
   // Where the bodies overlap: a ball of this radius in the difference is known to touch its surface there (m; 0: none known).
   double interior_ball = 0.0;
   bool proven = true;  // the answer lies between bounds that agree to the tolerance; else the best found
@@ -64,10 +61,8 @@ struct DistanceScratch {
 };
 
 // The signed distance of A and B; `b_in_a` maps B's frame to A's, its rotation orthonormal to 1e-9.
-// A pose that is not finite gives distance 0, the normal {0, 0, 1} and proven = false. The mean normal is found on
-// request (`with_mean`), for overlapping boxes and polytopes.
-SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, DistanceScratch &scratch,
-                               bool with_mean = false);
+// A pose that is not finite gives distance 0, the normal {0, 0, 1} and proven = false.
+SignedDistance signed_distance(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a, DistanceScratch &scratch);
 
 // The vertex, edge or face of a body's core that its supporting plane along m (unit, in the body's frame) touches, to
 // 1e-8 rad: with m = -normal for A, and the normal in B's frame for B, where they are nearest.

@@ -30,7 +30,6 @@ bool find_library_answer(const Scene &scene, const Shape &a, const Pose &pose_a,
                      answer_holds(theirs, a, pose_a, b, pose_b, library_tolerance);
   (holds ? scene.answered : scene.refused).fetch_add(1, std::memory_order_relaxed);
   if (!holds) return false;
-  theirs.mean_normal = theirs.normal;
   theirs.interior_ball = std::numeric_limits<double>::infinity();
   answer = theirs;
   return true;

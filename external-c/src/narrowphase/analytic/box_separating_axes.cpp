@@ -24,10 +24,11 @@ void find_box_axes(const BoxPair &boxes, BoxAxes &result) {
   }
   Vec3 edge_axis;
   // Where a face parts the boxes, edges need not be looked at.
-  if (best <= 0.0) result.edges.find(boxes);
+  AcrossEdges edges;
+  if (best <= 0.0) edges.find(boxes);
   for (int i = 0; i < 3 && best <= 0.0; ++i) {
     for (int j = 0; j < 3; ++j) {
-      const auto &across = result.edges.of[i][j];
+      const auto &across = edges.of[i][j];
       double s, along;
       Vec3 axis;
       if (across.length2 > 1e-6) {

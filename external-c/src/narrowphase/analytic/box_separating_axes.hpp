@@ -10,7 +10,6 @@ struct BoxAxes {
   Vec3 axis;          // unit, from A to B, in A's frame
   // Valid where separation <= 0:
   Vec3 a, b;          // witness points of the overlap
-  AcrossEdges edges;
 };
 
 void find_box_axes(const BoxPair &boxes, BoxAxes &result);

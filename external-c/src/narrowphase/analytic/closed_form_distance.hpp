@@ -13,7 +13,6 @@ struct CoreDistance {
   Vec3 direction, a, b;
   DistanceMethod method;
   bool proven;
-  Vec3 mean_outward = {};
   double interior_ball = 0.0;  // as SignedDistance's, of the cores
 };
 
@@ -91,7 +90,6 @@ inline SignedDistance swept_distance(const CoreDistance &core, double radius_a, 
   SignedDistance result;
   result.distance = core.distance - radius_a - radius_b;
   result.normal = -core.direction;
-  result.mean_normal = -normalized(core.mean_outward, core.direction);
   result.point_a = core.a + radius_a * core.direction;
   result.point_b = core.b - radius_b * core.direction;
   result.method = core.method;

@@ -7,7 +7,6 @@
 #include "narrowphase/multicontact/cone_ring.hpp"
 #include "narrowphase/multicontact/cutting_plane_projection.hpp"
 #include "narrowphase/multicontact/multiplier_distribution.hpp"
-#include "narrowphase/polytope/mean_normal.hpp"
 
 namespace cmb::convex {
 
@@ -45,7 +44,7 @@ ContactDirections single(const SignedDistance &nearest) {
 ContactDirections contact_directions(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a,
                                      const SignedDistance &nearest, double size,
                                      DistanceScratch &scratch) {
-  const double depth = -nearest.distance, radius = averaging_radius(depth, size), slack = tolerance * size;
+  const double depth = -nearest.distance, radius = inner_parallel_radius(depth, size), slack = tolerance * size;
   if (!(depth > shallow * size)) return single(nearest);
   const double known = std::max(nearest.interior_ball, ball_at(a, b, b_in_a, nearest, radius, on_surface * size));
   if (known >= radius) return single(nearest);

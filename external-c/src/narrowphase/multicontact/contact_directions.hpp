@@ -5,9 +5,20 @@
 // centres of all balls of a given radius in C does not. Derivation: docs/engine/narrowphase.md, "Contact directions".
 #pragma once
 
+#include <cmath>
+
 #include "narrowphase/convex_distance.hpp"
 
 namespace cmb::convex {
+
+// The radius of those balls where the bodies, of `size`, are `depth` deep in each other: 1.5 depths where that is shallow; deeper,
+// what of the surface counts stops growing.
+inline double inner_parallel_radius(double depth, double size) {
+  constexpr double sideways = 1.25;  // 1.5^2 - 1
+  constexpr double deep = 0.05;
+  const double part = depth / (deep * size);
+  return depth * std::sqrt(1.0 + sideways / (1.0 + part * part));
+}
 
 struct ContactDirection {
   Vec3 normal;            // unit, from B to A, in A's frame

@@ -99,7 +99,7 @@ void ExpandingPolytope::witness(PenetrationResult &result) const {
 }
 
 PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference, const DifferencePoint *simplex,
-                                           int count, double tolerance, std::int32_t most_points, double size) {
+                                           int count, double tolerance, std::int32_t most_points) {
   PenetrationResult result;
   result.depth = INFINITY;
   result.direction = {0, 0, 1};
@@ -117,7 +117,7 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
   double limit = INFINITY;
   const auto lower_depth = [&](double depth) {
     result.depth = depth;
-    limit = size > 0.0 ? std::max(depth - tolerance, averaging_radius(depth, size)) : depth - tolerance;
+    limit = depth - tolerance;
   };
   const auto enqueue = [&](std::int32_t begin) {
     for (std::int32_t f = begin; f < hull_.face_count(); ++f) {
@@ -171,34 +171,8 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
   }
   result.lower = std::min(result.lower, result.depth - tolerance);
   witness(result);
-  if (size > 0.0) measure_surface(result, size);
   if (!result.proven) other_directions(result);
   return result;
-}
-
-void ExpandingPolytope::measure_surface(PenetrationResult &result, double size) const {
-  const double radius = averaging_radius(std::max(result.depth, 0.0), size);
-  const auto is_near = [&](const IncrementalHull::Face &face) {
-    return face.alive && !face.sliver && face.offset < radius && hull_.distance(face) < radius;
-  };
-  // Of facets in one plane the mean is their normal.
-  bool one_plane = true;
-  for (std::int32_t f = 0; f < hull_.face_count() && one_plane; ++f) {
-    const IncrementalHull::Face &face = hull_.face(f);
-    one_plane = !is_near(face) || norm2(face.normal - result.direction) <= same_normal2;
-  }
-  if (one_plane) {
-    result.mean_outward = result.direction;
-    return;
-  }
-  for (std::int32_t f = 0; f < hull_.face_count(); ++f) {
-    const IncrementalHull::Face &face = hull_.face(f);
-    if (!is_near(face)) continue;
-    FacetIntegral integral(face.normal, std::max(face.offset, 0.0), radius);
-    if (integral.empty()) continue;
-    integral.add_rim(3, [&](std::int32_t k) -> const Vec3 & { return hull_.point(face.vertex[k]); });
-    result.mean_outward = result.mean_outward + integral.value() * face.normal;
-  }
 }
 
 namespace {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "narrowphase/minkowski_difference.hpp"
-#include "narrowphase/polytope/mean_normal.hpp"
 #include "shape/incremental_hull.hpp"
 
 namespace cmb::convex {
@@ -23,7 +22,6 @@ struct PenetrationResult {
   static constexpr int most_others = 24;
   Vec3 other[most_others];
   int other_count = 0;
-  Vec3 mean_outward;  // where asked for: of the surface nearby (mean_normal.hpp), not unit
 };
 
 // Works in storage allocated by the constructor alone. Not for sharing between threads.
@@ -34,10 +32,9 @@ class ExpandingPolytope {
   // Depth of the origin in the difference, to `tolerance` metres, in at most `most_points` points of the
   // difference. `simplex` (count 1 to 4) are points to start from. Not proven where rounding broke the
   // surface, where the points did not suffice, or where the difference is flat (depth and direction are
-  // then the best so far). Where the bodies' `size` is given (> 0), the surface is also made whole within
-  // averaging_radius(depth, size), and `mean_outward` found.
+  // then the best so far).
   PenetrationResult depth(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count,
-                          double tolerance, std::int32_t most_points, double size = 0.0);
+                          double tolerance, std::int32_t most_points);
 
   // Of the depth found last: sets the other directions in which the surface may be no farther than `depth`.
   void find_others(double depth, PenetrationResult &result) const;
@@ -47,7 +44,6 @@ class ExpandingPolytope {
   bool start_from(const DifferencePoint *tetrahedron, double thickness);
   void other_directions(PenetrationResult &result);
   void witness(PenetrationResult &result) const;
-  void measure_surface(PenetrationResult &result, double size) const;
 
   IncrementalHull hull_;
   std::vector<DifferencePoint> points_;

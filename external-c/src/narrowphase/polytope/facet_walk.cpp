@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "math/index.hpp"
-#include "narrowphase/polytope/mean_normal.hpp"
 
 namespace cmb::convex {
 
@@ -96,11 +95,10 @@ bool FacetWalk::is_closed(const PatchCompletion &completion) const {
 
 // Adds facets round the lowest one until no other can be within the ball. Where one turns out to be lower, `lowest` is
 // exchanged and the ball shrinks: what was outside it still is.
-bool FacetWalk::grow(const MinkowskiDifference &difference, double size, Facet &lowest) {
-  const auto radius = [&] { return size > 0.0 ? averaging_radius(lowest.height, size) : lowest.height; };
+bool FacetWalk::grow(const MinkowskiDifference &difference, Facet &lowest) {
   const double slack = 1e-15 * difference.scale;
   const Vec3 axis = lowest.normal;
-  PatchCompletion completion(difference, axis, radius());
+  PatchCompletion completion(difference, axis, lowest.height);
   const std::size_t before_ring = small_ ? facets_before_ring_of_small : facets_before_ring;
   bool ring_tried = false, sides_skipped = false;
   if (++growth_ == 0) {
@@ -146,7 +144,7 @@ bool FacetWalk::grow(const MinkowskiDifference &difference, double size, Facet &
     if (next.height < lowest.height - slack) {
       lowest = next;
       if (!(lowest.height > touching * difference.scale)) return false;
-      completion.shrink(radius());
+      completion.shrink(lowest.height);
       // Downwards first.
       sides_skipped = true;
       k = first_new - 1;
@@ -170,24 +168,7 @@ bool FacetWalk::choose_by_foot(double scale, Facet &lowest) const {
   return best >= -1e-15 * scale * scale;
 }
 
-void FacetWalk::find_mean(const Facet &lowest, double radius, Result &result) const {
-  const bool one_plane = std::none_of(facets_.begin(), facets_.end(), [&](const Facet &facet) {
-    return (facet.height < radius) & (norm2(facet.normal - lowest.normal) > same_normal2);
-  });
-  result.mean_outward = lowest.normal;
-  if (one_plane) return;
-  result.mean_outward = {};
-  for (const Facet &facet : facets_) {
-    if (!(facet.height < radius)) continue;
-    FacetIntegral integral(facet.normal, facet.height, radius);
-    const Corner *const corner = surface_.corners_of(facet);
-    integral.add_rim(facet.count, [&](std::int32_t k) -> const Vec3 & { return corner[k].at; });
-    result.mean_outward = result.mean_outward + integral.value() * facet.normal;
-  }
-}
-
-FacetWalk::Outcome FacetWalk::minimum_translation(const MinkowskiDifference &difference, const Vec3 &first, double size,
-                                                  Result &result) {
+FacetWalk::Outcome FacetWalk::minimum_translation(const MinkowskiDifference &difference, const Vec3 &first, Result &result) {
   surface_.place(difference);
   small_ = surface_.most_edges() <= std::size_t{1} << small_bits;
   Facet lowest;
@@ -199,7 +180,7 @@ FacetWalk::Outcome FacetWalk::minimum_translation(const MinkowskiDifference &dif
     result.direction = lowest.normal;
     return Outcome::apart;
   }
-  if (!(lowest.height > touching * difference.scale) || !grow(difference, size, lowest)) return Outcome::undecided;
+  if (!(lowest.height > touching * difference.scale) || !grow(difference, lowest)) return Outcome::undecided;
   // The one that the walk came down to, the first, holds the foot.
   const bool foot_known = lowest.first == facets_.front().first;
   if (!foot_known && !choose_by_foot(difference.scale, lowest)) return Outcome::undecided;
@@ -207,7 +188,6 @@ FacetWalk::Outcome FacetWalk::minimum_translation(const MinkowskiDifference &dif
   result.depth = lowest.height;
   if (!surface_.is_outermost(lowest, 1e-15 * difference.scale)) return Outcome::undecided;
   surface_.find_witness(lowest, result.a, result.b);
-  if (size > 0.0) find_mean(lowest, averaging_radius(lowest.height, size), result);
   return Outcome::found;
 }
 

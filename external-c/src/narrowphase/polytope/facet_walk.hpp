@@ -2,7 +2,7 @@
 //
 // Beyond a side that the origin's foot is beyond, the facet is nearer to the origin; so the walk comes down to a facet that
 // holds the origin's foot. From there facets are added until the cone from a point of C on the far side to the rim of those
-// found has no side within the ball asked for. Then these facets and the cone are a closed surface of points of C round the
+// found has no side within the ball of the depth. Then these facets and the cone are a closed surface of points of C round the
 // ball: no other facet meets it, and the least of the heights found is the depth. Where that takes many facets, the cone is
 // bent outwards over a support ring of six more points of C.
 #pragma once
@@ -28,14 +28,13 @@ class FacetWalk {
     double depth = 0.0;  // the support function along `direction`
     Vec3 direction;      // unit, from A to B
     Vec3 a, b;           // witness points, in A's frame
-    Vec3 mean_outward;   // where asked for (mean_normal.hpp), not unit
   };
 
   FacetWalk();
 
-  // Of bodies that are polytopes or boxes (has_facets). `first` is any direction, best a guess of that from A to B. Where
-  // the bodies' `size` is given (> 0), `mean_outward` is found. A result that is `found` is proven.
-  Outcome minimum_translation(const MinkowskiDifference &difference, const Vec3 &first, double size, Result &result);
+  // Of bodies that are polytopes or boxes (has_facets). `first` is any direction, best a guess of that from A to B. A
+  // result that is `found` is proven.
+  Outcome minimum_translation(const MinkowskiDifference &difference, const Vec3 &first, Result &result);
 
  private:
   using Corner = DifferenceFacets::Corner;
@@ -51,7 +50,7 @@ class FacetWalk {
   };
 
   bool descend(Facet &facet);
-  bool grow(const MinkowskiDifference &difference, double size, Facet &lowest);
+  bool grow(const MinkowskiDifference &difference, Facet &lowest);
   Mark &mark_of(const Corner &corner);
   bool add_sides(const Facet &facet, std::int32_t number, std::int32_t k);
   bool is_closed(const PatchCompletion &completion) const;
@@ -60,7 +59,6 @@ class FacetWalk {
     return surface_.end_of(facet, side.corner - facet.first);
   }
   bool choose_by_foot(double scale, Facet &lowest) const;
-  void find_mean(const Facet &lowest, double radius, Result &result) const;
 
   DifferenceFacets surface_;
   std::vector<Facet> facets_;  // those found in the present growth

@@ -140,7 +140,7 @@ bool proven(const MinkowskiDifference &difference, const RefinedDirection &r, Co
   } else {
     if (!(missing(difference, r) <= tolerance)) return false;
   }
-  result = {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, true, {}, ball};
+  result = {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, true, ball};
   return true;
 }
 
@@ -258,7 +258,7 @@ CoreDistance sharpened(const MinkowskiDifference &difference, const PenetrationR
       dot(there.direction, inside.direction) > 1.0 - same_minimum &&
       missing_of_planes(difference, there) <= relative_tolerance * difference.scale &&
       !creases_nearby(difference, there.direction)) {
-    return {-there.height, there.direction, there.a, there.b, DistanceMethod::refined, true, {}};
+    return {-there.height, there.direction, there.a, there.b, DistanceMethod::refined, true};
   }
   // Surfaces of revolution on one axis are equally deep all round: no bound settles that, but the
   // other directions refined show whether one of them is nearer.
