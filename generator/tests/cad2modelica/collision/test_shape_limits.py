@@ -18,7 +18,7 @@ from contact_data import contact_engine
 from contact_foundation.errors import Place
 from scipy.spatial import ConvexHull
 
-FINE = 10_000
+FINE = 30_000
 
 
 def shapes_of(vertices: np.ndarray, triangles: Indices, choice: CollisionChoice) -> CollisionGeometry:
@@ -150,7 +150,7 @@ def test_few_corners_stay_as_they_are() -> None:
 @pytest.mark.full
 @pytest.mark.skipif(not contact_engine().is_file(), reason="the contact engine is not installed")
 def test_the_contact_engine_takes_both(tmp_path: Path) -> None:
-    """An egg of 10 000 corners, 0.1 m deep in one house of a row of 1100; both reach the engine through the package."""
+    """An egg of 30 000 corners, 0.1 m deep in one house of a row of 1100; both reach the engine through the package."""
     vertices, triangles = houses(np.full(MOST_SHAPES + 76, 2.0))
     fine = ConvexHull(egg(FINE))
     for name, corners, faces in (("town", vertices, triangles), ("egg", fine.points, fine.simplices)):
