@@ -19,9 +19,9 @@ STUDY = load_study(ROOT / "Resources" / "studies" / "all.toml")
 @pytest.mark.parametrize("name", [scene.name for scene in STUDY.scenes])
 def test_a_scene_has_every_knob_that_is_asked_of_it(
     name: str,
-    engine: None,
+    engine: None,  # noqa: ARG001
     fmu_cache: Path,
-    tmp_path: Path,  # noqa: ARG001
+    tmp_path: Path,
 ) -> None:
     def build(model: str, sources: Sequence[Path], fmu: Path) -> None:
         build_fmu(model, find_sources(model, sources), fmu, BuildOptions(cache=fmu_cache))
