@@ -34,22 +34,11 @@ protected
        == Types.RestitutionMethod.Memoryless "= true, if restitution is delivered without events" annotation (Evaluate=true);
   SI.Velocity strikeSpeed[if catchImpacts then m else 0] "Greatest approach speed of the points where each pair touches";
   Boolean struck[if catchImpacts then m else 0] "= true, if a touching pair meets faster than when it last was struck";
-  SI.Velocity strikeBound[if catchImpacts then m else 0] "Approach speed from which on each pair is struck anew; that of light while a strike is followed";
-  SI.Time nextLook[if catchImpacts then 1 else 0](each start=Modelica.Constants.inf, each fixed=true)
-    "Time when followed strikes are looked at";
-  Boolean looks[if catchImpacts then 1 else 0] "= true, if followed strikes are looked at now";
-  Boolean begins[if catchImpacts then m else 0] "= true, if the contact of a pair begins at an event now";
-  Boolean continues[if catchImpacts then m else 0] "= true, if a strike during a contact counts at an event now";
   SI.Velocity caughtSpeed[if catchImpacts then m else 0] "Impact speed of each pair after an event now";
-  SI.Velocity caughtBound[if catchImpacts then m else 0] "Bound of each pair after an event now";
-  SI.Time caughtLook[if catchImpacts then 1 else 0] "Time of the next look after an event now";
   Real rate[if catchImpacts then m else 0](each unit="s/m") "Damping factor by impact speed of each pair";
 initial equation
   if catchImpacts then
     pre(impactSpeed) = strikeSpeed;
-    for i in 1:m loop
-      pre(strikeBound[i]) = Internal.Restitution.sameStrike*max(strikeSpeed[i], restSpeed);
-    end for;
   end if;
 equation
   if catchImpacts then
@@ -57,39 +46,17 @@ equation
       touches[i] = distance[i] < 0;
     end for;
     strikeSpeed = Internal.Restitution.strikeSpeeds(depth, pointSpeed);
-    looks = {time >= pre(nextLook[1])};
     for i in 1:m loop
-      struck[i] = strikeSpeed[i] > pre(strikeBound[i]) and distance[i] < 0;
+      struck[i] = strikeSpeed[i] > 1.25*max(pre(impactSpeed[i]), restSpeed) and distance[i] < 0;
     end for;
     // Only pre() of scalars, and outside of functions: some tools pass pre() of an array as its present values.
     for i in 1:m loop
-      begins[i] = touches[i] and not pre(touches[i]);
+      caughtSpeed[i] = if touches[i] and not pre(touches[i]) or struck[i] then strikeSpeed[i] else pre(impactSpeed[i]);
     end for;
-    for i in 1:m loop
-      continues[i] = struck[i] or looks[1] and pre(strikeBound[i]) >= Modelica.Constants.c;
-    end for;
-    for i in 1:m loop
-      caughtSpeed[i] = if begins[i] then strikeSpeed[i] elseif continues[i] then
-        Internal.Restitution.struckSpeed(pre(impactSpeed[i]), strikeSpeed[i], restSpeed) else pre(impactSpeed[i]);
-    end for;
-    for i in 1:m loop
-      caughtBound[i] = if begins[i] then Internal.Restitution.sameStrike*max(strikeSpeed[i], restSpeed) elseif continues[i] then
-        Internal.Restitution.strikeBound(pre(impactSpeed[i]), strikeSpeed[i], restSpeed, struck[i]) else pre(strikeBound[i]);
-    end for;
-    caughtLook = {min(if looks[1] then Modelica.Constants.inf else pre(nextLook[1]),
-      time + Internal.Restitution.timeToLook(depth, strikeSpeed, caughtBound))};
     when touches then
       impactSpeed = caughtSpeed;
-      strikeBound = caughtBound;
-      nextLook = caughtLook;
     elsewhen struck then
       impactSpeed = caughtSpeed;
-      strikeBound = caughtBound;
-      nextLook = caughtLook;
-    elsewhen looks then
-      impactSpeed = caughtSpeed;
-      strikeBound = caughtBound;
-      nextLook = caughtLook;
     end when;
     for i in 1:m loop
       rate[i] = NormalForce.dampingRate(dampingFactor[i], impactSpeed[i], restSpeed);
@@ -97,9 +64,8 @@ equation
   end if;
   annotation (Documentation(info="<html>
 <p>
-The damping of a contact that delivers a restitution depends on the speed at which it began. Either events catch that speed (<code>impactSpeed</code>), which then follows
-<a href=\"modelica://ContactMultiBody.Internal.Restitution.struckSpeed\">strikes during the contact</a>, or it is recovered from depth and speed (<code>Memoryless</code>), for which
-<a href=\"modelica://ContactMultiBody.Interfaces.PartialNormalForce\">PartialNormalForce</a> needs the bodies' inertia.
+The damping of a contact that delivers a restitution depends on the speed at which it began. Either events catch that speed (<code>impactSpeed</code>), or it is recovered from depth
+and speed (<code>Memoryless</code>), for which <a href=\"modelica://ContactMultiBody.Interfaces.PartialNormalForce\">PartialNormalForce</a> needs the bodies' inertia.
 </p>
 </html>"));
 end PartialRestitution;

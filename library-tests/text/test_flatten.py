@@ -91,7 +91,7 @@ def test_effects_are_structural(core: Compiler, modification: str, events: bool,
     assert bool(flat["when_chains"]) == events
     assert (elements("contacts.touches") > 0) == events
     assert (elements("contacts.impactSpeed") > 0) == events
-    for name in ("strikeSpeed", "struck", "strikeBound", "rate"):
+    for name in ("strikeSpeed", "struck", "rate"):
         assert (elements(f"contacts.{name}") > 0) == events, name
     assert elements("contacts.anchorStretch") == (6 if anchors else 0)
     assert (elements("contacts.springDeceleration") > 0) == recovers
