@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
 from contact_foundation.errors import InputError, Place
 
-from modelica2fmu.crosscheck.class_instances import ClassInstance, Names, UnknownError
+from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
-from modelica2fmu.crosscheck.own_classes import own_classes
+from modelica2fmu.crosscheck.own_classes import model_class, own_classes
 from modelica2fmu.library.class_text import without_comments_and_strings
 
 _END: Final = r"([A-Za-z_]\w*(?:\[[^\[\]]*\])?(?:\s*\.\s*[A-Za-z_]\w*(?:\[[^\[\]]*\])?)*)"
@@ -44,9 +44,8 @@ def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Calla
     Raises:
         InputError: two connectors have different elements.
     """
-    try:
-        root = Names(library).find(tuple(model.split(".")))
-    except (UnknownError, UnreadableError, RecursionError):
+    root = model_class(model, library)
+    if root is None:
         return
     for scope in own_classes(root, own):
         for connect in _connects(scope, library):
@@ -59,7 +58,7 @@ def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Calla
             raise InputError(
                 f"{connect.ends[0]} has {', '.join(first)}, but {connect.ends[1]} has {', '.join(second)}: "
                 "only connectors with the same elements can be connected",
-                place=Place(file=(place := place_of(connect.extent)).file, line=place.line, component=model),
+                place=replace(place_of(connect.extent), component=model),
                 remedy="connect each to a connector of its own kind",
             )
 

@@ -14,12 +14,12 @@ from typing import Final
 from contact_foundation.errors import InputError, Place
 from contact_foundation.near_names import did_you_mean
 
-from modelica2fmu.crosscheck.class_instances import ClassInstance, Names, UnknownError
+from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import ComponentDeclaration, Extent, Modifier
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.near_names import near_names
-from modelica2fmu.crosscheck.own_classes import found_class, own_classes
+from modelica2fmu.crosscheck.own_classes import found_class, model_class, own_classes
 
 # Modelica 3.6, section 4.8.
 _OF_ALL: Final = ("quantity", "start", "fixed")
@@ -50,9 +50,8 @@ def check_modifiers(
     Raises:
         InputError: a modifier names nothing that its class has, or the model is partial.
     """
-    try:
-        root = Names(library).find(tuple(model.split(".")))
-    except (UnknownError, UnreadableError, RecursionError):
+    root = model_class(model, library)
+    if root is None:
         return None
     if root.definition.is_partial:
         raise InputError(

@@ -5,8 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
+from modelica2fmu.crosscheck.class_instances import ClassInstance, Names, UnknownError
+from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
+
+
+def model_class(model: str, library: ClassLibrary) -> ClassInstance | None:
+    """The class of a full name; ``None`` if it is not found."""
+    try:
+        return Names(library).find(tuple(model.split(".")))
+    except (UnknownError, UnreadableError, RecursionError):
+        return None
 
 
 def own_classes(root: ClassInstance, own: Path) -> Iterator[ClassInstance]:

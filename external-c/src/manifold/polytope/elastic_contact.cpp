@@ -4,15 +4,14 @@
 
 #include "manifold/polytope/polytope_manifold.hpp"
 #include "math/pose_algebra.hpp"
+#include "math/tetrahedron.hpp"
 
 namespace cmb {
 
 namespace {
 
-constexpr int count = 4;
-
-// Corners of a tetrahedron: of mean 0, the mean of their products with themselves is the unit matrix.
-constexpr double corners[count][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+constexpr int count = convex::tetrahedron_corner_count;
+constexpr auto &corners = convex::tetrahedron_corners;
 
 // A symmetric matrix of two rows, and a vector, in the plane perpendicular to the load.
 struct Plane2 {

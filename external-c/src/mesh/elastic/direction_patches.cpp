@@ -62,9 +62,6 @@ Mat3 factor(const double (&m)[6], int last, double rounding) {
   return {{columns[0], columns[1], columns[2]}};
 }
 
-// Corners of a tetrahedron: of mean 0, the mean of their products with themselves is the unit matrix.
-constexpr double corners[DirectionPatches::points_each][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
-
 }  // namespace
 
 void DirectionPatches::append(std::vector<LoadPoint> &points) const {
@@ -83,7 +80,7 @@ void DirectionPatches::append(std::vector<LoadPoint> &points) const {
     const double rounding = 1e-14 * (norm2(middle) + spread[0] + spread[1] + spread[2]);
     const Mat3 columns = factor(spread, static_cast<int>(direction / 2), rounding);
     const Vec3 surface = middle + (0.5 * depth / norm(force)) * force;
-    for (const double(&corner)[3] : corners) {
+    for (const double(&corner)[3] : convex::tetrahedron_corners) {
       points.push_back({(1.0 / points_each) * force,
                         surface + corner[0] * columns.row[0] + corner[1] * columns.row[1] + corner[2] * columns.row[2], depth});
     }

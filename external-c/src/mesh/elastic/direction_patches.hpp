@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "math/tetrahedron.hpp"
 #include "math/vector3.hpp"
 
 namespace cmb::mesh {
@@ -33,7 +34,7 @@ struct LoadPoint {
 // becomes four points with equal loads whose first and second moments are those of its patches.
 class DirectionPatches {
  public:
-  static constexpr std::size_t directions = 6, points_each = 4;
+  static constexpr std::size_t directions = 6, points_each = convex::tetrahedron_corner_count;
 
   // What places are relative to; before the first patch. Near the patches, where it costs the least rounding.
   void set_origin(const Vec3 &origin) { origin_ = origin; }

@@ -81,6 +81,22 @@ static unsigned *slots(fmi3Instance c, const char *call, const fmi3ValueReferenc
   return slot;
 }
 
+/* Begins a call on variables of one type: their slots, or NULL where there is nothing to do or the call is refused, with the
+ * status to return. */
+static unsigned *open_slots(fmi3Instance c, const char *call, const fmi3ValueReference *reference, size_t count,
+                            size_t value_count, reference_kind kind, reference_kind solver_kind, fmi3Status *status) {
+  *status = fmi3Error;
+  if (!counts_agree(c, call, count, value_count)) return NULL;
+  if (count > 0) return slots(c, call, reference, count, kind, solver_kind);
+  *status = fmi3OK;
+  return NULL;
+}
+
+static fmi3Status close_slots(unsigned *slot, fmurt_fmu_status status) {
+  free(slot);
+  return (fmi3Status)status;
+}
+
 static fmurt_fmu_status get_float(fmi3Instance c, const char *call, fmi3ValueReference reference, double *value) {
   const unsigned slot = slot_of(reference);
   if (is_of_kind(reference, KIND_INDICATOR)) return fmurt_fmu_get_indicator(c, call, slot, value);
@@ -109,35 +125,23 @@ fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference reference[], 
 
 fmi3Status fmi3SetFloat64(fmi3Instance c, const fmi3ValueReference reference[], size_t count, const fmi3Float64 value[],
                           size_t value_count) {
-  if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
-  if (count == 0) return fmi3OK;
-  unsigned *slot = slots(c, __func__, reference, count, KIND_REAL, KIND_SOLVER_REAL);
-  if (slot == NULL) return fmi3Error;
-  const fmurt_fmu_status status = fmurt_fmu_set_real(c, __func__, slot, count, value);
-  free(slot);
-  return (fmi3Status)status;
+  fmi3Status status;
+  unsigned *slot = open_slots(c, __func__, reference, count, value_count, KIND_REAL, KIND_SOLVER_REAL, &status);
+  return slot == NULL ? status : close_slots(slot, fmurt_fmu_set_real(c, __func__, slot, count, value));
 }
 
 fmi3Status fmi3GetInt32(fmi3Instance c, const fmi3ValueReference reference[], size_t count, fmi3Int32 value[],
                         size_t value_count) {
-  if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
-  if (count == 0) return fmi3OK;
-  unsigned *slot = slots(c, __func__, reference, count, KIND_INTEGER, KIND_SOLVER_INTEGER);
-  if (slot == NULL) return fmi3Error;
-  const fmurt_fmu_status status = fmurt_fmu_get_integer(c, __func__, slot, count, value);
-  free(slot);
-  return (fmi3Status)status;
+  fmi3Status status;
+  unsigned *slot = open_slots(c, __func__, reference, count, value_count, KIND_INTEGER, KIND_SOLVER_INTEGER, &status);
+  return slot == NULL ? status : close_slots(slot, fmurt_fmu_get_integer(c, __func__, slot, count, value));
 }
 
 fmi3Status fmi3SetInt32(fmi3Instance c, const fmi3ValueReference reference[], size_t count, const fmi3Int32 value[],
                         size_t value_count) {
-  if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
-  if (count == 0) return fmi3OK;
-  unsigned *slot = slots(c, __func__, reference, count, KIND_INTEGER, KIND_SOLVER_INTEGER);
-  if (slot == NULL) return fmi3Error;
-  const fmurt_fmu_status status = fmurt_fmu_set_integer(c, __func__, slot, count, value);
-  free(slot);
-  return (fmi3Status)status;
+  fmi3Status status;
+  unsigned *slot = open_slots(c, __func__, reference, count, value_count, KIND_INTEGER, KIND_SOLVER_INTEGER, &status);
+  return slot == NULL ? status : close_slots(slot, fmurt_fmu_set_integer(c, __func__, slot, count, value));
 }
 
 /* Enumerations are 64-bit in FMI 3.0. */
@@ -209,24 +213,16 @@ fmi3Status fmi3SetBoolean(fmi3Instance c, const fmi3ValueReference reference[], 
 
 fmi3Status fmi3GetString(fmi3Instance c, const fmi3ValueReference reference[], size_t count, fmi3String value[],
                          size_t value_count) {
-  if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
-  if (count == 0) return fmi3OK;
-  unsigned *slot = slots(c, __func__, reference, count, KIND_STRING, KIND_NONE);
-  if (slot == NULL) return fmi3Error;
-  const fmurt_fmu_status status = fmurt_fmu_get_string(c, __func__, slot, count, value);
-  free(slot);
-  return (fmi3Status)status;
+  fmi3Status status;
+  unsigned *slot = open_slots(c, __func__, reference, count, value_count, KIND_STRING, KIND_NONE, &status);
+  return slot == NULL ? status : close_slots(slot, fmurt_fmu_get_string(c, __func__, slot, count, value));
 }
 
 fmi3Status fmi3SetString(fmi3Instance c, const fmi3ValueReference reference[], size_t count, const fmi3String value[],
                          size_t value_count) {
-  if (!counts_agree(c, __func__, count, value_count)) return fmi3Error;
-  if (count == 0) return fmi3OK;
-  unsigned *slot = slots(c, __func__, reference, count, KIND_STRING, KIND_NONE);
-  if (slot == NULL) return fmi3Error;
-  const fmurt_fmu_status status = fmurt_fmu_set_string(c, __func__, slot, count, value);
-  free(slot);
-  return (fmi3Status)status;
+  fmi3Status status;
+  unsigned *slot = open_slots(c, __func__, reference, count, value_count, KIND_STRING, KIND_NONE, &status);
+  return slot == NULL ? status : close_slots(slot, fmurt_fmu_set_string(c, __func__, slot, count, value));
 }
 
 fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueReference unknown[], size_t unknown_count,
