@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -24,12 +24,15 @@ class RecordedMachine:
 
     keeps_states = False
 
-    def __init__(self, file: Path, signals: Sequence[str]) -> None:
+    def __init__(
+        self, file: Path, signals: Sequence[str], set_waiting: Callable[[Mapping[str, float]], None] | None = None
+    ) -> None:
         """Reads a record.
 
         Args:
             file: result.csv.
             signals: to show; the record may have more.
+            set_waiting: takes values for the machine that waits.
 
         Raises:
             InputError: the file cannot be read, has one row alone, or lacks a signal.
@@ -49,6 +52,7 @@ class RecordedMachine:
         self.step_length = float(np.median(times[times > 0]))
         self._time, self._rows = result.time, result.vector(self.signals)
         self._present = 0
+        self._set_waiting = set_waiting
 
     @property
     def time(self) -> float:
@@ -61,7 +65,12 @@ class RecordedMachine:
         return self._present == len(self._time) - 1
 
     def set(self, values: Mapping[str, float]) -> None:
-        """Does nothing: what was recorded stays."""
+        """What was recorded stays; values are for the machine that waits.
+
+        Pages set none in a replay, but the last before it may come late, and who leaves lets go of the inputs.
+        """
+        if self._set_waiting is not None:
+            self._set_waiting(values)
 
     def step(self) -> None:
         """On to the next row; the last one stays."""

@@ -226,11 +226,13 @@ class SimulationLoop:
     def _set(self, command: Command) -> None:
         assert isinstance(command, SetValues)
         self._stamp = max(self._stamp, command.stamp)
-        if self._mode is Mode.FAILED:
-            return
-        self._machine.set(command.values)
+        self._set_machine(command.values)
         if self._mode is Mode.PAUSED:
             self._show()
+
+    def _set_machine(self, values: Mapping[str, float]) -> None:
+        if self._mode is not Mode.FAILED:
+            self._machine.set(values)
 
     def _run(self, _command: Command) -> None:
         if self._mode is Mode.PAUSED:
@@ -313,7 +315,7 @@ class SimulationLoop:
         self._pause(command)
         self._end_record("another one is replayed")
         try:
-            machine = RecordedMachine(command.file, self._machine.signals)
+            machine = RecordedMachine(command.file, self._machine.signals, self._set_machine)
         except InputError as error:
             self._reports.post(Refusal(str(error)))
             return
