@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "manifold/polytope/tessellation_load.hpp"
+#include "manifold/polytope/tessellation_energy.hpp"
 #include "manifold/rod_end_share.hpp"
 
 namespace cmb {
@@ -32,31 +32,44 @@ class Collector {
     const double depth = -height(p);
     if (!(depth > 0.0) || !(weight > 0.0)) return;
     result_.points.push_back({depth, weight, plane_.normal, pose_(p) + 0.5 * depth * plane_.normal});
+    deepest_ = std::fmax(deepest_, depth);
     load_ += weight * depth;
     missing_ = missing_ + 0.5 * depth * depth * weight_gradient;
   }
 
-  // A corner of a tessellated body: the same for the part of its weight that it keeps. `share_load` follows the last one.
-  void add_corner(const Vec3 &p, const TessellationLoad &shared, const ContactPolytope::Share &share) {
-    const double depth = -height(p), part = shared.part(depth);
-    linear_ = linear_ + (0.5 * part * depth) * share.gradient;
-    squares_ += part * share.value * depth * depth;
-    add(p, part * share.value, part * share.gradient);
+  // A corner of a tessellated body that lies deep in the plane: its force follows the last one, from share_energy().
+  void add_corner(const Vec3 &p, const TessellationEnergy &energy, const ContactPolytope::Share &share) {
+    const double depth = -height(p);
+    if (!(depth > 0.0)) return;
+    const TessellationEnergy::Term term = energy.at(depth);
+    const double force = share.value * term.slope;
+    if (!(force > 0.0)) return;
+    terms_ += share.value * term.value;
+    load_ += force;
+    squares_ += force * depth;
+    missing_ = missing_ + term.value * share.gradient;
+    result_.points.push_back({depth, force, plane_.normal, pose_(p) + 0.5 * depth * plane_.normal});
   }
-  void share_load(const TessellationLoad &shared, double deepest) {
+  // Points get the depth that stores the energy.
+  void share_energy(const TessellationEnergy &energy) {
     if (!(load_ > 0.0)) return;
-    const TessellationLoad::Scale scale = shared.scale(load_, squares_, deepest);
-    load_ *= scale.weight;
-    missing_ = scale.weight * missing_ - scale.level * linear_;
-    for (std::size_t i = begin_; i < result_.points.size(); ++i) result_.points[i].weight *= scale.weight;
+    const TessellationEnergy::Mean mean = energy.mean(terms_);
+    const double deeper = mean.depth * mean.depth / (mean.force * squares_);
+    load_ *= mean.force;
+    missing_ = mean.share * missing_;
+    for (std::size_t i = begin_; i < result_.points.size(); ++i) {
+      ContactPoint &point = result_.points[i];
+      point.depth *= deeper;
+      point.weight *= mean.force / point.depth;
+    }
   }
 
   // Ends the collection: `lowest` is the shape's lowest point.
   void finish(const Vec3 &lowest) {
     // By rounding a point may be lower than the lowest one, or none below the plane where that is.
     const bool carries = result_.points.size() > begin_;
-    const double deepest = greatest_depth(result_.points, begin_), lowest_height = height(lowest);
-    result_.distance = carries ? -std::fmax(deepest, -lowest_height) : std::fmax(0.0, lowest_height);
+    const double lowest_height = height(lowest);
+    result_.distance = carries ? -std::fmax(deepest_, -lowest_height) : std::fmax(0.0, lowest_height);
     result_.normal = plane_.normal;
     result_.witness = pose_(lowest) - 0.5 * result_.distance * plane_.normal;
     if (!carries) return;
@@ -75,8 +88,9 @@ class Collector {
   std::size_t begin_;
   Vec3 down_;
   double offset_;
-  double load_ = 0.0, squares_ = 0.0;
-  Vec3 missing_, linear_;
+  double load_ = 0.0, deepest_ = 0.0;
+  double terms_ = 0.0, squares_ = 0.0;  // of corners: of the energy's terms; of force times depth
+  Vec3 missing_;
 };
 
 // Calls visit(vertex) for all vertices that lie deeper than `level` below the plane, from `lowest` along the edges.
@@ -116,11 +130,17 @@ void polytope_contact(const ContactPolytope &polytope, Collector &collector) {
   const auto place = [&](std::int32_t v) -> const Vec3 & { return geometry.vertices()[static_cast<std::size_t>(v)]; };
   const double deepest = -collector.height(place(lowest));
   if (deepest > 0.0) {
-    const TessellationLoad shared(deepest, polytope.fineness());
-    visit_deeper(geometry, lowest, std::max(0.0, shared.level()), collector, [&](std::int32_t v) {
-      collector.add_corner(place(v), shared, polytope.share(v, collector.down()));
+    const TessellationEnergy energy(deepest, polytope.fineness());
+    const bool springs = energy.are_springs();
+    visit_deeper(geometry, lowest, energy.level(), collector, [&](std::int32_t v) {
+      const ContactPolytope::Share share = polytope.share(v, collector.down());
+      if (springs) {
+        collector.add(place(v), share.value, share.gradient);
+      } else {
+        collector.add_corner(place(v), energy, share);
+      }
     });
-    collector.share_load(shared, deepest);
+    if (!springs) collector.share_energy(energy);
   }
   collector.finish(place(lowest));
 }

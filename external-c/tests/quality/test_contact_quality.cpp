@@ -107,4 +107,10 @@ INSTANTIATE_TEST_SUITE_P(AllPolytopes, ElasticPolytopes,
                                          Pair{"prism", "hull-20"}, Pair{"hull-20", "hull-20"}, Pair{"hull-20", "hull-100"},
                                          Pair{"compound", "box"}));
 
+// Many corners at once as well.
+INSTANTIATE_TEST_SUITE_P(OnHalfSpaces, ElasticPolytopes,
+                         testing::Values(Pair{"box", "halfspace"}, Pair{"prism", "halfspace"}, Pair{"hull-20", "halfspace"},
+                                         Pair{"hull-100", "halfspace"}, Pair{"compound", "halfspace"}, Pair{"box-mesh", "halfspace"},
+                                         Pair{"sphere-mesh", "halfspace"}, Pair{"torus-mesh", "halfspace"}));
+
 }  // namespace

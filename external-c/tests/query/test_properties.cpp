@@ -318,7 +318,8 @@ TEST(Properties, PlatesWithinRoundBodiesAreNotSqueezed) {
   EXPECT_GT(squeezed, 0);
 }
 
-// Their many corners push as the smooth body's one point does, on a box to a tenth or so, and near where that would.
+// Their many corners push as the smooth body's one point does, on a box to a tenth or so, on a half-space the nearer the more corners
+// lie in it, and near where that would.
 TEST(Properties, FinelyTessellatedBallsPushAsBalls) {
   for (const int corners : {100, 400}) {
     const double spacing = 0.5 * std::sqrt(4.0 * 3.14159265358979324 / corners);  // of the corners
@@ -331,9 +332,10 @@ TEST(Properties, FinelyTessellatedBallsPushAsBalls) {
           a.position.z -= scene.query(a, {}, 8).distance + depth;
           const Contact contact = scene.query(a, {}, 128);
           const double load = norm(contact.load());
-          ASSERT_NEAR(load, depth, other[6] == 'b' ? 0.15 * depth : 1e-12) << corners << " " << other;
+          const bool on_box = other[6] == 'b';
+          ASSERT_NEAR(load, depth, on_box ? 0.15 * depth : 1.0 / corners) << corners << " " << other;
           const Vec3 arm = (1.0 / load) * contact.moment(a.position);  // of a load straight up at (x, y): (y, -x, 0)
-          ASSERT_LT(std::hypot(arm.x, arm.y), spacing) << corners << " " << other;
+          ASSERT_LT(std::hypot(arm.x, arm.y), on_box ? spacing : 0.3 * spacing) << corners << " " << other;
         }
       }
     }
