@@ -86,6 +86,7 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : g
           part * (share_in(edge.vertex[0], edge.face[side]) + share_in(edge.vertex[1], edge.face[side]));
     }
   }
+  build_polar();
   if (geometry_.edges().size() <= most_in_set) {
     build_sets();
   } else {
@@ -112,6 +113,18 @@ void ContactPolytope::build_sets() {
   for (int axis = 0; axis < 3; ++axis) {
     for (const Vec3 &vertex : geometry_.vertices()) coordinates_.push_back(vertex[axis]);
     for (const convex::Polytope::Face &face : geometry_.faces()) normal_coordinates_.push_back(face.normal[axis]);
+  }
+}
+
+void ContactPolytope::build_polar() {
+  const std::vector<convex::Polytope::Face> &faces = geometry_.faces();
+  faces_across_.resize(geometry_.face_edges().size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    polar_corners_.push_back((1.0 / (faces[f].offset - dot(faces[f].normal, geometry_.center()))) * faces[f].normal);
+    for (std::int32_t k = faces[f].first; k < faces[f].first + faces[f].count; ++k) {
+      const convex::Polytope::Edge &edge = geometry_.edges()[index(geometry_.face_edges()[index(k)])];
+      faces_across_[index(k)] = edge.face[edge.face[0] == static_cast<std::int32_t>(f) ? 1 : 0];
+    }
   }
 }
 

@@ -67,6 +67,12 @@ class ContactPolytope {
   // faces are that nearly in one plane.
   double greatest_face_cosine(const Vec3 &direction) const;
 
+  // Corners of the polar body about the center, one for each face: the face's normal divided by its distance from there. Of all faces
+  // the one whose corner is farthest along a place's direction from the center is the one beyond which that place is first.
+  const std::vector<Vec3> &polar_corners() const { return polar_corners_; }
+  // In step with the geometry's face_edges(): the face across.
+  const std::vector<std::int32_t> &faces_across() const { return faces_across_; }
+
   // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated; 0 where they stand for a curve.
   double fineness() const { return fineness_; }
 
@@ -86,6 +92,7 @@ class ContactPolytope {
 
  private:
   void build_sets();
+  void build_polar();
   double share_in(std::int32_t v, std::int32_t face) const;
 
   convex::Polytope geometry_;
@@ -101,6 +108,8 @@ class ContactPolytope {
   // Of others: the hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without
   // vertices where it could not be made.
   convex::Polytope normals_;
+  std::vector<Vec3> polar_corners_;
+  std::vector<std::int32_t> faces_across_;
 };
 
 }  // namespace cmb

@@ -52,6 +52,33 @@ TEST(ContactPolytope, FindsTheFaceNearestToADirection) {
   });
 }
 
+// Walking from face to face as long as the polar corners lie farther finds the face beyond which a place is by the greatest part.
+TEST(ContactPolytope, PolarCornersLeadToTheFaceBeyond) {
+  for_hulls([](const ContactPolytope &polytope, Random &random) {
+    const convex::Polytope &geometry = polytope.geometry();
+    for (int sample = 0; sample < 500; ++sample) {
+      const Vec3 place = geometry.center() + random.uniform(0.1, 2.0) * random.direction();
+      double greatest = -1.0;
+      for (const convex::Polytope::Face &face : geometry.faces()) {
+        const double own = face.offset - dot(face.normal, geometry.center());
+        greatest = std::max(greatest, dot(face.normal, place - geometry.center()) / own);
+      }
+      std::size_t best = 0;
+      for (bool farther = true; farther;) {
+        farther = false;
+        const convex::Polytope::Face face = geometry.faces()[best];
+        for (std::int32_t k = face.first; k < face.first + face.count; ++k) {
+          const auto next = static_cast<std::size_t>(polytope.faces_across()[static_cast<std::size_t>(k)]);
+          if (!(dot(polytope.polar_corners()[next] - polytope.polar_corners()[best], place - geometry.center()) > 0.0)) continue;
+          best = next;
+          farther = true;
+        }
+      }
+      ASSERT_NEAR(dot(polytope.polar_corners()[best], place - geometry.center()), greatest, 1e-12 * greatest) << sample;
+    }
+  });
+}
+
 TEST(ContactPolytope, KnowsEdgesAndFacesAtAVertexAsSets) {
   for_hulls([](const ContactPolytope &polytope, Random &) {
     const convex::Polytope &geometry = polytope.geometry();

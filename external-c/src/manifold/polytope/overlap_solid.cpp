@@ -130,26 +130,25 @@ void OverlapSolid::find_plane(Body &body, Corner &corner) {
 void OverlapSolid::find_farthest_plane(Body &body, Corner &corner) {
   const convex::Polytope &geometry = body.geometry();
   const convex::Polytope::Face *const faces = geometry.faces().data();
-  const convex::Polytope::Edge *const edges = geometry.edges().data();
-  const Vec3 center = geometry.center(), at = transposed_times(body.in_axes.rotation, corner.at - body.in_axes.translation) - center;
-  const auto reach = [&](const convex::Polytope::Face &face) { return face.offset - dot(face.normal, center); };
+  const Vec3 *const polar = body.side.body().polar_corners().data();
+  const std::int32_t *const across = body.side.body().faces_across().data();
+  const Vec3 place = transposed_times(body.in_axes.rotation, corner.at - body.in_axes.translation), at = place - geometry.center();
   std::int32_t best = body.last_plane, from = -1;
-  double along = dot(faces[best].normal, at), own = reach(faces[best]);
-  for (std::int32_t next_best = best; ; best = next_best) {
+  double farthest = dot(polar[best], at);
+  for (std::int32_t next_best = best;; best = next_best) {
     const convex::Polytope::Face &face = faces[best];
     for (std::int32_t k = face.first; k < face.first + face.count; ++k) {
-      const convex::Polytope::Edge &edge = edges[geometry.face_edges()[index(k)]];
-      const std::int32_t next = edge.face[0] == best ? edge.face[1] : edge.face[0];
+      const std::int32_t next = across[k];
       if (next == from) continue;
-      const double next_along = dot(faces[next].normal, at), next_own = reach(faces[next]);
-      if (!(next_along * own > along * next_own)) continue;
-      next_best = next, along = next_along, own = next_own;
+      const double beyond = dot(polar[next], at);
+      next_best = beyond > farthest ? next : next_best;
+      farthest = beyond > farthest ? beyond : farthest;
     }
     if (next_best == best) break;
     from = best;
   }
   body.last_plane = corner.plane = best;
-  corner.below = own - along;
+  corner.below = faces[best].offset - dot(faces[best].normal, place);
 }
 
 // Of many planes only those that may be one, as fine tessellations have none that are as good as parallel for long.
