@@ -199,4 +199,39 @@ TEST(ApartFromMesh, NoTriangleIsNearerToPolytopes) {
   EXPECT_GT(apart, 120);
 }
 
+// Where rounding ends the search of bodies that nearly touch, nearly flush, a bound above what is enough proves nothing.
+TEST(TrianglePolytopeGap, ProvesOnlyWhatItIsOrThatItIsEnough) {
+  random_bodies::Random random(31);
+  const Polytope body = Polytope::box({1.0, 0.4, 0.8});
+  int proofs = 0;
+  for (int k = 0; k < 20000; ++k) {
+    // A triangle hardly above the box's upper face or, turned, above one of that face's edges.
+    const double tilt = random.log_uniform(1e-10, 1e-6), gap = random.log_uniform(1e-10, 1e-7);
+    const double spin = random.uniform(-3.0, 3.0), aside = k % 2 == 0 ? random.uniform(-0.7, 0.7) : 0.5;
+    const Mat3 turned = random_bodies::rotation_about(random.direction(), tilt);
+    const auto place = [&](double x, double y) {
+      const Vec3 flat{x * std::cos(spin) - y * std::sin(spin) + aside, x * std::sin(spin) + y * std::cos(spin), 0.4 + gap};
+      return turned * flat;
+    };
+    const Vec3 a = place(-0.4, -0.3), b = place(0.5, -0.2), c = place(0.1, 0.4);
+    const Pose frame{random_bodies::random_rotation(random), random.direction()};
+    std::vector<Vec3> vertices, normals, polygon, room;
+    for (const Vec3 &v : body.vertices()) vertices.push_back(frame(v));
+    for (const auto &face : body.faces()) normals.push_back(frame.rotation * face.normal);
+    const double exact =
+        triangle_polytope_distance(frame(a), frame(b), frame(c), body, vertices, normals, polygon, room).distance;
+    const double enough = exact * random.uniform(0.3, 6.0);
+    bool proven;
+    const TriangleGap found = triangle_polytope_gap(frame(a), frame(b), frame(c), body, frame, enough, proven);
+    if (!proven) continue;
+    ++proofs;
+    if (exact <= enough) {
+      ASSERT_NEAR(found.distance, exact, 1e-12) << "sample " << k << ", tilt " << tilt << ", gap " << gap;
+    } else {
+      ASSERT_GT(found.distance, enough - 1e-15) << "sample " << k;
+    }
+  }
+  EXPECT_GT(proofs, 400);
+}
+
 }  // namespace

@@ -158,7 +158,7 @@ TriangleGap triangle_polytope_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, c
   const double size = body.radius() + std::fmax(norm(b - a), norm(c - a));
   double lower;
   const TriangleGap gap = hull_convex_gap(corner, convex::make_polytope(body), body_in_mesh, enough, polyhedral_tolerance, lower);
-  proven = gap.distance > enough || gap.distance - lower <= 10.0 * polyhedral_tolerance * size;
+  proven = lower > enough || gap.distance - lower <= 10.0 * polyhedral_tolerance * size;
   return gap;
 }
 
