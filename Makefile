@@ -16,10 +16,11 @@
 # make large     lets a thousand spheres fill a box: builds and runs regression/cases/large, some minutes
 # make test-msl  passes the tests with the Standard Library's examples (MODELICAPATH; about fifteen minutes)
 # make test-omc  runs the examples through OpenModelica where it is installed
+# make test-omc-fmu  exports examples as FMUs by OpenModelica and compares them with their references
 # make pictures  draws the pages in docs/images anew; some minutes
 # make video     bytes a second of poses and of rendered video, for one eye and for two; some minutes
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc icons pictures video bench-peers
+.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc test-omc-fmu icons pictures video bench-peers
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -62,6 +63,9 @@ test-msl: setup-test
 
 test-omc: setup
 	scripts/test-omc
+
+test-omc-fmu: setup
+	.venv/bin/python scripts/test-omc-fmu
 
 video: setup
 	.venv/bin/python -m pip install -q --disable-pip-version-check av==18.1.0
