@@ -61,11 +61,20 @@ equation
     for i in 1:m loop
       rate[i] = NormalForce.dampingRate(dampingFactor[i], impactSpeed[i], restSpeed);
     end for;
+    for i in 1:m loop
+      assert(noEvent(not touches[i] or strikeSpeed[i] < max(1.2*impactSpeed[i], 10*restSpeed)),
+        "Pair " + String(i) + " is struck again while it touches: from 1.25 times the impact speed on that has its own damping, and results beside that threshold may depend on the tolerance. Compare with a tighter one, or take restitutionMethod=Memoryless.",
+        AssertionLevel.warning);
+    end for;
   end if;
   annotation (Documentation(info="<html>
 <p>
 The damping of a contact that delivers a restitution depends on the speed at which it began. Either events catch that speed (<code>impactSpeed</code>), or it is recovered from depth
 and speed (<code>Memoryless</code>), for which <a href=\"modelica://ContactMultiBody.Interfaces.PartialNormalForce\">PartialNormalForce</a> needs the bodies' inertia.
+</p>
+<p>
+A touching pair whose approach speed exceeds 1.25 times <code>impactSpeed</code> is struck anew, by another body or by friction that jams. Results beside that threshold may depend on the tolerance; from 1.2 times on,
+unless all is slower than ten times <code>restSpeed</code>, a warning says so. <code>Memoryless</code> has no threshold.
 </p>
 </html>"));
 end PartialRestitution;
