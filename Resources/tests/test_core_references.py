@@ -27,7 +27,7 @@ def _reference(name):
         ("DoublePendulum", 3.0),
         ("PlanarFourBar", 3.0),
         ("SlidingBlock", 1.0),
-        ("Hexapod.Walk", 0.03),
+        pytest.param("Hexapod.Walk", 0.03, marks=pytest.mark.full),
     ],
 )
 def test_trajectory_of_openmodelica(name, stop):

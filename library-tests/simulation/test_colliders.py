@@ -32,10 +32,10 @@ GROUND_FIRST = "floor.collider, ball.collider, wall.collider"
 TWO_FIXED_SWAPPED = "ball.collider, wall.collider, floor.collider"
 
 
-def built_and_run(folder: Path, manager: str, order: str) -> None:
+def built_and_run(folder: Path, cache: Path, manager: str, order: str) -> None:
     source = folder / "Colliders.mo"
     source.write_text(MODEL.replace("ORDER", order).replace("MANAGER", manager))
-    options = BuildOptions(msl=REPOSITORY / "Resources" / "MultiBodyCore", cache=None)
+    options = BuildOptions(msl=REPOSITORY / "Resources" / "MultiBodyCore", cache=cache)
     fmu = folder / "Colliders.fmu"
     build_fmu("Colliders", [source, REPOSITORY / "ContactMultiBody"], fmu, options)
     simulate(fmu, stop=0.1)
@@ -49,14 +49,14 @@ def built_and_run(folder: Path, manager: str, order: str) -> None:
         pytest.param("CompiledContactManager", GROUND_FIRST, marks=pytest.mark.full),
     ],
 )
-def test_another_order_is_noticed(tmp_path: Path, manager: str, order: str) -> None:
+def test_another_order_is_noticed(tmp_path: Path, fmu_cache: Path, manager: str, order: str) -> None:
     with pytest.raises(CmbError) as caught:
-        built_and_run(tmp_path, manager, order)
+        built_and_run(tmp_path, fmu_cache, manager, order)
     assert "is not where collider[" in str(caught.value)
     assert "order of the frames" in str(caught.value)
 
 
 @pytest.mark.full
 @pytest.mark.parametrize("manager", ["ContactManager", "VolumeContactManager", "CompiledContactManager"])
-def test_the_right_order_raises_no_alarm(tmp_path: Path, manager: str) -> None:
-    built_and_run(tmp_path, manager, RIGHT)
+def test_the_right_order_raises_no_alarm(tmp_path: Path, fmu_cache: Path, manager: str) -> None:
+    built_and_run(tmp_path, fmu_cache, manager, RIGHT)

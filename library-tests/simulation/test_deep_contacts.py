@@ -43,7 +43,10 @@ MANAGERS = {
 HEIGHT, SAMPLES = 0.2, 6
 
 
-@pytest.mark.parametrize("manager", MANAGERS)
+@pytest.mark.parametrize(
+    "manager",
+    [pytest.param(name, marks=pytest.mark.full if name == "without events" else ()) for name in MANAGERS],
+)
 def test_what_sinks_by_half_its_thickness_is_told(manager: str, fmu_cache: Path, tmp_path: Path) -> None:
     """A box falls flat: the greatest depth is v sqrt(m/K)."""
     source, fmu = tmp_path / "Fall.mo", tmp_path / "Fall.fmu"

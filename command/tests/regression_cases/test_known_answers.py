@@ -10,11 +10,8 @@ from program import CaseCheck, cases_of
 QUICK = {
     "backspin_ball",
     "bouncing_ball",
-    "box_on_edge",
     "falling_domino",
     "free_impact_without_events",
-    "incline_sticks",
-    "off_centre_impact",
     "second_strike",
 }
 

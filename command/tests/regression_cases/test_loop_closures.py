@@ -18,7 +18,7 @@ from program import ROOT
 
 SOURCE = Path(__file__).parent / "fixtures" / "ClosingLoops.mo"
 STUDIES = (ROOT / "Resources" / "studies" / "StudyScenes.mo", ROOT / "Resources" / "reference" / "ReferenceModels.mo")
-QUICK, FULL = 12, 400
+QUICK, FULL = 6, 400
 MODES: tuple[Mode, ...] = ("cs", "me")
 
 

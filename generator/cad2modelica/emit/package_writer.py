@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +55,8 @@ def package_texts(
     """The texts of the package's files."""
     diagram = draw(view)
     drives = draw_actuators(actuators, diagram)
-    environment = _environment({**diagram.extents, **drives.extents})
+    environment = _environment()
+    extents = {**diagram.extents, **drives.extents}
     common: dict[str, Any] = {
         "package": package,
         "label": assembly.name,
@@ -66,6 +68,7 @@ def package_texts(
         "stop_time": assembly.stop_time,
         "tolerance": assembly.tolerance,
         "interval": assembly.stop_time / OUTPUT_POINTS,
+        "placement": lambda name: _placement(extents[name]),
     }
     mechanics = environment.get_template("mechanics.mo.jinja").render(
         **common,
@@ -102,7 +105,8 @@ def package_texts(
     return PackageTexts(files, mechatronics, resources)
 
 
-def _environment(extents: dict[str, Extent]) -> Environment:
+@cache
+def _environment() -> Environment:
     environment = Environment(
         loader=FileSystemLoader(Path(__file__).parent / "templates"),
         undefined=StrictUndefined,
@@ -112,7 +116,6 @@ def _environment(extents: dict[str, Extent]) -> Environment:
         autoescape=False,
     )
     environment.filters.update(string=string, html=html, number=number, vector=vector)
-    environment.globals["placement"] = lambda name: _placement(extents[name])
     return environment
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+import threading
 import zlib
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -98,7 +100,7 @@ def read_vrml(file: Path) -> VrmlDocument:
     document = VrmlDocument(file)
     try:
         # The builder works while parsing: no tree, and no recursion on what is nested deeply.
-        document.roots.extend(_grammar(_Builder(document)).parse(text))  # type: ignore[arg-type]
+        document.roots.extend(_PARSER.parse(text, document))
     except UnexpectedToken as error:
         if error.token.type == "$END":
             raise _truncated(text, file) from error
@@ -117,17 +119,34 @@ def read_vrml(file: Path) -> VrmlDocument:
     return document
 
 
-def _grammar(builder: _Builder | None = None) -> Lark:
-    return Lark.open("vrml.lark", rel_to=__file__, parser="lalr", lexer="contextual", transformer=builder)
+class _Parser(threading.local):
+    """A thread's parser, kept: to read the grammar takes longer than to parse most files."""
+
+    def __init__(self) -> None:
+        self._builder = _Builder()
+
+    @cached_property
+    def grammar(self) -> Lark:
+        """The grammar, with the builder at work while it parses."""
+        options = {"parser": "lalr", "lexer": "contextual", "transformer": self._builder}
+        return Lark.open("vrml.lark", rel_to=__file__, **options)
+
+    def parse(self, text: str, document: VrmlDocument) -> list[Node]:
+        """Root nodes; prototypes go to the document."""
+        self._builder.begin(document)
+        roots: Any = self.grammar.parse(text)
+        return list(roots)
 
 
 class _Builder(Transformer[Token, Any]):
     """Builds nodes bottom-up in the order of the text, so that USE finds what DEF named before."""
 
-    def __init__(self, document: VrmlDocument) -> None:
-        super().__init__()
-        self._document = document
-        self._named: dict[str, Node] = {}
+    _document: VrmlDocument
+    _named: dict[str, Node]
+
+    def begin(self, document: VrmlDocument) -> None:
+        """Builds the nodes of another document from now on."""
+        self._document, self._named = document, {}
 
     def start(self, children: list[Any]) -> list[Node]:
         return [child for child in children if isinstance(child, Node)]
@@ -213,6 +232,9 @@ class _Builder(Transformer[Token, Any]):
         return None
 
 
+_PARSER = _Parser()
+
+
 def _parse_numbers(text: str) -> Array:
     words = text.replace(",", " ").split()
     if "x" in text or "X" in text:
@@ -272,7 +294,7 @@ def _truncated(text: str, file: Path, what: str | None = None) -> InputError:
     opened: list[tuple[str, int]] = []
     last = ""
     try:
-        for token in _grammar().lex(text, dont_ignore=False):
+        for token in _PARSER.grammar.lex(text, dont_ignore=False):
             if token.type in ("LBRACE", "LSQB"):
                 opened.append((f"{last} {token}".strip(), token.line or 0))
             elif token.type in ("RBRACE", "RSQB") and opened:

@@ -6,10 +6,11 @@ import base64
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
 from cad2modelica.actuators.placement import Actuator
 from cad2modelica.collision.collision_shapes import CollisionGeometry
@@ -47,8 +48,8 @@ class ReportInput:
     structure: str
 
 
-def report_html(given: ReportInput) -> str:
-    """The report as one HTML page without anything outside of it; the same input gives the same bytes."""
+@cache
+def _template() -> Template:
     environment = Environment(
         loader=FileSystemLoader(Path(__file__).parent / "templates"),
         undefined=StrictUndefined,
@@ -57,9 +58,14 @@ def report_html(given: ReportInput) -> str:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+    return environment.get_template("report.html.jinja")
+
+
+def report_html(given: ReportInput) -> str:
+    """The report as one HTML page without anything outside of it; the same input gives the same bytes."""
     pairs = given.view.contacts.pairs if given.view.contacts is not None else ()
     bodies = {part.name for part in given.assembly.parts}
-    return environment.get_template("report.html.jinja").render(
+    return _template().render(
         name=given.name,
         label=given.assembly.name,
         file=given.assembly.file.name,

@@ -13,10 +13,13 @@ from PIL import Image
 from cad2modelica.geometry.spatial import Array, dot
 
 Mask = NDArray[np.bool_]
+Numbers = NDArray[np.int64]
 
 WIDTH, HEIGHT = 560, 420  # px
 FINER = 2  # drawn so many times finer and averaged
 FRAME = 0.05  # of the picture is left free on every side
+SMALL = 400  # points around a triangle below which it is painted together with others
+AT_ONCE = 1 << 18  # points that are looked at together
 MOST_TRIANGLES = 12_000  # drawn; more are coarsened to what a picture of this size can show
 AZIMUTH, ELEVATION = np.radians(-35.0), np.radians(25.0)
 LIGHT = np.array([-0.35, 0.75, 0.56])  # right, up, towards the viewer
@@ -94,46 +97,71 @@ def _painted(corners: Array, color: Array, width: int, height: int) -> Array:
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normal = np.column_stack([normal[:, 0], -normal[:, 1], normal[:, 2]]) * -1.0
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
-    depth = np.full((height, width), -np.inf)
-    owner = np.full((height, width), -1, dtype=np.int64)
-    low = np.maximum(np.ceil(corners[..., :2].min(axis=1) - 0.5), 0).astype(int)
-    high = np.minimum(np.floor(corners[..., :2].max(axis=1) - 0.5), [width - 1, height - 1]).astype(int)
-    for number in np.flatnonzero((low <= high).all(axis=1)):
-        (x0, y0), (x1, y1) = low[number], high[number]
-        a, b, c = corners[number]
-        x, y = np.arange(x0, x1 + 1) + 0.5, (np.arange(y0, y1 + 1) + 0.5)[:, None]
-        whole = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
-        of_b = ((x - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (y - a[1])) / whole
-        of_c = ((b[0] - a[0]) * (y - a[1]) - (x - a[0]) * (b[1] - a[1])) / whole
-        near = a[2] + of_b * (b[2] - a[2]) + of_c * (c[2] - a[2])
-        place = (slice(y0, y1 + 1), slice(x0, x1 + 1))
-        shown = (of_b >= 0) & (of_c >= 0) & (of_b + of_c <= 1) & (near > depth[place])
-        depth[place][shown] = near[shown]
-        owner[place][shown] = number
+    depth, owner = _foremost(corners, width, height)
     light = LIGHT / np.linalg.norm(LIGHT)
     shade = 0.6 + 0.4 * np.clip(dot(normal, light), 0.0, 1.0)
     image = np.full((height, width, 3), float(BACKGROUND))
     hit = owner >= 0
     image[hit] = 255 * (color * shade[:, None])[owner[hit]]
-    facing = np.zeros((height, width, 3))
-    facing[hit] = normal[owner[hit]]
-    image[_edges(facing, np.where(hit, depth, -1e9), hit)] *= EDGE_SHADE
+    image[_edges(normal, owner, np.where(hit, depth, -1e9))] *= EDGE_SHADE
     return image
 
 
-def _edges(facing: Array, depth: Array, hit: Mask) -> Mask:
+def _foremost(corners: Array, width: int, height: int) -> tuple[Array, Numbers]:
+    """Depth and number of the triangle in front at each point, of equal ones the first; -1 where there is none."""
+    depth = np.full((height, width), -np.inf)
+    owner = np.full((height, width), -1, dtype=np.int64)
+    low = np.maximum(np.ceil(corners[..., :2].min(axis=1) - 0.5), 0).astype(np.int64)
+    high = np.minimum(np.floor(corners[..., :2].max(axis=1) - 0.5), [width - 1, height - 1]).astype(np.int64)
+    shown = (low <= high).all(axis=1)
+    points = (high - low + 1).prod(axis=1)
+    small = np.flatnonzero(shown & (points <= SMALL))
+    for part in np.split(small, np.flatnonzero(np.diff(np.cumsum(points[small]) // AT_ONCE)) + 1):
+        number = np.repeat(part, points[part])
+        index = np.arange(len(number)) - np.repeat(np.cumsum(points[part]) - points[part], points[part])
+        columns = (high - low + 1)[number, 0]
+        x, y = low[number, 0] + index % columns, low[number, 1] + index // columns
+        inside, near = _covered(np.moveaxis(corners[number], 0, -1), x + 0.5, y + 0.5)
+        inside &= near > depth[y, x]
+        number, near, x, y = number[inside], near[inside], x[inside], y[inside]
+        np.maximum.at(depth, (y, x), near)
+        first = np.flatnonzero(near == depth[y, x])[::-1]  # of a repeated point the last counts
+        owner[y[first], x[first]] = number[first]
+    for large in np.flatnonzero(shown & (points > SMALL)):
+        (x0, y0), (x1, y1) = low[large], high[large]
+        place = (slice(y0, y1 + 1), slice(x0, x1 + 1))
+        inside, near = _covered(corners[large], np.arange(x0, x1 + 1) + 0.5, (np.arange(y0, y1 + 1) + 0.5)[:, None])
+        inside &= (near > depth[place]) | ((near == depth[place]) & (large < owner[place]))
+        depth[place][inside] = near[inside]
+        owner[place][inside] = large
+    return depth, owner
+
+
+def _covered(corners: Array, x: Array, y: Array) -> tuple[Mask, Array]:
+    """Which points lie in a triangle, and how near its plane is there."""
+    a, b, c = corners
+    whole = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+    of_b = ((x - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (y - a[1])) / whole
+    of_c = ((b[0] - a[0]) * (y - a[1]) - (x - a[0]) * (b[1] - a[1])) / whole
+    return (of_b >= 0) & (of_c >= 0) & (of_b + of_c <= 1), a[2] + of_b * (b[2] - a[2]) + of_c * (c[2] - a[2])
+
+
+def _edges(normal: Array, owner: Numbers, depth: Array) -> Mask:
     """Where the solid ends, or turns sharply, against the point to the right or below."""
+    hit = owner >= 0
     edge = np.zeros(hit.shape, dtype=np.bool_)
     for here, there in (
         ((slice(None), slice(None, -1)), (slice(None), slice(1, None))),
         ((slice(None, -1), slice(None)), (slice(1, None), slice(None))),
     ):
-        both = hit[here] & hit[there]
-        turned = both & (dot(facing[here], facing[there]) < EDGE_TURN)
+        step = np.abs(depth[here] - depth[there])
+        # Elsewhere both points lie on one triangle, in a step that every slope explains.
+        asked = np.nonzero(hit[here] & hit[there] & ((owner[here] != owner[there]) | (step > 3.9)))
+        first, second = normal[owner[here][asked]], normal[owner[there][asked]]
         # A step in depth that the slopes of the two points do not explain.
-        steep = 2.0 / np.maximum(np.minimum(facing[here][..., 2], facing[there][..., 2]), 0.1)
-        stepped = both & (np.abs(depth[here] - depth[there]) > 2 + steep)
-        edge[here] |= turned | stepped | (hit[here] & ~hit[there])
+        steep = 2.0 / np.maximum(np.minimum(first[:, 2], second[:, 2]), 0.1)
+        edge[here][asked] |= (dot(first, second) < EDGE_TURN) | (step[asked] > 2 + steep)
+        edge[here] |= hit[here] & ~hit[there]
         edge[there] |= hit[there] & ~hit[here]
     return edge
 

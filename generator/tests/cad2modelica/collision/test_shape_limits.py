@@ -101,6 +101,7 @@ def test_many_triangles_about_one_corner_are_welded() -> None:
     np.testing.assert_array_equal(triangles, expected)
 
 
+@pytest.mark.full
 def test_thinned_hull_differs_by_no_more_than_it_says() -> None:
     points = egg(FINE)
     hull = ConvexHull(points)
