@@ -170,6 +170,9 @@ def doubts_of_package(scene: Scene, package: GeneratedPackage) -> list[str]:
     lost = sum("left out" in note and "contacts" not in note for note in package.notes)
     if lost:
         found.append(f"{lost} notes on what is left out")
+    still = sum("it was taken as fixed" in note for note in package.notes)
+    if still:
+        found.append(f"{still} joints taken as fixed, for they move no mass")
     return found
 
 

@@ -13,6 +13,7 @@ from cad2modelica.geometry.spatial import IDENTITY, Array, Pose, cardan_angles
 from cad2modelica.kinematics.kinematic_graph import KinematicTree
 from cad2modelica.kinematics.loops import LoopAnalysis
 from cad2modelica.kinematics.start_motion import start_motion
+from cad2modelica.mechanism.mass_check import check_moments
 from cad2modelica.mechanism.model import GROUND, Assembly, JointType, Part, Plane
 from cad2modelica.modelica.text import number, tidy_length, vector
 from cad2modelica.modelica.view import ContactView, MechanismView
@@ -128,6 +129,7 @@ class _Builder:
             f"m={number(properties.mass)}",
             f"r_CM={vector(properties.center_of_mass)}",
             *(f"I_{i}{j}={number(inertia[i - 1, j - 1])}" for i, j in ((1, 1), (2, 2), (3, 3), (2, 1), (3, 1), (3, 2))),
+            *(["checkInertia=false"] if check_moments(inertia) is not None else []),  # taken with a note
         ]
         name = self._draft.view.part_names[part.name]
         if self._geometries[part.name].shapes:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from contact_foundation.errors import InputError, UnsupportedModelError
+from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
 from modelica2fmu.expand.scalar_model import Kind, ScalarAssert, ScalarEquation, ScalarModel
 from modelica2fmu.expand.scalar_values import as_number, element_names, only_parameters, text_of
@@ -113,27 +113,32 @@ class EquationExpansion:
         return list(arrays.scalars(self._interpreter.evaluate(expression, events=events)))
 
     def assertion(self, item: ir.Assert) -> None:
-        """An assertion of the model; raises InputError if it fails at translation."""
+        """An assertion of the model; raises InputError if it fails with the values that its parameters have now."""
         condition = as_number(self._interpreter.evaluate(item.condition, events=False))
         message = text_of(self._interpreter.evaluate(item.message, events=False))
+        self._require(condition, message, item.is_warning, self._source_map.place(item.span))
         if isinstance(condition, Node):
             self._result.asserts.append(ScalarAssert(condition, message, item.is_warning))
-        elif not condition and not item.is_warning:
-            raise InputError(
-                "an assertion of the model fails: " + "".join(str(part) for part in message.parts),
-                place=self._source_map.place(item.span),
-            )
 
     def function_assert(self, condition: Scalar, message: Scalar, is_warning: bool) -> None:
         """See :class:`interpreter_host.Host`."""
         if isinstance(condition, str | Text) or not isinstance(message, str | Text):
             return
-        if isinstance(condition, Node):
-            # Checked when it depends on parameters alone; an assertion of an inlined function on variables may
-            # stand in a branch that is not taken, so it cannot be lifted out of it.
-            if only_parameters(self._result, condition):
-                self._result.asserts.append(ScalarAssert(condition, text_of(message), is_warning))
-        elif not condition and not is_warning:
-            raise InputError(
-                f"an assertion of the model fails: {message if isinstance(message, str) else message.parts}"
-            )
+        self._require(condition, text_of(message), is_warning, Place())
+        # Checked when it depends on parameters alone; an assertion of an inlined function on variables may
+        # stand in a branch that is not taken, so it cannot be lifted out of it.
+        if isinstance(condition, Node) and only_parameters(self._result, condition):
+            self._result.asserts.append(ScalarAssert(condition, text_of(message), is_warning))
+
+    def _require(self, condition: float | Node, message: Text, is_warning: bool, place: Place) -> None:
+        """Refuses what fails with the values that parameters have now; what depends on variables is not known yet."""
+        if is_warning or self._values.number_now(condition) != 0.0:
+            return
+        shown = [part if isinstance(part, str) else f"{self._values.number_now(part):g}" for part in message.parts]
+        names = ex.symbols(condition) if isinstance(condition, Node) else []
+        found = self._values.modified(names) or place
+        owner = min((name.rpartition(".")[0] for name in names), key=len, default="")
+        raise InputError(
+            "an assertion of the model fails: " + "".join(shown),
+            place=Place(found.file, found.line, owner or None) if found.file is not None else None,
+        )

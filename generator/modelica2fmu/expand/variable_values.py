@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterable, Mapping
 
 import numpy as np
-from contact_foundation.errors import InputError, UnsupportedModelError
+from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
-from modelica2fmu.expand.bounds_check import require_within
+from modelica2fmu.expand.bounds_check import empty_bounds, outside_bounds
 from modelica2fmu.expand.scalar_model import Kind, ScalarModel
 from modelica2fmu.expand.scalar_values import KNOWN_KINDS, element_names
 from modelica2fmu.expand.tables import is_table_function
@@ -108,7 +109,7 @@ class VariableValues:
                     remedy="give it a value in the model",
                 )
         else:
-            items = self.broadcast(expression, names)
+            items = self._items(variable, expression, names)
         values: list[Scalar] = []
         for scalar, item in zip(scalars, items, strict=True):
             if isinstance(item, Text):
@@ -137,6 +138,16 @@ class VariableValues:
         for position, value in enumerate(values):
             flat[position] = value
         return result
+
+    def _items(self, variable: ir.Variable, expression: ir.Expression, names: list[str]) -> list[Scalar]:
+        """The values of a parameter's elements; a function that refuses its arguments is told with the parameter."""
+        try:
+            return self.broadcast(expression, names)
+        except InputError as error:
+            if error.place is not None:
+                raise
+            place = self._source_map.place(expression.span or variable.span, variable.name)
+            raise type(error)(error.message, place=place, remedy=error.remedy) from error
 
     def broadcast(self, expression: ir.Expression, names: list[str]) -> list[Scalar]:
         """The value of a binding or attribute for each of the elements ``names`` of a variable.
@@ -177,10 +188,30 @@ class VariableValues:
             for name, value in zip(names, self.broadcast(expression, names), strict=True):
                 if isinstance(value, float | int):
                     setattr(self._result.variables[name], attribute, float(value))
-        if variable.variability in ("parameter", "constant"):
-            written = variable.binding.span if variable.binding is not None else None
-            for name in names:
-                require_within(self._result.variables[name], self._source_map.place(written or variable.span))
+        self._require_within(variable, names)
+
+    def _require_within(self, variable: ir.Variable, names: list[str]) -> None:
+        """Holds bounds against each other, and against values of parameters and start values of variables.
+
+        A start value outside the bounds that is not fixed is a guess, and gets a warning.
+        """
+        known = variable.variability in ("parameter", "constant")
+        for name in names:
+            scalar = self._result.variables[name]
+            wrong = empty_bounds(scalar)
+            if wrong:
+                raise self._outside(wrong, variable.span)
+            given = scalar.value if known else scalar.start
+            wrong = outside_bounds(scalar, self.number_now(given))
+            if wrong and known:
+                raise self._outside(f"{name} is {wrong}", variable.binding.span if variable.binding else variable.span)
+            if wrong and scalar.fixed:
+                raise self._outside(f"the start value of {name} is {wrong}", variable.span)
+            if wrong:
+                self._result.warnings.append(f"the start value of {name} is {wrong}")
+
+    def _outside(self, wrong: str, span: Span | None) -> InputError:
+        return InputError(wrong, place=self._source_map.place(span), remedy="Give a value within the bounds.")
 
     @staticmethod
     def _plain(value: Scalar) -> float | str | Node | None:
@@ -204,6 +235,51 @@ class VariableValues:
         if isinstance(result, Node):
             raise InputError(f"no finite value: {result}", place=self._source_map.place(span))
         return result
+
+    def number_now(self, value: object) -> float | None:
+        """The number of an expression of parameters that can still be changed.
+
+        ``None`` if it depends on more, NaN if it has none: a division by zero, a logarithm of a negative number.
+        """
+        return self._number_now(value, {})
+
+    def _number_now(self, value: object, known: dict[str, float | None]) -> float | None:
+        """The same with the numbers that are known already; ``None`` for those that are being asked for."""
+        if not isinstance(value, Node):
+            return value if isinstance(value, float | int) else None
+        numbers: dict[str, float | Node] = {}
+        for name in ex.symbols(value):
+            if name not in known:
+                variable = self._result.variables.get(name)
+                known[name] = None
+                if variable is not None and variable.kind in KNOWN_KINDS:
+                    known[name] = self._number_now(variable.value, known)
+            number = known[name]
+            if number is None:
+                return None
+            numbers[name] = number
+        result = ex.Substitution(numbers)(value)
+        return math.nan if isinstance(result, Node) else result
+
+    def modified(self, names: Iterable[str]) -> Place | None:
+        """Where the first of these parameters, or of those they are computed from, is given another value than its own.
+
+        The file is another one than that of the declaration.
+        """
+        waiting, seen = list(names), set()
+        while waiting:
+            name = waiting.pop(0)
+            variable = self._result.variables.get(name)
+            if variable is None or variable.declaration is None or name in seen:
+                continue
+            seen.add(name)
+            if isinstance(variable.value, Node):
+                waiting += ex.symbols(variable.value)
+            elif variable.declaration.binding is not None:
+                place = self._source_map.place(variable.declaration.binding.span)
+                if place.file not in (None, self._source_map.place(variable.declaration.span).file):
+                    return place
+        return None
 
     def _make_structural(self, numbers: Mapping[str, float | Node]) -> None:
         """Parameters that can no longer be changed; what is evaluated from now on has their numbers."""

@@ -19,6 +19,7 @@ from modelica2fmu.crosscheck.connect_check import check_connects
 from modelica2fmu.crosscheck.flat_check import added_components, check_flat_model
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
+from modelica2fmu.crosscheck.number_check import check_numbers
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.balance import (
     frames_without_connect,
@@ -89,6 +90,7 @@ def load_flat_model(
         request = _request(model, file, given)
         text = source_map.text(file)
         library = ClassLibrary(given.file, text, given.roots)
+        check_numbers(text, given.file, _places(source_map))
         missing = _check_own_text(model, given.file, source_map, library)
         loaded = _Loaded(ask(request, remark), given.file, given.roots)
         unbalanced = None

@@ -1,0 +1,129 @@
+"""Values that cannot be are refused at the user's line: bounds, numbers beyond every Real, inertias of no body."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from contact_data import core_subset, modelica_library
+from contact_foundation.errors import InputError
+from modelica2fmu.library.standard_library import StandardLibrary
+from modelica2fmu.translation import Translation, translate
+
+LIBRARY = StandardLibrary(core_subset(), "", "core subset")
+MODEL = """model Bounds
+  type Share = Real(min = 0, max = 2);
+  parameter Real k = 3;
+  parameter Share given = 2*k - 5;
+  Real x(min = 2, max = 3, start = 2.5, fixed = true);
+  Share y(start = 0.5);
+  Share z[2](start = {0.5, 1}, each fixed = true);
+initial equation
+  y = 1;
+equation
+  der(x) = 0;
+  der(y) = 0;
+  der(z) = {0, 0};
+  assert(k < 5, "k is " + String(k));
+end Bounds;
+"""
+BODY = """model Tumbling
+  inner Modelica.Mechanics.MultiBody.World world;
+  ContactMultiBody.Parts.Body body(
+    m = 1, r_CM = {0, 0, 0},
+    I_11 = 0.01, I_22 = 0.01, I_33 = 0.01,
+    geometry = ContactMultiBody.Shapes.sphere(0.1));
+end Tumbling;
+"""
+
+
+def translated(folder: Path, text: str) -> Translation:
+    model = text.split(None, 2)[1]
+    (folder / f"{model}.mo").write_text(text)
+    return translate(model, [folder / f"{model}.mo", modelica_library()], LIBRARY)
+
+
+def refused(folder: Path, text: str, old: str, new: str) -> tuple[int | None, str | None, str]:
+    """Line, component and message of the refusal of a changed model."""
+    assert old in text
+    with pytest.raises(InputError) as caught:
+        translated(folder, text.replace(old, new))
+    assert caught.value.place is not None
+    assert caught.value.place.file is not None
+    assert caught.value.place.file.parent == folder
+    return caught.value.place.line, caught.value.place.component, caught.value.message
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "said"),
+    [
+        ("max = 3", "max = 1", 5, "x has a min of 2, more than its max of 1"),
+        ("min = 0", "min = 5", 4, "given has a min of 5, more than its max of 2"),
+        ("start = 2.5", "start = 4", 5, "the start value of x is 4, more than its max of 3"),
+        ("{0.5, 1}", "{0.5, -k}", 7, "the start value of z[2] is -3, less than its min of 0"),
+        ("2*k - 5", "-k", 4, "given is -3, less than its min of 0"),
+        ("k = 3", "k = 1e400", 3, "the number 1e400 is larger than any Real"),
+        ("der(x) = 0", "der(x) = -2E999", 11, "the number 2E999 is larger than any Real"),
+        ("k = 3", "k = sqrt(-1)", 3, "k is no number: what it is computed from has no finite result"),
+        ("k = 3", "k = 10^400", 3, "k is no number: what it is computed from has no finite result"),
+        ("Real k = 3", "Integer k = 10000000000", 3, "k is 10000000000, beyond the largest Integer, 2147483647"),
+        ("k < 5", "k < 2.5", 14, "an assertion of the model fails: k is 3"),
+    ],
+)
+def test_value_that_cannot_be(tmp_path: Path, old: str, new: str, line: int, said: str) -> None:
+    where, _, message = refused(tmp_path, MODEL, old, new)
+    assert (where, message) == (line, said)
+
+
+def test_guess_outside_the_bounds_is_a_warning(tmp_path: Path) -> None:
+    warnings = translated(tmp_path, MODEL.replace("start = 0.5", "start = 5")).systems.warnings
+    assert "the start value of y is 5, more than its max of 2" in warnings
+    assert not translated(tmp_path, MODEL).systems.warnings
+
+
+def test_what_is_not_computed_may_have_no_value(tmp_path: Path) -> None:
+    translated(tmp_path, MODEL.replace("k = 3", "k = 3; parameter Real unused = if k > 4 then 1/(k - 3) else 1"))
+
+
+@pytest.mark.parametrize("part", ["Body", "FreeBody", "BodyShape"])
+@pytest.mark.parametrize(("old", "new"), [("I_11 = 0.01", "I_11 = 0.03"), ("I_33 = 0.01", "I_33 = 0.01, I_21 = 0.1")])
+def test_inertia_of_no_body(tmp_path: Path, part: str, old: str, new: str) -> None:
+    text = BODY.replace("Parts.Body", f"Parts.{part}").replace(
+        "I_11", "r = {1, 0, 0}, I_11" if "Shape" in part else "I_11"
+    )
+    line, component, message = refused(tmp_path, text, old, new)
+    assert line == 5
+    assert component in ("body", "body.inertia")
+    assert "No body has this tensor of inertia" in message
+
+
+def test_inertia_of_no_body_on_purpose(tmp_path: Path) -> None:
+    translated(tmp_path, BODY.replace("I_11 = 0.01", "checkInertia = false, I_11 = 0.03"))
+
+
+def test_shape_that_cannot_be_names_the_parameter(tmp_path: Path) -> None:
+    line, component, message = refused(tmp_path, BODY, "sphere(0.1)", "sphere(-0.1)")
+    assert (line, component) == (6, "body.geometry")
+    assert "radius must be positive" in message
+
+
+def test_inertia_by_its_principal_moments(tmp_path: Path) -> None:
+    draw = np.random.default_rng(23)
+    tensors, possible = [], []
+    for _ in range(60):
+        moments = np.sort(draw.exponential(size=3)) * 10.0 ** draw.uniform(-9, 9)
+        axes, _ = np.linalg.qr(draw.normal(size=(3, 3)))
+        excess = (moments[2] - moments[0] - moments[1]) / moments.sum()
+        if abs(excess) > 1e-4:  # elsewhere the error of the elements decides
+            tensors.append(axes @ np.diag(moments) @ axes.T)
+            possible.append(excess < 0)
+    tensors += [np.zeros((3, 3)), np.diag([0.0, 1.0, 1.0]), np.diag([1.0, 1.0, 2.0]), np.diag([1.0, -1.0, 1.0])]
+    possible += [True, True, True, False]
+    assert len(set(possible[:-4])) == 2
+    rows = [", ".join("{" + ", ".join(f"{float(x)!r}" for x in row) + "}" for row in tensor) for tensor in tensors]
+    lines = [
+        f"  constant Boolean c{n} = ContactMultiBody.Internal.isInertia({{{row}}});\n" for n, row in enumerate(rows)
+    ]
+    scalar = translated(tmp_path, f"model Tensors\n{''.join(lines)}  Real x = time;\nend Tensors;\n").scalar
+    assert [bool(scalar.variables[f"c{n}"].value) for n in range(len(rows))] == possible
