@@ -161,6 +161,26 @@ coord Coordinate { point [ 0 0 20, 10 0 20, 0 10 20, 0 0 40 ] } coordIndex [ 0 2
 </model></sdf>""",
         "t.stl": TETRAHEDRON,
     },
+    "export.xml": {
+        "export.xml": """<SimscapeMultibodyImportXML version="2.0" xmlns="urn:mathworks:SimscapeMultibody:import">
+<Created by="" from="CAD"/><ModelUnits mass="kilogram" length="millimeter"/><DataUnits mass="kilogram" length="meter"/>
+<RootAssembly name="Root" uid="Root"><InstanceTree>
+<Instance name="base" uid="base" entityUid="base" grounded="true"><Transform><Rotation>1 0 0 0 1 0 0 0 1</Rotation>
+<Translation>0 0 0</Translation></Transform></Instance>
+<Instance name="arm" uid="arm" entityUid="arm"><Transform><Rotation>1 0 0 0 1 0 0 0 1</Rotation>
+<Translation>0.5 0 0</Translation></Transform></Instance></InstanceTree>
+<Constraints><Concentric name="axis"><ConstraintGeometry geomType="line"><InstancePath><Uid>base</Uid></InstancePath>
+<Position>0.5 0 0</Position><Axis>0 0 1</Axis></ConstraintGeometry><ConstraintGeometry geomType="line"><InstancePath>
+<Uid>arm</Uid></InstancePath><Position>0 0 0</Position><Axis>0 0 1</Axis></ConstraintGeometry></Concentric>
+<Coincident name="face"><ConstraintGeometry geomType="plane"><InstancePath><Uid>base</Uid></InstancePath>
+<Position>0 0 0</Position><Axis>0 0 1</Axis></ConstraintGeometry><ConstraintGeometry geomType="plane"><InstancePath>
+<Uid>arm</Uid></InstancePath><Position>0 0 0</Position><Axis>0 0 -1</Axis></ConstraintGeometry></Coincident>
+</Constraints><Joints></Joints></RootAssembly><Assemblies></Assemblies><Parts>
+<Part name="base" uid="base"><MassProperties><Mass>2</Mass><CenterOfMass>0.5 0 0</CenterOfMass>
+<Inertia>0.01 0.2 0.2 0 0 0</Inertia></MassProperties></Part>
+<Part name="arm" uid="arm"><MassProperties><Mass>1</Mass><CenterOfMass>0.2 0 0</CenterOfMass>
+<Inertia>0.01 0.05 0.05 0 0 0</Inertia></MassProperties></Part></Parts></SimscapeMultibodyImportXML>""",
+    },
 }
 
 MODEL = """model Tank "Fills and empties"
