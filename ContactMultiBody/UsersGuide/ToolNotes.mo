@@ -21,7 +21,8 @@ shape, and set <code>animateGround=true</code> in the world to see a floor at z 
 </p>
 <h4>OpenModelica</h4>
 <ul>
-<li><code>make test-omc</code> checks and simulates all examples with <code>omc</code>, where it is installed.</li>
+<li><code>make test-omc</code> checks and simulates all examples with <code>omc</code>, where it is installed. Version 1.28 was run so with the Standard Library 4.1.0; with 4.0.0
+BallOnFloor, HammerOnAnvil and NewtonCradle were simulated: their trajectories agree with the same references.</li>
 <li>Its FMUs for co-simulation integrate by explicit Euler at the communication step unless told otherwise, which diverges on stiff contact: export with
 <code>--fmiFlags=s:cvode</code>.</li>
 <li>For FMUs take <a href=\"modelica://ContactMultiBody.Parts.FreeBody\">FreeBody</a> instead of Body, and of BodyBox, BodyCylinder and BodyShape, for bodies that no joint holds; simulation in the tool takes either.
