@@ -35,7 +35,7 @@ model FreeBody "Rigid body that moves freely and can collide; its orientation is
     annotation (Dialog(tab="Animation", enable=animation));
   final parameter SI.Inertia I[3, 3]={{I_11,I_21,I_31},{I_21,I_22,I_32},{I_31,I_32,I_33}}
     "Inertia tensor about the centre of mass, in coordinates of frame_a";
-  parameter Boolean checkInertia=true "= true, if a tensor of inertia that no body has is refused: a principal moment larger than the sum of the others"
+  parameter Boolean checkInertia=true "= true, if a tensor of inertia that no body has is told of: a principal moment larger than the sum of the others"
     annotation (Evaluate=true, choices(checkBox=true), Dialog(tab="Advanced"));
   final parameter Inertia inertia(m=m, r_CM=r_CM, I=I) "Inertia, for contacts without events";
   final parameter Collider collider(geometry=geometry, material=material, inertia=inertia) "All of these, for the contact manager";
@@ -91,7 +91,9 @@ equation
   g_0 = world.gravityAcceleration(frame_a.r_0 + Frames.resolve1(frame_a.R, r_CM));
   frame_a.f = m*(Frames.resolve2(frame_a.R, a_0 - g_0) + cross(z_a, r_CM) + cross(w_a, cross(w_a, r_CM)));
   frame_a.t = I*z_a + cross(w_a, I*w_a) + cross(r_CM, frame_a.f);
-  assert(not checkInertia or Internal.isInertia(I), "No body has this tensor of inertia: a principal moment is larger than the sum of the other two. Correct it, or set checkInertia = false.");
+  assert(Internal.isSemidefinite(I), "The tensor of inertia has a negative principal moment.");
+  assert(not checkInertia or Internal.isSemidefinite(identity(3)*(I[1, 1] + I[2, 2] + I[3, 3])/2 - I), "No body has this tensor of inertia: a principal moment is larger than the sum of the other two. Right all the same if it turns about one axis alone; else correct it. checkInertia = false ends this warning.",
+    AssertionLevel.warning);
   annotation (
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-100,20},{0,-20}}, lineColor={0,0,0}, fillColor={0,127,255}, fillPattern=FillPattern.HorizontalCylinder),

@@ -31,7 +31,7 @@ MODELS: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "Pendulum": (
         """J.Revolute joint(n={0,1,0}, phi(start=0.5, fixed=true), w(fixed=true));
 PARTS.Fixed fixed(r={0,0,1});
-PARTS.BodyShape body(m=1, r={0.5,0,0}, r_CM={0.3,0,0}, I_11=0.01, I_22=0.02, I_33=0.01);""",
+PARTS.BodyShape body(m=1, r={0.5,0,0}, r_CM={0.3,0,0}, I_22=0.02);""",
         "connect(fixed.frame_b, joint.frame_a); connect(joint.frame_b, body.frame_a);",
         ("joint.phi", "joint.w", "body.frame_b.r_0[3]"),
     ),

@@ -131,14 +131,20 @@ class EquationExpansion:
             self._result.asserts.append(ScalarAssert(condition, text_of(message), is_warning))
 
     def _require(self, condition: float | Node, message: Text, is_warning: bool, place: Place) -> None:
-        """Refuses what fails with the values that parameters have now; what depends on variables is not known yet."""
-        if is_warning or self._values.number_now(condition) != 0.0:
+        """Refuses, or warns of, what fails with the values that parameters have now.
+
+        What depends on variables is not known yet.
+        """
+        if self._values.number_now(condition) != 0.0:
             return
         shown = [part if isinstance(part, str) else f"{self._values.number_now(part):g}" for part in message.parts]
         names = ex.symbols(condition) if isinstance(condition, Node) else []
         found = self._values.modified(names) or place
         owner = min((name.rpartition(".")[0] for name in names), key=len, default="")
-        raise InputError(
-            "an assertion of the model fails: " + "".join(shown),
+        error = InputError(
+            ("" if is_warning else "an assertion of the model fails: ") + "".join(shown),
             place=Place(found.file, found.line, owner or None) if found.file is not None else None,
         )
+        if not is_warning:
+            raise error
+        self._result.warnings.append(str(error))

@@ -1,4 +1,4 @@
-"""Values that cannot be are refused at the user's line: bounds, numbers beyond every Real, inertias of no body."""
+"""Values that cannot be are refused at the user's line: bounds, numbers beyond every Real; inertias are told of."""
 
 from __future__ import annotations
 
@@ -86,20 +86,29 @@ def test_what_is_not_computed_may_have_no_value(tmp_path: Path) -> None:
     translated(tmp_path, MODEL.replace("k = 3", "k = 3; parameter Real unused = if k > 4 then 1/(k - 3) else 1"))
 
 
+def with_part(part: str, old: str, new: str) -> str:
+    assert old in BODY
+    shape = "r = {1, 0, 0}, I_11" if "Shape" in part else "I_11"
+    return BODY.replace("Parts.Body", f"Parts.{part}").replace(old, new).replace("I_11", shape)
+
+
 @pytest.mark.parametrize("part", ["Body", "FreeBody", "BodyShape"])
-@pytest.mark.parametrize(("old", "new"), [("I_11 = 0.01", "I_11 = 0.03"), ("I_33 = 0.01", "I_33 = 0.01, I_21 = 0.1")])
-def test_inertia_of_no_body(tmp_path: Path, part: str, old: str, new: str) -> None:
-    text = BODY.replace("Parts.Body", f"Parts.{part}").replace(
-        "I_11", "r = {1, 0, 0}, I_11" if "Shape" in part else "I_11"
-    )
-    line, component, message = refused(tmp_path, text, old, new)
+def test_negative_moment(tmp_path: Path, part: str) -> None:
+    text = with_part(part, "I_33 = 0.01", "I_33 = 0.01, I_21 = 0.1")
+    line, component, message = refused(tmp_path, text, "I_33 = 0.01", "I_33 = 0.01")
     assert line == 5
     assert component in ("body", "body.inertia")
-    assert "No body has this tensor of inertia" in message
+    assert "has a negative principal moment" in message
 
 
-def test_inertia_of_no_body_on_purpose(tmp_path: Path) -> None:
-    translated(tmp_path, BODY.replace("I_11 = 0.01", "checkInertia = false, I_11 = 0.03"))
+@pytest.mark.parametrize("part", ["Body", "FreeBody", "BodyShape"])
+def test_inertia_of_no_body_is_told(tmp_path: Path, part: str) -> None:
+    """Told, not refused: of what turns about one axis people give one moment, and leave the others as they are."""
+    text = with_part(part, "I_11 = 0.01", "I_11 = 0.03")
+    (warning,) = (w for w in translated(tmp_path, text).systems.warnings if "tensor of inertia" in w)
+    assert "Tumbling.mo:5: body" in warning
+    for quiet in (text.replace("m = 1", "m = 1, checkInertia = false"), with_part(part, "m = 1", "m = 1")):
+        assert not [w for w in translated(tmp_path, quiet).systems.warnings if "inertia" in w]
 
 
 def test_shape_that_cannot_be_names_the_parameter(tmp_path: Path) -> None:
@@ -108,22 +117,22 @@ def test_shape_that_cannot_be_names_the_parameter(tmp_path: Path) -> None:
     assert "radius must be positive" in message
 
 
-def test_inertia_by_its_principal_moments(tmp_path: Path) -> None:
+def test_principal_values_that_are_negative(tmp_path: Path) -> None:
     draw = np.random.default_rng(23)
-    tensors, possible = [], []
+    tensors, semidefinite = [], []
     for _ in range(60):
-        moments = np.sort(draw.exponential(size=3)) * 10.0 ** draw.uniform(-9, 9)
+        values = draw.exponential(size=3) * draw.choice([1.0, 1.0, 1.0, -0.5], size=3) * 10.0 ** draw.uniform(-9, 9)
         axes, _ = np.linalg.qr(draw.normal(size=(3, 3)))
-        excess = (moments[2] - moments[0] - moments[1]) / moments.sum()
-        if abs(excess) > 1e-4:  # elsewhere the error of the elements decides
-            tensors.append(axes @ np.diag(moments) @ axes.T)
-            possible.append(excess < 0)
-    tensors += [np.zeros((3, 3)), np.diag([0.0, 1.0, 1.0]), np.diag([1.0, 1.0, 2.0]), np.diag([1.0, -1.0, 1.0])]
-    possible += [True, True, True, False]
-    assert len(set(possible[:-4])) == 2
+        if abs(values.min()) > 1e-4 * abs(values).sum():  # elsewhere the error of the elements decides
+            tensors.append(axes @ np.diag(values) @ axes.T)
+            semidefinite.append(values.min() > 0)
+    tensors += [np.zeros((3, 3)), np.diag([0.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0]), np.diag([1.0, -1.0, 0.0])]
+    semidefinite += [True, True, False, False]
+    assert len(set(semidefinite[:-4])) == 2
     rows = [", ".join("{" + ", ".join(f"{float(x)!r}" for x in row) + "}" for row in tensor) for tensor in tensors]
     lines = [
-        f"  constant Boolean c{n} = ContactMultiBody.Internal.isInertia({{{row}}});\n" for n, row in enumerate(rows)
+        f"  constant Boolean c{n} = ContactMultiBody.Internal.isSemidefinite({{{row}}});\n"
+        for n, row in enumerate(rows)
     ]
     scalar = translated(tmp_path, f"model Tensors\n{''.join(lines)}  Real x = time;\nend Tensors;\n").scalar
-    assert [bool(scalar.variables[f"c{n}"].value) for n in range(len(rows))] == possible
+    assert [bool(scalar.variables[f"c{n}"].value) for n in range(len(rows))] == semidefinite
