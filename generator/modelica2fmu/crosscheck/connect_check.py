@@ -1,9 +1,9 @@
-"""Whether connected connectors have the same elements (Modelica 3.6, section 9.3), which the front end does not ask."""
+"""Whether connected connectors have the same elements and sizes (Modelica 3.6, 9.3): not asked by the front end."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -20,6 +20,8 @@ from modelica2fmu.library.class_text import without_comments_and_strings
 _END: Final = r"([A-Za-z_]\w*(?:\[[^\[\]]*\])?(?:\s*\.\s*[A-Za-z_]\w*(?:\[[^\[\]]*\])?)*)"
 _CONNECT: Final = re.compile(rf"\bconnect\s*\(\s*{_END}\s*,\s*{_END}\s*\)")
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]|\s")
+_PART: Final = re.compile(r"([A-Za-z_]\w*)(\[[^\[\]]*\])?")
+_SLICE: Final = re.compile(r"\[\s*(\d+)\s*:\s*(\d+)\s*\]")
 _EXPANDABLE: Final = re.compile(r"\bexpandable\s+connector\b")
 
 
@@ -61,6 +63,68 @@ def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Calla
                 place=replace(place_of(connect.extent), component=model),
                 remedy="connect each to a connector of its own kind",
             )
+
+
+def check_connect_sizes(
+    model: str, names: Iterable[str], library: ClassLibrary, place_of: Callable[[Extent], Place]
+) -> None:
+    """Holds sizes of arrays of connectors against each other that the model itself connects.
+
+    Args:
+        model: full name.
+        names: of all variables of the flattened model.
+        library: the sources.
+        place_of: the place of a range of a file.
+
+    Raises:
+        InputError: two arrays of connectors have different sizes.
+    """
+    root = model_class(model, library)
+    arrays = _arrays(names)
+    for connect in _connects(root, library) if root is not None and arrays else ():
+        first, second = (_sizes(end, arrays) for end in connect.ends)
+        if first is None or second is None or first == second:
+            continue
+        raise InputError(
+            f"{connect.ends[0]} has {_counted(first)}, but {connect.ends[1]} has {_counted(second)}: "
+            "only arrays of the same size can be connected",
+            place=replace(place_of(connect.extent), component=model),
+            remedy="name the elements that are meant, as in frame[1:3]",
+        )
+
+
+def _arrays(names: Iterable[str]) -> dict[str, int | None]:
+    """Sizes of all arrays of components that have components, by their names without subscripts; None: matrices."""
+    sizes: dict[str, int | None] = {}
+    for name in names:
+        path = ""
+        for element, subscripts in _PART.findall(name.rpartition(".")[0]):
+            path += f".{element}"
+            if subscripts:
+                number = None if "," in subscripts else int(subscripts[1:-1])
+                known = sizes.get(path, 0)
+                sizes[path] = None if number is None or known is None else max(number, known)
+    return sizes
+
+
+def _sizes(end: str, arrays: Mapping[str, int | None]) -> list[int] | None:
+    """Sizes of an array of connectors, none for a single one; None where they are not plain."""
+    path, sizes = "", []
+    for element, subscripts in _PART.findall(end):
+        path += f".{element}"
+        limits = _SLICE.fullmatch(subscripts)
+        size = arrays.get(path, 0)
+        if size is None or ("[" in subscripts and not size) or (":" in subscripts and limits is None):
+            return None
+        if limits is not None:
+            sizes.append(int(limits[2]) - int(limits[1]) + 1)
+        elif size and not subscripts:
+            sizes.append(size)
+    return sizes
+
+
+def _counted(sizes: list[int]) -> str:
+    return " x ".join(map(str, sizes)) + " elements" if sizes else "one element"
 
 
 def _connects(scope: ClassInstance, library: ClassLibrary) -> Iterator[_Connect]:

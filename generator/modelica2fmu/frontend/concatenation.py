@@ -2,7 +2,8 @@
 
 rumoca 0.10 refuses ``cat(1, a, b)`` of Strings and records, whose type it takes to be that of the first argument, and
 ``{ball[i].geometry for i in 1:n}``, an array made of members of components. Written out, ``{ball[1].geometry,
-ball[2].geometry, floor.geometry}``, it takes both. The numbers that ranges and sizes depend on are read from the same
+ball[2].geometry, floor.geometry}``, it takes both. ``connect(ball.frame_a, contacts.frame[1:3])`` it takes with
+``ball[1:3].frame_a``. The numbers that ranges and sizes depend on are read from the same
 text; whether they hold in the model is for the caller to check.
 """
 
@@ -11,6 +12,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, Final
 
@@ -19,6 +21,9 @@ _MASKED: Final = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _CALL: Final = re.compile(r"(?<![\w.])cat\s*\(")
 _ITERATION: Final = re.compile(r"\bfor\s+(\w+)\s+in\s+(.+)$", re.DOTALL)
 _REFERENCE: Final = re.compile(r"(\w+)((?:\.\w+)*)")
+_CONNECT: Final = re.compile(r"\bconnect\s*\(")
+_ARRAY_OF_CONNECTORS: Final = re.compile(r"\s*(\w+)((?:\.\w+)+)\s*")
+_SLICE: Final = re.compile(r"\[[^\]]*:[^\]]*\]")
 _NUMBER: Final = r"\bInteger\s+{name}\s*=\s*([^;\"()\[\]{{}},]+)"
 _DECLARED: Final = r"(?<![\w.]){name}\s*\[([^\[\],:]+)\]\s*[(;\"]"
 _MOST_ELEMENTS: Final = 1000
@@ -82,19 +87,30 @@ class _Writer:
     def written(self) -> str:
         """The text with what can be written out."""
         result, done = [], 0
-        for start, end in self._places():
-            if start < done:
-                continue  # within what is written out already
-            try:
-                elements = self._elements(start, end)
-            except _UnknownError:
-                continue
-            if not elements:
-                continue
-            lines = "\n" * self._text.count("\n", start, end)
-            result += [self._text[done:start], "{", ", ".join(elements), "}", lines]
-            done = end
+        for start, end, text in sorted((*self._arrays(), *self._subscripts())):
+            if start >= done:  # not within what is written out already
+                result += [self._text[done:start], text]
+                done = end
         return "".join((*result, self._text[done:]))
+
+    def _arrays(self) -> Iterator[tuple[int, int, str]]:
+        """Ranges of the text that are arrays, each with what they are written out."""
+        for start, end in self._places():
+            with suppress(_UnknownError):
+                if elements := self._elements(start, end):
+                    lines = "\n" * self._text.count("\n", start, end)
+                    yield start, end, f"{{{', '.join(elements)}}}{lines}"
+
+    def _subscripts(self) -> Iterator[tuple[int, int, str]]:
+        """Places after an array of components that is connected to a slice, each with the subscripts of all of them."""
+        for found in _CONNECT.finditer(self._code):
+            parts = self._parts(found.end(), self._end(found.end() - 1) - 1)
+            for part, other in (parts, parts[::-1]) if len(parts) == 2 else ():
+                array = _ARRAY_OF_CONNECTORS.fullmatch(self._code, *part)
+                if array is None or not _SLICE.search(self._code[slice(*other)]):
+                    continue
+                with suppress(_UnknownError):
+                    yield array.end(1), array.end(1), f"[1:{self._declared_size(array[1])}]"
 
     def _places(self) -> Iterator[tuple[int, int]]:
         """Calls of cat, and array constructors with an iterator that subscripts a component, in order."""
@@ -173,10 +189,17 @@ class _Writer:
     def _members(self, code: str) -> list[str]:
         """Elements of ``ball.geometry`` where ``ball`` is declared as an array."""
         reference = _REFERENCE.fullmatch(code)
-        declared = reference and re.findall(_DECLARED.format(name=reference[1]), self._code)
-        if not reference or not declared or len(declared) != 1:
+        if reference is None:
             raise _UnknownError
-        return [f"{reference[1]}[{number}]{reference[2]}" for number in range(1, self._number(declared[0]) + 1)]
+        size = self._declared_size(reference[1])
+        return [f"{reference[1]}[{number}]{reference[2]}" for number in range(1, size + 1)]
+
+    def _declared_size(self, name: str) -> int:
+        """Of an array that the text declares once; raises _UnknownError."""
+        declared = re.findall(_DECLARED.format(name=name), self._code)
+        if len(declared) != 1:
+            raise _UnknownError
+        return self._number(declared[0])
 
     def _number(self, text: str) -> int:
         try:

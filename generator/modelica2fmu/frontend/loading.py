@@ -15,7 +15,7 @@ from contact_foundation.errors import InputError, Place
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.collider_order import misplaced_row
-from modelica2fmu.crosscheck.connect_check import check_connects
+from modelica2fmu.crosscheck.connect_check import check_connect_sizes, check_connects
 from modelica2fmu.crosscheck.flat_check import added_components, check_flat_model
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
@@ -49,6 +49,8 @@ from modelica2fmu.library.source_map import SourceMap, Span, source_number
 _STANDARD_PACKAGES: Final = ("Modelica", "ModelicaServices", "Complex")
 # rumoca's words where a class is not found, as those of a library that the package's own file does not name.
 _UNRESOLVED: Final = re.compile(r"\bunresolved\b")
+# Where connected arrays have different sizes.
+_SIZES_DIFFER: Final = "array dimension mismatch for `connect`"
 
 
 @dataclass(frozen=True)
@@ -116,6 +118,7 @@ def load_flat_model(
         if loaded.file != given.file or source_map.text(file) != text:  # arrays were written out
             library = ClassLibrary(loaded.file, source_map.text(file), loaded.roots)
         _check(answer.flat, model, source_map, library)
+        check_connect_sizes(model, answer.flat["variables"], library, _places(source_map))
         misplaced = misplaced_row(answer.flat)
         if misplaced is not None:
             raise misplaced_error(misplaced, model, file)
@@ -156,6 +159,8 @@ def _with_arrays_written_out(
     if written is None or written.text == request.text:
         return answer
     other = ask(replace(request, text=written.text), remark)
+    if other.flat is None and _SIZES_DIFFER in other.error:
+        return other
     if other.flat is None or not have_values(other.flat, written.numbers):
         return answer
     source_map.add_text(file, written.text)

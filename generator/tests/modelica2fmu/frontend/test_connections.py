@@ -157,3 +157,61 @@ def test_buses_are_left_to_the_front_end(tmp_path):
     text = SWING.replace("equation\n", f"  {buses}\nequation\n  connect(a, b);\n")
     with pytest.raises(InputError, match="expandable connector"):
         translated(tmp_path, text)
+
+
+BALLS = """model Balls
+  inner Modelica.Mechanics.MultiBody.World world;
+  ContactMultiBody.Parts.FreeBody ball[3](
+    each m=1, each r_CM={0,0,0}, each geometry=ContactMultiBody.Shapes.sphere(0.1));
+  ContactMultiBody.Parts.Ground floor;
+  ContactMultiBody.ContactManager contacts(
+    n=4,
+    geometry=cat(1, {ball[i].geometry for i in 1:3}, {floor.geometry}),
+    material=cat(1, {ball[i].material for i in 1:3}, {floor.material}));
+equation
+  connect(ball.frame_a, contacts.frame[1:3]);
+  connect(floor.frame_a, contacts.frame[4]);
+end Balls;
+"""
+BALLS_TO_FRAMES = "connect(ball.frame_a, contacts.frame[1:3]);"
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        BALLS_TO_FRAMES,
+        "connect(contacts.frame[1:3], ball.frame_a);",
+        "connect(ball[1:3].frame_a, contacts.frame[1:3]);",
+        "connect(ball[1:2].frame_a, contacts.frame[1:2]); connect(ball[3].frame_a, contacts.frame[3]);",
+        "for i in 1:3 loop connect(ball[i].frame_a, contacts.frame[i]); end for;",
+    ],
+)
+def test_arrays_of_bodies_are_connected_to_slices(tmp_path, written):
+    scalar = translated(tmp_path, BALLS.replace(BALLS_TO_FRAMES, written), LIBRARY).scalar
+    expected = {f"ball[{number}].frame_a.r_0[1]" for number in (1, 2, 3)}
+    assert expected <= scalar.variables.keys()
+
+
+@pytest.mark.parametrize(
+    ("written", "said"),
+    [
+        (
+            "connect(ball.frame_a, contacts.frame);",
+            "ball.frame_a has 3 elements, but contacts.frame has 4 elements",
+        ),
+        (
+            "connect(ball[1:2].frame_a, contacts.frame[1:3]);",
+            "array dimension mismatch for `connect`: expected [2], found [3]",
+        ),
+        (
+            "connect(ball.frame_a, contacts.frame[1:2]);",
+            "array dimension mismatch for `connect`: expected [3], found [2]",
+        ),
+    ],
+)
+def test_arrays_of_different_sizes_are_refused(tmp_path, written, said):
+    with pytest.raises(InputError) as caught:
+        translated(tmp_path, BALLS.replace(BALLS_TO_FRAMES, written), LIBRARY)
+    assert caught.value.place is not None
+    assert caught.value.place.line == 11
+    assert said in caught.value.message
