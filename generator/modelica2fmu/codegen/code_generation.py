@@ -15,7 +15,6 @@ from modelica2fmu.codegen.event_code import (
     fixed_statement,
     indicator_statements,
     lasting_asserts,
-    lasting_warnings,
     warning_statements,
 )
 from modelica2fmu.codegen.generated_source import GeneratedSource
@@ -29,7 +28,7 @@ from modelica2fmu.equations.blocks import Assignment, Block, block_roots, block_
 from modelica2fmu.equations.sorting import solve_order
 from modelica2fmu.equations.systems import PlaceOf, Systems
 from modelica2fmu.equations.tangents import tangents
-from modelica2fmu.expand.scalar_model import ExternalCall, Kind, derivative_name, start_name, unwrapped
+from modelica2fmu.expand.scalar_model import ExternalCall, Kind, ScalarAssert, derivative_name, start_name, unwrapped
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -91,9 +90,9 @@ class _Generator:
         simulation = [statement for block in self._simulation for statement in self._blocks.statements(block)]
         simulating = functions_of("fmurt_part_simulate", [*simulation, *self._negated_statements()], frame)
         self._functions.extend(simulating)
-        asserts = [item for item in lasting_asserts(self._model) if not self._is_invariant(item.condition)]
+        asserts, warnings = self._watched(is_warning=False), self._watched(is_warning=True)
         self._add("fmurt_part_assert", [assert_statement(item, "FMURT_RESULT_DISCARD") for item in asserts], frame)
-        self._add("fmurt_part_warn", warning_statements(self._model, self._places), frame)
+        self._add("fmurt_part_warn", warning_statements(warnings, self._places), frame)
         events = self._places.frame(", int *states_changed", ("  (void)states_changed;",))
         self._add("fmurt_part_event", event_statements(self._model, self._places), events)
         indicators = self._places.frame(", double *indicator", ("  (void)indicator;",))
@@ -162,6 +161,14 @@ class _Generator:
             for name in ex.symbols(node)
         )
 
+    def _watched(self, *, is_warning: bool) -> list[ScalarAssert]:
+        """Lasting assertions of a level that may come to fail; those on parameters alone are checked at the start."""
+        return [
+            item
+            for item in lasting_asserts(self._model)
+            if item.is_warning == is_warning and not self._is_invariant(item.condition)
+        ]
+
     def _negated_statements(self, of_parameters: bool = False) -> list[Statement]:
         return [
             self._places.assign(name, by)
@@ -223,7 +230,7 @@ class _Generator:
         text = digest.hexdigest()
         guid = f"{{{text[:8]}-{text[8:12]}-{text[12:16]}-{text[16:20]}-{text[20:]}}}"
         sources.append(GeneratedSource("model.c", main.replace(GUID_PLACE, guid)))
-        told = bool(self._blocks.followed or lasting_warnings(self._model))
+        told = bool(self._blocks.followed or self._watched(is_warning=True))
         return GeneratedModel(tuple(sources), guid, slots, self._states, operations, told)
 
     def _part_files(self) -> list[GeneratedSource]:

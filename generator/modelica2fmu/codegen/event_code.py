@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from modelica2fmu.codegen.c_expressions import bare, c_text
@@ -42,18 +43,13 @@ def event_statements(model: ScalarModel, places: SymbolPlaces) -> list[Statement
 
 
 def lasting_asserts(model: ScalarModel) -> list[ScalarAssert]:
-    """Assertions at level error that hold all the time."""
-    return [item for item in model.asserts if item.trigger is None and not item.is_warning]
+    """Assertions, of either level, that hold all the time."""
+    return [item for item in model.asserts if item.trigger is None]
 
 
-def lasting_warnings(model: ScalarModel) -> list[ScalarAssert]:
-    """Assertions at level warning that hold all the time."""
-    return [item for item in model.asserts if item.trigger is None and item.is_warning]
-
-
-def warning_statements(model: ScalarModel, places: SymbolPlaces) -> list[Statement]:
+def warning_statements(warnings: Iterable[ScalarAssert], places: SymbolPlaces) -> list[Statement]:
     """The checks of lasting warnings; each is reported once a run."""
-    return [_warning(item, places.work.real(1)) for item in lasting_warnings(model)]
+    return [_warning(item, places.work.real(1)) for item in warnings]
 
 
 def assert_statement(item: ScalarAssert, severity: str) -> Statement:

@@ -111,6 +111,14 @@ def test_inertia_of_no_body_is_told(tmp_path: Path, part: str) -> None:
         assert not [w for w in translated(tmp_path, quiet).systems.warnings if "inertia" in w]
 
 
+def test_what_parameters_decide_is_not_asked_at_each_step(tmp_path: Path) -> None:
+    generated = translated(tmp_path, with_part("FreeBody", "I_11 = 0.01", "I_11 = 0.03")).generated
+    assert not generated.needs_completed_steps
+    (text,) = (source.text for source in generated.sources if "No body has this tensor of inertia" in source.text)
+    before = text[: text.index("No body has this tensor of inertia")]
+    assert before.rpartition("int fmurt_part_")[2].startswith("initialize")
+
+
 def test_shape_that_cannot_be_names_the_parameter(tmp_path: Path) -> None:
     line, component, message = refused(tmp_path, BODY, "sphere(0.1)", "sphere(-0.1)")
     assert (line, component) == (6, "body.geometry")
