@@ -19,8 +19,9 @@
 # make test-omc-fmu  exports examples as FMUs by OpenModelica and compares them with their references
 # make pictures  draws the pages in docs/images anew; some minutes
 # make video     bytes a second of poses and of rendered video, for one eye and for two; some minutes
+# make bench-page  from an input to the picture that shows it, in a real browser (Chromium); two minutes
 # make icons     draws the icons and diagrams of the library into docs/images
-.PHONY: contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc test-omc-fmu icons pictures video bench-peers
+.PHONY: bench-page contact-quality test-msl coverage fuzz stress bench-fmu contact-paths demo test test-full setup setup-test lint bench clean release study promises response soak large test-omc test-omc-fmu icons pictures video bench-peers
 
 demo: setup
 	.venv/bin/cmb run Resources/cad/hammer --output out/hammer
@@ -70,6 +71,9 @@ test-omc-fmu: setup
 video: setup
 	.venv/bin/python -m pip install -q --disable-pip-version-check av==18.1.0
 	.venv/bin/python scripts/bench-video
+
+bench-page: setup-test
+	.venv/bin/python scripts/bench-page
 
 pictures: setup
 	.venv/bin/python scripts/pictures

@@ -15,6 +15,7 @@ from scene_viewer.bundle import bundled
 
 pytestmark = needs_pages
 WIDTH, HEIGHT = 960, 540
+VIEW_ANGLE = 0.6  # rad, of the viewer's central camera, from below to above
 BACKGROUND = [0.1, 0.1, 0.1]
 CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
 TRIANGLES = [0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3]
@@ -120,6 +121,47 @@ def test_a_point_of_known_depth_has_the_pixel_disparity_that_geometry_says(tab: 
     assert left == pytest.approx(
         wanted[0] + [(WIDTH - 1) / 2, (HEIGHT - 1) / 2], abs=0.15
     )  # edges have four samples a pixel
+
+
+@pytest.mark.parametrize("away", [0.0, 1e6])
+def test_each_body_is_where_it_was_put_however_far_from_the_origin(tab: Tab, away: float) -> None:
+    """Red to the left and turned upright, green to the right."""
+    place = np.array([away, 0, -away])
+    ahead = place + np.array([0, 0, -2])
+    bodies = [{"meshes": [box([0, 0, 0], [0.1, 0.02, 0.02], color)]} for color in ([1, 0, 0], [0, 1, 0])]
+    stand = {"eye": place.tolist(), "target": ahead.tolist()}
+    make(tab, [], bodies=bodies, center=ahead.tolist(), stand=stand, background=[0, 0, 0])
+    places, turns = [[-0.3, 0.1, -2], [0.3, -0.1, -2]], [[0, 0, 0.5**0.5, 0.5**0.5], [0, 0, 0, 1]]
+    for body in (0, 1):
+        pose = [*(place + places[body]).tolist(), *turns[body]]
+        tab.value(f"viewer.place({body}, {pose}); true")
+    drawn = linear(picture(tab, PLAIN, output="plain", camera="central")[..., :3])
+    pixels = HEIGHT / 2 / np.tan(VIEW_ANGLE / 2) / 2  # a metre at the depth of 2 m
+    for body, size in enumerate([(0.02, 0.1), (0.1, 0.02)]):
+        rows, columns = np.nonzero(drawn[..., body] > 0.5)
+        center = np.array([columns.mean() - (WIDTH - 1) / 2, (HEIGHT - 1) / 2 - rows.mean()])
+        assert center == pytest.approx(pixels * np.array(places[body][:2]), abs=0.6)
+        assert (np.ptp(columns), np.ptp(rows)) == pytest.approx(pixels * np.array(size), abs=2)
+
+
+def test_pictures_that_take_long_are_drawn_coarser_and_quick_ones_sharper_again(tab: Tab) -> None:
+    make(tab, [box([0, 0, -2], [0.4] * 3)])
+    tab.value("window.detail = new contactViewer.Detail(viewer); true")
+
+    def after(count: int, milliseconds: float) -> float:
+        wide = f"for (let k = 0; k < {count}; k++) detail.note({milliseconds}); viewer.paint(); viewer.canvas.width"
+        return float(tab.value(wide)) / WIDTH
+
+    assert after(4, 60) == 1
+    assert after(1, 60) == pytest.approx(0.7)
+    assert after(100, 60) == pytest.approx(0.25)
+    assert after(1000, 15) == pytest.approx(0.25)  # neither slow nor quick
+    assert after(90, 3) == pytest.approx(0.35, abs=1e-3)
+    tab.value("viewer.view.output = 'polarised'; true")
+    assert after(0, 0) == 1  # its rows are the screen's
+    tab.value("viewer.view.output = 'plain'; detail.begin(0); true")
+    assert after(0, 0) == 1
+    assert tab.value("viewer.show()") > 0
 
 
 @pytest.fixture

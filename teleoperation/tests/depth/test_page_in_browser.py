@@ -114,7 +114,7 @@ def test_a_moving_scene_moves_and_a_still_one_does_not(browser, study, motion):
     begin(tab, 1)
     view = view_of({"technique": "plain", "camera": "central", "scene": motion}, Viewing())
     tab.value(f"stop(); stop = showView(viewer, {json.dumps(view)}, scene)")
-    turn = "viewer.world.bodies[0].quaternion.y"
+    turn = "viewer.world.machine.places[0].turn.y"
     tab.value("new Promise(done => setTimeout(done, 300))")
     first, frames = tab.value(turn), tab.value("viewer.frames")
     if motion == "moving":

@@ -19,7 +19,8 @@ const HEAD_REACH = 0.25;
  * the picture is opaque; with `stand` ({eye, target}) the camera stays there. Throws if there is no WebGL 2.
  *
  * `shown`: what is drawn and which cues of depth it has. `view`: camera and output, see eyes.js and outputs.js, and whether the
- * eyes are swapped. `way` is how far the machine went: the camera follows it along the floor where `follow` is set. Changes show with `draw()`.
+ * eyes are swapped. `way` is how far the machine went: the camera follows it along the floor where `follow` is set. `detail`: share of
+ * the resolution that is drawn, less than 1 where pictures must keep up, see detail.js. Changes show with `draw()`.
  */
 export class Viewer {
   constructor(canvas, data) {
@@ -33,6 +34,7 @@ export class Viewer {
     this.forces = [];
     this.head = [0, 0];
     this.frames = 0;
+    this.detail = 1;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.autoUpdate = false;
@@ -69,9 +71,7 @@ export class Viewer {
 
   /** Puts a body, counted as in the data, at a pose: position and quaternion x y z w, body to world. */
   place(body, pose) {
-    const object = this.world.bodies[body];
-    object.position.set(pose[0], pose[1], pose[2]);
-    object.quaternion.set(pose[3], pose[4], pose[5], pose[6]);
+    this.world.machine.place(body, pose);
   }
 
   draw() {
@@ -82,9 +82,22 @@ export class Viewer {
     });
   }
 
+  /** Draws at once, where no headset does; resolves when the picture is drawn, with the milliseconds that took. */
+  async show() {
+    const gl = this.renderer.getContext(), began = performance.now();
+    if (this.headset.session) return 0;
+    this.paint();
+    const drawn = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (drawn && !gl.isContextLost() && gl.getSyncParameter(drawn, gl.SYNC_STATUS) !== gl.SIGNALED) await new Promise(next => setTimeout(next, 1));
+    gl.deleteSync(drawn);
+    return performance.now() - began;
+  }
+
   paint() {
     const { renderer, canvas, view, world } = this;
     this.resize();
+    world.sharpen(this.detail);
     this.goAlong();
     const focus = this.rig.position.distanceTo(this.controls.target), stage = this.data.background;
     const dark = !stage && window.matchMedia("(prefers-color-scheme: dark)").matches, inHeadset = Boolean(this.headset.session);
@@ -113,7 +126,9 @@ export class Viewer {
   }
 
   resize() {
-    const { canvas, renderer } = this, ratio = Math.min(window.devicePixelRatio || 1, 2);
+    // Rows in turn are rows of the screen.
+    const { canvas, renderer } = this, detail = this.view.output === "polarised" ? 1 : this.detail;
+    const ratio = Math.min(window.devicePixelRatio || 1, 2) * detail;
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio)), height = Math.max(1, Math.round(canvas.clientHeight * ratio));
     if (this.headset.session || canvas.width === width && canvas.height === height) return;
     renderer.setSize(width, height, false);

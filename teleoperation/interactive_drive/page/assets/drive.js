@@ -5,7 +5,7 @@
   const get = id => document.getElementById(id);
   const ALWAYS = ["add", "clear"];
   const OLD_PICTURE = 500;
-  let viewer = null, scene = null, controls = null, plots = null, status = null, steering = {you: false, free: false}, first = null;
+  let viewer = null, detail = null, scene = null, controls = null, plots = null, status = null, steering = {you: false, free: false}, first = null;
   let latency = NaN, frame = null, waiting = false, channel = "";
   const stamps = new Map();
 
@@ -35,6 +35,7 @@
       if (!scene) { get("stage").hidden = get("drawing").hidden = true; return; }
       viewer = new contactViewer.Viewer(get("canvas"), scene);
       viewer.follow = true;
+      detail = new contactViewer.Detail(viewer);
       contactViewer.makeViewControls(get("drawing"), viewer, true);
       const tracks = scene.bodies.map(body => contactViewer.decodeArray(body.track, Float32Array));
       tracks.forEach((track, k) => viewer.place(k, track));
@@ -45,7 +46,7 @@
         item.append(mark, entry.label);
         return item;
       }));
-      if (frame) draw();
+      if (frame) schedule();
     } catch (error) {
       onRemark({text: `The machine cannot be drawn: ${error.message}`, bad: true});
     }
@@ -61,33 +62,54 @@
   function onFrame(message) {
     frame = message.frame;
     if (plots) for (const sample of frame.samples) plots.add(sample.time, sample.signals);
-    if (waiting) return;
-    waiting = true;
-    requestAnimationFrame(() => { waiting = false; draw(); });
+    schedule();
   }
 
-  function draw() {
+  /** One picture is under way at a time, and shows the newest frame: a queue of pictures would grow old. */
+  function schedule() {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(draw);
+  }
+
+  async function draw() {
+    const shown = frame;
+    if (!shown) { waiting = false; return; }
     if (controls) controls.poll();
-    const now = performance.now();
-    for (const stamp of stamps.keys()) {
-      if (stamp <= frame.stamp) { latency = now - stamp; stamps.delete(stamp); }
-    }
+    get("clock").textContent = `t = ${shown.time.toFixed(3)} s`;
+    showFigures();
     if (viewer) {
-      scene.moving.forEach((body, k) => viewer.place(body, frame.poses[k]));
+      if (!moves()) detail.begin(0);
+      scene.moving.forEach((body, k) => viewer.place(body, shown.poses[k]));
       viewer.way = way();
-      viewer.forces = frame.forces;
-      viewer.draw();
+      viewer.forces = shown.forces;
+      const took = await viewer.show();
+      if (moves()) detail.note(took);
     }
     // Told when it is drawn, not when it comes: what is under way is never more than what can be drawn.
-    link.send({type: "seen", number: frame.number});
-    get("clock").textContent = `t = ${frame.time.toFixed(3)} s`;
-    showFigures();
+    link.send({type: "seen", number: shown.number});
+    requestAnimationFrame(() => noteLatency(shown.stamp));
+    waiting = false;
+    if (frame && frame !== shown) schedule();
+  }
+
+  /** = true, while pictures must keep up; one that stands is as sharp as can be. */
+  function moves() {
+    return status && status.mode === "running";
+  }
+
+  /** Called when the browser is ready for the picture after the one that shows what inputs up to a stamp did: that one is on the screen. */
+  function noteLatency(shown) {
+    const now = performance.now();
+    for (const stamp of stamps.keys()) {
+      if (stamp <= shown) { latency = now - stamp; stamps.delete(stamp); }
+    }
   }
 
   /** Also between frames: a picture that no newer one replaces grows old. */
   function showFigures() {
     if (!frame) return;
-    const parts = [], age = link.clock.age(frame.heard, Date.now()), running = status && status.mode === "running";
+    const parts = [], age = link.clock.age(frame.heard, Date.now()), running = moves();
     if (running && isFinite(frame.factor)) parts.push(`real-time factor ${frame.factor.toFixed(2)}`);
     if (frame.steps) parts.push(`${frame.missed} of ${frame.steps} deadlines missed`);
     if (running && isFinite(age)) parts.push(`picture ${age.toFixed(0)} ms old`);
@@ -121,6 +143,7 @@
     get("alarm").hidden = !stopped;
     get("alarm-text").textContent = stopped ? status.message : "";
     get("alarm-actions").replaceChildren(...(status.mode === "failed" ? offers() : stopped ? [button("Start again", {type: "restart"})] : []));
+    if (frame) schedule();
     if (status.message && !stopped) onRemark({text: status.message});
     refresh();
   }
