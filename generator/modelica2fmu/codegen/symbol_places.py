@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from modelica2fmu.codegen.c_expressions import bare
+from modelica2fmu.codegen.c_expressions import bare, c_text
 from modelica2fmu.codegen.c_functions import FunctionFrame
 from modelica2fmu.codegen.slots import Slots, Store
 from modelica2fmu.codegen.statements import Statement, WorkSpace
@@ -91,7 +91,8 @@ class SymbolPlaces:
             return f"{target} = {bare(text)};"
         if slot.store is Store.BOOLEAN:
             return f"{target} = ({text} != 0);"
-        return f"{target} = (int)lrint({bare(text)});"
+        bound = f"fmurt_round_integer(v, &{target}, {bare(text)}, {c_text(unwrapped(name)[1])})"
+        return f"{{ const int result = {bound}; if (result != FMURT_RESULT_OK) return result; }}"
 
     def assign(self, name: str, value: float | Node, is_discrete: bool = False) -> Statement:
         """The assignment of an expression to a symbol."""

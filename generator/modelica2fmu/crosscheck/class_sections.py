@@ -27,8 +27,8 @@ class SectionReader(TokenReader):
                 self.at += 2
                 depth -= 1
                 self.expect(";")
-                if block == "when" and not depth:
-                    definition.equations.append(self.extent(opening))
+                if not depth:
+                    (definition.equations if block == "when" else definition.blocks).append(self.extent(opening))
             elif text == "else":
                 self.at += 1
             elif text in _BLOCKS or text in ("elseif", "elsewhen"):

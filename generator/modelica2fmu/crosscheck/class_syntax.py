@@ -113,6 +113,7 @@ class ClassDefinition:
         is_enumeration: = true, if it is an enumeration.
         behaviour: sections with equations and algorithms.
         equations: equations, assignments and when-clauses that stand in these directly, in no if or for.
+        blocks: if and for with what is in them, but for those within others.
         c_name: the C function that an external function calls.
         folder: of a package, with files of more classes.
     """
@@ -126,6 +127,7 @@ class ClassDefinition:
     imports: list[Import] = field(default_factory=list)
     behaviour: list[Extent] = field(default_factory=list)
     equations: list[Extent] = field(default_factory=list)
+    blocks: list[Extent] = field(default_factory=list)
     c_name: str | None = None
     is_short: bool = False
     extends_inherited: bool = False

@@ -12,6 +12,7 @@ from typing import Final
 
 from contact_foundation.errors import InputError
 
+from modelica2fmu.expand.bounds_check import LARGEST_INTEGER
 from modelica2fmu.expand.scalar_model import (
     CallArgument,
     ExternalCall,
@@ -127,6 +128,7 @@ class _Eliminator:
             if len(signs) == 1:
                 ((name, sign),) = signs.items()
                 if self._removable(name):
+                    self._require_integer(name, -constant * sign, equation)
                     self._remove(name, -constant * sign)
                     return True
             elif constant == 0 and self._merge(signs):
@@ -138,6 +140,14 @@ class _Eliminator:
             raise InputError(
                 f"equations contradict each other: {equation.left} = {equation.right}",
                 place=self._source_map.place(equation.span),
+            )
+
+    def _require_integer(self, name: str, value: float, equation: ScalarEquation) -> None:
+        if self._variables[name].type == "Integer" and abs(value) > LARGEST_INTEGER:
+            raise InputError(
+                f"{name} is {value:.15g}, beyond the largest Integer, {LARGEST_INTEGER}",
+                place=self._source_map.place(equation.span),
+                remedy="declare it as Real",
             )
 
     def _is_parameter(self, name: str) -> bool:

@@ -30,6 +30,18 @@ _UNRESOLVED: Final = re.compile(r"unresolved (?:component|type|function) referen
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
 
 _PROBLEMS_SHOWN: Final = 3
+_SHOWN: Final = 80
+
+# rumoca's words where sizes of arrays do not fit, in arguments of functions and in expressions.
+_SHAPES: Final = "shape proof"
+_ARGUMENT: Final = re.compile(
+    rf"{_SHAPES}`: `(?P<name>\w+)`: axis (?P<dimension>\d+) requires extent (?P<wanted>\d+) but .* (?P<given>\d+)$"
+)
+_MISSHAPEN: Final = "expression shape mismatch"
+_SIZES: Final = (
+    "give both sides, and what is added, subtracted or chosen by if, the same sizes; a number is added to each element "
+    "of an array by .+, and vectors are multiplied element by element by .*"
+)
 
 
 class FrontEndError(Exception):
@@ -82,6 +94,32 @@ def front_end_error(answer: Answer, model: str, file: Path, library: ClassLibrar
         place=place,
         remedy=near_names(parts, model, library) if parts else None,
     )
+
+
+def is_vague(error: InputError) -> bool:
+    """= true, if an error names no line, or the first that mentions a name where the front end compares sizes."""
+    return error.place is None or error.place.line is None or _SHAPES in error.message
+
+
+def piece_error(said: str, text: str, place: Place) -> InputError:
+    """An equation or a binding is refused.
+
+    Args:
+        said: the front end's words.
+        text: of the equation or binding.
+        place: where it stands.
+    """
+    shown = " ".join(text.removesuffix(";").split())
+    shown = f"{shown[:_SHOWN]} ..." if len(shown) > _SHOWN else shown
+    argument = _ARGUMENT.search(said)
+    if argument is not None:
+        wants = f"{argument['name']} wants {argument['wanted']} elements in dimension {argument['dimension']}"
+        return InputError(
+            f"an argument has the wrong size in: {shown}", place=place, remedy=f"{wants}, not {argument['given']}"
+        )
+    if _MISSHAPEN not in said:
+        return InputError(f"{shown}: {said}", place=place)
+    return InputError(f"sizes of arrays do not fit each other in: {shown}", place=place, remedy=_SIZES)
 
 
 def _own_mistake(message: str, model: str, file: Path) -> InputError | None:

@@ -31,22 +31,24 @@ from modelica2fmu.frontend.balance import (
     world_without_inner,
 )
 from modelica2fmu.frontend.concatenation import have_values, with_arrays_written_out
+from modelica2fmu.frontend.culprit import culprit
 from modelica2fmu.frontend.errors import (
     FrontEndError,
     front_end_error,
+    is_vague,
     loose_error,
     misplaced_error,
     not_inner_error,
+    piece_error,
     unconnected_error,
 )
 from modelica2fmu.frontend.flat_reader import read_flat_model
+from modelica2fmu.frontend.library_names import naming, packages
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
 from modelica2fmu.frontend.package_view import package_view
 from modelica2fmu.frontend.runner import Answer, Request, ask
 from modelica2fmu.library.source_map import SourceMap, Span, source_number
 
-# What a folder with the Modelica Standard Library holds.
-_STANDARD_PACKAGES: Final = ("Modelica", "ModelicaServices", "Complex")
 # rumoca's words where a class is not found, as those of a library that the package's own file does not name.
 _UNRESOLVED: Final = re.compile(r"\bunresolved\b")
 # Where connected arrays have different sizes.
@@ -112,6 +114,10 @@ def load_flat_model(
                 diagnostics=tuple(given.restored(each) for each in answer.diagnostics),
             )
             refusal = missing or front_end_error(words, model, file, library)
+            piece = culprit(answer.error, request, given.file, text) if missing is None and is_vague(refusal) else None
+            if piece is not None:
+                place = replace(_places(source_map)(piece.extent), component=model)
+                refusal = piece_error(piece.said, piece.text, place)
             if unbalanced is not None:
                 return replace(read_flat_model(unbalanced, model, source_map), refusal=refusal)
             raise refusal from FrontEndError(words.error)
@@ -196,7 +202,7 @@ def _with_package_written_out(
         return loaded
     others = tuple(root for root in loaded.roots if root.resolve() != view.package.resolve())
     roots = (view.root, *others)
-    text = _naming([view.package.name, *_packages(others)])
+    text = naming([view.package.name, *packages(others)])
     other = ask(replace(request, roots=tuple(map(str, roots)), file="libraries.mo", text=text), remark)
     if other.flat is None:
         words = replace(other, error=view.restored(other.error))
@@ -234,23 +240,6 @@ def _request(model: str, file: Path, given: LoneFiles) -> Request:
         names,
         model,
         "libraries.mo" if is_library else str(given.file),
-        f"{text}\n{_naming(_packages(roots))}",
+        f"{text}\n{naming(packages(roots))}",
         str(file),
     )
-
-
-def _packages(roots: Sequence[Path]) -> list[str]:
-    """Names of the libraries in folders."""
-    packages = [root.name for root in roots if (root / "package.mo").is_file()]
-    return packages + [
-        name
-        for root in roots
-        for name in _STANDARD_PACKAGES
-        if (root / name / "package.mo").is_file() or (root / f"{name}.mo").is_file()
-    ]
-
-
-def _naming(packages: Sequence[str]) -> str:
-    """A class that names packages, so that the front end loads them."""
-    imports = "".join(f"  import {package};\n" for package in dict.fromkeys(packages))
-    return f"class 'cmb libraries'\n{imports}end 'cmb libraries';\n"

@@ -58,6 +58,9 @@ typedef struct fmurt_values {
 /* Provided by the runtime, called by generated code. */
 void fmurt_report_error(fmurt_values *values, const char *message); /* cause of a FMURT_RESULT_ERROR or _DISCARD */
 void fmurt_report_warning(fmurt_values *values, const char *message);
+/* Rounds `value` into the Integer `target`; FMURT_RESULT_DISCARD with a message that names it by `name` where no int holds
+ * the value. */
+fmurt_result fmurt_round_integer(fmurt_values *values, int *target, double value, const char *name);
 /* Scales and factorizes A (column-major n x n, overwritten). `scale` has n doubles, `pivot` n ints.
  * 0 on success, k+1 if column k is singular. */
 int fmurt_factorize(int n, double *a, double *scale, int *pivot);

@@ -1,0 +1,137 @@
+"""Finds the equation or binding that the front end refuses without a place.
+
+What rumoca 0.10 finds only while it builds equations, such as arrays whose sizes do not fit, it tells without a line.
+It is asked again about the model without one half of its equations and bindings after the other, until one is left.
+"""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Final
+
+from modelica2fmu.crosscheck.class_parser import parse
+from modelica2fmu.crosscheck.class_syntax import Base, ClassDefinition, ComponentDeclaration, Extent
+from modelica2fmu.crosscheck.class_tokens import UnreadableError
+from modelica2fmu.frontend.balance import unbalanced_form
+from modelica2fmu.frontend.library_names import naming, packages
+from modelica2fmu.frontend.runner import Request, ask
+
+_STAGE: Final = re.compile(r" failed in ToDae: (.*)", re.DOTALL)
+_GAP: Final = 200
+_GIVES: Final = re.compile(rb"(?::?=)\s*\Z")
+# Sizes and branches depend on their values, which are left as they are.
+_COUNTS: Final = frozenset({"Integer", "Boolean", "String"})
+
+
+@dataclass(frozen=True)
+class Piece:
+    """An equation, a block of them, a binding or the modifiers of a component.
+
+    Attributes:
+        extent: where it stands.
+        text: of it.
+        said: what the front end says of it.
+    """
+
+    extent: Extent
+    text: str
+    said: str
+
+
+def culprit(error: str, request: Request, file: Path, text: bytes) -> Piece | None:
+    """What alone brings an error; None if the error is of another kind, or no single piece brings it.
+
+    Args:
+        error: of the front end.
+        request: that it answers.
+        file: that holds the model, as the request has it; ``package.mo`` stands for the files of its package.
+        text: of that file.
+    """
+    said = _said(error)
+    if said is None:
+        return None
+    texts = {each: each.read_bytes() for each in file.parent.rglob("*.mo")} if request.text is None else {file: text}
+    try:
+        classes = [each for name, text in texts.items() for each in parse(text, name).values()]
+    except UnreadableError:
+        return None
+    pieces = [piece for each in classes for piece in _pieces(each, texts)]
+
+    def is_refused(left: Sequence[Extent]) -> bool:
+        kept = set(left)
+        return _said(_error_without(texts, [each for each in pieces if each not in kept], request, file)) == said
+
+    suspects: Sequence[Extent] = pieces
+    if not suspects or is_refused(()):
+        return None
+    while len(suspects) > 1:
+        middle = len(suspects) // 2
+        halves = (suspects[:middle], suspects[middle:])
+        half = next((half for half in halves if is_refused(half)), None)
+        if half is None:
+            return None
+        suspects = half
+    found = suspects[0]
+    return Piece(found, texts[found.file][found.start : found.end].decode(errors="replace"), said)
+
+
+def _said(error: str) -> str | None:
+    """What an error says that the front end has no place for; None for other errors."""
+    found = _STAGE.search(error)
+    return None if found is None else found[1].split("\nRelated failures")[0].strip()
+
+
+def _pieces(definition: ClassDefinition, texts: Mapping[Path, bytes]) -> Iterator[Extent]:
+    """Equations, blocks of them, bindings and modifiers of a class and those in it, which it is a class without."""
+    if definition.kind not in ("function", "package"):  # constants of packages belong to their users' sizes
+        elements: tuple[Base | ComponentDeclaration, ...] = (*definition.bases, *definition.components.values())
+        for element in elements:
+            arguments = element.arguments
+            if any(b"{" in texts[each.extent.file][each.extent.start : each.extent.end] for each in arguments):
+                yield Extent(element.extent.file, arguments[0].extent.start, arguments[-1].extent.end)
+        for component in definition.components.values():
+            if component.value is not None and component.type_name[-1] not in _COUNTS:
+                yield component.value
+        yield from definition.equations
+        yield from definition.blocks
+    for inner in definition.classes.values():
+        yield from _pieces(inner, texts)
+
+
+def _error_without(texts: Mapping[Path, bytes], pieces: Sequence[Extent], request: Request, file: Path) -> str:
+    """The front end's error about the model without pieces, in which equations may lack; empty if there is none."""
+    changed = _without(texts, pieces)
+    if request.text is not None:
+        libraries = request.text[len(texts[file].decode()) :]
+        return _error(replace(request, text=changed[file].decode() + libraries))
+    package = file.parent
+    with tempfile.TemporaryDirectory(prefix="cmb-package-") as folder:
+        for original in package.rglob("*"):
+            if original in changed or original.name == "package.order":
+                copy = Path(folder) / package.name / original.relative_to(package)
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                copy.write_bytes(changed.get(original) or original.read_bytes())
+        others = [root for root in map(Path, request.roots) if root.resolve() != package.resolve()]
+        text = naming([package.name, *packages(others)])
+        roots = (folder, *map(str, others))
+        return _error(replace(request, roots=roots, file="libraries.mo", text=text))
+
+
+def _error(request: Request) -> str:
+    form = unbalanced_form(request)
+    return "" if form is None else ask(form, lambda _remark: None).error
+
+
+def _without(texts: Mapping[Path, bytes], pieces: Sequence[Extent]) -> dict[Path, bytes]:
+    """The texts with blanks for pieces, and for the equals signs before bindings; of the same lines."""
+    changed = {file: bytearray(text) for file, text in texts.items()}
+    for piece in pieces:
+        text = changed[piece.file]
+        gives = _GIVES.search(text, max(0, piece.start - _GAP), piece.start)
+        start = piece.start if gives is None else gives.start()
+        text[start : piece.end] = re.sub(rb"[^\n]", b" ", text[start : piece.end])
+    return {file: bytes(text) for file, text in changed.items()}

@@ -1,0 +1,27 @@
+"""Names of libraries, written so that the front end loads them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Final
+
+# What a folder with the Modelica Standard Library holds.
+_STANDARD_PACKAGES: Final = ("Modelica", "ModelicaServices", "Complex")
+
+
+def packages(roots: Sequence[Path]) -> list[str]:
+    """Names of the libraries in folders."""
+    found = [root.name for root in roots if (root / "package.mo").is_file()]
+    return found + [
+        name
+        for root in roots
+        for name in _STANDARD_PACKAGES
+        if (root / name / "package.mo").is_file() or (root / f"{name}.mo").is_file()
+    ]
+
+
+def naming(names: Sequence[str]) -> str:
+    """A class that names packages."""
+    imports = "".join(f"  import {name};\n" for name in dict.fromkeys(names))
+    return f"class 'cmb libraries'\n{imports}end 'cmb libraries';\n"
