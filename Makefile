@@ -63,7 +63,7 @@ test-msl: setup-test
 	MSL_EXAMPLES=all .venv/bin/python -m pytest -n 2 generator/tests/modelica2fmu/test_msl_examples.py
 
 test-omc: setup
-	scripts/test-omc
+	.venv/bin/python scripts/test-omc
 
 test-omc-fmu: setup
 	.venv/bin/python scripts/test-omc-fmu

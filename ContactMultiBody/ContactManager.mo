@@ -34,7 +34,7 @@ Connect a frame of each body that may collide to an element of <code>frame</code
 <a href=\"modelica://ContactMultiBody.Parts.Collider\">colliders</a>, in the same order:
 </p>
 <blockquote><pre>
-ContactMultiBody.Parts.Body ball(geometry=ContactMultiBody.Shapes.sphere(0.1), ...);
+ContactMultiBody.Parts.FreeBody ball(geometry=ContactMultiBody.Shapes.sphere(0.1), ...);
 ContactMultiBody.Parts.Ground floor;
 ContactMultiBody.ContactManager contacts(
   n=2,

@@ -6,7 +6,7 @@ model BallAgainstThinWall "A fast ball does not pass a wall thinner than itself"
   final parameter Modelica.Units.SI.Mass m=4/3*Modelica.Constants.pi*radius^3*7850 "Mass of the ball";
   inner Modelica.Mechanics.MultiBody.World world(gravityType=Modelica.Mechanics.MultiBody.Types.GravityTypes.NoGravity)
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body ball(
+  Parts.FreeBody ball(
     m=m,
     r_CM={0,0,0},
     I_11=0.4*m*radius^2,

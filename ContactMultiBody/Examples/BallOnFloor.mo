@@ -5,7 +5,7 @@ model BallOnFloor "A ball bounces, each time to the square of the restitution of
   parameter Modelica.Units.SI.Position height=1 "Height from which the ball is dropped";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body ball(
+  Parts.FreeBody ball(
     m=1,
     r_CM={0,0,0},
     I_11=0.004,

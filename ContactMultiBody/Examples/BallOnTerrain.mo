@@ -8,7 +8,7 @@ model BallOnTerrain "A ball comes to rest at the bottom of a hollow given by hei
   final parameter Modelica.Units.SI.Position height[9, 9]={{0.25*slope*((i - 5)^2 + (j - 5)^2) for j in 1:9} for i in 1:9} "Heights over a grid of 0.25 m";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body ball(
+  Parts.FreeBody ball(
     m=m,
     r_CM={0,0,0},
     I_11=0.4*m*radius^2,

@@ -6,7 +6,7 @@ model BlockOnMat "A block whose centre of mass is not in its middle stands askew
   final parameter Modelica.Units.SI.Length size[3]={0.3,0.2,0.1} "Size of the block";
   final parameter Modelica.Units.SI.Mass m=5 "Mass of the block";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1}) annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body body(
+  Parts.FreeBody body(
     m=m,
     r_CM={offset,0,0},
     I_11=m*(size[2]^2 + size[3]^2)/12,

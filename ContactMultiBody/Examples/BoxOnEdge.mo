@@ -8,7 +8,7 @@ model BoxOnEdge "A box dropped on its edge tumbles and comes to lie flat"
     "Principal moments of inertia";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body box(
+  Parts.FreeBody box(
     m=m,
     r_CM={0,0,0},
     I_11=I[1],

@@ -10,7 +10,7 @@ model BoxOnIncline "A box slides down an incline that is steeper than its fricti
   final parameter Real normal[3](each unit="1")={sin(angle),0,cos(angle)} "Normal of the incline";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body box(
+  Parts.FreeBody box(
     m=m,
     r_CM={0,0,0},
     I_11=m*(size[2]^2 + size[3]^2)/12,

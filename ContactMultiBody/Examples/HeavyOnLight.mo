@@ -6,7 +6,7 @@ model HeavyOnLight "A body a thousand times heavier rests on a light one"
   final parameter Real K(unit="N/m")=1e8 "Stiffness";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body light(
+  Parts.FreeBody light(
     m=m[1],
     r_CM={0,0,0},
     I_11=m[1]*a^2/6,
@@ -19,7 +19,7 @@ model HeavyOnLight "A body a thousand times heavier rests on a light one"
     angles_fixed=true,
     w_0_fixed=true,
     sphereDiameter=0.1) annotation (Placement(transformation(extent={{-40,10},{-20,30}})));
-  Parts.Body heavy(
+  Parts.FreeBody heavy(
     m=m[2],
     r_CM={0,0,0},
     I_11=m[2]*a^2/6,

@@ -8,7 +8,7 @@ model RollingResistance "A rolling sphere is stopped by rolling friction"
   final parameter Real K(unit="N/m")=1e6 "Stiffness";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body sphere(
+  Parts.FreeBody sphere(
     m=m,
     r_CM={0,0,0},
     I_11=0.4*m*radius^2,

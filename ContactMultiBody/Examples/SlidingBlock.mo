@@ -8,7 +8,7 @@ model SlidingBlock "A block slides over a floor until friction has used up its e
   final parameter Real K(unit="N/m")=1e6 "Stiffness";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body slider(
+  Parts.FreeBody slider(
     m=m,
     r_CM={0,0,0},
     I_11=m*(size[2]^2 + size[3]^2)/12,

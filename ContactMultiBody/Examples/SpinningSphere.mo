@@ -9,7 +9,7 @@ model SpinningSphere "A sphere that spins on the spot is stopped by the friction
   final parameter Modelica.Units.SI.Time stop=0.4*m*radius^2*w0/(2/3*0.3*m*world.g*area) "Time after which the sphere stands";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body sphere(
+  Parts.FreeBody sphere(
     m=m,
     r_CM={0,0,0},
     I_11=0.4*m*radius^2,

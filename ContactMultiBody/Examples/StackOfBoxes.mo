@@ -7,7 +7,7 @@ model StackOfBoxes "Three boxes dropped onto each other settle and stand"
   final parameter Modelica.Units.SI.Distance gap=1e-3 "Height from which each box falls";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body box[3](
+  Parts.FreeBody box[3](
     each m=m,
     each r_CM={0,0,0},
     each I_11=J,

@@ -4,7 +4,7 @@ model TumblingShapes "A ball, a box and a capsule tumble over each other, by the
   final parameter Modelica.Units.SI.Mass m=1 "Mass of each body";
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={0,0,-1})
     annotation (Placement(transformation(extent={{-100,-100},{-80,-80}})));
-  Parts.Body ball(
+  Parts.FreeBody ball(
     m=m,
     r_CM={0,0,0},
     I_11=0.004,
@@ -16,7 +16,7 @@ model TumblingShapes "A ball, a box and a capsule tumble over each other, by the
     angles_fixed=true,
     w_0_fixed=true,
     sphereDiameter=0.1) annotation (Placement(transformation(extent={{-40,40},{-20,60}})));
-  Parts.Body box(
+  Parts.FreeBody box(
     m=m,
     r_CM={0,0,0},
     I_11=0.007,
@@ -28,7 +28,7 @@ model TumblingShapes "A ball, a box and a capsule tumble over each other, by the
     angles_fixed=true,
     w_0_fixed=true,
     sphereDiameter=0.1) annotation (Placement(transformation(extent={{-40,10},{-20,30}})));
-  Parts.Body capsule(
+  Parts.FreeBody capsule(
     m=m,
     r_CM={0,0,0},
     I_11=0.008,

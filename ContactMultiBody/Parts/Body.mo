@@ -15,7 +15,8 @@ equation
   annotation (Documentation(info="<html>
 <p>
 Modelica.Mechanics.MultiBody.Parts.Body with a geometry and a material. Neither adds an equation; contacts are computed by the
-<a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a> frame_a is connected to.
+<a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a> frame_a is connected to. Where no joint holds the body, take
+<a href=\"modelica://ContactMultiBody.Parts.FreeBody\">FreeBody</a>: the motion is the same, but some tools cannot initialize FMUs that they export of a free Body.
 </p>
 </html>"));
 end Body;

@@ -69,7 +69,7 @@ protected
     widthDirection={0,1,0},
     r_shape=r_CM - {sphereDiameter/2,0,0},
     r=frame_a.r_0,
-    R=frame_a.R) if world.enableAnimation and animation and sphereDiameter > 0;
+    R=frame_a.R) if world.enableAnimation and animation;
 equation
   Connections.root(frame_a.R);
   s = 2/(Q*Q);

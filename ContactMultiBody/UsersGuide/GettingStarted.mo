@@ -14,10 +14,10 @@ end Bounce;
 </pre></blockquote>
 <h4>2. A body</h4>
 <p>
-Add a <a href=\"modelica://ContactMultiBody.Parts.Body\">Body</a>. It is MultiBody's own body, so that masses, start values and everything else are as you know them. Let it start at rest one metre up.
+Add a <a href=\"modelica://ContactMultiBody.Parts.FreeBody\">FreeBody</a>, a body that no joint holds; its parameters and start values are those of MultiBody's body. Let it start at rest one metre up.
 </p>
 <blockquote><pre>
-ContactMultiBody.Parts.Body ball(
+ContactMultiBody.Parts.FreeBody ball(
   m=1, r_CM={0,0,0}, I_11=0.004, I_22=0.004, I_33=0.004,
   r_0(start={0,0,1}, each fixed=true), v_0(each fixed=true), angles_fixed=true, w_0_fixed=true);
 </pre></blockquote>
@@ -60,6 +60,7 @@ cmb report bounce.csv --output bounce.html
 </pre></blockquote>
 <h4>From here</h4>
 <ul>
+<li>Bodies on joints: <a href=\"modelica://ContactMultiBody.Parts.Body\">Body</a>, MultiBody's own with a geometry and a material.</li>
 <li>Mechanisms that exist: exchange <code>Modelica.Mechanics.MultiBody.Parts</code> for <code>ContactMultiBody.Parts</code>; nothing else changes until a manager is connected. Frames without a body of their own get a
 <a href=\"modelica://ContactMultiBody.Parts.CollisionShape\">CollisionShape</a>.</li>
 <li>Several shapes on one body: <a href=\"modelica://ContactMultiBody.Shapes.compound\">compound</a>. Only pairs that can meet: <code>pairs</code>.</li>

@@ -25,11 +25,11 @@ shape, and set <code>animateGround=true</code> in the world to see a floor at z 
 BallOnFloor, HammerOnAnvil and NewtonCradle were simulated: their trajectories agree with the same references.</li>
 <li>Its FMUs for co-simulation integrate by explicit Euler at the communication step unless told otherwise, which diverges on stiff contact: export with
 <code>--fmiFlags=s:cvode</code>.</li>
-<li>For FMUs take <a href=\"modelica://ContactMultiBody.Parts.FreeBody\">FreeBody</a> instead of Body, and of BodyBox, BodyCylinder and BodyShape, for bodies that no joint holds; simulation in the tool takes either.
+<li>For FMUs take <a href=\"modelica://ContactMultiBody.Parts.FreeBody\">FreeBody</a> instead of Body, and of BodyBox, BodyCylinder and BodyShape, for bodies that no joint holds, as the examples and generated models do; simulation in the tool takes either.
 With Body, initialization of its FMUs ends with <code>wrong pose: body 1 has a rotation that is a reflection</code>. The cause is the solver of nonlinear systems in its FMUs, found in version 1.28:
 where the start values of a system solve it already, it returns its own working vector, zeros at the first call, as the solution. The quaternion's unit length is such a system, and the start values of
 Body solve it. Other start values do not help: a second system with the same unknowns follows and starts from the solution of the first. FreeBody has no such system. <code>useQuaternions=false</code> of Body also avoids it, but its angles have an attitude in which they fail.
-<code>make test-omc-fmu</code> exports the examples with FreeBody in place of Body and compares them with their references.</li>
+<code>make test-omc-fmu</code> exports the examples and compares them with their references.</li>
 <li>Variables that users read are results of functions, as <a href=\"modelica://ContactMultiBody.Internal.Unaliased\">Unaliased</a> explains; follow its rules in models of your own that call
 functions of arrays. Impact speeds of version 1.28 are right with this library; earlier states of it gave the speed of the first impact for all.</li>
 <li>In a manager of one pair, a variable of yours that is <code>-contacts.distance[1]</code>, or the negative of <code>approachSpeed[1]</code> or <code>normalForce[1]</code>, ends the

@@ -136,10 +136,13 @@ class _Builder:
             modifiers.append(f"geometry=Geometry.{name}")
             if part.material is not None:
                 modifiers.append(f"material={self._draft.view.material_names[part.material]}")
-        if connector is None and not grounded:
+        free = connector is None and not grounded
+        if free:
             motion = start_motion(self._assembly, self._tree, self._loops, part)
             modifiers += _free_start(motion, part.pose)
-        self._draft.place("ContactMultiBody.Parts.Body", name, tuple(modifiers), part.name, column, -1)
+        # A FreeBody is the root of its mechanism's orientations, so that its coordinates are the states.
+        kind = "ContactMultiBody.Parts.FreeBody" if free else "ContactMultiBody.Parts.Body"
+        self._draft.place(kind, name, tuple(modifiers), part.name, column, -1)
         if connector is not None:
             self._draft.connect(connector, f"{name}.frame_a")
 
@@ -190,6 +193,4 @@ def _free_start(motion: tuple[Array, Array], pose: Pose) -> list[str]:
         f"angles_start={vector(angles)}",
         "w_0_fixed=true",
         f"w_0_start={vector(tidy_length(angular_velocity))}",
-        # Without it the root of the mechanism's orientations, whose coordinates are the states, may be any other body.
-        "enforceStates=true",
     ]

@@ -141,12 +141,8 @@ def test_free_part_is_the_root_of_its_mechanism(tmp_path: Path) -> None:
     ]
     package = generate(write_assembly(tmp_path / "limbs.xml", parts, joints), tmp_path / "out")
     text = (package.root / "Mechanics.mo").read_text()
-    bodies = re.findall(r"Parts\.Body (\w+)\((.*?)\) \"", text, flags=re.DOTALL)
-    assert {name: "enforceStates=true" in modifiers for name, modifiers in bodies} == {
-        "torso": True,
-        "upper": False,
-        "lower": False,
-    }
+    bodies = {name: kind for kind, name in re.findall(r"Parts\.(\w*Body) (\w+)\(", text)}
+    assert bodies == {"torso": "FreeBody", "upper": "Body", "lower": "Body"}
 
 
 @pytest.mark.parametrize("by_joint", [True, False])
@@ -162,8 +158,8 @@ def test_part_with_a_speed_is_the_root_wherever_it_is_listed(tmp_path: Path, by_
         joints.append(joint("throw", "free", "ground", "torso", origin=(0, 0, 1), start=start))
     package = generate(write_assembly(tmp_path / "limbs.xml", parts, joints), tmp_path / "out")
     text = (package.root / "Mechanics.mo").read_text()
-    bodies = dict(re.findall(r"Parts\.Body (\w+)\((.*?)\) \"", text, flags=re.DOTALL))
-    assert [name for name, modifiers in bodies.items() if "enforceStates" in modifiers] == ["torso"]
+    bodies = dict(re.findall(r"Parts\.FreeBody (\w+)\((.*?)\) \"", text, flags=re.DOTALL))
+    assert list(bodies) == ["torso"]
     assert "v_0(start={1,0,2}" in bodies["torso"]
     assert "w_0_start={0,0,3}" in bodies["torso"]
     assert not any("its start speed was ignored" in note for note in package.notes)

@@ -489,7 +489,7 @@ def test_floating_joint_behind_a_body_moves_freely(tmp_path: Path) -> None:
     assembly = changed(tmp_path, ('joint name="r2" type="revolute"', 'joint name="r2" type="floating"'))
     assert assembly.joints[1].type is JointType.FREE
     text = (generate(tmp_path / "robot.urdf", tmp_path / "out").root / "Mechanics.mo").read_text()
-    assert "enforceStates=true" in text
+    assert "ContactMultiBody.Parts.FreeBody b2" in text
 
 
 def test_inertia_without_mass_is_noted(tmp_path: Path) -> None:
@@ -586,7 +586,7 @@ def test_root_held_in_the_world(tmp_path: Path) -> None:
     held = generate(file, tmp_path / "held", GenerateOptions(ground=("b1",)))
     assert not any("moves freely" in note for note in held.notes)
     text = (held.root / "Mechanics.mo").read_text()
-    assert "enforceStates" not in text
+    assert "Parts.FreeBody" not in text
     assert re.search(r"connect\(world\.frame_b, b1\.frame_a\)", text)
     with pytest.raises(InputError, match="no part 'b3' to ground"):
         generate(file, tmp_path / "wrong", GenerateOptions(ground=("b3",)))
