@@ -247,6 +247,7 @@ def test_driven_arm_with_sliding_load(simulate):
     np.testing.assert_allclose(result["slide.v"], expected[1], atol=TOLERANCE)
 
 
+@pytest.mark.full
 def test_sensors_measure_what_the_frames_say(simulate, vector):
     result = simulate("Sensors", interval=0.004)
     position = vector(result, "rod.frame_b.r_0")

@@ -45,7 +45,7 @@ HEIGHT, SAMPLES = 0.2, 6
 
 @pytest.mark.parametrize(
     "manager",
-    [pytest.param(name, marks=pytest.mark.full if name == "without events" else ()) for name in MANAGERS],
+    [pytest.param(name, marks=() if name == "points" else pytest.mark.full) for name in MANAGERS],
 )
 def test_what_sinks_by_half_its_thickness_is_told(manager: str, fmu_cache: Path, tmp_path: Path) -> None:
     """A box falls flat: the greatest depth is v sqrt(m/K)."""

@@ -117,9 +117,7 @@ def test_combination_rules(core: Compiler) -> None:
         assert final(values, f"{name}[1]") == pytest.approx(value)
 
 
-@pytest.mark.parametrize(
-    "e", [0.0, pytest.param(0.05, marks=pytest.mark.full), 0.5, pytest.param(1.0, marks=pytest.mark.full)]
-)
+@pytest.mark.parametrize("e", [0.5, *(pytest.param(e, marks=pytest.mark.full) for e in (0.0, 0.05, 1.0))])
 @pytest.mark.parametrize("model", ["Impacts.RestitutionDelivered", "Impacts.RestitutionWithoutEvents"])
 def test_impact_delivers_the_restitution_asked_for(core: Compiler, model: str, e: float) -> None:
     delivered = final(simulate(core, model, 0.3, f"e={e}"), "delivered")

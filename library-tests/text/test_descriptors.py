@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 
+import pytest
 from library_compiler import Compiler
 
 
@@ -15,6 +16,7 @@ def test_long_literal_descriptor_survives(core: Compiler) -> None:
     assert flat["variables"]["ball.geometry"]["binding"]["Literal"]["value"] == {"String": descriptor}
 
 
+@pytest.mark.full
 def test_pairs_default_to_all(core: Compiler) -> None:
     flat = core.flatten("ContactMultiBodyTest.Scenes.AllParts")
     assert flat["variables"]["contacts.distance"]["dims"] == [5]

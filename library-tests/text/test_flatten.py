@@ -34,7 +34,17 @@ RICH_IN_FUNCTIONS = (
 BUILT = {f"ContactMultiBodyTest.Agreement.{name}ByBothWays" for name in ("Laws", "Shapes", "Spheres")} | case_models()
 
 
-@pytest.mark.parametrize("name", [name for name in runnable_models() if name not in BUILT])
+LARGE = {"ContactMultiBodyTest.Agreement.BothWays", "ContactMultiBodyTest.Sliding.TurningFaces"}
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.full if name in LARGE else ())
+        for name in runnable_models()
+        if name not in BUILT
+    ],
+)
 def test_model_flattens(core: Compiler, name: str) -> None:
     flat = core.flatten(name)
     assert flat["equations"]
@@ -76,7 +86,10 @@ EFFECTS = (
 FRICTION_FUNCTIONS = ("regularisedForces", "anchoredForces", "anchorRates")
 
 
-@pytest.mark.parametrize(("modification", "events", "anchors", "recovers"), EFFECTS)
+@pytest.mark.parametrize(
+    ("modification", "events", "anchors", "recovers"),
+    [pytest.param(*case, marks=() if case in EFFECTS[::2] else pytest.mark.full) for case in EFFECTS],
+)
 def test_effects_are_structural(core: Compiler, modification: str, events: bool, anchors: bool, recovers: bool) -> None:
     model = core.model("ContactMultiBody.Examples.BoxOnIncline", f"contacts({modification})")
     flat = model.to_dict("flat")

@@ -26,6 +26,7 @@ def sliding_block(provide_fmu: FmuProvider) -> Path:
     return fmu
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("mode", ["me", "cs"])
 @pytest.mark.parametrize("tolerance", [1e-3, 3e-4, 1e-4])
 def test_a_sliding_block_stops_in_few_steps(tolerance: float, mode: Mode, sliding_block: Path) -> None:
@@ -86,8 +87,9 @@ def test_nothing_turns_a_ball_in_flight(tolerance: float, mode: Mode, known_answ
     assert result["spin"][-1] == pytest.approx(rolling, abs=0.2 + SPREAD * tolerance * 20.0)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("mode", ["me", "cs"])
-@pytest.mark.parametrize("tolerance", TOLERANCES)
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8])
 def test_a_domino_falls_flat_in_few_steps(tolerance: float, mode: Mode, known_answer: Callable[[str], Path]) -> None:
     """Points that others lever into the floor have no jump in their force, or the integrator would creep."""
     result = run(known_answer("falling_domino"), mode, tolerance, "domino.frame_a.r_0[3]")

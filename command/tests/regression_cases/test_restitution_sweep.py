@@ -11,10 +11,9 @@ from fmu_regression.cases.runner import Skip
 from program import CASES
 
 
-@pytest.mark.parametrize(
-    ("tolerance", "allowed"), [(1e-6, ALLOWED_RESTITUTION), pytest.param(1e-4, 6e-3, marks=pytest.mark.full)]
-)
-@pytest.mark.parametrize("case", ["free_impact", pytest.param("free_impact_without_events", marks=pytest.mark.full)])
+@pytest.mark.full
+@pytest.mark.parametrize(("tolerance", "allowed"), [(1e-6, ALLOWED_RESTITUTION), (1e-4, 6e-3)])
+@pytest.mark.parametrize("case", ["free_impact", "free_impact_without_events"])
 def test_restitution_is_delivered(provide_fmu: FmuProvider, case: str, tolerance: float, allowed: float) -> None:
     fmu = provide_fmu(load_case(CASES / "known_answers" / f"{case}.toml"))
     assert not isinstance(fmu, Skip)

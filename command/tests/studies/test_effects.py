@@ -71,7 +71,7 @@ def test_advice_on_a_users_model(cmb: Cmb, tmp_path: Path) -> None:
     assert sorted(entry.name for entry in tmp_path.iterdir()) == ["Drop.mo"]
 
 
-@pytest.mark.parametrize("command", ["effects", "advise"])
+@pytest.mark.parametrize("command", ["effects", pytest.param("advise", marks=pytest.mark.full)])
 def test_wrong_input(command: str, cmb_here: Cmb, tmp_path: Path) -> None:
     (tmp_path / "Decay.mo").write_text(
         'model Decay "Has no bodies"\n  Real x(start=1, fixed=true);\nequation\n  der(x) = -x;\nend Decay;\n'

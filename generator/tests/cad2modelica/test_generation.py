@@ -175,7 +175,8 @@ def reframed(file: Path, turns: dict[str, Rotation], shifts: dict[str, np.ndarra
     tree.write(file)
 
 
-@pytest.mark.parametrize("swapped", [pytest.param(False, marks=pytest.mark.full), True])
+@pytest.mark.full
+@pytest.mark.parametrize("swapped", [False, True])
 def test_motion_does_not_depend_on_the_description(hammer: Path, tmp_path: Path, swapped: bool) -> None:
     """Turned and shifted part coordinate systems and exchanged joint partners describe the same mechanism.
 

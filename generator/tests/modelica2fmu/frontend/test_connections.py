@@ -93,22 +93,29 @@ JOINT = "Modelica.Mechanics.MultiBody.Joints.Revolute hinge;"
 TORQUE = "Modelica.Mechanics.Rotational.Sources.Torque torque;"
 
 
+LACKS_OR_TOO_MUCH = {
+    "bar": (
+        "Modelica.Mechanics.MultiBody.Parts.FixedTranslation bar(r={1,0,0});",
+        "",
+        "Swing.mo:4: Swing: bar is connected",
+    ),
+    "hinge": (JOINT, "", "Swing.mo:4: Swing: hinge is connected to nothing"),
+    "hinge at one end": (JOINT, "connect(hinge.frame_b, ball.frame_a);", "no equation determines: hinge.angle"),
+    "torque": (TORQUE, "", "no equation determines: torque.flange.phi"),
+    "gain": ("Modelica.Blocks.Math.Gain g(k=2);", "", "no equation determines: g.u"),
+    "Real": ("Real x;", "", "no equation determines: x"),
+    "element": ("Real x[3];", "x[1] = 1; x[2] = 2;", "no equation determines: x[3]"),
+    "twice": ("Real x;", "x = 1; x = time;", "Swing.mo:6: the model is structurally singular"),
+    "parameter": ("", "ball.m = 2;", "equations that determine nothing: 0 = (ball.m - 2.0)"),
+}
+QUICK = {"hinge", "element", "parameter"}
+
+
 @pytest.mark.parametrize(
     ("declared", "equations", "said"),
     [
-        (
-            "Modelica.Mechanics.MultiBody.Parts.FixedTranslation bar(r={1,0,0});",
-            "",
-            "Swing.mo:4: Swing: bar is connected",
-        ),
-        (JOINT, "", "Swing.mo:4: Swing: hinge is connected to nothing"),
-        (JOINT, "connect(hinge.frame_b, ball.frame_a);", "no equation determines: hinge.angle"),
-        (TORQUE, "", "no equation determines: torque.flange.phi"),
-        ("Modelica.Blocks.Math.Gain g(k=2);", "", "no equation determines: g.u"),
-        ("Real x;", "", "no equation determines: x"),
-        ("Real x[3];", "x[1] = 1; x[2] = 2;", "no equation determines: x[3]"),
-        ("Real x;", "x = 1; x = time;", "Swing.mo:6: the model is structurally singular"),
-        ("", "ball.m = 2;", "equations that determine nothing: 0 = (ball.m - 2.0)"),
+        pytest.param(*case, id=name, marks=() if name in QUICK else pytest.mark.full)
+        for name, case in LACKS_OR_TOO_MUCH.items()
     ],
 )
 def test_what_lacks_or_is_too_much_is_named(tmp_path, declared, equations, said):
