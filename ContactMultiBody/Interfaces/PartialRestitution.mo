@@ -33,7 +33,7 @@ protected
   final parameter Boolean isMemoryless=useRestitution and normalLaw <> Types.NormalLaw.SpringDamper and restitutionMethod
        == Types.RestitutionMethod.Memoryless "= true, if restitution is delivered without events" annotation (Evaluate=true);
   SI.Velocity strikeSpeed[if catchImpacts then m else 0] "Greatest approach speed of the points where each pair touches";
-  Boolean struck[if catchImpacts then m else 0] "= true, if a touching pair meets faster than when it last was struck";
+  Boolean struck[if catchImpacts then m else 0] "= true, if a pair touches and meets faster than when it last was struck";
   SI.Velocity caughtSpeed[if catchImpacts then m else 0] "Impact speed of each pair after an event now";
   Real rate[if catchImpacts then m else 0](each unit="s/m") "Damping factor by impact speed of each pair";
 initial equation
@@ -46,8 +46,9 @@ equation
       touches[i] = distance[i] < 0;
     end for;
     strikeSpeed = Internal.Restitution.strikeSpeeds(depth, pointSpeed);
+    // 0 for pairs that are apart, so that this jumps at the first touch; the relation of touches may lag by the tool's hysteresis.
     for i in 1:m loop
-      struck[i] = strikeSpeed[i] > 1.25*max(pre(impactSpeed[i]), restSpeed) and distance[i] < 0;
+      struck[i] = strikeSpeed[i] > 1.25*max(pre(impactSpeed[i]), restSpeed);
     end for;
     // Only pre() of scalars, and outside of functions: some tools pass pre() of an array as its present values.
     for i in 1:m loop

@@ -1,0 +1,166 @@
+"""Balls of a tenth of a millimetre to a kilometre, hard and soft, slow and fast, at all tolerances: closed forms."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass
+from math import pi, sqrt
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+import pytest
+from cmb.modelica_sources import find_sources
+from fmu_regression.fmi.binding import Mode
+from fmu_regression.results.result import SimulationResult
+from fmu_regression.simulate.simulation import simulate
+from modelica2fmu.build import BuildOptions, build_fmu
+
+GRAVITY = 9.81
+SPREAD, MOST, REGULARISATION = 40.0, 0.3, 3e-3
+"""How many tolerances a result may be off, how much at most, and what friction that is regularised may cost."""
+MODELS = ("BallOfAnySize", "BallOnSprings", "BallWithoutEvents")
+BallFmus = dict[str, Path]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A ball with a speed; `depth` is how far it gets into the floor, by its speed or its weight."""
+
+    kind: Literal["strike", "roll"]
+    model: str
+    mode: Mode
+    tolerance: float
+    size: float
+    depth: float
+    mass: float
+    speed: float
+    rest_share: float
+    restitution: float
+    friction: float
+    gap: float
+    obliqueness: float
+
+    @property
+    def stiffness(self) -> float:
+        """That lets the ball get so deep."""
+        load = self.mass * (self.speed**2 / self.depth if self.kind == "strike" else GRAVITY)
+        return load / self.depth
+
+    @property
+    def across(self) -> float:
+        """Speed along the floor: one strike does not end the sliding, and a second would not."""
+        if self.kind == "roll":
+            return self.speed
+        return self.obliqueness * self.friction * (1 + self.restitution) * self.speed
+
+    @property
+    def stop(self) -> float:
+        """There and back and ten contacts, or half again until it rolls."""
+        if self.kind == "roll":
+            return 1.5 * 2 * self.across / (7 * self.friction * GRAVITY)
+        flight = self.gap / self.speed
+        return flight * (1 + 1 / self.restitution) + 10 * pi * sqrt(self.mass / self.stiffness)
+
+    def parameters(self) -> dict[str, float]:
+        """What is set on the FMU."""
+        is_strike = self.kind == "strike"
+        radius = self.size / 2
+        return {
+            "g": 0.0 if is_strike else GRAVITY,
+            "m": self.mass,
+            "radius": radius,
+            "K": self.stiffness,
+            "e": self.restitution,
+            "mu": self.friction,
+            "height": radius + self.gap if is_strike else radius - self.depth,
+            "down": self.speed if is_strike else 0.0,
+            "across": self.across,
+            "restSpeed": self.rest_share * self.speed,
+        }
+
+    def error(self, result: SimulationResult) -> float:
+        """Of the speeds at the end by those at the start, or the energy gained by that of motion, the larger one."""
+        across, up = result["ball.v_0[1]"][-1], result["ball.v_0[3]"][-1]
+        if self.kind == "strike":
+            leaves = self.across - self.friction * (1 + self.restitution) * self.speed
+            speeds = max(abs(up / self.speed - self.restitution), abs(across - leaves) / self.across)
+        else:
+            arm = self.size / 2 - self.depth
+            rolling = self.across * arm**2 / (arm**2 + 0.4 * (self.size / 2) ** 2)
+            speeds = abs(across - rolling) / self.across
+        energy = np.asarray(result["energy"])
+        motion = self.mass * (self.across**2 + (self.speed**2 if self.kind == "strike" else 0.0)) / 2
+        gain = np.max(energy - np.minimum.accumulate(energy)) / motion
+        return float(np.max([speeds, gain]))
+
+
+def draw(seed: int) -> Scene:
+    """The scene of a seed; evenly in the logarithm where a quantity has a scale."""
+    source = random.Random(f"any size {seed}")
+
+    def scale(low: float, high: float) -> float:
+        return float(low * (high / low) ** source.random())
+
+    size = scale(1e-4, 1e3)
+    kind: Literal["strike", "roll"] = "strike" if source.random() < 0.7 else "roll"
+    # Static friction's springs are as soft as the floor: a ball on them rolls on before it slides.
+    models = [name for name in MODELS if name != "BallOnSprings" or kind == "strike"]
+    tolerance = scale(1e-8, 1e-2)
+    # Shallower contacts lie within the hysteresis of their event.
+    shallowest = 100 * max(1e-10, 1e-6 * tolerance)
+    return Scene(
+        kind=kind,
+        model=source.choice(models),
+        mode="me" if source.random() < 0.5 else "cs",
+        tolerance=tolerance,
+        size=size,
+        depth=max(size * scale(1e-6, 3e-2), shallowest),
+        mass=1000 * size**3 * scale(0.1, 10),
+        speed=sqrt(size) * scale(1e-3, 10),
+        rest_share=scale(1e-6, 1e-1),
+        restitution=source.uniform(0.2, 0.95),
+        friction=source.uniform(0.05, 0.5),
+        gap=size * source.uniform(0.1, 1.0),
+        obliqueness=source.uniform(4, 8),
+    )
+
+
+@pytest.fixture(scope="module")
+def balls(fmu_cache: Path, tmp_path_factory: pytest.TempPathFactory) -> BallFmus:
+    """The FMU of each model."""
+    folder = tmp_path_factory.mktemp("balls")
+    source = Path(__file__).parent / "fixtures" / "BallOfAnySize.mo"
+    options = BuildOptions(cache=fmu_cache)
+    return {name: build_fmu(name, find_sources(name, [source]), folder / f"{name}.fmu", options).fmu for name in MODELS}
+
+
+def wrong_scenes(seeds: range, fmus: BallFmus) -> list[str]:
+    """Those whose result is off by more than the tolerance excuses."""
+    wrong = []
+    for seed in seeds:
+        scene = draw(seed)
+        result = simulate(
+            fmus[scene.model],
+            signals=["ball.v_0[1]", "ball.v_0[3]", "energy"],
+            stop=scene.stop,
+            interval=scene.stop / 50,
+            tolerance=scene.tolerance,
+            mode=scene.mode,
+            parameters=scene.parameters(),
+            time_limit=60,
+        )
+        error = scene.error(result)
+        if not error < REGULARISATION + min(SPREAD * scene.tolerance, MOST):
+            wrong.append(f"{seed}: {scene} is off by {error:.2g}")
+    return wrong
+
+
+def test_balls_of_any_size_obey_closed_forms(balls: BallFmus) -> None:
+    """The floor may be soft by ten nanometres or by ten metres; restitution and friction are as asked for."""
+    assert not wrong_scenes(range(40), balls)
+
+
+@pytest.mark.full
+def test_many_balls_of_any_size_obey_closed_forms(balls: BallFmus) -> None:
+    assert not wrong_scenes(range(40, 640), balls)
