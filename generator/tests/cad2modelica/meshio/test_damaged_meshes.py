@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from cad2modelica.meshio.mesh_files import read_mesh
 from contact_foundation.errors import InputError
+from damage import CHANGES
 
 COUNT = int(os.environ.get("CMB_MUTATIONS", "100"))
 CORNERS = ((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.1))
@@ -80,22 +81,6 @@ KINDS = {
 }
 
 
-def cut(data: bytes, draw: random.Random) -> bytes:
-    return data[: draw.randrange(len(data))]
-
-
-def flipped(data: bytes, draw: random.Random) -> bytes:
-    changed = bytearray(data)
-    for _ in range(draw.randrange(1, 4)):
-        changed[draw.randrange(len(changed))] = draw.randrange(256)
-    return bytes(changed)
-
-
-def swapped(data: bytes, draw: random.Random) -> bytes:
-    first, second, third = sorted(draw.randrange(len(data)) for _ in range(3))
-    return data[:first] + data[second:third] + data[first:second] + data[third:]
-
-
 @pytest.mark.parametrize("name", KINDS)
 def test_whole_mesh(tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_bytes(KINDS[name])
@@ -105,7 +90,7 @@ def test_whole_mesh(tmp_path: Path, name: str) -> None:
 
 
 @pytest.mark.filterwarnings("error::RuntimeWarning")
-@pytest.mark.parametrize("change", [cut, flipped, swapped])
+@pytest.mark.parametrize("change", CHANGES)
 @pytest.mark.parametrize("name", KINDS)
 def test_damaged_mesh(tmp_path: Path, name: str, change: object) -> None:
     assert callable(change)
