@@ -21,7 +21,8 @@ equation
         Rectangle(extent={{-80,0},{80,-50}}, lineColor={0,0,0}, fillColor={160,160,164}, fillPattern=FillPattern.HorizontalCylinder, radius=25)}),
     Documentation(info="<html>
 <p>One contact point between the closest points of the segments. Capsules that lie along each other touch along a length, of
-which one point carries all the force; they are better left to the contact engine.</p>
+which one point carries all the force; they are better left to the contact engine, whose contact has an energy of both
+lengths: as hard where capsules lie along each other, softer by 24/35 where they cross, by half where an end touches.</p>
 <p>The laws and their parameters are those of the <a href=\"modelica://ContactMultiBody.ContactManager\">ContactManager</a>.</p>
 </html>"));
 end CapsuleOnCapsule;

@@ -53,7 +53,7 @@ TEST_P(WithoutJumps, LoadsAreContinuous) {
 
 INSTANTIATE_TEST_SUITE_P(Polytopes, WithoutJumps,
                          testing::Values(Pair{"box", "box"}, Pair{"box", "prism"}, Pair{"prism", "prism"}, Pair{"box", "hull-20"},
-                                         Pair{"hull-20", "hull-100"}, Pair{"compound", "compound"}));
+                                         Pair{"hull-20", "hull-100"}, Pair{"compound", "compound"}, Pair{"capsule", "capsule"}));
 
 INSTANTIATE_TEST_SUITE_P(Cones, WithoutJumps,
                          testing::Values(Pair{"flat-cone", "box"}, Pair{"flat-cone", "capsule"}, Pair{"flat-cone", "hull-20"},
@@ -82,9 +82,9 @@ INSTANTIATE_TEST_SUITE_P(Gradients, Elastic,
                                          Pair{"box", "box-mesh"}, Pair{"hull-20", "divided-box-mesh"}, Pair{"box", "sphere-mesh"},
                                          Pair{"hull-20", "torus-mesh"}, Pair{"box", "heightfield"}));
 
-class ElasticPolytopes : public testing::TestWithParam<Pair> {};
+class ElasticBodies : public testing::TestWithParam<Pair> {};
 
-TEST_P(ElasticPolytopes, DoesNoWorkAroundClosedPaths) {
+TEST_P(ElasticBodies, DoesNoWorkAroundClosedPaths) {
   const LoopWork small = sample_loops(GetParam().kinds(), 0.01, 0.01, 24, 1000, 7);
   EXPECT_GT(small.paths, 12);
   EXPECT_LT(small.worst, 1e-4) << "path " << small.worst_seed;
@@ -95,20 +95,22 @@ TEST_P(ElasticPolytopes, DoesNoWorkAroundClosedPaths) {
   EXPECT_LT(large.mean, 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllMeshes, ElasticPolytopes,
+INSTANTIATE_TEST_SUITE_P(AllMeshes, ElasticBodies,
                          testing::Values(Pair{"box", "box-mesh"}, Pair{"box", "divided-box-mesh"}, Pair{"box", "sphere-mesh"},
                                          Pair{"box", "heightfield"}, Pair{"prism", "box-mesh"}, Pair{"prism", "heightfield"},
                                          Pair{"hull-20", "box-mesh"}, Pair{"hull-20", "divided-box-mesh"},
                                          Pair{"hull-20", "sphere-mesh"}, Pair{"hull-20", "heightfield"},
                                          Pair{"hull-100", "box-mesh"}, Pair{"hull-100", "heightfield"}));
 
-INSTANTIATE_TEST_SUITE_P(AllPolytopes, ElasticPolytopes,
+INSTANTIATE_TEST_SUITE_P(AllPolytopes, ElasticBodies,
                          testing::Values(Pair{"box", "box"}, Pair{"box", "prism"}, Pair{"prism", "prism"}, Pair{"box", "hull-20"},
                                          Pair{"prism", "hull-20"}, Pair{"hull-20", "hull-20"}, Pair{"hull-20", "hull-100"},
                                          Pair{"compound", "box"}));
 
+INSTANTIATE_TEST_SUITE_P(Capsules, ElasticBodies, testing::Values(Pair{"capsule", "capsule"}));
+
 // Many corners at once as well.
-INSTANTIATE_TEST_SUITE_P(OnHalfSpaces, ElasticPolytopes,
+INSTANTIATE_TEST_SUITE_P(OnHalfSpaces, ElasticBodies,
                          testing::Values(Pair{"box", "halfspace"}, Pair{"prism", "halfspace"}, Pair{"hull-20", "halfspace"},
                                          Pair{"hull-100", "halfspace"}, Pair{"compound", "halfspace"}, Pair{"box-mesh", "halfspace"},
                                          Pair{"sphere-mesh", "halfspace"}, Pair{"torus-mesh", "halfspace"}));
