@@ -91,8 +91,8 @@ class SymbolPlaces:
             return f"{target} = {bare(text)};"
         if slot.store is Store.BOOLEAN:
             return f"{target} = ({text} != 0);"
-        bound = f"fmurt_round_integer(v, &{target}, {bare(text)}, {c_text(unwrapped(name)[1])})"
-        return f"{{ const int result = {bound}; if (result != FMURT_RESULT_OK) return result; }}"
+        rounded = f"fmurt_round_integer(v, &{target}, {bare(text)}, {c_text(unwrapped(name)[1])})"
+        return f"if ({rounded} != FMURT_RESULT_OK) return FMURT_RESULT_DISCARD;"
 
     def assign(self, name: str, value: float | Node, is_discrete: bool = False) -> Statement:
         """The assignment of an expression to a symbol."""

@@ -40,3 +40,16 @@ def test_the_largest_is_kept(build, mode):
     start = {"scale": 2147483647.0 / 1.5}
     result = simulate_fmu(str(report.fmu), fmi_type=mode, stop_time=1.0, start_values=start, output=["n"])
     assert abs(int(result["n"][-1]) - 2147483647) <= 1
+
+
+def test_what_an_external_function_returns_is_kept(simulate):
+    result = simulate(
+        "model Absolute\n"
+        "  function absolute\n    input Integer n;\n    output Integer y;\n"
+        '    external "C" y = abs(n) annotation(Include = "#include <stdlib.h>");\n  end absolute;\n'
+        "  Integer k(start = -3, fixed = true);\n  Integer n = absolute(k);\n"
+        "equation\n  when time > 0.5 then\n    k = -7;\n  end when;\nend Absolute;\n",
+        ["n"],
+    )
+    assert result["n"][0] == 3
+    assert result["n"][-1] == 7
