@@ -296,8 +296,14 @@ class _UrdfReader:
             self._elements.number_or_zero(element, key) for key in ("effort", "velocity", "lower", "upper")
         )
         rating = JointRating(effort if effort > 0 else None, speed if speed > 0 else None)
-        limits = JointLimits(lower, upper) if joint.type != "continuous" and lower < upper else None
-        return limits, rating
+        if joint.type == "continuous" or lower == upper:
+            return None, rating
+        if lower > upper:
+            self._notes.append(
+                Lost(f"joint {joint.name!r}: limits are left out, for lower={lower:g} is above upper={upper:g}")
+            )
+            return None, rating
+        return JointLimits(lower, upper), rating
 
     def _friction(self, joint: UrdfJoint, kind: JointType) -> JointFriction | None:
         element = joint.element.find("dynamics")

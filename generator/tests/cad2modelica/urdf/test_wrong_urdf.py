@@ -131,3 +131,11 @@ def test_deeply_nested_text_is_refused(tmp_path: Path) -> None:
     with pytest.raises(CmbError, match="nested deeper") as caught:
         read_assembly(file)
     assert caught.value.exit_status == 2
+
+
+def test_limits_in_the_wrong_order_are_left_out_with_a_note(tmp_path: Path) -> None:
+    limited = joint("j", "a", "b").replace("</joint>", '<limit lower="1" upper="-1"/></joint>')
+    (tmp_path / "robot.urdf").write_text(robot(link("a"), link("b"), limited))
+    assembly = read_assembly(tmp_path / "robot.urdf")
+    assert "joint 'j': limits are left out, for lower=1 is above upper=-1" in [str(note) for note in assembly.notes]
+    assert assembly.joints[0].limits is None
