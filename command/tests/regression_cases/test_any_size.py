@@ -20,6 +20,7 @@ from modelica2fmu.build import BuildOptions, build_fmu
 
 GRAVITY = 9.81
 SPREAD, MOST = 40.0, 0.3
+QUICK = 12
 """How many tolerances a result may be off, and how much at most."""
 MODELLING = {"BallOfAnySize": 3e-3, "BallOnSprings": 6e-3, "BallWithoutEvents": 3e-3}
 """What the closed forms leave out: speeds over which friction is regularised, springs of static friction that fill."""
@@ -162,13 +163,13 @@ def wrong_scenes(seeds: Iterable[int], fmus: BallFmus) -> list[str]:
 
 def test_balls_of_any_size_obey_closed_forms(balls: BallFmus) -> None:
     """The floor may be soft by ten nanometres or by ten metres; restitution and friction are as asked for."""
-    assert not wrong_scenes(range(40), balls)
+    assert not wrong_scenes(range(QUICK), balls)
 
 
 @pytest.mark.full
 def test_many_balls_of_any_size_obey_closed_forms(balls: BallFmus) -> None:
     """In co-simulation; in model exchange some that roll within a millisecond creep until their time is over."""
-    assert not wrong_scenes([seed for seed in range(40, 300) if draw(seed).mode == "cs"], balls)
+    assert not wrong_scenes([seed for seed in range(QUICK, 300) if seed < 40 or draw(seed).mode == "cs"], balls)
 
 
 @pytest.mark.full

@@ -12,7 +12,7 @@ import pytest
 from modelica2fmu.packaging.dependencies import find_fmi_headers, find_sundials
 
 ROOT = Path(__file__).resolve().parents[3]
-C_HEADERS = {"float", "math", "setjmp", "stdarg", "stddef", "stdint", "stdio", "stdlib", "string"}
+C_HEADERS = {"float", "limits", "math", "setjmp", "stdarg", "stddef", "stdint", "stdio", "stdlib", "string"}
 POSIX_HEADERS = {"pthread"}
 SUNDIALS = re.compile(r"(cvode|nvector|sundials|sunlinsol|sunmatrix)/")
 FOREIGN = re.compile(r"(fcl|coal|ccd)/")

@@ -92,7 +92,10 @@ def with_part(part: str, old: str, new: str) -> str:
     return BODY.replace("Parts.Body", f"Parts.{part}").replace(old, new).replace("I_11", shape)
 
 
-@pytest.mark.parametrize("part", ["Body", "FreeBody", "BodyShape"])
+PARTS = ["FreeBody", *(pytest.param(part, marks=pytest.mark.full) for part in ("Body", "BodyShape"))]
+
+
+@pytest.mark.parametrize("part", PARTS)
 def test_negative_moment(tmp_path: Path, part: str) -> None:
     text = with_part(part, "I_33 = 0.01", "I_33 = 0.01, I_21 = 0.1")
     line, component, message = refused(tmp_path, text, "I_33 = 0.01", "I_33 = 0.01")
@@ -101,7 +104,7 @@ def test_negative_moment(tmp_path: Path, part: str) -> None:
     assert "has a negative principal moment" in message
 
 
-@pytest.mark.parametrize("part", ["Body", "FreeBody", "BodyShape"])
+@pytest.mark.parametrize("part", PARTS)
 def test_inertia_of_no_body_is_told(tmp_path: Path, part: str) -> None:
     """Told, not refused: of what turns about one axis people give one moment, and leave the others as they are."""
     text = with_part(part, "I_11 = 0.01", "I_11 = 0.03")

@@ -187,10 +187,10 @@ BALLS_TO_FRAMES = "connect(ball.frame_a, contacts.frame[1:3]);"
     "written",
     [
         BALLS_TO_FRAMES,
-        "connect(contacts.frame[1:3], ball.frame_a);",
-        "connect(ball[1:3].frame_a, contacts.frame[1:3]);",
+        pytest.param("connect(contacts.frame[1:3], ball.frame_a);", marks=pytest.mark.full),
+        pytest.param("connect(ball[1:3].frame_a, contacts.frame[1:3]);", marks=pytest.mark.full),
         "connect(ball[1:2].frame_a, contacts.frame[1:2]); connect(ball[3].frame_a, contacts.frame[3]);",
-        "for i in 1:3 loop connect(ball[i].frame_a, contacts.frame[i]); end for;",
+        pytest.param("for i in 1:3 loop connect(ball[i].frame_a, contacts.frame[i]); end for;", marks=pytest.mark.full),
     ],
 )
 def test_arrays_of_bodies_are_connected_to_slices(tmp_path, written):
