@@ -15,7 +15,8 @@ class Outbox(Generic[T]):
 
     Args:
         send: sends one message; may block. When it raises OSError, what is left is dropped.
-        merge: makes one of an older and a newer message of ``show`` that both wait; the newer one if None.
+        merge: makes one of an older and a newer message of ``show`` that both wait, and nothing overtakes them; if None, the
+            newer one takes the place of the older, and all messages of ``post`` go first.
     """
 
     def __init__(self, send: Callable[[T], None], merge: Callable[[T, T], T] | None = None) -> None:
@@ -31,11 +32,14 @@ class Outbox(Generic[T]):
         """Every one of these messages arrives, in order."""
         with self._changed:
             if not self._closed:
+                if self._merge is not None and self._newest is not None:
+                    self._ordered.append(self._newest)
+                    self._newest = None
                 self._ordered.append(message)
                 self._changed.notify()
 
     def show(self, message: T) -> None:
-        """Of these messages the newest arrives, after those of ``post``."""
+        """Of these messages the newest arrives, after those of ``post`` so far."""
         with self._changed:
             if not self._closed:
                 merge = self._merge is not None and self._newest is not None

@@ -134,6 +134,20 @@ def test_values_that_wait_are_merged():
     assert sent == [{}, {"a": 1, "b": 2}]
 
 
+def test_values_count_in_the_step_that_is_asked_for_after_them():
+    """Also where something else is being sent: a command does not overtake them."""
+    gate, sent = threading.Event(), []
+    outbox = Outbox(lambda message: (gate.wait(10), sent.append(message)), lambda old, new: old + new)
+    outbox.post(["first"])
+    for messages in (["a"], ["b"]):
+        outbox.show(messages)
+    outbox.post(["step"])
+    outbox.show(["c"])
+    gate.set()
+    outbox.close()
+    assert sent == [["first"], ["a", "b"], ["step"], ["c"]]
+
+
 def test_a_broken_pipe_ends_an_outbox_quietly():
     def send(_message):
         raise BrokenPipeError
