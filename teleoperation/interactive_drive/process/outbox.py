@@ -15,8 +15,8 @@ class Outbox(Generic[T]):
 
     Args:
         send: sends one message; may block. When it raises OSError, what is left is dropped.
-        merge: makes one of an older and a newer message of ``show`` that both wait, and nothing overtakes them; if None,
-            the newer one takes the place of the older, and all messages of ``post`` go first.
+        merge: makes one of an older and a newer message of ``show`` that both wait, and nothing overtakes them;
+            if None, the newer one takes the place of the older, and all messages of ``post`` go first.
     """
 
     def __init__(self, send: Callable[[T], None], merge: Callable[[T, T], T] | None = None) -> None:
