@@ -1,7 +1,7 @@
 /* Geometry of what is drawn: surfaces with smooth and sharp edges, arrows. */
 
 import { BufferAttribute, BufferGeometry, EdgesGeometry, LatheGeometry, MathUtils, Vector2 } from "three";
-import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
+import { mergeVertices, toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
 
 // Faces that meet at less share their normals; steeper and open edges are drawn as lines.
 const CREASE = 35;
@@ -17,7 +17,8 @@ export function surface(vertices, triangles) {
   const grown = new BufferGeometry();
   grown.setAttribute("position", new BufferAttribute(vertices.map(value => value * scale), 3));
   grown.setIndex(new BufferAttribute(triangles, 1));
-  const edges = new EdgesGeometry(grown, CREASE), faces = toCreasedNormals(grown, MathUtils.degToRad(CREASE));
+  // Corners that triangles share are computed once.
+  const edges = new EdgesGeometry(grown, CREASE), faces = mergeVertices(toCreasedNormals(grown, MathUtils.degToRad(CREASE)));
   for (const geometry of [edges, faces]) geometry.scale(1 / scale, 1 / scale, 1 / scale);
   return { faces, edges: edges.getAttribute("position").count ? edges : null };
 }
