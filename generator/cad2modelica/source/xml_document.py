@@ -179,10 +179,12 @@ def _with_bound_prefixes(data: bytes) -> bytes:
 
     Robot descriptions carry elements of programs (``drake:``, ``gazebo:``) whose prefix nobody declares.
     """
+    parser = etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False)
     try:
-        etree.fromstring(data, etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False))
-    except etree.XMLSyntaxError as error:
-        entries: Iterable[etree._LogEntry] = error.error_log  # type: ignore[assignment]  # iterable, though not typed so
+        etree.fromstring(data, parser)
+    except etree.XMLSyntaxError:
+        # The parser's log: the error's own holds what was wrong with documents before this one, too.
+        entries: Iterable[etree._LogEntry] = parser.error_log
         messages = [entry.message for entry in entries if entry.type == etree.ErrorTypes.NS_ERR_UNDEFINED_NAMESPACE]
         prefixes = sorted({found[1] for text in messages if (found := _UNBOUND.match(text)) is not None})
         root = _FIRST_ELEMENT.search(data)

@@ -131,6 +131,13 @@ def test_unbound_prefix_is_read_with_a_note(tmp_path: Path) -> None:
     assert ["drake" in noted[0], "gz" in noted[1]] == [True, True]
 
 
+def test_unbound_prefixes_are_those_of_this_file_alone(tmp_path: Path) -> None:
+    read_assembly(write(tmp_path / "first", "<another:joint/>", link("a")))
+    assembly = read_assembly(write(tmp_path / "second", "<drake:joint/>", link("a")))
+    (noted,) = [note for note in assembly.notes if "bound to no namespace" in note]
+    assert "'drake'" in noted
+
+
 def test_unbound_prefix_does_not_hide_what_is_wrong_beside_it(tmp_path: Path) -> None:
     file = write(tmp_path, "<drake:joint/>", "<link>", "</robot>")
     with pytest.raises(InputError, match="well-formed"):
