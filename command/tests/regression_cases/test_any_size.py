@@ -20,8 +20,9 @@ from modelica2fmu.build import BuildOptions, build_fmu
 
 GRAVITY = 9.81
 SPREAD, MOST = 40.0, 0.3
-QUICK = 12
 """How many tolerances a result may be off, and how much at most."""
+QUICK = 12
+"""Samples at every run of the tests."""
 MODELLING = {"BallOfAnySize": 3e-3, "BallOnSprings": 6e-3, "BallWithoutEvents": 3e-3}
 """What the closed forms leave out: speeds over which friction is regularised, springs of static friction that fill."""
 BallFmus = dict[str, Path]

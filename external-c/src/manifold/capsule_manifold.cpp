@@ -21,7 +21,7 @@ struct NearestPlaces {
   double half[2];
   double at[2];    // the nearest places, along each axis from its middle
   double lean[2];  // the gap's part along each axis, from the other one towards it; 0 but at an end
-  double cosine, reach, depth, apart;
+  double cosine, sine2, reach, depth, apart;
   Vec3 normal;     // from B to A
   Vec3 place[2];   // the nearest places in the world
   double radius[2];
@@ -106,7 +106,7 @@ class AxisEnergy {
   void add_opposite_line(double foot, double first, double last) {
     if (!(last > first)) return;
     const double u_lean = nearest_.lean[own_], cosine = nearest_.cosine;
-    add(foot, cosine, -foot * foot, u_lean - foot * cosine, norm2(cross(nearest_.axis[0], nearest_.axis[1])), first, last);
+    add(foot, cosine, -foot * foot, u_lean - foot * cosine, nearest_.sine2, first, last);
   }
 
   // The place opposite x is y0 + slope x, and the gap squared apart^2 + constant + 2 linear x + curvature x^2.
@@ -172,6 +172,7 @@ bool capsule_on_capsule(const Shape &a, const Pose &pose_a, const Shape &b, cons
                               {dot(place_a - pose_a.translation, axis_a), dot(place_b - pose_b.translation, axis_b)},
                               {apart * dot(normal, axis_a), -apart * dot(normal, axis_b)},
                               dot(axis_a, axis_b),
+                              norm2(cross(axis_a, axis_b)),
                               reach,
                               depth,
                               apart,
@@ -203,6 +204,7 @@ bool capsule_contact(const Shape &a, const Pose &pose_a, const Shape &b, const P
                               {on.place_a - (on.place_b * on.cosine + on.foot_a),
                                on.place_b - (on.place_a * on.cosine + on.foot_b)},
                               on.cosine,
+                              norm2(cross(axis_a, axis_b)),
                               reach,
                               depth,
                               apart,

@@ -12,7 +12,7 @@ from typing import Final
 
 from contact_foundation.errors import InputError
 
-from modelica2fmu.expand.bounds_check import LARGEST_INTEGER
+from modelica2fmu.expand.bounds_check import beyond_integers
 from modelica2fmu.expand.scalar_model import (
     CallArgument,
     ExternalCall,
@@ -143,12 +143,10 @@ class _Eliminator:
             )
 
     def _require_integer(self, name: str, value: float, equation: ScalarEquation) -> None:
-        if self._variables[name].type == "Integer" and abs(value) > LARGEST_INTEGER:
-            raise InputError(
-                f"{name} is {value:.15g}, beyond the largest Integer, {LARGEST_INTEGER}",
-                place=self._source_map.place(equation.span),
-                remedy="declare it as Real",
-            )
+        wrong = beyond_integers(self._variables[name], value)
+        if wrong:
+            place = self._source_map.place(equation.span)
+            raise InputError(f"{name} is {wrong}", place=place, remedy="declare it as Real")
 
     def _is_parameter(self, name: str) -> bool:
         variable = self._model.variables.get(name)

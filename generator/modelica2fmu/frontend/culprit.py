@@ -17,7 +17,7 @@ from modelica2fmu.crosscheck.class_parser import parse
 from modelica2fmu.crosscheck.class_syntax import Base, ClassDefinition, ComponentDeclaration, Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.frontend.balance import unbalanced_form
-from modelica2fmu.frontend.library_names import naming, packages
+from modelica2fmu.frontend.library_names import about_a_copy
 from modelica2fmu.frontend.runner import Request, ask
 
 _STAGE: Final = re.compile(r" failed in ToDae: (.*)", re.DOTALL)
@@ -115,10 +115,7 @@ def _error_without(texts: Mapping[Path, bytes], pieces: Sequence[Extent], reques
                 copy = Path(folder) / package.name / original.relative_to(package)
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 copy.write_bytes(changed.get(original) or original.read_bytes())
-        others = [root for root in map(Path, request.roots) if root.resolve() != package.resolve()]
-        text = naming([package.name, *packages(others)])
-        roots = (folder, *map(str, others))
-        return _error(replace(request, roots=roots, file="libraries.mo", text=text))
+        return _error(about_a_copy(request, package, Path(folder)))
 
 
 def _error(request: Request) -> str:

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
+
+from modelica2fmu.frontend.runner import Request
 
 # What a folder with the Modelica Standard Library holds.
 _STANDARD_PACKAGES: Final = ("Modelica", "ModelicaServices", "Complex")
@@ -25,3 +28,16 @@ def naming(names: Sequence[str]) -> str:
     """A class that names packages."""
     imports = "".join(f"  import {name};\n" for name in dict.fromkeys(names))
     return f"class 'cmb libraries'\n{imports}end 'cmb libraries';\n"
+
+
+def about_a_copy(request: Request, package: Path, root: Path) -> Request:
+    """The same request about a copy of the model's package, with the libraries beside it.
+
+    Args:
+        request: whose roots may hold the package.
+        package: its folder.
+        root: the folder that holds the copy and nothing else.
+    """
+    others = [each for each in map(Path, request.roots) if each.resolve() != package.resolve()]
+    text = naming([package.name, *packages(others)])
+    return replace(request, roots=(str(root), *map(str, others)), file="libraries.mo", text=text)

@@ -43,7 +43,7 @@ from modelica2fmu.frontend.errors import (
     unconnected_error,
 )
 from modelica2fmu.frontend.flat_reader import read_flat_model
-from modelica2fmu.frontend.library_names import naming, packages
+from modelica2fmu.frontend.library_names import about_a_copy, naming, packages
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
 from modelica2fmu.frontend.package_view import package_view
 from modelica2fmu.frontend.runner import Answer, Request, ask
@@ -200,17 +200,15 @@ def _with_package_written_out(
     is_unnamed = _UNRESOLVED.search(loaded.answer.error) is not None
     if view.numbers is None or not (view.texts or is_unnamed):
         return loaded
-    others = tuple(root for root in loaded.roots if root.resolve() != view.package.resolve())
-    roots = (view.root, *others)
-    text = naming([view.package.name, *packages(others)])
-    other = ask(replace(request, roots=tuple(map(str, roots)), file="libraries.mo", text=text), remark)
+    about = about_a_copy(request, view.package, view.root)
+    other = ask(about, remark)
     if other.flat is None:
         words = replace(other, error=view.restored(other.error))
         return replace(loaded, answer=words) if is_unnamed else loaded
     if not have_values(other.flat, view.numbers):
         return loaded
     view.register(source_map)
-    return _Loaded(other, view.file, roots)
+    return _Loaded(other, view.file, tuple(map(Path, about.roots)))
 
 
 def _check(flat: dict[str, Any], model: str, source_map: SourceMap, library: ClassLibrary) -> None:

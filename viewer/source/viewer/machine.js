@@ -56,15 +56,19 @@ export class Machine {
     this.places[body].turn.set(pose[3], pose[4], pose[5], pose[6]);
   }
 
-  /** Before a picture: origin is a point near what is looked at; shown as in World.apply. */
-  arrange(origin, shown) {
+  /** Shows edges and shading, or not; as in World.apply. */
+  apply(shown) {
+    if (this.faces) this.faces.material = shown.shading ? this.materials.shaded : this.materials.flat;
+    if (this.edges) this.edges.visible = shown.edges;
+  }
+
+  /** Before a picture: origin is a point near what is looked at. */
+  arrange(origin) {
     this.object.position.copy(origin);
     const near = new Vector3();
     this.places.forEach(({ position, turn }, k) => {
       this.skeleton.bones[k].matrixWorld.compose(near.subVectors(position, origin), turn, ONE);
     });
-    if (this.faces) this.faces.material = shown.shading ? this.materials.shaded : this.materials.flat;
-    if (this.edges) this.edges.visible = shown.edges;
   }
 }
 

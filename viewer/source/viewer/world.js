@@ -55,7 +55,7 @@ export class World {
 
   /** What is switched on: edges, floor, forces, and the cues shading, shadows, aerial, texture and knownSizes. */
   apply(shown, dark) {
-    this.shown = shown;
+    this.machine.apply(shown);
     this.floor.object.visible = shown.floor;
     this.floor.grid.visible = shown.texture;
     this.floor.shadow.visible = this.sun.castShadow = shown.shadows;
@@ -68,7 +68,7 @@ export class World {
   /** Moves light, floor and air along with what is looked at: way is how far the machine went, rig the camera in the middle. */
   arrange(way, rig, distance) {
     const { radius, floor } = this.data, center = this.center.clone().add(way);
-    this.machine.arrange(center, this.shown);
+    this.machine.arrange(center);
     this.sun.position.copy(center).addScaledVector(this.direction, 4 * radius);
     this.sun.target.position.copy(center);
     this.fill.position.copy(rig.position);

@@ -74,7 +74,15 @@
 
   async function draw() {
     const shown = frame;
-    if (!shown) { waiting = false; return; }
+    try {
+      if (shown) await picture(shown);
+    } finally {
+      waiting = false;
+    }
+    if (frame && frame !== shown) schedule();
+  }
+
+  async function picture(shown) {
     if (controls) controls.poll();
     get("clock").textContent = `t = ${shown.time.toFixed(3)} s`;
     showFigures();
@@ -89,8 +97,6 @@
     // Told when it is drawn, not when it comes: what is under way is never more than what can be drawn.
     link.send({type: "seen", number: shown.number});
     requestAnimationFrame(() => noteLatency(shown.stamp));
-    waiting = false;
-    if (frame && frame !== shown) schedule();
   }
 
   /** = true, while pictures must keep up; one that stands is as sharp as can be. */
