@@ -2,10 +2,11 @@
 
 Use ``python command/tests/generation/survey_robots.py PATH [PATH ...] [--seconds 60] [--stop 1] [--generate]
 [--without NAME] [--package-path FOLDER] [--allow-missing] [--density KG/M3] [--decomposer vhacd] [--rows]
-[--record FILE]``. Paths are files, or folders whose URDF, MJCF and SDFormat descriptions are taken. A Markdown table
-goes to the standard output (with ``--rows`` a row a robot too), every file with its outcome and what is doubtful to the
-standard error. With ``--record`` outcomes are kept in a file of JSON lines: what is in it is not tried again, and the
-table is of all in it, so that a survey can be made in pieces.
+[--record FILE] [--advised]``. Paths are files, or folders whose URDF, MJCF and SDFormat descriptions are taken.
+A Markdown table goes to the standard output (with ``--rows`` a row a robot too), every file with its outcome and what
+is doubtful to the standard error. With ``--record`` outcomes are kept in a file of JSON lines: what is in it is not
+tried again, and the table is of all in it, so that a survey can be made in pieces. With ``--advised`` a robot that is
+refused is tried again with the options that the message names, as a user would, and the table says which.
 
 Every robot has a process of its own, which is stopped when it, or a compiler that it starts, has used ``--seconds`` of
 the processor. Times are of the processor, all processes together, so that other load does not count.
@@ -25,11 +26,13 @@ import tempfile
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from advised_options import advised_options
 from cad2modelica import Decomposer, GenerateOptions, SourceChoices, generate
 from cad2modelica.generation import GeneratedPackage
 from contact_data import modelica_library
@@ -62,6 +65,7 @@ class Outcome:
         file: the description.
         phase: how far it came, one of ``PHASES``; "" if it was not even refused.
         error: what stopped it, in one line; empty if it ran.
+        options: those that messages advised.
         facts: what was counted and measured on the way, by name.
         doubts: what is suspicious though nothing failed.
     """
@@ -71,6 +75,7 @@ class Outcome:
     error: str
     facts: dict[str, Any] = field(default_factory=dict)
     doubts: tuple[str, ...] = ()
+    options: tuple[str, ...] = ()
 
 
 def descriptions(paths: list[Path], without: str) -> list[Path]:
@@ -87,8 +92,19 @@ def _below(folder: Path, without: str) -> Iterator[Path]:
             yield file
 
 
-def outcome(file: Path, options: list[str], seconds: float) -> Outcome:
-    """Takes one robot as far as it goes, in a process of its own."""
+def outcome(file: Path, options: list[str], seconds: float, *, advised: bool) -> Outcome:
+    """Takes one robot as far as it goes; with ``advised`` as far as the options go that refusals name."""
+    added: list[str] = []
+    while True:
+        found, refusal = attempt(file, options + added, seconds)
+        more = advised_options(refusal, file, options + added) if advised and found.phase == "refused" else []
+        if not more:
+            return replace(found, options=tuple(added))
+        added += more
+
+
+def attempt(file: Path, options: list[str], seconds: float) -> tuple[Outcome, str]:
+    """Takes one robot as far as it goes, in a process of its own; also tells all lines of what it was refused for."""
     with tempfile.TemporaryDirectory(prefix="cmb-survey-") as folder, (Path(folder) / "log").open("w+") as log:
         command = [sys.executable, __file__, str(file), "--into", str(Path(folder) / "out"), *options]
         process = subprocess.Popen(
@@ -100,13 +116,13 @@ def outcome(file: Path, options: list[str], seconds: float) -> Outcome:
     facts: dict[str, Any] = {}
     for line in told.splitlines():
         facts |= json.loads(line)
-    phase, doubts = facts.pop("phase", ""), tuple(facts.pop("doubts", ()))
+    phase, doubts, refusal = facts.pop("phase", ""), tuple(facts.pop("doubts", ())), facts.pop("refusal", "")
     if process.returncode == 0:
-        return Outcome(file, phase, "", facts, doubts)
+        return Outcome(file, phase, "", facts, doubts), refusal
     stopped = process.returncode in (124, -signal.SIGXCPU, 128 + signal.SIGXCPU)
     error = f"stopped after {seconds:g} s" if stopped else last
     refused = process.returncode == REFUSED and not phase
-    return Outcome(file, "refused" if refused else phase, error, facts, doubts)
+    return Outcome(file, "refused" if refused else phase, error, facts, doubts), refusal
 
 
 def tell(**facts: Any) -> None:
@@ -142,6 +158,7 @@ def go(file: Path, arguments: argparse.Namespace) -> int:
         built = used()
         result = simulate(fmu, signals=signals_for(scene, description), stop=arguments.stop)
     except CmbError as error:
+        tell(refusal=str(error))
         problems = [line for line in str(error).splitlines() if line.startswith("- ")]
         sys.stderr.write(" ".join((problems[0] if problems else str(error)).split()) + "\n")
         return REFUSED
@@ -207,7 +224,9 @@ def row(found: Outcome, common: Path) -> str:
     cells += [f"{facts['generate'] + facts['build']:.0f}" if "build" in facts else ""]
     cells += [f"{facts['run']:.2g}" if "run" in facts else ""]
     told = _short(found.error) or "; ".join(found.doubts)
-    return f"| {' | '.join(cells)} | {found.phase or 'crashed'}{f': {told}' if told else ''} |"
+    options = "".join(f" {Path(word).name}" for word in found.options)
+    given = f" with `{options.strip()}`" if options else ""
+    return f"| {' | '.join(cells)} | {found.phase or 'crashed'}{given}{f': {told}' if told else ''} |"
 
 
 def _short(error: str) -> str:
@@ -246,7 +265,8 @@ def recorded(kept: Path | None) -> list[Outcome]:
     if kept is None or not kept.exists():
         return []
     facts = [json.loads(line) for line in kept.read_text("utf-8").splitlines()]
-    return [Outcome(**(fact | {"file": Path(fact["file"]), "doubts": tuple(fact["doubts"])})) for fact in facts]
+    tuples = ({key: tuple(fact.get(key, ())) for key in ("doubts", "options")} for fact in facts)
+    return [Outcome(**(fact | {"file": Path(fact["file"])} | more)) for fact, more in zip(facts, tuples, strict=True)]
 
 
 def record(found: Outcome, kept: Path | None) -> None:
@@ -280,6 +300,7 @@ def main() -> int:
     parser.add_argument("--record", type=Path, help="keep outcomes in this file, and go on with what it has")
     parser.add_argument("--decomposer", type=Decomposer, choices=list(Decomposer))
     parser.add_argument("--package-path", type=Path, action="append", default=[])
+    parser.add_argument("--advised", action="store_true", help="add the options that refusals name")
     parser.add_argument("--allow-missing", action="store_true")
     parser.add_argument("--density", type=float)
     arguments = parser.parse_args()
@@ -291,7 +312,8 @@ def main() -> int:
     files = [file for file in descriptions(arguments.paths, arguments.without) if file.absolute() not in done]
     with tempfile.TemporaryDirectory(prefix="cmb-survey-") as cache, ThreadPoolExecutor(arguments.processes) as pool:
         options = words(arguments, arguments.cache or Path(cache))
-        for found in pool.map(lambda file: outcome(file.absolute(), options, arguments.seconds), files):
+        take = partial(outcome, options=options, seconds=arguments.seconds, advised=arguments.advised)
+        for found in pool.map(take, [file.absolute() for file in files]):
             outcomes.append(found)
             record(found, arguments.record)
             doubts = "; ".join((found.error, *found.doubts)).strip("; ")

@@ -13,6 +13,7 @@ from cad2modelica.meshio.mesh_files import Surface, read_mesh
 from cad2modelica.meshio.mesh_reference import MeshReferences
 from cad2modelica.source.number_limits import LARGEST, are_usable
 from cad2modelica.source.problems import Problems
+from cad2modelica.source.shape_lengths import ImpossibleShape
 
 
 class UnreadableMesh(InputError):
@@ -49,11 +50,12 @@ def scaled(surface: Surface, scale: Array, place: Place) -> Surface:
     """A surface stretched along its axes; where that mirrors it, its triangles are turned, so that they face outwards.
 
     Raises:
-        InputError: a factor is zero, or the coordinates are too large then.
+        ImpossibleShape: a factor is zero.
+        InputError: the coordinates are too large then.
     """
     vertices, triangles = surface
     if not scale.all():
-        raise InputError("scale is zero", place=place, remedy="Correct the scale.")
+        raise ImpossibleShape("scale is zero", place=place, remedy="Correct the scale.")
     placed = vertices * scale
     if not are_usable(placed):
         message = f"scaled coordinates are beyond {LARGEST:g}"

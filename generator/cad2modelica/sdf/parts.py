@@ -31,6 +31,7 @@ from cad2modelica.source.choices import SourceChoices
 from cad2modelica.source.lost import Lost
 from cad2modelica.source.number_limits import SMALLEST
 from cad2modelica.source.problems import Problems
+from cad2modelica.source.shape_lengths import ImpossibleShape
 
 DENSITY = 1000.0
 
@@ -255,7 +256,10 @@ class PartReader:
         self._found.planes.append(Plane(name, material, pose.position, pose.direction(normal / length), place))
 
     def _without(self, link: Link, error: CmbError) -> None:
-        """Geometry that cannot be read: an error if it is a mesh's file, else a note."""
+        """Geometry that cannot be read: an error if it is a mesh's file or impossible, else a note."""
+        if isinstance(error, ImpossibleShape):
+            self._problems.record(error)
+            return
         if isinstance(error, UnreadableMesh) and not self._allow_missing:
             self._unreadable.append(error)
             return

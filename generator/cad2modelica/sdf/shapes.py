@@ -25,10 +25,13 @@ from cad2modelica.mechanism.mass_properties import placed, solid_mass
 from cad2modelica.mechanism.model import MassProperties
 from cad2modelica.meshio.mesh_library import MeshLibrary, scaled
 from cad2modelica.sdf.elements import SdfElements
+from cad2modelica.source.shape_lengths import require_lengths
 
 DEFAULT_COLOR = (0.7, 0.7, 0.7)
 PLANE = "plane"
 KINDS = ("box", "sphere", "cylinder", "capsule", "ellipsoid", "cone", "mesh")
+LENGTHS = {"sphere": 1, "box": 3, "ellipsoid": 3}
+"""Numbers that give a shape's size; those of other shapes are two."""
 ALL_BITS = 0xFFFF
 
 
@@ -74,6 +77,7 @@ def read_solid(shape: etree._Element, elements: SdfElements, library: MeshLibrar
 
     Raises:
         UnreadableMesh: the file of a mesh cannot be read.
+        ImpossibleShape: its lengths are those of no shape.
         InputError: it is of another kind, or wrong.
     """
     kind = str(shape.tag)
@@ -90,8 +94,7 @@ def read_solid(shape: etree._Element, elements: SdfElements, library: MeshLibrar
             f"geometry of kind {kind!r} is not read", place=place, remedy=f"Known: {PLANE}, {', '.join(KINDS)}."
         )
     size = _size(shape, kind, elements)
-    if not (size > 0).all():
-        raise InputError(f"a {kind} needs positive lengths", place=place, remedy="Correct them.")
+    require_lengths(kind, size[: LENGTHS.get(kind, 2)], place)
     return Solid(kind, _surface(kind, size), size)
 
 

@@ -21,6 +21,7 @@ from cad2modelica.geometry.primitive_meshes import (
 from cad2modelica.geometry.spatial import Array, Pose
 from cad2modelica.meshio.mesh_library import MeshLibrary, scaled
 from cad2modelica.meshio.mesh_reference import MeshReferences
+from cad2modelica.source.shape_lengths import require_lengths
 from cad2modelica.urdf.elements import UrdfElements
 
 DEFAULT_COLOR = (0.7, 0.7, 0.7)
@@ -55,6 +56,7 @@ class UrdfGeometry:
 
         Raises:
             UnreadableMesh: its file cannot be read.
+            ImpossibleShape: its lengths are those of no shape.
             InputError: the geometry is missing, or of an unknown kind.
         """
         geometry = element.find("geometry")
@@ -76,12 +78,14 @@ class UrdfGeometry:
         if kind not in _LENGTHS:
             remedy = f"Known: {', '.join(_LENGTHS)}, mesh."
             raise InputError(f"geometry of type {kind!r} is not known", place=place, remedy=remedy)
-        values = [
-            self._elements.numbers(shape, key, (0.0, 0.0, 0.0) if key == "size" else (0.0,)) for key in _LENGTHS[kind]
-        ]
-        if any((value <= 0).any() for value in values):
-            raise InputError(f"a {kind} needs positive lengths", place=place, remedy="Correct them.")
+        values = [self._length(shape, key) for key in _LENGTHS[kind]]
+        require_lengths(kind, np.concatenate(values), place)
         return _primitive(kind, values)
+
+    def _length(self, shape: etree._Element, key: str) -> Array:
+        if shape.get(key) is None:
+            return np.array([np.nan])
+        return self._elements.numbers(shape, key, (1.0, 1.0, 1.0) if key == "size" else (1.0,))
 
     def _color(self, element: etree._Element) -> tuple[float, float, float]:
         material = element.find("material")

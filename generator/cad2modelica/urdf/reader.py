@@ -39,6 +39,7 @@ from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
 from cad2modelica.source.lost import Lost
 from cad2modelica.source.number_limits import SMALLEST
 from cad2modelica.source.problems import Problems
+from cad2modelica.source.shape_lengths import ImpossibleShape
 from cad2modelica.source.xml_document import unbound_prefixes
 from cad2modelica.urdf.elements import UrdfElements
 from cad2modelica.urdf.geometry import UrdfGeometry
@@ -185,6 +186,8 @@ class _UrdfReader:
         for element in link.element.iterchildren(kind):
             try:
                 meshes.append(self._geometry.mesh(element, link.name, inner))
+            except ImpossibleShape as error:
+                self._problems.record(error)
             except CmbError as error:
                 if isinstance(error, UnreadableMesh) and not self._choices.allow_missing:
                     self._missing.append(error)

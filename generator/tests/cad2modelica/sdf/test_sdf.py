@@ -24,6 +24,8 @@ PENDULUM = f"""<sdf version="1.9"><model name="double pendulum">
 </model></sdf>"""
 BOX = "<{0} name='{0}'><geometry><box><size>0.1 0.1 0.1</size></box></geometry></{0}>"
 
+SHAPE = "<collision name='c'><geometry>{}</geometry></collision>"
+
 
 def link(name: str, inside: str = "", pose: str = "0 0 0 0 0 0") -> str:
     return f"<link name='{name}'><pose>{pose}</pose>{inside}</link>"
@@ -267,6 +269,8 @@ def test_comments_that_xml_forbids_are_read(tmp_path: Path) -> None:
         ),
         (model(link("a", pose="0 0 0 0 0")), "must be 6 finite numbers"),
         (model(link("a", "<inertial><mass>0</mass></inertial>")), "must be positive"),
+        (model(link("a", SHAPE.format("<box><size>1 -1 1</size></box>"))), "a box needs positive lengths"),
+        (model(link("a", SHAPE.format("<cylinder><radius>0</radius></cylinder>"))), "a cylinder needs positive"),
         (model("<static>true</static>" + link("a", BOX.format("collision"))), "holds no link that moves"),
         (model(link("a"), "2.0"), "is SDFormat '2.0'"),
         ("<sdf version='1.9'/>", "holds no model"),

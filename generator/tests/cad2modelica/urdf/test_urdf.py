@@ -328,12 +328,19 @@ def test_wrong_collada(tmp_path: Path, old: str, new: str, words: str) -> None:
         ('link name="b2"', 'link name="b1"', "name of its own"),
         ('joint name="r2"', 'joint name="r1"', "name of its own"),
         ('parent link="world"', 'parent link="b2"', "circle"),
+        ('<box size="0.1 0.2 0.3"/>', '<box size="0.1 0 0.3"/>', "a box needs positive lengths"),
+        ('<box size="0.1 0.2 0.3"/>', '<box size="-0.1 0.2 0.3"/>', "a box needs positive lengths"),
+        ('<box size="0.1 0.2 0.3"/>', "<box/>", "a box needs positive lengths"),
+        ('<box size="0.1 0.2 0.3"/>', '<cylinder radius="0.1"/>', "a cylinder needs positive lengths"),
+        ('<box size="0.1 0.2 0.3"/>', '<sphere radius="-0.1"/>', "a sphere needs positive lengths"),
+        ('<box size="0.1 0.2 0.3"/>', '<mesh filename="a.stl" scale="1 0 1"/>', "scale is zero"),
     ],
 )
 def test_wrong_urdf(tmp_path: Path, old: str, new: str, words: str) -> None:
     assert old in PENDULUM
     text = new if "</robot>" in new else PENDULUM.replace(old, new)
     file = write(tmp_path, text)
+    (tmp_path / "a.stl").write_bytes(binary_stl(box_surface(np.ones(3))))
     with pytest.raises(InputError) as caught:
         generate(file, tmp_path / "out")
     assert caught.value.exit_status == 2
@@ -377,7 +384,8 @@ def test_finely_tessellated_part_is_decomposed_only_if_asked(tmp_path: Path) -> 
 @pytest.mark.parametrize(
     ("geometry", "words"),
     [
-        ('<box size="0.1 0 0.3"/>', "positive lengths"),
+        ('<box size="0 0 0"/>', "has no extent"),
+        ('<sphere radius="0.0"/>', "has no extent"),
         ('<mesh filename="a.dae"/>', "does not exist"),
         ('<mesh filename="../secret.stl"/>', "leaves"),
         ('<mesh filename="file:///etc/passwd"/>', "not a relative path"),
