@@ -115,6 +115,17 @@ def test_model_the_builder_cannot_translate(cmb: Cmb, tmp_path: Path) -> None:
         (["regress", "--junit", "/"], "is a folder"),
         (["accuracy", "no.fmu", "--output", "/"], "is a folder"),
         (["effects", "--output", "/"], "is a folder"),
+        (["run", str(HAMMER), "--tolerance", "0"], "--tolerance: 0 must lie between 0 and 1"),
+        (["run", str(HAMMER), "--time-limit", "0"], "--time-limit: 0 must be positive"),
+        (["run", str(HAMMER), "--interval", "-1"], "--interval: -1 must be positive"),
+        (["run", str(HAMMER), "--stop", "nan"], "--stop: nan is no finite time"),
+        (["run", str(HAMMER), "--stop", "-1"], "stop time -1 s must be greater than the start time 0"),
+        (["effects", "--tolerance", "two"], "--tolerance: 'two' is no number"),
+        (["advise", "--time-limit", "inf"], "--time-limit: inf is no finite time"),
+        (["accuracy", "no.fmu", "--tolerance", "1"], "--tolerance: 1 must lie between 0 and 1"),
+        (["drive", "no.fmu", "--tolerance", "nan"], "--tolerance: nan must lie between 0 and 1"),
+        (["regress", "--time-limit", "-3"], "--time-limit: -3 must be positive"),
+        (["simulate", "no.fmu", "--output", "a.csv", "--max-step", "0"], "--max-step: 0 must be positive"),
     ],
 )
 def test_wrong_command_line(words: list[str], said: str, cmb_here: Cmb, tmp_path: Path) -> None:

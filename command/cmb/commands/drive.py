@@ -9,6 +9,7 @@ from cmb.assignments import parse_assignments
 from cmb.build_arguments import add_build_arguments
 from cmb.generation_arguments import add_generation_arguments
 from cmb.input_file import check_input
+from cmb.number_arguments import relative_tolerance
 
 NAME = "drive"
 SUMMARY = "drive a machine in real time from a page in the browser"
@@ -54,7 +55,9 @@ def add_arguments(parser: ArgumentParser) -> None:
         "--channel", metavar="LIMITS", help="simulate a poor channel: bandwidth=64kbit,delay=200ms,jitter=20ms,loss=1%%"
     )
     parser.add_argument("--step", type=_step, default=_DEFAULT_STEP, metavar="S", help="communication step in s (0.01)")
-    parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the FMU's solver")
+    parser.add_argument(
+        "--tolerance", type=relative_tolerance, metavar="TOL", help="relative tolerance of the FMU's solver"
+    )
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="start value, repeatable")
     parser.add_argument(
         "--tune", action="append", default=[], metavar="NAME", help="tunable parameter to show as a slider, repeatable"

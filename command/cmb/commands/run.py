@@ -15,6 +15,7 @@ from contact_foundation.output import MARKER, whole_folder
 from cmb.assembly_file import ASSEMBLY_HELP, find_assembly
 from cmb.build_arguments import add_build_arguments
 from cmb.generation_arguments import add_generation_arguments
+from cmb.number_arguments import positive_seconds, relative_tolerance, seconds
 from cmb.run_folder import PACKAGE_FOLDER, REPORT, RESULT
 from cmb.terminal import progress_bars
 
@@ -37,11 +38,11 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
     parser.add_argument("assembly", type=Path, metavar="ASSEMBLY", help=ASSEMBLY_HELP)
     parser.add_argument("--output", type=Path, metavar="FOLDER", help="folder to write (out/NAME if left out)")
-    parser.add_argument("--stop", type=float, metavar="S", help="stop time in s (the assembly's own if left out)")
-    parser.add_argument("--tolerance", type=float, metavar="TOL", help="relative tolerance of the solver")
-    parser.add_argument("--interval", type=float, metavar="S", help="output interval in s")
+    parser.add_argument("--stop", type=seconds, metavar="S", help="stop time in s (the assembly's own if left out)")
+    parser.add_argument("--tolerance", type=relative_tolerance, metavar="TOL", help="relative tolerance of the solver")
+    parser.add_argument("--interval", type=positive_seconds, metavar="S", help="output interval in s")
     parser.add_argument(
-        "--time-limit", type=float, metavar="S", help="wall time in s after which to give up the simulation"
+        "--time-limit", type=positive_seconds, metavar="S", help="wall time in s after which to give up the simulation"
     )
     parser.add_argument("--mode", choices=("me", "cs"), default="me", help="model exchange or co-simulation")
     add_build_arguments(parser)
@@ -57,6 +58,8 @@ def run(arguments: Namespace) -> int:
     from cmb.pipeline import carry_out
 
     experiment = find_experiment(assembly.parent)
+    if experiment.model is None and arguments.stop is not None and arguments.stop <= 0.0:
+        raise InputError(f"the stop time {arguments.stop:g} s must be greater than the start time 0")
     with progress_bars() as progress, whole_folder(output) as staging, _errors_in(staging, output):
         _keep_package(output / PACKAGE_FOLDER, staging / PACKAGE_FOLDER)
         summary = carry_out(arguments, assembly, experiment, staging, progress)
