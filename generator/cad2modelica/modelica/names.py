@@ -6,13 +6,8 @@ import re
 import unicodedata
 from collections.abc import Iterable
 
-_KEYWORDS_TEXT = """
-algorithm and annotation block break class connect connector constant constrainedby der discrete each else
-elseif elsewhen encapsulated end enumeration equation expandable extends external false final flow for
-function if import impure in initial inner input loop model not operator or outer output package parameter
-partial protected public pure record redeclare replaceable return stream then true type when while within
-"""
-_KEYWORDS = frozenset(_KEYWORDS_TEXT.split())
+from contact_foundation.modelica_keywords import KEYWORDS
+
 _BUILT_IN_TEXT = """
 time Real Integer Boolean String Clock ExternalObject StateSelect AssertionLevel Connections Modelica
 ContactMultiBody abs sign sqrt div mod rem ceil floor integer sin cos tan asin acos atan atan2 sinh cosh tanh
@@ -54,7 +49,7 @@ class NamePool:
         name = "".join([_lower_first(words[0]), *(_upper_first(word) for word in words[1:])]) if words else kind
         if not name[0].isalpha():
             name = kind + name
-        if name in _KEYWORDS or name in _BUILT_IN:
+        if name in KEYWORDS or name in _BUILT_IN:
             name += _upper_first(kind)
         return self._unique(name)
 
@@ -68,7 +63,7 @@ class NamePool:
         name = name[:MAXIMUM_LENGTH]
         candidate, number = name, 1
         # Compared without case: files of classes must differ on every file system, and readers are no better.
-        while candidate.lower() in self._taken or candidate in _KEYWORDS or candidate in _BUILT_IN:
+        while candidate.lower() in self._taken or candidate in KEYWORDS or candidate in _BUILT_IN:
             number += 1
             candidate = f"{name}{'_' if name[-1].isdigit() else ''}{number}"
         self._taken.add(candidate.lower())

@@ -47,6 +47,7 @@ from modelica2fmu.frontend.library_names import about_a_copy, naming, packages
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
 from modelica2fmu.frontend.package_view import package_view
 from modelica2fmu.frontend.runner import Answer, Request, ask
+from modelica2fmu.frontend.syntax import syntax_error
 from modelica2fmu.library.source_map import SourceMap, Span, source_number
 
 # rumoca's words where a class is not found, as those of a library that the package's own file does not name.
@@ -113,8 +114,10 @@ def load_flat_model(
                 error=given.restored(answer.error),
                 diagnostics=tuple(given.restored(each) for each in answer.diagnostics),
             )
-            refusal = missing or front_end_error(words, model, file, library)
-            piece = culprit(answer.error, request, given.file, text) if missing is None and is_vague(refusal) else None
+            unread = syntax_error(words, model)
+            refusal = unread or missing or front_end_error(words, model, file, library)
+            vague = unread is None and missing is None and is_vague(refusal)
+            piece = culprit(answer.error, request, given.file, text) if vague else None
             if piece is not None:
                 place = replace(_places(source_map)(piece.extent), component=model)
                 refusal = piece_error(piece.said, piece.text, place)

@@ -9,8 +9,12 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
-from typing import IO, Any
+from pathlib import Path
+from typing import IO, Any, Final
+
+_UNREAD_PACKAGE: Final = re.compile(r"Failed to load source root '([^']+)'")
 
 
 def main() -> None:
@@ -35,10 +39,22 @@ def _answer(request: dict[str, Any], answers: IO[str]) -> None:
         answers.write(json.dumps({"error": str(error)}) + "\n")
         answers.flush()
         if isinstance(error, rumoca.RumocaError):
-            diagnostics = rumoca.validate(request["original"], model=request["model"])
-            answers.write(json.dumps({"diagnostics": [str(item.message) for item in diagnostics]}) + "\n")
+            found = (
+                str(item.message)
+                for file in _files_to_look_at(request["original"], str(error))
+                for item in rumoca.validate(file, model=request["model"])
+            )
+            answers.write(json.dumps({"diagnostics": list(found)}) + "\n")
         return
     answers.write('{"flat": ' + flat.replace("\n", " ") + "}\n")
+
+
+def _files_to_look_at(original: str, error: str) -> list[str]:
+    """The model's file; all files of a package that rumoca could not read, where its words name that package alone."""
+    package = _UNREAD_PACKAGE.search(error)
+    if package is None:
+        return [original]
+    return [str(file) for file in sorted(Path(package[1]).rglob("*.mo"))]
 
 
 if __name__ == "__main__":
