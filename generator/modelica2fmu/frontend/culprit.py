@@ -16,7 +16,9 @@ from typing import Final
 from modelica2fmu.crosscheck.class_parser import parse
 from modelica2fmu.crosscheck.class_syntax import Base, ClassDefinition, ComponentDeclaration, Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
+from modelica2fmu.frontend.assignments import neutral_assignments
 from modelica2fmu.frontend.balance import unbalanced_form
+from modelica2fmu.frontend.errors import SHAPES
 from modelica2fmu.frontend.library_names import about_a_copy
 from modelica2fmu.frontend.runner import Request, ask
 
@@ -75,8 +77,21 @@ def culprit(error: str, request: Request, file: Path, text: bytes) -> Piece | No
         if half is None:
             return None
         suspects = half
-    found = suspects[0]
+    statement = None if SHAPES in said else _statement(classes, texts, request, file, said)
+    found = statement or suspects[0]
     return Piece(found, texts[found.file][found.start : found.end].decode(errors="replace"), said)
+
+
+def _statement(
+    classes: Sequence[ClassDefinition], texts: Mapping[Path, bytes], request: Request, file: Path, said: str
+) -> Extent | None:
+    """The assignment in a function that brings the error to those who call it: zeros in its place end it."""
+    for extent, zeros in (each for one in classes for each in neutral_assignments(one, texts)):
+        text = texts[extent.file]
+        changed = {**texts, extent.file: text[: extent.start] + zeros + text[extent.end :]}
+        if _said(_error_about(changed, texts, request, file)) != said:
+            return extent
+    return None
 
 
 def _said(error: str) -> str | None:
@@ -104,7 +119,11 @@ def _pieces(definition: ClassDefinition, texts: Mapping[Path, bytes]) -> Iterato
 
 def _error_without(texts: Mapping[Path, bytes], pieces: Sequence[Extent], request: Request, file: Path) -> str:
     """The front end's error about the model without pieces, in which equations may lack; empty if there is none."""
-    changed = _without(texts, pieces)
+    return _error_about(_without(texts, pieces), texts, request, file)
+
+
+def _error_about(changed: Mapping[Path, bytes], texts: Mapping[Path, bytes], request: Request, file: Path) -> str:
+    """The front end's error about a model of other texts."""
     if request.text is not None:
         libraries = request.text[len(texts[file].decode()) :]
         return _error(replace(request, text=changed[file].decode() + libraries))

@@ -32,12 +32,16 @@ _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
 _PROBLEMS_SHOWN: Final = 3
 _SHOWN: Final = 80
 
-# rumoca's words where sizes of arrays do not fit, in arguments of functions and in expressions.
-_SHAPES: Final = "shape proof"
+SHAPES: Final = "shape proof"
+"""rumoca's words where sizes of arrays do not fit in arguments of functions."""
+
+# Its words about arguments and about expressions.
 _ARGUMENT: Final = re.compile(
-    rf"{_SHAPES}`: `(?P<name>\w+)`: axis (?P<dimension>\d+) requires extent (?P<wanted>\d+) but .* (?P<given>\d+)$"
+    rf"{SHAPES}`: `(?P<name>\w+)`: axis (?P<dimension>\d+) requires extent (?P<wanted>\d+) but .* (?P<given>\d+)$"
 )
 _MISSHAPEN: Final = "expression shape mismatch"
+_IN_FUNCTION: Final = re.compile(r"unsupported Flat semantic owner `function [^`]*`: (?P<words>`.*)", re.DOTALL)
+_SHAPE_ASSIGNED: Final = "assigns a value of shape"
 _SIZES: Final = (
     "give both sides, and what is added, subtracted or chosen by if, the same sizes; a number is added to each element "
     "of an array by .+, and vectors are multiplied element by element by .*"
@@ -87,6 +91,8 @@ def front_end_error(answer: Answer, model: str, file: Path, library: ClassLibrar
         )
     first = message.strip().split("\nRelated failures")[0]
     first = first.removeprefix(f"{model} could not be compiled: ")
+    in_function = _IN_FUNCTION.search(first)
+    first = first if in_function is None or SHAPES in first else f"the function {in_function['words']}"
     unresolved = _UNRESOLVED.search(message)
     parts = _SUBSCRIPTS.sub("", unresolved[1]).split(".") if unresolved else []
     return InputError(
@@ -98,7 +104,8 @@ def front_end_error(answer: Answer, model: str, file: Path, library: ClassLibrar
 
 def is_vague(error: InputError) -> bool:
     """= true, if an error names no line, or the first that mentions a name where the front end compares sizes."""
-    return error.place is None or error.place.line is None or _SHAPES in error.message
+    words = (SHAPES, _SHAPE_ASSIGNED)
+    return error.place is None or error.place.line is None or any(each in error.message for each in words)
 
 
 def piece_error(said: str, text: str, place: Place) -> InputError:
@@ -117,7 +124,7 @@ def piece_error(said: str, text: str, place: Place) -> InputError:
         return InputError(
             f"an argument has the wrong size in: {shown}", place=place, remedy=f"{wants}, not {argument['given']}"
         )
-    if _MISSHAPEN not in said:
+    if _MISSHAPEN not in said and _SHAPE_ASSIGNED not in said:
         return InputError(f"{shown}: {said}", place=place)
     return InputError(f"sizes of arrays do not fit each other in: {shown}", place=place, remedy=_SIZES)
 

@@ -66,6 +66,11 @@ def refusal(text: str, folder: Path) -> InputError:
             "sizes of arrays do not fit each other in: u = {3, 4, 5}",
             marks=pytest.mark.full,
         ),
+        ("y := 2*u", "y := u + {1, 2}", 10, "sizes of arrays do not fit each other in: y := u + {1, 2}"),
+        ("y := 2*u", "y := u[1:2]", 10, "sizes of arrays do not fit each other in: y := u[1:2]"),
+        pytest.param(
+            "y := 2*u", "y := 2*u; y[1] := u*{1, 2}", 10, "other in: y[1] := u*{1, 2}", marks=pytest.mark.full
+        ),
         ("{i, 2}", "{i, 2, 3}", 20, "sizes of arrays do not fit each other in: for i in 1:2 loop"),
         pytest.param(
             "u*time", "u + time", 4, "sizes of arrays do not fit each other in: u + time", marks=pytest.mark.full
