@@ -32,8 +32,16 @@ partial model PartialRestitution "What an impact gives back, and the events that
 protected
   final parameter Boolean isMemoryless=useRestitution and normalLaw <> Types.NormalLaw.SpringDamper and restitutionMethod
        == Types.RestitutionMethod.Memoryless "= true, if restitution is delivered without events" annotation (Evaluate=true);
+  constant Real slowed(unit="1")=0.99
+    "Pairs this much slower than at the first touch, where rounding may blur the normal, have been slowed down since";
   SI.Velocity strikeSpeed[if catchImpacts then m else 0] "Greatest approach speed of the points where each pair touches";
-  Boolean struck[if catchImpacts then m else 0] "= true, if a pair touches and meets faster than when it last was struck";
+  SI.Length deepest[if catchImpacts then m else 0] "Depth of each pair's deepest point";
+  Boolean inContact[if catchImpacts then m else 0](each start=false, each fixed=true)
+    "= true, if impactSpeed is that of the present contact, which may be shallower than touches can tell";
+  Boolean isShallow[if catchImpacts then m else 0] "= true, if a pair is in contact and touches did not tell so far";
+  SI.Velocity speed[if catchImpacts then m else 0] "Impact speed of the present contact before an event now; at least restSpeed";
+  SI.Velocity telling[if catchImpacts then m else 0] "Jumps beyond speed where a pair is struck, or leaves a contact that is shallow";
+  Boolean struck[if catchImpacts then m else 0] "= true, if a pair meets faster than in the contact so far, or a shallow contact ends";
   SI.Velocity caughtSpeed[if catchImpacts then m else 0] "Impact speed of each pair after an event now";
   Real rate[if catchImpacts then m else 0](each unit="s/m") "Damping factor by impact speed of each pair";
 initial equation
@@ -46,13 +54,29 @@ equation
       touches[i] = distance[i] < 0;
     end for;
     strikeSpeed = Internal.Restitution.strikeSpeeds(depth, pointSpeed);
-    // 0 for pairs that are apart, so that this jumps at the first touch; the relation of touches may lag by the tool's hysteresis.
-    for i in 1:m loop
-      struck[i] = strikeSpeed[i] > 1.25*max(pre(impactSpeed[i]), restSpeed);
-    end for;
+    deepest = Internal.Restitution.deepestPoints(depth);
     // Only pre() of scalars, and outside of functions: some tools pass pre() of an array as its present values.
     for i in 1:m loop
-      caughtSpeed[i] = if touches[i] and not pre(touches[i]) or struck[i] then strikeSpeed[i] else pre(impactSpeed[i]);
+      isShallow[i] = pre(inContact[i]) and not pre(touches[i]);
+    end for;
+    for i in 1:m loop
+      speed[i] = max(if pre(inContact[i]) then pre(impactSpeed[i]) else 0, restSpeed);
+    end for;
+    // Jumps where bodies meet and where they part; the relation of touches may lag by the tool's hysteresis.
+    for i in 1:m loop
+      telling[i] = if isShallow[i] then noEvent(if deepest[i] > 0 then 0 else 2*speed[i]) else strikeSpeed[i];
+    end for;
+    for i in 1:m loop
+      struck[i] = telling[i] > 1.25*speed[i];
+    end for;
+    for i in 1:m loop
+      inContact[i] = if struck[i] and isShallow[i] or pre(touches[i]) and not touches[i] then false
+        else pre(inContact[i]) or touches[i] or struck[i];
+    end for;
+    for i in 1:m loop
+      caughtSpeed[i] = if struck[i] and not isShallow[i] then strikeSpeed[i]
+        elseif not (touches[i] and not pre(touches[i])) or isShallow[i] and noEvent(strikeSpeed[i] < slowed*pre(impactSpeed[i]))
+          then pre(impactSpeed[i]) else strikeSpeed[i];
     end for;
     when touches then
       impactSpeed = caughtSpeed;
@@ -60,7 +84,7 @@ equation
       impactSpeed = caughtSpeed;
     end when;
     for i in 1:m loop
-      rate[i] = NormalForce.dampingRate(dampingFactor[i], impactSpeed[i], restSpeed);
+      rate[i] = NormalForce.dampingRate(dampingFactor[i], if inContact[i] then impactSpeed[i] else 0, restSpeed);
     end for;
     for i in 1:m loop
       assert(noEvent(not touches[i] or strikeSpeed[i] < max(1.2*impactSpeed[i], 10*restSpeed)),
@@ -72,6 +96,10 @@ equation
 <p>
 The damping of a contact that delivers a restitution depends on the speed at which it began. Either events catch that speed (<code>impactSpeed</code>), or it is recovered from depth
 and speed (<code>Memoryless</code>), for which <a href=\"modelica://ContactMultiBody.Interfaces.PartialNormalForce\">PartialNormalForce</a> needs the bodies' inertia.
+</p>
+<p>
+The relation of <code>touches</code> lags by the hysteresis of events, and a contact may be shallower. So a contact lasts (<code>inContact</code>) from the first touch, at which <code>strikeSpeed</code> jumps, until
+<code>touches</code> tells of its end or, where it never became true, the last point leaves.
 </p>
 <p>
 A touching pair whose approach speed exceeds 1.25 times <code>impactSpeed</code> is struck anew, by another body or by friction that jams. Results beside that threshold may depend on the tolerance; from 1.2 times on,

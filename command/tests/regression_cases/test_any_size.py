@@ -112,8 +112,7 @@ def draw(seed: int) -> Scene:
     # Static friction's springs are as soft as the floor: a ball on them rolls on before it slides.
     models = [name for name in MODELLING if name != "BallOnSprings" or kind == "strike"]
     tolerance = scale(1e-8, 1e-2)
-    # Shallower contacts lie within the hysteresis of their event.
-    shallowest = 100 * max(1e-10, 1e-6 * tolerance)
+    shallowest = max(1e-10, 1e-6 * tolerance)  # the hysteresis of events
     return Scene(
         kind=kind,
         model=source.choice(models),
@@ -165,6 +164,30 @@ def wrong_scenes(seeds: Iterable[int], fmus: BallFmus) -> list[str]:
 def test_balls_of_any_size_obey_closed_forms(balls: BallFmus) -> None:
     """The floor may be soft by ten nanometres or by ten metres; restitution and friction are as asked for."""
     assert not wrong_scenes(range(QUICK), balls)
+
+
+@pytest.mark.parametrize("mode", ["me", "cs"])
+@pytest.mark.parametrize("share", [0.3, 1.9, 5.0])
+def test_strikes_as_shallow_as_the_hysteresis_of_their_events(balls: BallFmus, share: float, mode: Mode) -> None:
+    """Each bounce gives back its restitution, also where the relation of touches hardly or never changes."""
+    tolerance, speed, mass, restitution = 1e-6, 0.2, 1e-6, 0.6
+    depth = share * 1e-10
+    parameters = {"g": GRAVITY, "m": mass, "radius": 5e-4, "K": mass * (speed / depth) ** 2, "e": restitution}
+    parameters |= {"height": 5e-4 + speed**2 / (2 * GRAVITY), "down": 0.0, "across": 1e-3, "restSpeed": 1e-3}
+    flights = speed / GRAVITY * np.array([1, *2 * restitution ** np.arange(1.0, 5.0)])
+    result = simulate(
+        balls["BallOfAnySize"],
+        signals=["contact.impactSpeed[1]"],
+        stop=flights.sum(),
+        interval=flights[-1] / 10,
+        tolerance=tolerance,
+        mode=mode,
+        parameters=parameters,
+        time_limit=20,
+    )
+    caught = result["contact.impactSpeed[1]"]
+    caught = caught[np.flatnonzero(np.diff(caught)) + 1]
+    assert caught[:4] == pytest.approx(speed * restitution ** np.arange(4.0), rel=1e-3)
 
 
 @pytest.mark.full
