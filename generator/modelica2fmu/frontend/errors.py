@@ -39,6 +39,10 @@ SHAPES: Final = "shape proof"
 _ARGUMENT: Final = re.compile(
     rf"{SHAPES}`: `(?P<name>\w+)`: axis (?P<dimension>\d+) requires extent (?P<wanted>\d+) but .* (?P<given>\d+)$"
 )
+_RANK: Final = re.compile(
+    rf"{SHAPES}`: `(?P<name>\w+)`: declared rank (?P<wanted>\d+) does not match call-site rank (?P<given>\d+)$"
+)
+_RANKS: Final = ("a number", "a vector", "a matrix")
 _MISSHAPEN: Final = "expression shape mismatch"
 _IN_FUNCTION: Final = re.compile(r"unsupported Flat semantic owner `function [^`]*`: (?P<words>`.*)", re.DOTALL)
 _SHAPE_ASSIGNED: Final = "assigns a value of shape"
@@ -124,9 +128,20 @@ def piece_error(said: str, text: str, place: Place) -> InputError:
         return InputError(
             f"an argument has the wrong size in: {shown}", place=place, remedy=f"{wants}, not {argument['given']}"
         )
+    rank = _RANK.search(said)
+    if rank is not None:
+        return InputError(
+            f"an argument has the wrong number of dimensions in: {shown}",
+            place=place,
+            remedy=f"{rank['name']} wants {_of_rank(rank['wanted'])}, not {_of_rank(rank['given'])}",
+        )
     if _MISSHAPEN not in said and _SHAPE_ASSIGNED not in said:
         return InputError(f"{shown}: {said}", place=place)
     return InputError(f"sizes of arrays do not fit each other in: {shown}", place=place, remedy=_SIZES)
+
+
+def _of_rank(rank: str) -> str:
+    return _RANKS[int(rank)] if int(rank) < len(_RANKS) else f"an array of {rank} dimensions"
 
 
 def _own_mistake(message: str, model: str, file: Path) -> InputError | None:

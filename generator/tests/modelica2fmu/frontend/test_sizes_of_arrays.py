@@ -58,6 +58,7 @@ def refusal(text: str, folder: Path) -> InputError:
         pytest.param(
             "twice(b)", "twice(a)", 19, "an argument has the wrong size in: y = twice(a)", marks=pytest.mark.full
         ),
+        ("twice(b)", "twice(time)", 19, "an argument has the wrong number of dimensions in: y = twice(time)"),
         ("{1, 2};\n  Real y", "{1, 2, 3};\n  Real y", 15, "sizes of arrays do not fit each other in: a*{1, 2, 3}"),
         pytest.param(
             "u = {3, 4}",
