@@ -22,6 +22,7 @@ from modelica2fmu.build import build_fmu
 from cmb.build_arguments import build_options
 from cmb.experiment import Experiment
 from cmb.generation_arguments import generation_options
+from cmb.notes import grouped
 from cmb.run_folder import PACKAGE_FOLDER, REPORT, RESULT
 
 
@@ -34,12 +35,14 @@ class BuiltMachine:
         scene_file: scene.json of its package.
         scene: what it says.
         description: of the FMU.
+        notes: on what was chosen, changed or left out on the way from the assembly.
     """
 
     fmu: Path
     scene_file: Path
     scene: Scene
     description: ModelDescription
+    notes: tuple[str, ...] = ()
 
 
 def build_machine(
@@ -65,7 +68,7 @@ def build_machine(
         scene, description.variables, Place(file=fmu), "Does the experiment's model extend the generated one?"
     )
     experiment.figures.require(description.variables, Place(file=experiment.file))
-    return BuiltMachine(fmu, package.scene, scene, description)
+    return BuiltMachine(fmu, package.scene, scene, description, tuple(package.notes))
 
 
 def carry_out(arguments: Namespace, assembly: Path, experiment: Experiment, folder: Path, progress: Progress) -> str:
@@ -79,7 +82,7 @@ def carry_out(arguments: Namespace, assembly: Path, experiment: Experiment, fold
         progress: told about the steps.
 
     Returns:
-        The result's summary, in lines.
+        The notes of the generation and the result's summary, in lines.
     """
     machine = build_machine(arguments, assembly, experiment, folder, progress)
     scene, description = machine.scene, machine.description
@@ -97,4 +100,5 @@ def carry_out(arguments: Namespace, assembly: Path, experiment: Experiment, fold
     progress("report", 0.0)
     write_report(result, machine.scene_file, folder / REPORT, experiment.figures)
     progress("report", 1.0)
-    return "\n".join([summarise(result, scene), *experiment.figures.lines(result)])
+    notes = [f"- {note}" for note in grouped(machine.notes)]
+    return "\n".join([*notes, summarise(result, scene), *experiment.figures.lines(result)])
