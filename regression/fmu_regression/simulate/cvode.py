@@ -52,6 +52,10 @@ _CREEPING_SHARE = 0.1
 # back into contact, and the events found there go on and on.
 _GROWTH_AFTER_START = 10.0
 _ROOT_OF_ROUNDING = float(np.sqrt(np.finfo(float).eps))
+# Increments of difference quotients after such a Jacobian was wrong, by the errors that the tolerance permits, and how
+# many Jacobians in a row are made so.
+_FINE_SHARE = 1e-3
+_FINE_JACOBIANS = 3
 
 WHAT_HELPS = "The tolerance may be too coarse for a contact's penetration, or the contact's stiffness too high"
 """What to change where steps become too small."""
@@ -137,7 +141,9 @@ class Cvode:
 
     The increments of the difference quotients are shares of the states' values or nominal values, whichever is
     larger. CVODE's own shrink with the derivatives: at rest, where stiff contacts leave hardly any, the rounding of
-    large forces would make up a good part of the quotients.
+    large forces would make up a good part of the quotients. Where Newton's iteration finds such a Jacobian wrong, as
+    where a state's nominal value is far beyond the range over which the model bends, they are a thousandth of the
+    error that the tolerance permits.
 
     Not thread-safe. ``close`` frees the library's memory; the object is a context manager.
 
@@ -169,6 +175,7 @@ class Cvode:
         self._nominal = nominal.copy()
         self._absolute_share = absolute
         self._jacobian_evaluations = 0
+        self._fine_jacobians = 0
         self._error: BaseException | None = None
         self._message = ""
         self._tolerance = tolerance
@@ -208,7 +215,7 @@ class Cvode:
         self._check(CVodeSetLinearSolver(self._memory, self._linear, self._matrix))
         self._check(_set_jacobian(self._memory, self._jacobian))
         work = self._vector(np.zeros(states.size))
-        self._newton = Newton(self._context, self._memory, states.size, work, self._keep_error)
+        self._newton = Newton(self._context, self._memory, states.size, work, self._keep_error, self._refine)
         self._check(self._newton.status)
         self._check(CVodeSetMaxStep(self._memory, max_step))
         self._check(_set_warnings(self._memory, -1))  # they would go to the terminal; who calls counts stalled steps
@@ -362,6 +369,10 @@ class Cvode:
         moved = np.ctypeslib.as_array(NV_DATA_S(work[0]), (size,))
         columns = np.ctypeslib.as_array(_matrix_data(matrix), (size, size))
         increments = _ROOT_OF_ROUNDING * np.maximum(np.abs(states), self._nominal)
+        if self._fine_jacobians > 0:
+            self._fine_jacobians -= 1
+            permitted = self._tolerance * np.abs(states) + self._absolute_share * self._nominal
+            increments = np.minimum(increments, _FINE_SHARE * permitted)
         for k in range(size):
             kept = float(states[k])
             states[k] = kept + increments[k]
@@ -399,6 +410,13 @@ class Cvode:
             return 0
 
         return root
+
+    def _refine(self) -> bool:
+        """Makes the next Jacobians by smaller increments; False if the last one was such."""
+        if self._fine_jacobians > 0:
+            return False
+        self._fine_jacobians = _FINE_JACOBIANS
+        return True
 
     def _keep_error(self, error: BaseException) -> None:
         self._error = error

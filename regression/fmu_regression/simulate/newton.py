@@ -6,6 +6,11 @@ its stiffness: the correction is then tiny though G is not, the step is accepted
 in free flight, seen by no error test. So a correction is believed only where the residual that it comes from is small
 itself, or where it makes the residual smaller, as it must if M is right. The second takes an evaluation, which another
 iteration uses. FMUs of ContactMultiBody do the same in co-simulation.
+
+Where the iteration fails with a new Jacobian, either the equation is too curved, which a shorter step cures, or the
+Jacobian is wrong, as difference quotients are whose increments are wider than the range over which the model bends:
+damping at a speed of rest that is a hundred millionth of the nominal one. The derivative of G along the first
+correction tells, by one evaluation.
 """
 
 from __future__ import annotations
@@ -30,6 +35,8 @@ SMALL_RESIDUAL: Final = 0.1
 """Residuals up to so many times a correction's tolerance are small: a hundredth of what the error test allows."""
 LARGEST_REMAINDER: Final = 0.5
 """A correction by the right matrix leaves at most this share of the residual."""
+_PROBE_SHARE, _LARGEST_JACOBIAN_ERROR = 1e-3, 0.1
+"""The share of the first correction over which G is differentiated, and the largest error of a Jacobian."""
 _SLOWEST_FALL_OF_RATE = 0.3
 _DIVERGENCE = 2.0
 
@@ -78,14 +85,24 @@ class Newton:
         size: number of states.
         work: vector of that size that is used for nothing else.
         on_error: receives exceptions, which cannot pass through C.
+        refine: asked for better Jacobians where one was wrong; False if they are as good as they get.
     """
 
     def __init__(
-        self, context: SUNContext, memory: int, size: int, work: Any, on_error: Callable[[BaseException], None]
+        self,
+        context: SUNContext,
+        memory: int,
+        size: int,
+        work: Any,
+        on_error: Callable[[BaseException], None],
+        refine: Callable[[], bool],
     ) -> None:
         self._size = size
         self._step = work
         self._on_error = on_error
+        self._refine = refine
+        self._first_residual: FloatArray = np.zeros(size)
+        self._first_step: FloatArray = np.zeros(size)
         self._residual: Any = None
         self._set_up: Any = None
         self._solve_linear: Any = None
@@ -162,7 +179,14 @@ class Newton:
                 flag = self._iterate(vector, correction, weight, step, tolerance, bool(is_new.value), memory)
             if flag == _SUCCESS:
                 return _SUCCESS
-            if flag < 0 or is_new.value:
+            if flag < 0 or (
+                is_new.value
+                and not (
+                    flag == _NOT_CONVERGED
+                    and self._jacobian_is_wrong(vector, correction, weight, step, memory)
+                    and self._refine()
+                )
+            ):
                 self._failures += 1
                 return flag
             setup_wanted = jacobian_is_bad = 1
@@ -184,11 +208,14 @@ class Newton:
         """
         last_change = 0.0
         residual = self._norm(step, weight)
+        self._first_residual[:] = step
         count = 1
         while True:
             flag = self._correct(correction, step, memory)
             if flag != _SUCCESS:
                 return flag
+            if count == 1:
+                self._first_step[:] = step
             change = self._norm(step, weight)
             if count > 1:
                 self._rate = max(_SLOWEST_FALL_OF_RATE * self._rate, change / last_change)
@@ -211,6 +238,20 @@ class Newton:
                     return _NOT_CONVERGED
             residual = remainder
             count += 1
+
+    def _jacobian_is_wrong(
+        self, vector: Any, correction: FloatArray, weight: FloatArray, step: FloatArray, memory: int
+    ) -> bool:
+        """Whether the Jacobian of the failed iteration does not give G's derivative along the first correction.
+
+        That is minus the first residual. Changes ``correction``.
+        """
+        correction[:] = _PROBE_SHARE * self._first_step
+        if self._residual(vector, self._step, memory) != _SUCCESS:
+            return False
+        error = step - (1.0 - _PROBE_SHARE) * self._first_residual
+        allowed = _LARGEST_JACOBIAN_ERROR * _PROBE_SHARE * self._norm(self._first_residual, weight)
+        return self._norm(error, weight) > allowed
 
     def _correct(self, correction: FloatArray, step: FloatArray, memory: int) -> int:
         """Turns the residual in ``step`` into the correction and adds it."""

@@ -13,6 +13,7 @@ from fmu_regression.results.result import FloatArray, SolverCounters
 from fmu_regression.simulate import newton
 from fmu_regression.simulate.cvode import Cvode, IntegrationError, RecoverableError
 
+MOST_STEPS = 20_000
 Rates = Callable[[float, Any], list[float]]
 
 
@@ -39,6 +40,7 @@ def integrate(rates: Rates, start: list[float], stop: float, tolerance: float) -
         while rows[-1][0] < stop:
             time, _ = solver.step(stop)
             rows.append([time, *(solver.states[i] for i in range(size))])
+            assert len(rows) < MOST_STEPS, f"creeps at {time}"
         return np.array(rows), solver.counters(0, 0)
 
 
@@ -100,3 +102,16 @@ def test_errors_of_the_model_pass_through() -> None:
     with pytest.raises(IntegrationError) as caught:
         integrate(rates, [0.0], 1.0, 1e-4)
     assert isinstance(caught.value.__cause__, ZeroDivisionError)
+
+
+def test_models_that_bend_within_a_billionth_of_the_nominal_value() -> None:
+    """A damper that pushes, at a speed of rest: quotients over a hundred millionth of 1 m/s see its end alone."""
+    slow = 1e-9
+
+    def rates(_: float, states: Any) -> list[float]:
+        load, speed = float(states[0]), float(states[1])
+        return [1.0 - load, 10.0 * (max(1.0 - speed / slow, 0.0) - 1.0 + 0.5 * load)]
+
+    rows, counters = integrate(rates, [0.0, 0.0], 5.0, 1e-6)
+    assert rows[-1, 2] == pytest.approx(0.5 * slow * rows[-1, 1], abs=0.1 * slow)
+    assert counters.steps < 300
