@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from types import FrameType
 
-from contact_foundation.errors import EXIT_FAILURE, EXIT_INPUT, CmbError
+from contact_foundation.errors import EXIT_FAILURE, EXIT_INPUT, NO_ROOM, CmbError
 
 # Errors of the operating system that come from a path the user gave.
 _WRONG_PATHS = {
@@ -106,9 +106,17 @@ def _run(parsed: argparse.Namespace) -> int:
     except OSError as error:
         if parsed.debug:
             raise
-        print(f"cmb: {f'{error.filename}: ' if error.filename else ''}{error.strerror or error}", file=sys.stderr)
+        print(f"cmb: {_told(error)}", file=sys.stderr)
         return EXIT_INPUT if error.errno in _WRONG_PATHS else EXIT_FAILURE
     return status
+
+
+def _told(error: OSError) -> str:
+    """What the system refuses, with the file; where there is no room, the file that was to be written."""
+    is_full = error.errno in NO_ROOM
+    file = (error.filename2 if is_full else None) or error.filename
+    remedy = "\n  Make room there; the variable TMPDIR names another folder for temporary files." if is_full else ""
+    return f"{f'{file}: ' if file else ''}{error.strerror or error}{remedy}"
 
 
 def _prepare_streams() -> None:

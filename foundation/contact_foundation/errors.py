@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 EXIT_INPUT = 2
 EXIT_FAILURE = 1
+NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT})
+"""Errors of the system where a disk is full: no fault of what was to be written."""
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import fmpy
-from contact_foundation.errors import InputError, Place, SimulationError
+from contact_foundation.errors import NO_ROOM, InputError, Place, SimulationError
 from fmpy.fmi1 import FMICallException
 
 from fmu_regression.fmi.binary_check import require_whole
@@ -167,6 +167,8 @@ def open_fmu(path: Path) -> Iterator[Fmu]:
         try:
             fmpy.extract(str(path), str(folder))
         except Exception as error:
+            if isinstance(error, OSError) and error.errno in NO_ROOM:
+                raise
             raise InputError(f"the FMU cannot be unpacked: {error}", place=Place(file=path)) from error
         platform = _platform(description)
         if not (folder / "binaries" / platform).is_dir():

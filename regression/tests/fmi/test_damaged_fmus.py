@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -76,3 +78,18 @@ def test_what_is_no_archive_is_wrong_input(tmp_path: Path, capsys: pytest.Captur
     (tmp_path / "a.fmu").write_bytes(content)
     assert main(["simulate", str(tmp_path / "a.fmu"), "--output", str(tmp_path / "a.csv")]) == 2
     assert "a.fmu: not a valid FMU" in capsys.readouterr().err
+
+
+def test_a_full_disk_is_no_fault_of_the_fmu(
+    bouncing_mass: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def extract(archive: str, folder: str) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), archive, None, f"{folder}/binaries")
+
+    monkeypatch.setattr(fmpy, "extract", extract)
+    assert main(["simulate", str(bouncing_mass), "--output", str(tmp_path / "a.csv")]) == 1
+    said = capsys.readouterr().err
+    assert "/binaries: No space left on device" in said
+    assert "TMPDIR" in said
+    assert str(bouncing_mass) not in said
+    assert list(tmp_path.iterdir()) == []

@@ -598,3 +598,14 @@ def test_root_held_in_the_world(tmp_path: Path) -> None:
     assert re.search(r"connect\(world\.frame_b, b1\.frame_a\)", text)
     with pytest.raises(InputError, match="no part 'b3' to ground"):
         generate(file, tmp_path / "wrong", GenerateOptions(ground=("b3",)))
+
+
+def test_rounding_is_no_offset_of_the_centre(tmp_path: Path) -> None:
+    (tmp_path / "a.urdf").write_text(
+        '<robot name="r"><link name="a"><inertial><origin xyz="0 0 1e-11"/><mass value="10"/>'
+        '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+        '<visual><geometry><box size="0.2 0.2 0.2"/></geometry></visual></link></robot>'
+    )
+    (note,) = [note for note in generate(tmp_path / "a.urdf", tmp_path / "out").notes if "uniform density" in note]
+    assert "(inertia" in note
+    assert "centre" not in note
