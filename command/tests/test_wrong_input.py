@@ -115,6 +115,7 @@ def test_model_the_builder_cannot_translate(cmb: Cmb, tmp_path: Path) -> None:
         (["regress", "--junit", "/"], "is a folder"),
         (["accuracy", "no.fmu", "--output", "/"], "is a folder"),
         (["effects", "--output", "/"], "is a folder"),
+        (["generate", str(HAMMER), "--output", "/dev/null/h"], "/dev/null is no folder"),
         (["run", str(HAMMER), "--tolerance", "0"], "--tolerance: 0 must lie between 0 and 1"),
         (["run", str(HAMMER), "--time-limit", "0"], "--time-limit: 0 must be positive"),
         (["run", str(HAMMER), "--interval", "-1"], "--interval: -1 must be positive"),

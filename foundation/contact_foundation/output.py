@@ -106,15 +106,29 @@ def whole_file(target: Path) -> Iterator[Path]:
             staging.unlink(missing_ok=True)
 
 
+def check_folder(target: Path) -> None:
+    """Looks whether ``whole_folder(target)`` can write: for before the long work whose result goes there.
+
+    Raises:
+        InputError: ``target`` exists and something else made it, or nothing can be written where it shall lie.
+    """
+    _refuse_foreign(target)
+    _input_error_if_refused(_check_place, target)
+
+
 def check_file(target: Path) -> None:
     """Looks whether ``whole_file(target)`` can write: for before the long work whose result goes there.
 
     Raises:
         InputError: ``target`` is a folder, or nothing can be written where it shall lie.
     """
+    _input_error_if_refused(_refuse_folder, target)
+    _input_error_if_refused(_check_place, target)
+
+
+def _input_error_if_refused(check: Callable[[Path], None], target: Path) -> None:
     try:
-        _refuse_folder(target)
-        _check_place(target)
+        check(target)
     except OSError as error:
         raise InputError(str(error.strerror), place=Place(file=target), remedy="Name another output.") from error
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
+from contact_foundation.output import check_folder
+
 from cmb.assembly_file import ASSEMBLY_HELP, find_assembly
 from cmb.generation_arguments import add_generation_arguments, generation_options
 from cmb.notes import grouped
@@ -39,6 +41,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 def run(arguments: Namespace) -> int:
     """Generates the package and says what was written."""
     assembly = find_assembly(arguments.assembly)
+    check_folder(arguments.output)
     from cad2modelica import generate
 
     with progress_bars() as progress:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-LEVELS = 6  # folders above the description that are searched
+LEVELS_OF_PACKAGES = 6  # folders above the description that are searched for a package
+LEVELS_OF_FILES = 2  # the same for a file of a common name: other robots have such files too
 DENSITY = ["--density", "2700"]
 
 _PACKAGE = re.compile(r"names the package '([^']+)'")
@@ -47,7 +48,7 @@ def _folders(error: str, description: Path) -> list[Path]:
 
 def _search(description: Path, package: str, file: str) -> list[Path]:
     """The folder nearest above the description that holds a package, or a file by its path, anywhere below it."""
-    for ancestor in description.parents[:LEVELS]:
+    for ancestor in description.parents[: LEVELS_OF_FILES if file else LEVELS_OF_PACKAGES]:
         held = [path for path in sorted(ancestor.glob("**/" + (file or package))) if path.is_dir() != bool(file)]
         if held:
             return [Path(str(held[0]).removesuffix(file))] if file else held[:1]
