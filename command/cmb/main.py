@@ -10,6 +10,7 @@ import signal
 import sys
 import textwrap
 import threading
+import time
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -29,6 +30,9 @@ _WRONG_PATHS = {
     errno.ELOOP,
     errno.ENAMETOOLONG,
 }
+
+
+_REMOVAL = 5.0  # s, in which what is half-written is removed
 
 
 class _Interrupted(KeyboardInterrupt):
@@ -132,20 +136,30 @@ def _prepare_streams() -> None:
 
 @contextmanager
 def _signals_interrupt() -> Iterator[None]:
-    """Lets SIGTERM and SIGHUP end the program as Ctrl-C does, so that what is half-written is removed."""
+    """Lets SIGTERM and SIGHUP end the program as Ctrl-C does, so that what is half-written is removed.
+
+    Signals soon after the first are those of a user who is impatient, and do not interrupt the removal.
+    """
+    first = -_REMOVAL
 
     def interrupt(number: int, _frame: FrameType | None) -> None:
-        raise _Interrupted(number)
+        nonlocal first
+        now = time.monotonic()
+        if now - first >= _REMOVAL:
+            first = now
+            raise KeyboardInterrupt if number == signal.SIGINT else _Interrupted(number)
 
-    numbers = [signal.SIGTERM, signal.SIGHUP] if threading.current_thread() is threading.main_thread() else []
-    taken = [number for number in numbers if signal.getsignal(number) == signal.SIG_DFL]  # nohup ignores SIGHUP
+    is_main = threading.current_thread() is threading.main_thread()
+    numbers = [signal.SIGTERM, signal.SIGHUP, signal.SIGINT] if is_main else []
+    usual = (signal.SIG_DFL, signal.default_int_handler)  # nohup ignores SIGHUP
+    taken = {number: signal.getsignal(number) for number in numbers if signal.getsignal(number) in usual}
     for number in taken:
         signal.signal(number, interrupt)
     try:
         yield
     finally:
-        for number in taken:
-            signal.signal(number, signal.SIG_DFL)
+        for number, handler in taken.items():
+            signal.signal(number, handler)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,8 @@ import sys
 import time
 from pathlib import Path
 
+import pytest
+
 MODEL = """model Slow "Takes the integrator's time"
   Real x[2](start={1, 0}, each fixed=true);
 equation
@@ -64,6 +66,30 @@ def test_a_build_leaves_nothing(cache_home: Path, tmp_path: Path) -> None:
     assert said.endswith("cmb: interrupted; nothing half-written was left behind\n")
     assert "Traceback" not in said
     assert sorted(path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*")) == ["Slow.mo", "tmp"]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_second_signal_does_not_interrupt_the_removal(number: signal.Signals, tmp_path: Path) -> None:
+    """The second comes while what the first interrupted is removed."""
+    script = f"""
+import signal
+from cmb import main
+from cmb.commands import msl
+
+def run(_arguments):
+    try:
+        signal.raise_signal({int(number)})
+    finally:
+        signal.raise_signal({int(number)})
+        print("removed")
+
+msl.run = run
+raise SystemExit(main.main(["msl"]))
+"""
+    done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert done.stdout == "removed\n", done.stderr
+    assert done.stderr == "cmb: interrupted; nothing half-written was left behind\n"
+    assert done.returncode == 128 + number
 
 
 def test_a_simulation_in_a_process_of_its_own_ends_with_the_program(cache_home: Path, tmp_path: Path) -> None:
