@@ -1,10 +1,6 @@
 // Contact of two capsules: points that carry the force, the torque and the energy of their axes.
 //
-// With the depth s = reach - distance of a place on one capsule's axis from the axis of the other, each of the two stores half of
-//     E = 1/2 (integral of s^3) / (integral of s)
-// over the stretch of its axis where s > 0: d^2 / 2 where they lie along each other, d deep, (12/35) d^2 where they cross, d^2 / 4 where
-// an end alone is in contact. Each place pushes along the shortest way to the other axis, which is the gradient of its depth; the load and
-// its torque are continuous, also where stretches begin, end or pass over the other's ends.
+// Each of the two carries half of the energy (axis_energy.hpp) that it stores against the other's axis, reached by both radii.
 #pragma once
 
 #include <vector>

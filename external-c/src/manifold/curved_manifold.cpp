@@ -266,11 +266,9 @@ double shortest_part(double reach, double rounding, double depth) {
   return depth < rounding ? falling_smoothstep(std::max(0.0, (reach - rounding) / (reach - depth))) : 0.0;
 }
 
-}  // namespace
-
-void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
-                    convex::DistanceScratch &distance, CurvedManifoldScratch &scratch,
-                    std::vector<ContactPoint> &points) {
+// Appends the sum of the contacts along all contact directions.
+void contact_along_all(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
+                       convex::DistanceScratch &distance, CurvedManifoldScratch &scratch, std::vector<ContactPoint> &points) {
   const double size = a.bound_radius + b.bound_radius, depth = -answer.distance;
   // No other way is near; the reach is no more than 1.5 depths, which takes no root.
   if (answer.interior_ball >= 1.5 * depth || answer.interior_ball >= convex::inner_parallel_radius(depth, size)) {
@@ -307,6 +305,31 @@ void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     for (std::size_t i = begin; i < points.size(); ++i) points[i].position = points[i].position - 0.5 * aside;
   }
   if (points.size() == first) contact_along(a, pose_a, b, pose_b, answer, scratch, points);
+}
+
+// What the energy of a capsule's axis carries on a box or hull; returns its part of the contact.
+double elastic_part(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
+                    CapsuleScratch &scratch, std::vector<ContactPoint> &points) {
+  const double depth = -answer.distance;
+  if (a.kind == ShapeKind::capsule && b.polytope) {
+    return capsule_on_polytope(a, pose_a, b, pose_b, depth, answer.point_a, answer.normal, 1.0, scratch, points);
+  }
+  if (b.kind == ShapeKind::capsule && a.polytope) {
+    return capsule_on_polytope(b, pose_b, a, pose_a, depth, answer.point_b, -answer.normal, -1.0, scratch, points);
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+void curved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
+                    convex::DistanceScratch &distance, CurvedManifoldScratch &scratch,
+                    std::vector<ContactPoint> &points) {
+  const double elastic = elastic_part(a, pose_a, b, pose_b, answer, scratch.capsule, points);
+  if (elastic == 1.0) return;
+  const std::size_t begin = points.size();
+  contact_along_all(a, pose_a, b, pose_b, answer, distance, scratch, points);
+  scale_weights(1.0 - elastic, begin, points.size(), points);
 }
 
 }  // namespace cmb

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "backend/distance_backend.hpp"
+#include "manifold/capsule_on_polytope.hpp"
 #include "manifold/contact_set.hpp"
 #include "manifold/line_manifold.hpp"
 #include "manifold/polytope/polytope_manifold.hpp"
@@ -14,6 +15,7 @@ namespace cmb {
 struct CurvedManifoldScratch {
   PenetrationProfile polytope;
   LineManifoldScratch axis;
+  CapsuleScratch capsule;
 };
 
 // Appends the contact of shapes A and B that overlap; `answer` is their signed distance (< 0). The contact is the sum of

@@ -121,6 +121,11 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
     return fail(problem, "vertices, edges and faces do not satisfy Euler's formula (an unused vertex?)");
   }
 
+  for (const Edge &edge : built.edges_) {
+    const Vec3 &a = built.faces_[index(edge.face[0])].normal, &b = built.faces_[index(edge.face[1])].normal;
+    built.sharpest_edge_ = std::max(built.sharpest_edge_, norm(a - b) / norm(a + b));
+  }
+
   std::vector<std::int32_t> degree(vertices.size() + 1, 0);
   for (const Edge &edge : built.edges_) {
     for (std::int32_t v : edge.vertex) ++degree[index(v) + 1];

@@ -57,6 +57,8 @@ class Polytope {
 
   // Largest distance of a vertex from the origin of the polytope's frame.
   double radius() const { return radius_; }
+  // The tangent of half the greatest angle between the normals of two neighbouring faces.
+  double sharpest_edge() const { return sharpest_edge_; }
   // Mean of the vertices: an interior point.
   const Vec3 &center() const { return center_; }
 
@@ -86,7 +88,7 @@ class Polytope {
   int cells_ = 1;
   std::vector<std::int32_t> candidates_;
   std::vector<std::int32_t> cell_begin_;
-  double radius_ = 0.0;
+  double radius_ = 0.0, sharpest_edge_ = 0.0;
   Vec3 center_;
   Vec3 box_half_;
 };

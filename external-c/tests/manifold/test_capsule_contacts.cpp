@@ -6,6 +6,7 @@
 
 #include "manifold/capsule_manifold.hpp"
 #include "math/pi.hpp"
+#include "support/contact_sums.hpp"
 #include "support/poses.hpp"
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
@@ -14,32 +15,16 @@ namespace {
 
 using namespace cmb;
 using random_bodies::Random;
-
-struct Sums {
-  Vec3 force, moment;
-};
-
-Sums sum(const std::vector<ContactPoint> &points) {
-  Sums sums;
-  for (const ContactPoint &p : points) {
-    const Vec3 force = p.weight * p.depth * p.normal;
-    sums.force = sums.force + force;
-    sums.moment = sums.moment + cross(p.position, force);
-  }
-  return sums;
-}
+using test::moved;
+using test::stored_energy;
+using test::Sums;
+using test::sum_of;
 
 Shape capsule(Random &random) {
   Shape shape;
   shape.kind = ShapeKind::capsule;
   shape.body = convex::make_capsule(random.uniform(0.1, 0.4), random.uniform(0.1, 1.5));
   return shape;
-}
-
-Pose moved(const Pose &pose, const Vec3 &shift, const Vec3 &turn) {
-  const double angle = norm(turn);
-  const Mat3 rotation = angle > 0.0 ? random_bodies::rotation_about((1.0 / angle) * turn, angle) : Mat3{};
-  return {angle > 0.0 ? test::product(rotation, pose.rotation) : pose.rotation, pose.translation + shift};
 }
 
 // Half the mean of both axes' integrals of depth^3 by those of depth, by many places and the nearest points of segments.
@@ -59,12 +44,6 @@ double integrated_energy(const Shape &a, const Pose &pose_a, const Shape &b, con
     return depths > 0.0 ? 0.5 * cubes / depths : 0.0;
   };
   return 0.5 * (of_axis(a, pose_a, b, pose_b) + of_axis(b, pose_b, a, pose_a));
-}
-
-double stored_energy(const std::vector<ContactPoint> &points) {
-  double energy = 0.0;
-  for (const ContactPoint &p : points) energy += 0.5 * p.weight * p.depth * p.depth;
-  return energy;
 }
 
 TEST(CapsuleOnCapsule, StoresTheIntegralsAndPushesByTheirGradient) {
@@ -87,7 +66,7 @@ TEST(CapsuleOnCapsule, StoresTheIntegralsAndPushesByTheirGradient) {
     ++touching;
     std::vector<ContactPoint> points;
     ASSERT_TRUE(capsule_on_capsule(a, pose_a, b, pose_b, answer, points));
-    const Sums found = sum(points);
+    const Sums found = sum_of(points);
     const double energy = stored_energy(points), depth = -answer.distance;
     if (sample % 10 == 0) {
       EXPECT_NEAR(energy, integrated_energy(a, pose_a, b, pose_b), 1e-5 * depth * depth) << sample;
@@ -110,7 +89,7 @@ TEST(CapsuleOnCapsule, StoresTheIntegralsAndPushesByTheirGradient) {
     EXPECT_NEAR(whole.distance, answer.distance, 1e-14);
     EXPECT_LT(norm(whole.normal - answer.normal), 1e-13);
     EXPECT_LT(norm(whole.witness - 0.5 * (answer.point_a + answer.point_b)), 1e-13);
-    const Sums at_once = sum(whole.points);
+    const Sums at_once = sum_of(whole.points);
     EXPECT_LT(norm(at_once.force - found.force), 1e-10);
     EXPECT_LT(norm(at_once.moment - found.moment), 1e-10);
   }
@@ -125,11 +104,11 @@ TEST(CapsuleOnCapsule, IsAsHardAsItIsDeepAlongAnotherOneAndSofterAcross) {
   const Pose below{};
   ContactSet along, across, upright;
   ASSERT_TRUE(capsule_contact(shape, {{}, {0.2 - depth, 0, 0}}, shape, below, along));
-  EXPECT_NEAR(norm(sum(along.points).force), depth, 1e-12);
+  EXPECT_NEAR(norm(sum_of(along.points).force), depth, 1e-12);
   ASSERT_TRUE(capsule_contact(shape, {test::rotation_about({1, 0, 0}, 0.5 * pi), {0.2 - depth, 0, 0}}, shape, below, across));
-  EXPECT_NEAR(norm(sum(across.points).force), 24.0 / 35.0 * depth, 0.01 * depth);
+  EXPECT_NEAR(norm(sum_of(across.points).force), 24.0 / 35.0 * depth, 0.01 * depth);
   ASSERT_TRUE(capsule_contact(shape, {{}, {0, 0, 0.7 - depth}}, shape, below, upright));
-  EXPECT_NEAR(norm(sum(upright.points).force), 0.5 * depth, 1e-12);
+  EXPECT_NEAR(norm(sum_of(upright.points).force), 0.5 * depth, 1e-12);
 }
 
 // Apart, there is a nearest place and nothing carries.
