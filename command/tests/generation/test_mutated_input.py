@@ -57,6 +57,16 @@ WORDS = (
 )
 WHOLE = (b"", b"\n", b"\0" * 64, b"\xff\xfe<\0r\0", b"\xef\xbb\xbf<robot/>", b"<" * 5000, b"[[[" * 800, b"{" * 3000)
 
+QUOTED = (
+    b'"equation"',
+    '"\u5173\u8282 \u00e9"'.encode(),
+    b'"world"',
+    b'"Modelica"',
+    b'"a&quot;b&#10;c"',
+    b'"0 0 0"',
+    b'"-1 1e-30 1"',
+)
+
 TETRAHEDRON = """solid t
 facet normal 0 0 0
 outer loop
@@ -251,6 +261,15 @@ def other_token(pattern: bytes, choices: tuple[str, ...]) -> Callable[[bytes, ra
     return change
 
 
+def other_value(text: bytes, draw: random.Random) -> bytes:
+    """A value in quotes that another one of the file stands for: names twice, circles, lengths of other things."""
+    found = list(re.finditer(rb'"[^"\n]*"', text))
+    if not found:
+        return text
+    value = draw.choice(found)
+    return text[: value.start()] + draw.choice((*QUOTED, draw.choice(found)[0])) + text[value.end() :]
+
+
 def other_whole(text: bytes, draw: random.Random) -> bytes:
     return draw.choice((*WHOLE, text.decode("latin-1").encode("utf-16"), text.replace(b"\n", b"\r\n"), text + text))
 
@@ -264,6 +283,8 @@ CHANGES = (
     other_token(rb"-?\d[\d.e+-]*", NUMBERS),
     other_token(rb"[A-Za-z_][A-Za-z_0-9]*", WORDS),
     other_token(rb"[A-Za-z_][A-Za-z_0-9]*", WORDS),
+    other_value,
+    other_value,
     other_whole,
 )
 
