@@ -80,15 +80,23 @@ class Surface {
   Vec3 origin_, up_;
 };
 
+// Sine of an angle that counts as none: rounding of unit vectors.
+constexpr double least_slant = 1e-15;
+
 // Axes of a body of revolution: `aside` lies in the plane of its axis and the plane's normal, which has the sine `slant`
 // along it.
 struct Axes {
   Vec3 axis, aside, across;
   double cosine, slant;
   Axes(const Vec3 &body_axis, const Vec3 &up) : axis(body_axis), cosine(dot(body_axis, up)) {
-    const Vec3 level = up - cosine * axis;
+    // What is left of the normal is as small as rounding where both are parallel, and then has a part along the axis: taken
+    // away twice. Below, its direction means nothing.
+    Vec3 level = up - cosine * axis;
+    level = level - dot(level, axis) * axis;
     slant = norm(level);
-    aside = normalized(level, convex::any_perpendicular(axis));
+    const bool parallel = slant < least_slant;
+    aside = parallel ? convex::any_perpendicular(axis) : normalized(level);
+    if (parallel) slant = 0.0;
     across = cross(axis, aside);
   }
 };

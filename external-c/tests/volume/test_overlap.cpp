@@ -109,6 +109,21 @@ TEST(Overlap, SphereAndHalfspaceAtAnyDepth) {
   }
 }
 
+// Turned about its axis, which rounding, or a little more, tilts: the volume is that of the disc that stands straight.
+TEST(Overlap, TurnedDiscOnHalfspaceTiltedByRounding) {
+  const double r = 0.2, depth = 1e-6;
+  const PairScene scene("cmb/1 cylinder radius=0.2 length=0.05", "cmb/1 halfspace");
+  for (const double tilt : {0.0, 1e-18, 1e-17, 1e-16, 1e-15, 1e-13, 1e-11, 1e-9, 1e-7}) {
+    for (int k = 0; k < 40; ++k) {
+      const double turn = 0.1 * k, c = std::cos(turn), s = std::sin(turn), slow = 1.0 + (k % 3 - 1) * 1.2e-16;
+      const Mat3 rotation{{{c, -s, tilt * c}, {s, c, tilt * s}, {-tilt, tilt * 0.1, slow}}};
+      const cmb_overlap overlap = overlap_of(scene, {0, 0, 0.025 - depth}, rotation);
+      EXPECT_NEAR(overlap.volume, pi * r * r * depth, 1e-9 * pi * r * r * depth) << tilt << ", " << turn;
+      EXPECT_NEAR(overlap.patch_area, pi * r * r, 1e-9) << tilt << ", " << turn;
+    }
+  }
+}
+
 TEST(Overlap, SpheresAtAnyDepth) {
   for (const double b : {0.5, 0.3, 0.8}) {
     const double a = 0.5;
