@@ -29,7 +29,7 @@ partial model PartialFriction "Friction against sliding, and the force of each p
     annotation (Dialog(group="Friction", enable=friction == Types.Friction.Anchored));
 
   SI.Energy elasticEnergy "Energy stored in the compliance of all contacts";
-  SI.Position anchorStretch[if friction == Types.Friction.Anchored then m else 0, 6](each start=0, each fixed=true, each nominal=0.01)
+  SI.Position anchorStretch[if friction == Types.Friction.Anchored then m else 0, 6](each start=0, each fixed=true, each nominal=1e-4)
     "Stretch of each pair's static springs: translation (1:3), turning times radius of gyration (4:6), in world axes";
 
 protected

@@ -11,9 +11,6 @@ from modelica2fmu.build import BuildOptions, build_fmu
 
 pytestmark = pytest.mark.full
 
-# Seed, importer, mode and tolerance: FMPy's own integrator takes difference quotients of its own (docs/fmu.md).
-_KNOWN_TO_FAIL = {(3, "fmpy", "me", "1e-05")}
-
 
 @pytest.mark.parametrize("seed", [1, 3])
 def test_random_scenes_keep_the_promises(seed: int, tmp_path: Path, fmu_cache: Path, engine: None) -> None:  # noqa: ARG001
@@ -24,6 +21,4 @@ def test_random_scenes_keep_the_promises(seed: int, tmp_path: Path, fmu_cache: P
     rows = list(soak([seed], runs, tmp_path / "rows.csv", build))
     assert len(rows) == len(runs)
     failed = {(seed, row["importer"], row["mode"], row["tolerance"]): row["failure"] for row in rows if row["failure"]}
-    if failed and failed.keys() <= _KNOWN_TO_FAIL:
-        pytest.xfail(f"in the importer's integrator: {failed}")
     assert failed == {}
