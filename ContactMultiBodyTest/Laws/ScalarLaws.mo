@@ -6,6 +6,7 @@ model ScalarLaws "Force laws, rest damping, friction and stiffness have the valu
   Real apart "Force without penetration";
   Real fast "Damping rate of an impact faster than the rest speed";
   Real slow "Damping rate of a contact that starts at rest";
+  Real dead "Damping rate of a contact that starts at rest and is to give nothing back";
   Real hertz "Stiffness of steel on steel, radius 10 mm";
   Real sliding[3] "Regularised friction at high speed";
   Real muSlow "Coefficient of friction at rest";
@@ -18,6 +19,7 @@ equation
   apart = ContactMultiBody.NormalForce.normalForce(0, 100, 1e4, 1, 0.5);
   fast = ContactMultiBody.NormalForce.dampingRate(0.6, 2, 0.01);
   slow = ContactMultiBody.NormalForce.dampingRate(0.6, 0, 0.01);
+  dead = ContactMultiBody.NormalForce.dampingRate(2000, 1e-3, 0.01);
   hertz = ContactMultiBody.NormalForce.hertzStiffness(210e9, 0.3, 210e9, 0.3, 0.01);
   sliding = ContactMultiBody.Friction.regularised(10, {3,4,0}, 0.5, 1e-6);
   muSlow = ContactMultiBody.Friction.stribeck(0, 0.6, 0.4, 0.01);

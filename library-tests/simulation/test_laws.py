@@ -102,6 +102,7 @@ def test_scalar_laws(core: Compiler) -> None:
     assert final(values, "apart") == 0
     assert final(values, "fast") == pytest.approx(0.3)
     assert final(values, "slow") == pytest.approx(2000)
+    assert final(values, "dead") == pytest.approx(2000)
     assert final(values, "hertz") == pytest.approx(4 / 3 * math.sqrt(0.01) / (2 * 0.91 / 210e9))
     assert [final(values, f"sliding[{i}]") for i in (1, 2, 3)] == pytest.approx([-3, -4, 0])
     assert final(values, "muSlow") == pytest.approx(0.6)
