@@ -59,7 +59,7 @@ The geometry of a body is described in the frame that is connected. By default a
 <tr><td><code>force[i,:]</code></td><td>force on the first body of the pair, in world axes</td></tr>
 <tr><td><code>approachSpeed[i]</code></td><td>speed along the normal where the bodies touch or will touch, positive when they approach</td></tr>
 <tr><td><code>impactSpeed[i]</code></td><td>approach speed when the contact started or was struck anew; exists where impacts are caught by events</td></tr>
-<tr><td><code>touches[i]</code></td><td>= true, if the bodies touch; exists where impacts are caught by events</td></tr>
+<tr><td><code>touches[i]</code></td><td>= true, if the bodies touch, from a depth of 1e-10 m on until they part; exists where impacts are caught by events</td></tr>
 <tr><td><code>anchorStretch[i,:]</code></td><td>stretch of the static friction springs: translation (1:3), turning times radius of gyration (4:6); exists with anchored friction</td></tr>
 <tr><td><code>elasticEnergy</code></td><td>energy stored in all contacts (one for the scene)</td></tr>
 </table>

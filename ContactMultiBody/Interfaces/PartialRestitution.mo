@@ -27,13 +27,15 @@ partial model PartialRestitution "What an impact gives back, and the events that
 
   SI.Velocity impactSpeed[if catchImpacts then m else 0]
     "Approach speed of each pair when it last was struck";
-  Boolean touches[if catchImpacts then m else 0](each start=false, each fixed=true) "= true, if the bodies of the pair touch";
+  Boolean touches[if catchImpacts then m else 0](each start=false, each fixed=true) "= true, if the bodies of the pair touch, once they were 1e-10 m deep";
 
 protected
   final parameter Boolean isMemoryless=useRestitution and normalLaw <> Types.NormalLaw.SpringDamper and restitutionMethod
        == Types.RestitutionMethod.Memoryless "= true, if restitution is delivered without events" annotation (Evaluate=true);
   constant Real slowed(unit="1")=0.99
     "Pairs this much slower than at the first touch, where rounding may blur the normal, have been slowed down since";
+  constant SI.Length settled=1e-10 "Depth from which a contact's points, normal and speed are known well";
+  constant SI.Length resolved=1e-13 "Depth from which rounding does not choose the points of a face that touch first";
   SI.Velocity strikeSpeed[if catchImpacts then m else 0] "Greatest approach speed of the points where each pair touches";
   SI.Length deepest[if catchImpacts then m else 0] "Depth of each pair's deepest point";
   Boolean inContact[if catchImpacts then m else 0](each start=false, each fixed=true)
@@ -51,7 +53,7 @@ initial equation
 equation
   if catchImpacts then
     for i in 1:m loop
-      touches[i] = distance[i] < 0;
+      touches[i] = distance[i] < (if pre(touches[i]) then 0 else -settled);
     end for;
     strikeSpeed = Internal.Restitution.strikeSpeeds(depth, pointSpeed);
     deepest = Internal.Restitution.deepestPoints(depth);
@@ -64,7 +66,8 @@ equation
     end for;
     // Jumps where bodies meet and where they part; the relation of touches may lag by the tool's hysteresis.
     for i in 1:m loop
-      telling[i] = if isShallow[i] then noEvent(if deepest[i] > 0 then 0 else 2*speed[i]) else strikeSpeed[i];
+      telling[i] = noEvent(if isShallow[i] then (if deepest[i] > 0 then 0 else 2*speed[i])
+        elseif deepest[i] > resolved then strikeSpeed[i] else 0);
     end for;
     for i in 1:m loop
       struck[i] = telling[i] > 1.25*speed[i];
@@ -76,7 +79,7 @@ equation
     for i in 1:m loop
       caughtSpeed[i] = if struck[i] and not isShallow[i] then strikeSpeed[i]
         elseif not (touches[i] and not pre(touches[i])) or isShallow[i] and noEvent(strikeSpeed[i] < slowed*pre(impactSpeed[i]))
-          then pre(impactSpeed[i]) else strikeSpeed[i];
+          then pre(impactSpeed[i]) else noEvent(if deepest[i] > resolved then strikeSpeed[i] else min(strikeSpeed[i], restSpeed));
     end for;
     when touches then
       impactSpeed = caughtSpeed;
@@ -84,7 +87,7 @@ equation
       impactSpeed = caughtSpeed;
     end when;
     for i in 1:m loop
-      rate[i] = NormalForce.dampingRate(dampingFactor[i], if inContact[i] then impactSpeed[i] else 0, restSpeed);
+      rate[i] = NormalForce.dampingRate(dampingFactor[i], if inContact[i] then impactSpeed[i] else strikeSpeed[i], restSpeed);
     end for;
     for i in 1:m loop
       assert(noEvent(not touches[i] or strikeSpeed[i] < max(1.2*impactSpeed[i], 10*restSpeed)),
@@ -98,8 +101,9 @@ The damping of a contact that delivers a restitution depends on the speed at whi
 and speed (<code>Memoryless</code>), for which <a href=\"modelica://ContactMultiBody.Interfaces.PartialNormalForce\">PartialNormalForce</a> needs the bodies' inertia.
 </p>
 <p>
-The relation of <code>touches</code> lags by the hysteresis of events, and a contact may be shallower. So a contact lasts (<code>inContact</code>) from the first touch, at which <code>strikeSpeed</code> jumps, until
-<code>touches</code> tells of its end or, where it never became true, the last point leaves.
+<code>touches</code> becomes true 1e-10 m deep, where points, normal and speed are known well, and false where the bodies part; a contact may be shallower, and the relation lags by the hysteresis of
+events. So a contact lasts (<code>inContact</code>) from the first touch, at which <code>strikeSpeed</code> jumps, until <code>touches</code> tells of its end or, where it never became true, the last point
+leaves. Within the first 1e-13 m rounding chooses the points of a face that touch, and with them the speed; until then the present speed stands for that of the impact.
 </p>
 <p>
 A touching pair whose approach speed exceeds 1.25 times <code>impactSpeed</code> is struck anew, by another body or by friction that jams. Results beside that threshold may depend on the tolerance; from 1.2 times on,

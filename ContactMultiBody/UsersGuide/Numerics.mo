@@ -20,7 +20,7 @@ error-controlled solver therefore needs no tolerance below 1e-6 for its own sake
 as half-spaces, which nothing can pass.</li>
 <li>The solution of the law is exact for a free impact. Gravity, joints and other contacts act during an impact as well; their share is of the order of g sqrt(m/K)/v<sub>0</sub>, so that slow bounces lose more than e says. Below
 <code>restSpeed</code> the damping rises until bounces die.</li>
-<li>The speed of impact is caught by an event at the first touch. <code>touches</code> tells of it later, where the hysteresis of events ends (in FMUs of this project 1e-10 m, or a millionth of the
+<li>The speed of impact is caught by an event at the first touch. <code>touches</code> tells of it later, 1e-10 m deep and past the hysteresis of events (in FMUs of this project 1e-10 m more, or a millionth of the
 tolerance): the speed there counts, unless the contact has slowed the pair down by a hundredth since. Contacts 7 to 20 widths deep may so lose 0.5 % of e.</li>
 <li>It is caught again when a point of a touching pair meets more than a quarter faster than before: as when a box falls flat
 after landing on its edge, or when something strikes a body that rests. A second strike at the share s of the first speed, while the pair still touches, keeps the first speed v<sub>0</sub>: no other choice for the pair leaves the force of

@@ -27,6 +27,8 @@ from fmu_regression.results.result import FloatArray, SimulationResult
 from fmu_regression.scene.motion import smooth_segments
 
 _ROUNDING = 1e-9
+# A row within this share of a signal's range of a threshold is on it.
+_FOUND = 1e-7
 
 
 def evaluate(
@@ -197,6 +199,7 @@ def find_events(check: EventCheck, result: SimulationResult) -> FoundEvents:
         step = np.diff(signal)
         with np.errstate(divide="ignore", invalid="ignore"):
             share = np.where(step != 0, (check.threshold - signal[:-1]) / step, 0.0)
+        share[_ends_at_event(time, signal, check.threshold)] = 1.0
     hit = {"rising": rising, "falling": falling, "either": rising | falling}[check.direction]
     rows = np.flatnonzero(hit)
     times = time[rows] + share[rows] * (time[rows + 1] - time[rows])
@@ -206,6 +209,17 @@ def find_events(check: EventCheck, result: SimulationResult) -> FoundEvents:
         other = result[check.value_of]
         values = (other[rows] + share[rows] * (other[rows + 1] - other[rows]))[keep]
     return FoundEvents(times[keep], values)
+
+
+def _ends_at_event(time: FloatArray, signal: FloatArray, threshold: float) -> NDArray[np.bool_]:
+    """= true, for steps, shape (n - 1,), that end at an event which found the crossing: its row, doubled, is on time.
+
+    A line from the row before, which may be the event at which the signal crossed back, would lead anywhere between.
+    """
+    is_event = np.zeros(time.size - 1, dtype=np.bool_)
+    is_event[:-1] = time[1:-1] == time[2:]
+    within: NDArray[np.bool_] = np.abs(signal[1:] - threshold) <= _FOUND * np.ptp(signal)
+    return is_event & within
 
 
 def _event(check: EventCheck, result: SimulationResult, reference: SimulationResult | None) -> Outcome:

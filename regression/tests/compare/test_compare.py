@@ -159,6 +159,15 @@ def test_crossings_with_values() -> None:
         assert not check(wrong, bounce(0.25)).passed
 
 
+def test_a_crossing_that_an_event_found_is_at_the_event() -> None:
+    # A ball leaves at 0.2 s, flies unseen and touches at 0.5 s: rows at the events alone, 1e-11 m beside zero.
+    time = np.array([0.0, 0.2, 0.2, 0.5, 0.5, 1.0])
+    gap = np.array([-1e-3, 1e-11, 1e-11, -1e-10, -1e-10, -1e-3])
+    flight = SimulationResult(time=time, signals={"gap": gap})
+    assert check(EventCheck("gap", 1e-6, threshold=0.0, direction="falling", times=(0.5,)), flight).passed
+    assert check(EventCheck("gap", 1e-6, threshold=0.0, direction="rising", times=(0.2,)), flight).passed
+
+
 def test_event_counts() -> None:
     assert check(EventCheck("n", 1e-6, count=1), bounce()).passed
     assert not check(EventCheck("n", 1e-6, count=2), bounce()).passed
