@@ -105,12 +105,16 @@ def balance(design: Design, sequences: IntArray) -> Balance:
 
 
 def _even_uses(design: Design, steps: int) -> FloatArray:
-    """Least squares: uses that sum to the same at each constellation, of all such those with the least squares."""
+    """Least squares: uses that sum to the same at each constellation, of all such those with the least squares.
+
+    Rounded, as processors differ in the last digits, and equally good sequences are chosen by these numbers.
+    """
     incidence = np.zeros((len(design.constellations), len(design.edges)))
     for number, edge in enumerate(design.edges):
         incidence[edge.first, number] = incidence[edge.second, number] = 1.0
     wanted = np.full(len(design.constellations), 2.0 * steps / len(design.constellations))
-    return np.asarray(np.linalg.lstsq(incidence, wanted)[0], dtype=np.float64)
+    even: FloatArray = np.round(np.linalg.lstsq(incidence, wanted)[0], 12)
+    return even
 
 
 class _Uses:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from itertools import pairwise, permutations
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -114,3 +118,23 @@ def test_designs_that_need_more_jumps_are_refused():
         text += f'[[only]]\nwhen = {{ {name} = "on" }}\nallow = {{ {others} }}\n'
     with pytest.raises(InputError, match="at most one step that is no edge"):
         make_sequences(design_of(text), 3, seed=1)
+
+
+def test_sequences_do_not_depend_on_the_processor():
+    """Linear algebra rounds by the kernels chosen for a processor; equally good paths must not be told apart so."""
+    program = (
+        "from small_designs import thesis; from depth_study.design.sequences import make_sequences;"
+        "print(make_sequences(thesis(), 12, seed=1).tolist())"
+    )
+    told = {
+        subprocess.run(
+            [sys.executable, "-c", program],
+            env={**os.environ, "OPENBLAS_CORETYPE": kernels},
+            cwd=Path(__file__).parent,
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for kernels in ("Nehalem", "Haswell", "Zen", "SkylakeX")
+    }
+    assert len(told) == 1
