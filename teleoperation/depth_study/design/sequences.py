@@ -113,8 +113,8 @@ def _even_uses(design: Design, steps: int) -> FloatArray:
     for number, edge in enumerate(design.edges):
         incidence[edge.first, number] = incidence[edge.second, number] = 1.0
     wanted = np.full(len(design.constellations), 2.0 * steps / len(design.constellations))
-    even: FloatArray = np.round(np.linalg.lstsq(incidence, wanted)[0], 12)
-    return even
+    even = np.asarray(np.linalg.lstsq(incidence, wanted)[0], dtype=np.float64)
+    return even.round(12)
 
 
 class _Uses:
