@@ -30,7 +30,7 @@ class Outcome:
         penetration: deepest, m; None without a manager. Both are looked for at events and, in model exchange, at twenty
             times an output interval, in co-simulation at output times.
         failure: why it failed, or "".
-        cpu_time: median processor time, s.
+        cpu_time: median processor time, s; None if the clock saw none.
         cpu_times: of every repeat, s.
         load: of the machine while it was measured, in processes; None if unknown.
     """

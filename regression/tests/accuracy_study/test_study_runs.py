@@ -20,6 +20,7 @@ from accuracy_study.definition import load_study
 from accuracy_study.markdown import index_page, scene_page
 from accuracy_study.page import write_page
 from accuracy_study.picture import write_pictures
+from accuracy_study.run import measured_times
 from accuracy_study.sentences import study_sentences
 from accuracy_study.study import Findings, carry_out_study
 from accuracy_study.table import CPU_COLUMNS, write_parquet, write_table
@@ -106,6 +107,22 @@ def test_errors_are_told_apart(clean):
     # The largest rise of h is that after the impact.
     assert float(rows[2]["energy_rise"]) == pytest.approx((0.5 * SPEED) ** 2 / 20, rel=1e-2)
     assert findings.scenes[0].tight == pytest.approx(1e-9)
+
+
+@pytest.mark.parametrize(
+    ("first", "later", "repeats", "kept"),
+    [
+        (0.2, [0.1, 0.3], 3, [0.2, 0.1, 0.3]),
+        (2.0, [], 3, [2.0]),  # takes long
+        (0.0, [0.1], 1, [0.1]),  # a virtual machine's clock may stand still
+        (None, [0.0, 0.1, 0.2], 2, [0.1, 0.2]),
+        (0.0, [0.0, 0.0, 0.0], 1, []),
+    ],
+)
+def test_times_that_the_clock_did_not_see_do_not_count(first, later, repeats, kept):
+    runs = iter(later)
+    assert measured_times(first, lambda: next(runs), repeats) == kept
+    assert next(runs, None) is None
 
 
 def test_failures_stay_in_the_table_with_their_reason(clean):
