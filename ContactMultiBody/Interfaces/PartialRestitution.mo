@@ -79,7 +79,7 @@ equation
     for i in 1:m loop
       caughtSpeed[i] = if struck[i] and not isShallow[i] then strikeSpeed[i]
         elseif not (touches[i] and not pre(touches[i])) or isShallow[i] and noEvent(strikeSpeed[i] < slowed*pre(impactSpeed[i]))
-          then pre(impactSpeed[i]) else noEvent(if deepest[i] > resolved then strikeSpeed[i] else min(strikeSpeed[i], restSpeed));
+          then pre(impactSpeed[i]) else strikeSpeed[i];
     end for;
     when touches then
       impactSpeed = caughtSpeed;
