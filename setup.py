@@ -22,4 +22,5 @@ class BuildWithViewer(build_py):
         super().run()
 
 
-setup(cmdclass={"build_py": BuildWithViewer})
+# A launcher of our own, not an entry point: command/launcher/cmb says why.
+setup(cmdclass={"build_py": BuildWithViewer}, scripts=["command/launcher/cmb"])

@@ -85,9 +85,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit status: 0, 2 for wrong input, 1 for any other failure, 128 and its number when a signal interrupted it.
     """
     try:
-        with _signals_interrupt():
-            _prepare_streams()
-            parsed = build_parser().parse_args(arguments)
+        _prepare_streams()
+        parsed = build_parser().parse_args(arguments)
+        with _signals_interrupt():  # not before: Python drops what is raised in callbacks of some imports
             return _run(parsed)
     except KeyboardInterrupt as interruption:
         number = interruption.number if isinstance(interruption, _Interrupted) else signal.SIGINT

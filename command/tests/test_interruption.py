@@ -68,6 +68,46 @@ def test_a_build_leaves_nothing(cache_home: Path, tmp_path: Path) -> None:
     assert sorted(path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*")) == ["Slow.mo", "tmp"]
 
 
+@pytest.mark.parametrize("loading", ["cmb.main", "contact_foundation.errors", "cmb.commands", "cmb.input_file"])
+def test_an_interruption_while_the_program_loads_is_no_traceback(loading: str, tmp_path: Path) -> None:
+    """Ctrl-C comes as the module is about to be loaded, which is in the first quarter of a second."""
+    script = f"""
+import signal
+import sys
+
+class Interrupts:
+    def find_spec(self, name, *_):
+        if name == {loading!r}:
+            signal.raise_signal(signal.SIGINT)
+
+sys.meta_path.insert(0, Interrupts())
+from cmb.__main__ import start
+sys.argv = ["cmb", "simulate", "missing.fmu", "--output", "out.csv"]
+sys.exit(start())
+"""
+    done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert done.stderr in ("", "cmb: interrupted; nothing half-written was left behind\n")
+    assert done.returncode in (-signal.SIGINT, 128 + signal.SIGINT)  # a shell's status is 130 for both
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_interruption_while_python_starts_is_no_traceback(tmp_path: Path) -> None:
+    """Ctrl-C some milliseconds after the start, when Python loads modules of its own."""
+    launcher = Path(sys.executable).parent / "cmb"
+    for wait in range(0, 50, 4):
+        program = subprocess.Popen(
+            [launcher, "simulate", "missing.fmu", "--output", "out.csv"],
+            cwd=tmp_path,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        time.sleep(wait / 1000)
+        program.send_signal(signal.SIGINT)
+        _, said = program.communicate(timeout=60)
+        assert "Traceback" not in said, f"{wait} ms after the start: {said}"
+        assert program.returncode in (-signal.SIGINT, 128 + signal.SIGINT, 2), said
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_second_signal_does_not_interrupt_the_removal(number: signal.Signals, tmp_path: Path) -> None:
     """The second comes while what the first interrupted is removed."""
