@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
@@ -45,6 +46,8 @@ def run(arguments: Namespace) -> int:
     from cmb.experiment import Experiment, read_experiment
 
     experiment = read_experiment(arguments.experiment) if arguments.experiment else Experiment()
-    write_report(read_csv(arguments.result), arguments.scene, arguments.output, experiment.figures)
+    notes = write_report(read_csv(arguments.result), arguments.scene, arguments.output, experiment.figures)
+    for note in notes:
+        print(f"cmb: note: {note}", file=sys.stderr)
     print(arguments.output)
     return 0

@@ -19,6 +19,7 @@ from fmu_regression.scene.energy import EnergyBalance, energy_balance
 from fmu_regression.scene.fmu_scene import load_scene_of
 from fmu_regression.scene.impacts import Impact, find_impacts
 from fmu_regression.scene.joint_power import JointPower, joint_power
+from fmu_regression.scene.possible_motion import jump_notes, require_possible_motion
 from fmu_regression.scene.scene_file import Scene
 from fmu_regression.scene.signals import require_signals
 
@@ -27,7 +28,7 @@ _MAX_PLOTS = 40
 
 def write_report(
     result: SimulationResult, scene_file: Path | None, target: Path, figures: Figures = NO_FIGURES
-) -> None:
+) -> tuple[str, ...]:
     """Writes the report of a result as one self-contained HTML file.
 
     Args:
@@ -37,20 +38,22 @@ def write_report(
         target: the HTML file; it appears whole or not at all.
         figures: plots and numbers of the modeller's choice.
 
+    Returns:
+        Notes on motions that the result's own speeds do not explain; the report has them too.
+
     Raises:
-        InputError: the scene file is wrong, or the result lacks what the report would otherwise deny.
+        InputError: the scene file is wrong, the result lacks what the report would otherwise deny, or has numbers that
+            cannot be poses or forces.
     """
     scene = load_scene_of(scene_file) if scene_file is not None else None
     if scene is not None:
-        require_signals(
-            scene,
-            result.signals,
-            Place(component=f"the result {result.model}".rstrip()),
-            f"Record them: cmb simulate FMU --scene {scene_file}.",
-        )
+        place = Place(component=f"the result {result.model}".rstrip())
+        require_signals(scene, result.signals, place, f"Record them: cmb simulate FMU --scene {scene_file}.")
+        require_possible_motion(scene, result, place)
     text = report_html(result, scene, figures)
     with whole_file(target) as staging:
         staging.write_text(text, encoding="utf-8", newline="\n")
+    return jump_notes(scene, result) if scene is not None else ()
 
 
 def report_html(result: SimulationResult, scene: Scene | None, figures: Figures = NO_FIGURES) -> str:
@@ -98,7 +101,8 @@ def _overview(
         tiles.append(Tile("Solver steps", f"{counters.steps}", "", f"{rejected} rejected"))
         events = counters.state_events + counters.time_events
         tiles.append(Tile("Evaluations", f"{counters.evaluations}", "", f"{events} events"))
-    return Section("summary", "Summary", tiles=tuple(tiles), notes=result.log[:20])
+    jumps = jump_notes(scene, result) if scene is not None else ()
+    return Section("summary", "Summary", tiles=tuple(tiles), notes=(*jumps, *result.log[:20]))
 
 
 def _mechanism_tile(scene: Scene) -> Tile:

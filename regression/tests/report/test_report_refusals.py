@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -72,3 +73,44 @@ def test_number_that_is_none_is_told_with_its_line(tmp_path: Path, capsys: pytes
     (tmp_path / "a.csv").write_text("time,x\n0,1\n1,NaN\n")
     assert main(["report", str(tmp_path / "a.csv"), "--output", str(tmp_path / "a.html")]) == 2
     assert "a.csv:3: 'NaN' stands where a number belongs" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("signal", "value", "said"),
+    [
+        ("frame_a.r_0[3]", 1e29, "frame_a.r_0[3] is 1e+29 at"),
+        ("frame_a.r_0[1]", -math.inf, "frame_a.r_0[1] is -inf at"),
+        ("frame_a.R.T[2,2]", 1e29, "frame_a.R.T at"),
+        ("frame_a.R.T[2,2]", 0.0, "is no rotation"),
+        ("contacts.normalForce[1]", math.inf, "contacts.normalForce[1] is inf at"),
+    ],
+)
+def test_numbers_that_no_body_has_are_refused(tmp_path: Path, signal: str, value: float, said: str) -> None:
+    content, result = hammer(rows=20)
+    scene = write_scene(content, tmp_path / "scene.json")
+    changed = with_value(result, signal, 7, value)
+    with pytest.raises(InputError) as caught:
+        write_report(changed, scene, tmp_path / "report.html")
+    assert said in str(caught.value)
+    assert f"{result.time[7]:.9g} s" in str(caught.value)
+    assert not (tmp_path / "report.html").exists()
+
+
+def test_jump_that_the_speeds_do_not_explain_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    content, result = hammer(rows=20)
+    scene = write_scene(content, tmp_path / "scene.json")
+    assert write_report(result, scene, tmp_path / "right.html") == ()
+    write_csv(with_value(result, "frame_a.r_0[3]", 7, 1e6), tmp_path / "h.csv")
+    words = ["report", str(tmp_path / "h.csv"), "--scene", str(scene), "--output", str(tmp_path / "report.html")]
+    assert main(words) == 0
+    said = capsys.readouterr().err
+    assert "jumps by 1e+06 m between" in said
+    assert "and 1 more such jump" in said
+    assert "jumps by 1e+06 m" in (tmp_path / "report.html").read_text()
+
+
+def with_value(result: SimulationResult, ending: str, row: int, value: float) -> SimulationResult:
+    """The result with one number of the first signal of that ending replaced."""
+    signals = {name: values.copy() for name, values in result.signals.items()}
+    signals[next(name for name in signals if name.endswith(ending))][row] = value
+    return SimulationResult(time=result.time.copy(), signals=signals, model=result.model)
