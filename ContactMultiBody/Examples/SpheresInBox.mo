@@ -24,6 +24,7 @@ model SpheresInBox "Smooth spheres fall into an open box and fill it"
     "How far a centre is from the middle of the box, along one of its sides";
   annotation (
     experiment(StopTime=5, Tolerance=1e-6, Interval=0.01),
+    __OpenModelica_simulationFlags(s="gbode", gbm="dopri45"),
     Documentation(info="<html>
 <p>
 <code>edge</code><sup>3</sup> smooth spheres of 0.5 kg and 0.1 m diameter start on a lattice, shaken a little, in a box without a lid. They fall, run

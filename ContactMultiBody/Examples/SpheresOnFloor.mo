@@ -19,6 +19,7 @@ model SpheresOnFloor "A hundred spheres are thrown on a floor and come to rest"
     v_start={{sin(1.7*i),cos(2.3*i),0} for i in 1:n}) annotation (Placement(transformation(extent={{-20,-20},{20,20}})));
   annotation (
     experiment(StopTime=4, Tolerance=1e-6, Interval=0.01),
+    __OpenModelica_simulationFlags(s="gbode", gbm="dopri45"),
     Documentation(info="<html>
 <p>
 A hundred spheres of 0.5 kg fall from up to 0.36 m with horizontal speeds of about 1 m/s in all directions, bounce with e = 0.3, run into each

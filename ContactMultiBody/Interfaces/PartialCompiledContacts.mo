@@ -67,6 +67,14 @@ protected
   final parameter Real number[9]={exponent,steadyRate,damping,dampingDepth,regularisationSpeed,stribeckSpeed,spinRadius,
       rollingLever,turningRegularisationSpeed} "Numbers of the laws for the engine";
   final parameter SI.Mass mass[n]=inertia.m "Mass of each body; 0: immovable";
+  final parameter SI.Position centre[n, 3]=Internal.Unaliased.vectors(inertia.r_CM) "Centre of mass of each body, in its frame";
+  final parameter SI.Inertia tensor[n, 3, 3]=Internal.Unaliased.tensors(inertia.I)
+    "Inertia of each body about its centre of mass, in the axes of its frame";
+  final parameter Real planeModulus[n](each unit="Pa")=material.E ./ (ones(n) - material.nu .^ 2) "E/(1 - nu^2) of each body";
+  final parameter Real curvature[n](each unit="1/m")=ones(n) ./ contactRadius "Curvature of each body's surface";
+  final parameter Real restitution[n](each unit="1")=material.restitution "Coefficient of restitution of each body";
+  final parameter Real muStatic[n](each unit="1")=material.muStatic "Coefficient of static friction of each body";
+  final parameter Real muDynamic[n](each unit="1")=material.muDynamic "Coefficient of sliding friction of each body";
   final parameter Integer broadphase=Internal.Engine.internBroadphase(
       Internal.Engine.intern(geometry, fill(0, 0, 2), 0),
       {if mass[i] > 0 then 0 else 1 for i in 1:n},
@@ -91,14 +99,14 @@ equation
     v_0,
     w_0,
     mass,
-    inertia.r_CM,
-    inertia.I,
+    centre,
+    tensor,
     stiffness,
-    material.E ./ (ones(n) - material.nu .^ 2),
-    ones(n) ./ contactRadius,
-    material.restitution,
-    material.muStatic,
-    material.muDynamic,
+    planeModulus,
+    curvature,
+    restitution,
+    muStatic,
+    muDynamic,
     choice,
     number);
   elasticEnergy = Internal.Unaliased.scalar(responseEnergy);

@@ -160,7 +160,7 @@ def test_a_library_is_found_beside_the_binary_or_by_the_environment_and_missed_c
     assert run(program) == "found\n"
 
 
-WINDOWS = ARCHIVE.parents[2] / "win64" / ARCHIVE.name
+WINDOWS = ARCHIVE.parents[1] / "win64" / ARCHIVE.name
 MINGW = "x86_64-w64-mingw32-"
 
 

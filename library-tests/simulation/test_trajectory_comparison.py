@@ -116,3 +116,9 @@ def test_a_trajectory_that_lacks_a_variable_or_ends_early_fails(tmp_path: Path) 
 def test_models_without_a_reference_and_files_that_are_not_there_are_told_apart(tmp_path: Path) -> None:
     assert as_program("ContactMultiBody.Examples.SpheresOnFloor", tmp_path / "none.csv").returncode == 0
     assert as_program(MODEL, tmp_path / "none.csv").returncode == 2
+
+
+def test_a_model_is_simulated_with_the_solver_that_its_annotation_names() -> None:
+    flags = runpy.run_path(str(REPOSITORY / "scripts" / "test-omc"))["flags"]
+    assert flags("ContactMultiBody.Examples.SpheresInBox") == ["-s=gbode", "-gbm=dopri45"]
+    assert flags(MODEL) == []

@@ -8,7 +8,9 @@ pure function accelerations "Newton's equations of equal free bodies"
   output Modelica.Units.SI.Acceleration a[count, 3] "Accelerations of the centres of mass, in world axes";
 algorithm
   for i in 1:count loop
-    a[i, :] := force[i, :]/m + gravity;
+    for k in 1:3 loop
+      a[i, k] := force[i, k]/m + gravity[k];
+    end for;
   end for;
   annotation (Inline=false, Documentation(info="<html>
 <p>m a = force + m gravity.</p>
