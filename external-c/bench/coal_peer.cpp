@@ -22,7 +22,7 @@ std::vector<coal::Transform3s> transforms(const std::vector<Pose> &poses) {
 }
 
 std::shared_ptr<coal::CollisionGeometry> geometry_of(const Shape &shape) {
-  if (shape.kind != ShapeKind::mesh) return coal_geometry(shape);
+  if (!shape.mesh) return coal_geometry(shape);
   std::vector<coal::Vec3s> vertices;
   std::vector<coal::Triangle> triangles;
   for (const Vec3 &v : shape.mesh->vertices()) vertices.emplace_back(v.x, v.y, v.z);

@@ -18,7 +18,7 @@ struct PosedPair {
 
   // Equal bodies share their geometry, whoever is asked.
   bool is_of_equals() const { return descriptor_a == descriptor_b; }
-  bool has_mesh() const { return a.kind == ShapeKind::mesh || b.kind == ShapeKind::mesh; }
+  bool has_mesh() const { return a.mesh || b.mesh; }  // convex or not
 };
 
 class ContactPeer {

@@ -19,7 +19,7 @@ std::vector<fcl::Transform3d> transforms(const std::vector<Pose> &poses) {
 }
 
 std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const Shape &shape) {
-  if (shape.kind != ShapeKind::mesh) return fcl_geometry(shape);
+  if (!shape.mesh) return fcl_geometry(shape);
   std::vector<fcl::Vector3d> vertices;
   std::vector<fcl::Triangle> triangles;
   for (const Vec3 &v : shape.mesh->vertices()) vertices.emplace_back(v.x, v.y, v.z);

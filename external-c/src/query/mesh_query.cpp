@@ -5,6 +5,14 @@
 
 namespace cmb {
 
+namespace {
+
+// Of polytopes with more corners, given as meshes, the triangles are asked: the overlap of all corners with all triangles takes
+// too long (200 corners on a height field 6 times as long, on a torus 10 times).
+constexpr std::size_t most_corners = 64;
+
+}  // namespace
+
 void mesh_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, MeshQueryScratch &scratch,
                   ContactSet &result) {
   const mesh::TriangleMesh &mesh = *b.mesh;
@@ -16,6 +24,10 @@ void mesh_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose
       mesh::capsule_contact(a.body.radius, 2.0 * a.body.half.z, pose_a, mesh, pose_b, scratch, result);
       return;
     case PairMethod::polytope_mesh:
+      if (a.mesh && a.polytope->geometry().vertices().size() > most_corners) {
+        mesh::mesh_pair_contact(*a.mesh, pose_a, mesh, pose_b, scratch, result);
+        return;
+      }
       mesh::polytope_contact(a.polytope->geometry(), pose_a, mesh, pose_b, scratch, result);
       return;
     case PairMethod::round_mesh:

@@ -7,6 +7,7 @@
 
 #include "mesh/io/mesh_file.hpp"
 #include "mesh/io/number_text.hpp"
+#include "scene/convex_mesh.hpp"
 
 namespace cmb {
 
@@ -43,13 +44,14 @@ const mesh::MeshData &GeometryFiles::mesh_data(std::string_view name) {
   return mesh_data_.emplace(path, mesh::read_mesh_file(path)).first->second;
 }
 
-std::shared_ptr<const mesh::TriangleMesh> GeometryFiles::triangle_mesh(std::string_view name, double scale) {
+const GeometryFiles::Solid &GeometryFiles::solid(std::string_view name, double scale) {
   const std::string path = resolve(name);
-  std::shared_ptr<const mesh::TriangleMesh> &known = meshes_[{path, scale}];
-  if (!known) {
+  Solid &known = solids_[{path, scale}];
+  if (!known.mesh) {
     mesh::MeshData data = mesh_data(name);
     for (Vec3 &p : data.vertices) p = scale * p;
-    known = std::make_shared<const mesh::TriangleMesh>(std::move(data), mesh::MeshUse::any, path);
+    known.mesh = std::make_shared<const mesh::TriangleMesh>(std::move(data), mesh::MeshUse::any, path);
+    known.hull = make_convex_mesh_hull(*known.mesh);
   }
   return known;
 }

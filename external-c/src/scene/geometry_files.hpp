@@ -12,6 +12,7 @@
 
 #include "mesh/core/mesh_data.hpp"
 #include "mesh/core/triangle_mesh.hpp"
+#include "shape/contact_polytope.hpp"
 
 namespace cmb {
 
@@ -27,8 +28,13 @@ class GeometryFiles {
   // mesh::MeshError, std::bad_alloc. The reference lives as long as this.
   const mesh::MeshData &mesh_data(std::string_view name);
 
-  // The checked mesh of such a file, coordinates multiplied by `scale`; the same object for the same file and scale.
-  std::shared_ptr<const mesh::TriangleMesh> triangle_mesh(std::string_view name, double scale);
+  // A checked mesh and, where it is closed and convex, its polytope (convex_mesh.hpp).
+  struct Solid {
+    std::shared_ptr<const mesh::TriangleMesh> mesh;
+    std::shared_ptr<const ContactPolytope> hull;
+  };
+  // Of such a file, coordinates multiplied by `scale`; the same objects for the same file and scale.
+  const Solid &solid(std::string_view name, double scale);
 
   // A text file of numbers: a line a row, numbers separated by blanks, tabs, commas or semicolons; empty lines, and
   // lines that begin with #, are passed over. Throws mesh::MeshError where rows differ in length.
@@ -45,7 +51,7 @@ class GeometryFiles {
   std::filesystem::path folder_;
   bool allowed_ = false;
   std::map<std::string, mesh::MeshData> mesh_data_;
-  std::map<std::pair<std::string, double>, std::shared_ptr<const mesh::TriangleMesh>> meshes_;
+  std::map<std::pair<std::string, double>, Solid> solids_;
   std::map<std::string, Table> tables_;
 };
 

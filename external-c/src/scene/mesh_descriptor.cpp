@@ -11,6 +11,7 @@
 #include "mesh/core/height_field.hpp"
 #include "mesh/core/mesh_check.hpp"
 #include "mesh/core/triangle_mesh.hpp"
+#include "scene/convex_mesh.hpp"
 #include "shape/convex_hull.hpp"
 
 namespace cmb {
@@ -71,6 +72,19 @@ std::vector<mesh::Triangle> parse_triangles(Keys &keys, std::size_t vertices, st
   return triangles;
 }
 
+void set_hull(std::shared_ptr<const ContactPolytope> polytope, Shape &shape) {
+  shape.kind = ShapeKind::hull;
+  shape.polytope = std::move(polytope);
+  shape.body = convex::make_polytope(shape.polytope->geometry());
+}
+
+// A convex mesh is the hull that it encloses.
+void set_solid(const GeometryFiles::Solid &solid, Shape &shape) {
+  shape.kind = ShapeKind::mesh;
+  shape.mesh = solid.mesh;
+  if (solid.hull) set_hull(solid.hull, shape);
+}
+
 // Two whole numbers of at least 2.
 std::pair<std::size_t, std::size_t> parse_grid(Keys &keys) {
   const std::vector<Number> numbers = keys.require("grid");
@@ -117,16 +131,13 @@ void parse_hull(Keys &keys, GeometryFiles &files, Shape &shape) {
                           source + ": " + problem + "; give at least 4 points that do not lie in a plane");
   }
   at_column(column, [&] { mesh::check_extent(polytope.vertices(), source); });
-  shape.kind = ShapeKind::hull;
-  shape.polytope = std::make_shared<const ContactPolytope>(std::move(polytope));
-  shape.body = convex::make_polytope(shape.polytope->geometry());
+  set_hull(std::make_shared<const ContactPolytope>(std::move(polytope)), shape);
 }
 
 void parse_mesh(Keys &keys, GeometryFiles &files, Shape &shape) {
-  shape.kind = ShapeKind::mesh;
   if (const auto name = keys.take_text("file")) {
     const double scale = parse_scale(keys);
-    shape.mesh = at_column(name->column, [&] { return files.triangle_mesh(name->text, scale); });
+    set_solid(at_column(name->column, [&] { return files.solid(name->text, scale); }), shape);
     return;
   }
   if (!keys.has("vertices")) {
@@ -137,10 +148,13 @@ void parse_mesh(Keys &keys, GeometryFiles &files, Shape &shape) {
   std::size_t column = 0;
   data.vertices = parse_points(keys, column);
   data.triangles = parse_triangles(keys, data.vertices.size(), column);
-  shape.mesh = at_column(column, [&] {
+  GeometryFiles::Solid solid;
+  solid.mesh = at_column(column, [&] {
     mesh::weld_vertices(data, "mesh");
     return std::make_shared<const TriangleMesh>(std::move(data), MeshUse::any, "mesh");
   });
+  solid.hull = make_convex_mesh_hull(*solid.mesh);
+  set_solid(solid, shape);
 }
 
 void parse_height_field(Keys &keys, GeometryFiles &files, Shape &shape) {

@@ -50,7 +50,7 @@ void attach_mesh_hulls(std::vector<BodyShapes> &bodies) {
   std::map<const mesh::TriangleMesh *, std::shared_ptr<const ContactPolytope>> hulls;
   for (BodyShapes &shapes : bodies) {
     for (Shape &shape : shapes) {
-      if (!shape.mesh) continue;
+      if (shape.kind != ShapeKind::mesh) continue;
       const auto [entry, added] = hulls.try_emplace(shape.mesh.get());
       if (added) entry->second = make_mesh_hull(*shape.mesh);
       shape.mesh_hull = entry->second;

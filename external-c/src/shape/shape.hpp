@@ -36,9 +36,9 @@ struct LocalBounds {
 struct Shape {
   ShapeKind kind = ShapeKind::halfspace;
   convex::ConvexBody body;                           // of every kind but halfspace and mesh
-  std::shared_ptr<const ContactPolytope> polytope;   // of box and hull
+  std::shared_ptr<const ContactPolytope> polytope;   // of box and hull; a closed convex mesh is a hull
   std::shared_ptr<const ContactPolytope> rim;        // of cylinder and cone: stands for their flat ends
-  std::shared_ptr<const mesh::TriangleMesh> mesh;    // of mesh, which height fields are too
+  std::shared_ptr<const mesh::TriangleMesh> mesh;    // of mesh, which height fields are too, and of hulls given as meshes
   std::shared_ptr<const ContactPolytope> mesh_hull;  // of a mesh that a half-space may touch, if it is no plane
   std::shared_ptr<const LibraryShape> in_library;    // for the scene's back end; null where that keeps none
   Pose in_body;                                      // point_in_body = in_body(point_in_shape)

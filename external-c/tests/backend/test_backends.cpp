@@ -215,7 +215,7 @@ TEST_P(Libraries, AnswerForShapesThatTheyHoldAlone) {
   const DistanceLibrary &library = *distance_library(GetParam());
   if (library.make_shape == nullptr) GTEST_SKIP() << "takes the engine's shapes";
   const Shape cube = parse_descriptor("cmb/1 box size=1,1,1").front();
-  const Shape mesh = parse_descriptor(mesh_samples::mesh_text(mesh_samples::box_mesh({1, 1, 1}))).front();
+  const Shape mesh = parse_descriptor(mesh_samples::mesh_text(mesh_samples::with_speck(mesh_samples::box_mesh({1, 1, 1})))).front();
   EXPECT_EQ(library.make_shape(mesh), nullptr);
   Shape held = cube;
   held.in_library.reset(library.make_shape(cube));

@@ -14,6 +14,7 @@ using namespace cmb::test;
 using mesh_samples::angle_prism;
 using mesh_samples::box_mesh;
 using mesh_samples::mesh_text;
+using mesh_samples::with_speck;
 using mesh_samples::MeshData;
 using random_bodies::Random;
 using random_bodies::random_rotation;
@@ -34,14 +35,15 @@ std::vector<Flush> flush_poses() {
   const MeshData angle = angle_mesh(0.75, 0.25), large_angle = angle_mesh(1.5, 0.5);
   const Vec3 block{0.4, 0.5, 0.6};
   return {
-      {"a bar whose ends are flush with an arm's sides", box_mesh({1, 0.2, 0.2}), large_angle, {-1, 0.5, 0}, 0.6},
-      {"a bar of many triangles", box_mesh({1, 0.2, 0.2}, 3), large_angle, {-1, 0.5, 0}, 0.6},
-      {"a block flush with a foot's sides", box_mesh({0.26, 0.5, 0.43}, 2), angle, {0.33, -0.5, 0}, 0.465},
-      {"a block half out, rows in the surface", box_mesh({0.5, 0.2, 0.84}, 2), angle, {0, -0.43, -0.25}, 0.28},
-      {"a bar through a foot, rows in both surfaces", box_mesh({0.4, 0.2, 1.5}, 3), angle, {0.1, -0.43, 0}, 0.28},
-      {"a plug that fills a block", box_mesh(block, 2), box_mesh(block, 2), {0, 0, 0}, 0.4},
-      {"a plug of other triangles", box_mesh(block, 2), box_mesh(block, 3), {0, 0, 0}, 0.4},
-      {"a bar most of the way in its sheath", box_mesh({0.2, 0.2, 2}, 2), box_mesh({0.2, 0.2, 2}, 3), {0, 0, 0.4}, 0.2},
+      {"a bar whose ends are flush with an arm's sides", with_speck(box_mesh({1, 0.2, 0.2})), large_angle, {-1, 0.5, 0}, 0.6},
+      {"a bar of many triangles", with_speck(box_mesh({1, 0.2, 0.2}, 3)), large_angle, {-1, 0.5, 0}, 0.6},
+      {"a block flush with a foot's sides", with_speck(box_mesh({0.26, 0.5, 0.43}, 2)), angle, {0.33, -0.5, 0}, 0.465},
+      {"a block half out, rows in the surface", with_speck(box_mesh({0.5, 0.2, 0.84}, 2)), angle, {0, -0.43, -0.25}, 0.28},
+      {"a bar through a foot, rows in both surfaces", with_speck(box_mesh({0.4, 0.2, 1.5}, 3)), angle, {0.1, -0.43, 0}, 0.28},
+      {"a plug that fills a block", with_speck(box_mesh(block, 2)), with_speck(box_mesh(block, 2), {0, 40, 0}), {0, 0, 0}, 0.4},
+      {"a plug of other triangles", with_speck(box_mesh(block, 2)), with_speck(box_mesh(block, 3), {0, 40, 0}), {0, 0, 0}, 0.4},
+      {"a bar most of the way in its sheath", with_speck(box_mesh({0.2, 0.2, 2}, 2)),
+       with_speck(box_mesh({0.2, 0.2, 2}, 3), {0, 40, 0}), {0, 0, 0.4}, 0.2},
   };
 }
 

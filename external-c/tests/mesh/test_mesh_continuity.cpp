@@ -12,6 +12,7 @@ using namespace cmb::test;
 using mesh_samples::box_mesh;
 using mesh_samples::height_field_text;
 using mesh_samples::mesh_text;
+using mesh_samples::with_speck;
 using mesh_samples::sphere_mesh;
 
 constexpr double pi = 3.14159265358979323846;
@@ -25,7 +26,7 @@ const std::string &terrain() {
 }
 
 const std::string &table() {
-  static const std::string text = mesh_text(box_mesh({2, 2, 1}, 3));
+  static const std::string text = mesh_text(with_speck(box_mesh({2, 2, 1}, 3), {0, 40, 0}));
   return text;
 }
 
@@ -63,7 +64,7 @@ const std::string ellipsoid = "cmb/1 ellipsoid size=0.4,0.5,0.6", cylinder = "cm
                   sphere = "cmb/1 sphere radius=0.2", capsule = "cmb/1 capsule radius=0.1 length=0.3";
 
 std::vector<Path> paths() {
-  const std::string cube = mesh_text(box_mesh({0.4, 0.4, 0.4}, 2)), ball = mesh_text(sphere_mesh(0.2, 2));
+  const std::string cube = mesh_text(with_speck(box_mesh({0.4, 0.4, 0.4}, 2))), ball = mesh_text(with_speck(sphere_mesh(0.2, 2)));
   std::vector<Path> result;
   struct Body {
     const char *name;

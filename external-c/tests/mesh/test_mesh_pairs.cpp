@@ -10,6 +10,7 @@ using namespace cmb::test;
 using mesh_samples::box_mesh;
 using mesh_samples::height_field_text;
 using mesh_samples::mesh_text;
+using mesh_samples::with_speck;
 using mesh_samples::sphere_mesh;
 
 constexpr double pi = 3.14159265358979323846;
@@ -68,7 +69,7 @@ TEST(CylinderOnMesh, LiesWithTheMeanOfItsDepth) {
 
 TEST(CapsuleOnMesh, AlongAnEdgeItIsAsFarAsFromTheBox) {
   // The edge is shorter than the axis, and turned by angles whose sines are not exact.
-  const PairScene scene("cmb/1 capsule radius=0.5 length=1.4", mesh_text(mesh_samples::box_mesh({0.6, 0.8, 0.3}))),
+  const PairScene scene("cmb/1 capsule radius=0.5 length=1.4", mesh_text(with_speck(mesh_samples::box_mesh({0.6, 0.8, 0.3})))),
       box("cmb/1 capsule radius=0.5 length=1.4", "cmb/1 box size=0.6,0.8,0.3");
   random_bodies::Random random(4);
   for (int i = 0; i < 200; ++i) {
@@ -85,7 +86,7 @@ TEST(CapsuleOnMesh, AlongAnEdgeItIsAsFarAsFromTheBox) {
 }
 
 TEST(CapsuleOnMesh, WhoseAxisPassesThroughIsNotApart) {
-  const PairScene plate("cmb/1 capsule radius=0.05 length=2", mesh_text(mesh_samples::box_mesh({3, 3, 0.2}))),
+  const PairScene plate("cmb/1 capsule radius=0.05 length=2", mesh_text(with_speck(mesh_samples::box_mesh({3, 3, 0.2})))),
       sheet("cmb/1 capsule radius=0.05 length=2", flat_field());
   for (const double z : {-0.4, 0.0, 0.7}) {
     EXPECT_LE(plate.query({{0.23, 0.31, z}, {}}, {}).distance, 0.0);
@@ -109,7 +110,7 @@ TEST(CylinderOnMesh, BesideFlatTetrahedraOfSupportsItIsApart) {
 TEST(HullBesideMesh, WithTheMiddleOfItsBoxInTheMeshIsApart) {
   // A sliver along x + y + z = 1 beside the corner of a cube: the middle of its box lies in the cube, the sliver does not.
   const char *const sliver = "cmb/1 hull vertices=1,0,0,0,1,0,0,0,1,0.2,0.2,0.2";
-  const PairScene scene(sliver, mesh_text(mesh_samples::box_mesh({1.4, 1.4, 1.4})));
+  const PairScene scene(sliver, mesh_text(with_speck(mesh_samples::box_mesh({1.4, 1.4, 1.4}))));
   const BodyPose cube{{1.06, 1.06, 1.06}, {}};
   const Contact contact = scene.query({}, cube);
   EXPECT_NEAR(contact.distance, 0.08 / std::sqrt(3.0), 1e-12);
@@ -139,7 +140,7 @@ TEST(RoundBodiesOnMesh, RollWithoutBumps) {
 
 TEST(RoundBodiesOnMesh, CubeGivesTheBoxsDistanceWhereApart) {
   random_bodies::Random random(3);
-  const std::string cube = mesh_text(box_mesh({1, 2, 3}, 3));
+  const std::string cube = mesh_text(with_speck(box_mesh({1, 2, 3}, 3)));
   for (const char *body : {"cmb/1 ellipsoid size=0.4,0.6,0.8", "cmb/1 cylinder radius=0.3 length=0.5",
                            "cmb/1 cone radius=0.3 length=0.5"}) {
     const PairScene on_mesh(body, cube), on_box(body, "cmb/1 box size=1,2,3");
@@ -159,7 +160,7 @@ TEST(RoundBodiesOnMesh, CubeGivesTheBoxsDistanceWhereApart) {
 }
 
 TEST(RoundBodiesOnMesh, CubeGivesTheBoxsDepthOnFaces) {
-  const std::string cube = mesh_text(box_mesh({1, 1, 1}, 4));
+  const std::string cube = mesh_text(with_speck(box_mesh({1, 1, 1}, 4)));
   random_bodies::Random random(4);
   for (const char *body : {"cmb/1 ellipsoid size=0.2,0.3,0.4", "cmb/1 cylinder radius=0.1 length=0.2",
                            "cmb/1 cone radius=0.1 length=0.2"}) {
@@ -179,7 +180,8 @@ TEST(RoundBodiesOnMesh, CubeGivesTheBoxsDepthOnFaces) {
 // Mesh against mesh.
 
 TEST(MeshOnMesh, CubeRestsOnATableWithItsDepth) {
-  const PairScene scene(mesh_text(box_mesh({0.5, 0.5, 0.5}, 2)), mesh_text(box_mesh({3, 3, 1}, 5)));
+  const PairScene scene(mesh_text(with_speck(box_mesh({0.5, 0.5, 0.5}, 2))),
+                        mesh_text(with_speck(box_mesh({3, 3, 1}, 5), {0, 40, 0})));
   for (int i = 0; i < 50; ++i) {
     const double x = 0.017 * i, yaw = 0.05 * i, depth = 1e-3;
     const Contact contact = scene.query({{x, 0.1, 0.75 - depth}, rotation_about({0, 0, 1}, yaw)}, {}, 64);
@@ -190,7 +192,7 @@ TEST(MeshOnMesh, CubeRestsOnATableWithItsDepth) {
 }
 
 TEST(MeshOnMesh, FieldCarriesACubeAsAHalfspaceDoes) {
-  const PairScene scene(mesh_text(box_mesh({0.5, 0.5, 0.5}, 2)), flat_field());
+  const PairScene scene(mesh_text(with_speck(box_mesh({0.5, 0.5, 0.5}, 2))), flat_field());
   const Contact contact = scene.query({{0.1, 0.2, flat_height + 0.24}, rotation_about({0, 0, 1}, 0.3)}, {}, 64);
   EXPECT_NEAR(contact.distance, -0.01, 1e-14);
   EXPECT_NEAR(norm(contact.load() - Vec3{0, 0, 0.01}), 0.0, 1e-13);
@@ -198,7 +200,8 @@ TEST(MeshOnMesh, FieldCarriesACubeAsAHalfspaceDoes) {
 
 TEST(MeshOnMesh, CubesGiveTheBoxesDistanceWhereApart) {
   random_bodies::Random random(5);
-  const PairScene meshes(mesh_text(box_mesh({1, 0.5, 0.7}, 2)), mesh_text(box_mesh({1, 2, 3}, 3)));
+  const PairScene meshes(mesh_text(with_speck(box_mesh({1, 0.5, 0.7}, 2))),
+                         mesh_text(with_speck(box_mesh({1, 2, 3}, 3), {0, 40, 0})));
   const PairScene boxes("cmb/1 box size=1,0.5,0.7", "cmb/1 box size=1,2,3");
   int compared = 0;
   for (int i = 0; i < 400; ++i) {
@@ -233,7 +236,7 @@ TEST(MeshOnMesh, AngleBodyCarriesAsItsConvexPieces) {
   }
   const std::string pieces =
       "cmb/1 box size=2,1,0.5 position=1,0,0.25;cmb/1 box size=0.5,1,1.5 position=0.25,0,1.25";
-  const std::string cube = mesh_text(box_mesh({0.4, 0.4, 0.4}, 2));
+  const std::string cube = mesh_text(with_speck(box_mesh({0.4, 0.4, 0.4}, 2)));
   const PairScene meshes(cube, mesh_text(angle)), convex("cmb/1 box size=0.4,0.4,0.4", pieces);
   struct Case {
     Vec3 position, force;
@@ -255,7 +258,8 @@ TEST(MeshOnMesh, AngleBodyCarriesAsItsConvexPieces) {
 }
 
 TEST(MeshOnMesh, ExchangeReversesTheNormals) {
-  const std::string one = mesh_text(sphere_mesh(0.5, 2)), two = mesh_text(box_mesh({1, 0.8, 0.6}, 3));
+  const std::string one = mesh_text(with_speck(sphere_mesh(0.5, 2))),
+                    two = mesh_text(with_speck(box_mesh({1, 0.8, 0.6}, 3), {0, 40, 0}));
   const PairScene forward(one, two), backward(two, one);
   random_bodies::Random random(6);
   for (int i = 0; i < 100; ++i) {
@@ -269,7 +273,7 @@ TEST(MeshOnMesh, ExchangeReversesTheNormals) {
 
 // Both directions of the load of equal spheres lie on the line of centres; its size is that of the mean depth.
 TEST(MeshOnMesh, SpheresPushAlongTheLineOfCentres) {
-  const PairScene scene(mesh_text(sphere_mesh(0.5, 4)), mesh_text(sphere_mesh(0.5, 4)));
+  const PairScene scene(mesh_text(with_speck(sphere_mesh(0.5, 4))), mesh_text(with_speck(sphere_mesh(0.5, 4), {0, 40, 0})));
   random_bodies::Random random(7);
   for (int i = 0; i < 20; ++i) {
     const Vec3 d = random_bodies::random_rotation(random).column(0);
@@ -283,7 +287,8 @@ TEST(MeshOnMesh, SpheresPushAlongTheLineOfCentres) {
 }
 
 TEST(MeshOnMesh, SwallowedBodyIsPushedOut) {
-  const PairScene scene(mesh_text(box_mesh({0.1, 0.1, 0.1}, 1)), mesh_text(box_mesh({2, 2, 2}, 2)));
+  const PairScene scene(mesh_text(with_speck(box_mesh({0.1, 0.1, 0.1}, 1))),
+                        mesh_text(with_speck(box_mesh({2, 2, 2}, 2), {0, 40, 0})));
   const Contact contact = scene.query({{0.6, 0.1, 0}, {}}, {});
   EXPECT_LT(contact.distance, 0.0);
   EXPECT_GT(contact.load().x, 0.0);
@@ -292,7 +297,7 @@ TEST(MeshOnMesh, SwallowedBodyIsPushedOut) {
 
 // A body around a whole mesh pushes it out, whatever pushes at its surface.
 TEST(MeshInside, EveryBodyThatHoldsAMeshPushes) {
-  const std::string mesh = mesh_text(box_mesh({1, 0.5, 0.75}, 2));
+  const std::string mesh = mesh_text(with_speck(box_mesh({1, 0.5, 0.75}, 2)));
   for (const char *body : {"cmb/1 capsule radius=1.25 length=1", "cmb/1 sphere radius=2"}) {
     const PairScene scene(body, mesh);
     for (const Vec3 &place : {Vec3{0, 0, 0}, Vec3{0.1, 0.05, 0.02}}) {

@@ -18,6 +18,7 @@ using cmb::convex::ConvexBody;
 using mesh_samples::angle_prism;
 using mesh_samples::box_mesh;
 using mesh_samples::mesh_text;
+using mesh_samples::with_speck;
 using mesh_samples::MeshData;
 using mesh_samples::sheet_mesh;
 using mesh_samples::sphere_mesh;
@@ -61,9 +62,8 @@ TEST(EdgeInRoundBody, EllipsoidOnTheEdgesOfAnAngle) {
 
 // A ridge below round bodies: at every depth, however small, it pushes up.
 TEST(EdgeInRoundBody, PushesAtOnce) {
-  const PairScene scenes[] = {{ellipsoid, mesh_text(box_mesh({1, 1, 1}))}, {cylinder, mesh_text(box_mesh({1, 1, 1}))},
-                              {cone, mesh_text(box_mesh({1, 1, 1}))},      {sphere, mesh_text(box_mesh({1, 1, 1}))},
-                              {capsule, mesh_text(box_mesh({1, 1, 1}))}};
+  const std::string cube = mesh_text(with_speck(box_mesh({1, 1, 1})));
+  const PairScene scenes[] = {{ellipsoid, cube}, {cylinder, cube}, {cone, cube}, {sphere, cube}, {capsule, cube}};
   const BodyPose ridge{{0, 0, -std::sqrt(0.5)}, rotation_about({0, 1, 0}, 0.78539816339744831)};
   Random random(11);
   for (const PairScene &scene : scenes) {
@@ -84,7 +84,7 @@ TEST(EdgeInRoundBody, PushesAtOnce) {
 
 // A plate right through a cube, wider than it: the cube leaves by the side from which less has to come through.
 TEST(PiercedBody, LeavesAPlateByTheShorterWay) {
-  const PairScene scene(box, mesh_text(box_mesh({2, 2, 0.02}, 3)));
+  const PairScene scene(box, mesh_text(with_speck(box_mesh({2, 2, 0.02}, 3))));
   for (const double z : {-0.15, -0.08, -0.03, 0.03, 0.08, 0.15}) {
     const Contact contact = scene.query(at(0.013, 0.02, z), {});
     const Vec3 load = contact.load();
@@ -97,7 +97,7 @@ TEST(PiercedBody, LeavesAPlateByTheShorterWay) {
 
 // A plate's end in a cube's side, deeper than the plate is thick, above the cube's middle: the way out is back.
 TEST(PiercedBody, LeavesAPlatesEndTheWayItCame) {
-  const PairScene scene(box, mesh_text(box_mesh({1, 1, 0.02}, 3)));
+  const PairScene scene(box, mesh_text(with_speck(box_mesh({1, 1, 0.02}, 3))));
   for (const double depth : {0.02, 0.05, 0.08}) {
     const Vec3 load = scene.query(at(0.7 - depth, 0.01, -0.05), {}).load();
     EXPECT_GT(load.x, 0.5 * depth);
@@ -109,8 +109,8 @@ TEST(PiercedBody, LeavesAPlatesEndTheWayItCame) {
 // Moving by the load leads out: of plate, ball and beam meshes, from random poses. Some come to rest between the sides of a
 // plate that reaches through a body, where what both sides push is equal and there is no better side.
 TEST(PiercedBody, LoadLeadsOutOfClosedMeshes) {
-  const std::string meshes[] = {mesh_text(box_mesh({0.5, 0.6, 0.1}, 2)), mesh_text(sphere_mesh(0.25, 1)),
-                                mesh_text(box_mesh({0.08, 0.07, 2.0}, 1))};
+  const std::string meshes[] = {mesh_text(with_speck(box_mesh({0.5, 0.6, 0.1}, 2))), mesh_text(with_speck(sphere_mesh(0.25, 1))),
+                                mesh_text(with_speck(box_mesh({0.08, 0.07, 2.0}, 1)))};
   Random random(3);
   int pierced = 0, all = 0, out = 0;
   for (const std::string &mesh : meshes) {
@@ -189,7 +189,8 @@ TEST(PiercedBody, SheetPushesMeshesToItsFront) {
 
 // Meshes through each other, as the bodies they are made of, touch and carry.
 TEST(PiercedBody, MeshesThroughEachOther) {
-  const std::string plate = mesh_text(box_mesh({1, 1, 0.03}, 4)), rod = mesh_text(box_mesh({0.1, 0.12, 2}, 3));
+  const std::string plate = mesh_text(with_speck(box_mesh({1, 1, 0.03}, 4))),
+                    rod = mesh_text(with_speck(box_mesh({0.1, 0.12, 2}, 3), {0, 40, 0}));
   const PairScene scene(plate, rod), boxes("cmb/1 box size=1,1,0.03", "cmb/1 box size=0.1,0.12,2");
   Random random(8);
   int touching = 0;
@@ -210,7 +211,8 @@ TEST(PiercedBody, MeshesThroughEachOther) {
 // The load has no jumps on paths through plates, beams and sheets, where surface that faces the mesh comes and goes. (A ball, and
 // so a capsule's end, turns about where its centre is midway between the sides of a closed mesh.)
 TEST(PiercedBody, LoadHasNoJumps) {
-  const std::string grounds[] = {mesh_text(box_mesh({2, 2, 0.05}, 2)), mesh_text(box_mesh({0.08, 0.07, 2.0}, 1)),
+  const std::string grounds[] = {mesh_text(with_speck(box_mesh({2, 2, 0.05}, 2))),
+                                 mesh_text(with_speck(box_mesh({0.08, 0.07, 2.0}, 1))),
                                  mesh_text(sheet_mesh(2.0, 4, [](double x, double y) { return 0.1 * x * y; }))};
   for (const std::string &ground : grounds) {
     for (const char *kind : kinds) {

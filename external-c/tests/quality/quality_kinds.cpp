@@ -98,6 +98,13 @@ Body box_mesh(Random &random, std::uint32_t cells) {
 Body coarse_box_mesh(Random &random) { return box_mesh(random, 1); }
 Body divided_box_mesh(Random &random) { return box_mesh(random, 3); }
 
+// A prism over an L.
+Body angle_mesh(Random &random) {
+  const double a = random.uniform(0.3, 0.5), h = random.uniform(0.15, 0.3), inner = random.uniform(-0.1, 0.1) * a;
+  return {mesh_samples::mesh_text(mesh_samples::angle_prism({-a, a, a, inner, inner, -a}, {-a, -a, inner, inner, a, a}, -h, h)),
+          2 * a, std::min(a, 2 * h)};
+}
+
 Body sphere_mesh(Random &random) {
   const double radius = random.uniform(0.3, 0.5);
   return {mesh_samples::mesh_text(mesh_samples::sphere_mesh(radius, 2)), 2 * radius, 2 * radius};
@@ -155,6 +162,7 @@ const std::vector<Kind> &all_kinds() {
                                           {"box-mesh", false, coarse_box_mesh},
                                           {"divided-box-mesh", false, divided_box_mesh},
                                           {"sphere-mesh", false, sphere_mesh},
+                                          {"angle-mesh", false, angle_mesh},
                                           {"torus-mesh", false, torus_mesh},
                                           {"heightfield", true, height_field}};
   return kinds;

@@ -66,7 +66,14 @@ INSTANTIATE_TEST_SUITE_P(OnMeshes, WithoutJumps,
                                          Pair{"capsule", "sphere-mesh"}, Pair{"capsule", "torus-mesh"},
                                          Pair{"capsule", "heightfield"}, Pair{"sphere", "heightfield"},
                                          Pair{"sphere", "torus-mesh"}, Pair{"box", "divided-box-mesh"},
-                                         Pair{"cone", "divided-box-mesh"}));
+                                         Pair{"cone", "divided-box-mesh"}, Pair{"box", "angle-mesh"},
+                                         Pair{"capsule", "angle-mesh"}));
+
+// Convex meshes are hulls.
+INSTANTIATE_TEST_SUITE_P(ConvexMeshes, WithoutJumps,
+                         testing::Values(Pair{"ellipsoid", "divided-box-mesh"}, Pair{"cylinder", "divided-box-mesh"},
+                                         Pair{"box-mesh", "divided-box-mesh"}, Pair{"box-mesh", "sphere-mesh"},
+                                         Pair{"divided-box-mesh", "angle-mesh"}));
 
 class Elastic : public testing::TestWithParam<Pair> {};
 
@@ -81,7 +88,10 @@ INSTANTIATE_TEST_SUITE_P(Gradients, Elastic,
                                          Pair{"sphere", "box"}, Pair{"ellipsoid", "box"}, Pair{"sphere", "cylinder"},
                                          Pair{"box", "box"}, Pair{"prism", "prism"}, Pair{"hull-20", "hull-20"},
                                          Pair{"box", "box-mesh"}, Pair{"hull-20", "divided-box-mesh"}, Pair{"box", "sphere-mesh"},
-                                         Pair{"hull-20", "torus-mesh"}, Pair{"box", "heightfield"}));
+                                         Pair{"hull-20", "torus-mesh"}, Pair{"box", "heightfield"}, Pair{"hull-20", "angle-mesh"},
+                                         Pair{"ellipsoid", "divided-box-mesh"}, Pair{"capsule", "sphere-mesh"},
+                                         Pair{"box-mesh", "divided-box-mesh"}, Pair{"sphere-mesh", "sphere-mesh"},
+                                         Pair{"divided-box-mesh", "angle-mesh"}));
 
 class ElasticBodies : public testing::TestWithParam<Pair> {};
 
@@ -101,7 +111,10 @@ INSTANTIATE_TEST_SUITE_P(AllMeshes, ElasticBodies,
                                          Pair{"box", "heightfield"}, Pair{"prism", "box-mesh"}, Pair{"prism", "heightfield"},
                                          Pair{"hull-20", "box-mesh"}, Pair{"hull-20", "divided-box-mesh"},
                                          Pair{"hull-20", "sphere-mesh"}, Pair{"hull-20", "heightfield"},
-                                         Pair{"hull-100", "box-mesh"}, Pair{"hull-100", "heightfield"}));
+                                         Pair{"hull-100", "box-mesh"}, Pair{"hull-100", "heightfield"},
+                                         Pair{"box-mesh", "divided-box-mesh"}, Pair{"box-mesh", "sphere-mesh"},
+                                         Pair{"sphere-mesh", "sphere-mesh"}, Pair{"box-mesh", "heightfield"},
+                                         Pair{"box", "angle-mesh"}, Pair{"ellipsoid", "sphere-mesh"}, Pair{"capsule", "divided-box-mesh"}));
 
 INSTANTIATE_TEST_SUITE_P(AllPolytopes, ElasticBodies,
                          testing::Values(Pair{"box", "box"}, Pair{"box", "prism"}, Pair{"prism", "prism"}, Pair{"box", "hull-20"},

@@ -18,7 +18,7 @@ TEST(Allocations, StopOnceTheScratchHasGrown) {
       "cmb/1 halfspace",
       "cmb/1 sphere radius=0.4;cmb/1 cylinder radius=0.2 length=1",
       "cmb/1 mesh vertices=-0.4,-0.4,-0.4,0.5,-0.4,-0.4,0,0.6,-0.4,0,0,0.7 triangles=1,3,2,1,2,4,2,3,4,3,1,4",
-      mesh_samples::mesh_text(mesh_samples::sphere_mesh(0.5, 2)),
+      mesh_samples::mesh_text(mesh_samples::with_speck(mesh_samples::sphere_mesh(0.5, 2))),
       mesh_samples::height_field_text(3.0, 9, [](double x, double y) { return 0.2 * std::sin(3 * x) * std::cos(2 * y); }),
       "cmb/1 ellipsoid size=0.6,0.7,0.8;cmb/1 cone radius=0.3 length=0.9"};
   std::vector<int> pairs;

@@ -62,10 +62,11 @@ TEST_F(MeshFiles, KindsParse) {
                             "cmb/1 heightfield size=2,1 grid=3,2 heights=0,0,0,1,1,1;" +
                             "cmb/1 heightfield size=2,1 file=\"two rows.csv\" scale=0.1");
   ASSERT_EQ(shapes.size(), 5u);
-  EXPECT_EQ(shapes[0].kind, ShapeKind::mesh);
+  EXPECT_EQ(shapes[0].kind, ShapeKind::hull);  // closed and convex
   EXPECT_NEAR(shapes[0].mesh->mass_properties().volume, 1.0 / 6.0, 1e-15);
   EXPECT_NEAR(shapes[1].mesh->mass_properties().volume, 8.0 / 6.0, 1e-14);
   EXPECT_EQ(shapes[2].polytope->geometry().vertices().size(), 4u);
+  EXPECT_EQ(shapes[3].kind, ShapeKind::mesh);
   EXPECT_FALSE(shapes[3].mesh->closed());
   EXPECT_EQ(shapes[3].mesh->vertices()[5].z, 1.0);
   EXPECT_EQ(shapes[3].mesh->vertices()[5].x, 1.0);
@@ -79,6 +80,7 @@ TEST_F(MeshFiles, OneFileIsReadOnce) {
   const auto two = parse_descriptor("cmb/1 mesh file=./inside/../tetrahedron.obj;cmb/1 mesh file=tetrahedron.obj scale=3", files);
   EXPECT_EQ(one[0].mesh, two[0].mesh);
   EXPECT_NE(one[0].mesh, two[1].mesh);
+  EXPECT_EQ(one[0].polytope, two[0].polytope);
 }
 
 TEST_F(MeshFiles, NoFileOutsideOfTheFolderIsRead) {

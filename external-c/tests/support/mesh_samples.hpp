@@ -103,6 +103,18 @@ inline MeshData angle_prism(const double (&xs)[6], const double (&ys)[6], double
   return data;
 }
 
+// The same with a speck far off: closed and convex meshes, which are hulls, become meshes like any other.
+inline MeshData with_speck(MeshData data, const Vec3 &place = {0, 0, -20}) {
+  const auto first = static_cast<std::uint32_t>(data.vertices.size());
+  for (const Vec3 &p : {Vec3{0, 0, 0}, Vec3{1e-3, 0, 0}, Vec3{0, 1e-3, 0}, Vec3{0, 0, 1e-3}}) {
+    data.vertices.push_back(p + place);
+  }
+  for (const Triangle &t : {Triangle{0, 2, 1}, Triangle{0, 1, 3}, Triangle{0, 3, 2}, Triangle{1, 2, 3}}) {
+    data.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  return data;
+}
+
 // A sheet over [-size/2, size/2]^2, z = height(x, y), n x n squares, diagonals in turn.
 template <typename Height>
 MeshData sheet_mesh(double size, std::uint32_t n, Height &&height) {

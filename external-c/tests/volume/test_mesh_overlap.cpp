@@ -10,6 +10,7 @@ namespace {
 using namespace cmb::test;
 using mesh_samples::box_mesh;
 using mesh_samples::mesh_text;
+using mesh_samples::with_speck;
 using mesh_samples::MeshData;
 using mesh_samples::sphere_mesh;
 
@@ -46,8 +47,10 @@ void expect_same(const cmb_overlap &overlap, const cmb_overlap &reference, bool 
 
 TEST(MeshOverlap, OfABoxIsThatOfTheBox) {
   std::mt19937 generator(1);
-  const std::string box = "cmb/1 box size=0.8,0.6,0.9", mesh = mesh_text(box_mesh({0.8, 0.6, 0.9}, 2));
+  const std::string box = "cmb/1 box size=0.8,0.6,0.9", cube = mesh_text(box_mesh({0.8, 0.6, 0.9}, 2)),
+                    with_other = mesh_text(with_speck(box_mesh({0.8, 0.6, 0.9}, 2)));
   for (const std::string &other : others) {
+    const std::string &mesh = other == "cmb/1 halfspace" ? cube : with_other;  // would hold the speck
     const PairScene with_mesh(other, mesh), with_box(other, box), exchanged(mesh, other);
     for (int k = 0; k < 12; ++k) {
       const BodyPose a = random_pose(generator, 0.35), b = random_pose(generator, 0.35);
@@ -61,7 +64,8 @@ TEST(MeshOverlap, OfABoxIsThatOfTheBox) {
 
 TEST(MeshOverlap, OfTwoBoxesAsMeshes) {
   std::mt19937 generator(2);
-  const PairScene meshes(mesh_text(box_mesh({0.5, 0.6, 0.7}, 3)), mesh_text(box_mesh({0.8, 0.6, 0.9}, 2)));
+  const PairScene meshes(mesh_text(with_speck(box_mesh({0.5, 0.6, 0.7}, 3))),
+                         mesh_text(with_speck(box_mesh({0.8, 0.6, 0.9}, 2), {0, 40, 0})));
   const PairScene boxes("cmb/1 box size=0.5,0.6,0.7", "cmb/1 box size=0.8,0.6,0.9");
   for (int k = 0; k < 60; ++k) {
     const BodyPose a = random_pose(generator, 0.35), b = random_pose(generator, 0.35);
@@ -76,7 +80,7 @@ TEST(MeshOverlap, OfTwoBoxesAsMeshes) {
 }
 
 TEST(MeshOverlap, ShallowAsAMillionth) {
-  const std::string mesh = mesh_text(box_mesh({2, 2, 2}, 3));
+  const std::string mesh = mesh_text(with_speck(box_mesh({2, 2, 2}, 3)));
   for (const double depth : {1e-3, 1e-6}) {
     const double cap = pi * depth * depth * (3.0 - depth) / 3.0, relative = std::fmax(1e-7, 1e-13 / depth);
     EXPECT_NEAR(overlap_of(PairScene("cmb/1 ellipsoid size=2,2,2", mesh), {{0.1, 0.2, 2.0 - depth}, {}}, {}).volume, cap,
@@ -134,15 +138,15 @@ TEST(MeshOverlap, OfABentBodyIsThatOfItsTwoBoxes) {
 }
 
 TEST(MeshOverlap, SwallowedBodiesAreWhole) {
-  const std::string mesh = mesh_text(sphere_mesh(0.2, 2));
-  const PairScene in_box(mesh, "cmb/1 box size=2,2,2"), alone(mesh, "cmb/1 halfspace");
+  const std::string mesh = mesh_text(with_speck(sphere_mesh(0.2, 2)));
+  const PairScene in_box(mesh, "cmb/1 box size=2,2,2"), alone(mesh_text(sphere_mesh(0.2, 2)), "cmb/1 halfspace");
   const double whole = overlap_of(alone, {{0.3, 0.2, -3.0}, {}}, {}).volume;
   EXPECT_LT(whole, 4.0 / 3.0 * pi * 0.008);
   EXPECT_GT(whole, 0.95 * 4.0 / 3.0 * pi * 0.008);
   const BodyPose at{{0.3, 0.2, 0.7}, rotation_about({0.6, 0.8, 0}, 0.4)};
   EXPECT_NEAR(overlap_of(in_box, at, {}).volume, whole, 1e-12);
   EXPECT_NEAR(overlap_of(PairScene(mesh, "cmb/1 ellipsoid size=2,2,2.2"), at, {}).volume, whole, 1e-9);
-  EXPECT_NEAR(overlap_of(PairScene(mesh, mesh_text(box_mesh({2, 2, 2}, 2))), at, {}).volume, whole, 1e-12);
+  EXPECT_NEAR(overlap_of(PairScene(mesh, mesh_text(with_speck(box_mesh({2, 2, 2}, 2), {0, 40, 0}))), at, {}).volume, whole, 1e-12);
 }
 
 // Whether an overlap is known; of one that is not, everything is 0.

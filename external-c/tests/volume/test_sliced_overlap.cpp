@@ -194,7 +194,7 @@ TEST(CurvedOverlap, OfBodiesApartIsNothing) {
 
 TEST(MeshOverlap, OfBodiesApartIsNothing) {
   MeshOverlapScratch scratch;
-  const Shape cube = parse_descriptor(mesh_samples::mesh_text(mesh_samples::box_mesh({2, 2, 2}))).front();
+  const Shape cube = parse_descriptor(mesh_samples::mesh_text(mesh_samples::with_speck(mesh_samples::box_mesh({2, 2, 2}), {0, 40, 0}))).front();
   for (const Shape &a : {shape("sphere radius=1"), shape("box size=2,2,2"), cube}) {
     for (const Vec3 &place : {Vec3{9, 0, 0}, Vec3{0, 9, 0}, Vec3{0, 0, 9}, Vec3{0, 0, -9}, Vec3{2.01, 0, 0}}) {
       EXPECT_EQ(mesh_overlap(a, {Mat3{}, place}, cube, {}, {0, 0, 1}, {}, scratch).volume, 0.0);
