@@ -43,8 +43,8 @@ its colliders: write <code>material={ball.material,floor.material}</code> or <co
 <li>Messages <code>Solving non-linear system failed</code> at level debug in a run that ends well are attempts that were repeated with other states of a quaternion; FreeBody has none.</li>
 <li>Scenes of <a href=\"modelica://ContactMultiBody.Parts.FreeBodies\">FreeBodies</a>: DASSL computes a Jacobian with as many evaluations as there are states, 13 a body, and does so every few steps. Where
 contacts are as soft as in <a href=\"modelica://ContactMultiBody.Examples.SpheresInBox\">SpheresInBox</a> an explicit method is 15 times as fast; the annotation <code>__OpenModelica_simulationFlags(s=\"gbode\", gbm=\"dopri45\")</code> of
-that example and of <a href=\"modelica://ContactMultiBody.Examples.SpheresOnFloor\">SpheresOnFloor</a> chooses it. Translation takes time with the cube of the number of bodies, by its analysis of the initial system and of the Jacobian, in
-which every force depends on every body: 7, 15 and 90 s of processor time for 20, 40 and 100.</li>
+that example and of <a href=\"modelica://ContactMultiBody.Examples.SpheresOnFloor\">SpheresOnFloor</a> chooses it. Translation takes time with the square of the number of bodies and more, by its analysis of the initial system and of the Jacobian, in
+which every force depends on every body: 7, 17 and 81 s of processor time for 20, 40 and 100.</li>
 <li>It warns that <code>loadResource</code>, which generated models call for files of hulls, contains an impure call. The file's name is a parameter that is evaluated once, at translation or
 initialization; nothing has to be done. The function is that of the ModelicaServices that come with the tool: another one does not resolve <code>modelica://</code>.</li>
 <li>Static libraries export into FMUs more reliably than shared ones.</li>
