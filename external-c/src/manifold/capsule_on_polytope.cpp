@@ -137,12 +137,11 @@ class AxisBesidePolytope {
     for (std::int32_t k = face.first; k < face.first + face.count; ++k) {
       const std::int32_t e = polytope_.face_edges()[index(k)];
       const Polytope::Edge &edge = polytope_.edges()[index(e)];
-      const std::int32_t beyond = edge.face[edge.face[0] == feature.index ? 1 : 0];
-      const Vec3 &normal = polytope_.faces()[index(beyond)].normal, &along = polytope_.edge_directions()[index(e)];
+      const Vec3 &along = polytope_.edge_directions()[index(e)];
       const Vec3 arm = p - polytope_.vertices()[index(edge.vertex[0])];
       const double aside = std::fabs(dot(arm, cross(along, face.normal)));
       const double here = above > 0.0 ? std::sqrt(aside * aside + above * above)
-                                       : aside + above * norm(face.normal - normal) / norm(face.normal + normal);
+                                       : aside + above * polytope_.edge_sharpness()[index(e)];
       nearest = std::min(nearest, here);
     }
     return std::max(0.0, nearest);

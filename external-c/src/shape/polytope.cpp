@@ -123,7 +123,8 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
 
   for (const Edge &edge : built.edges_) {
     const Vec3 &a = built.faces_[index(edge.face[0])].normal, &b = built.faces_[index(edge.face[1])].normal;
-    built.sharpest_edge_ = std::max(built.sharpest_edge_, norm(a - b) / norm(a + b));
+    built.edge_sharpness_.push_back(norm(a - b) / norm(a + b));
+    built.sharpest_edge_ = std::max(built.sharpest_edge_, built.edge_sharpness_.back());
   }
 
   std::vector<std::int32_t> degree(vertices.size() + 1, 0);

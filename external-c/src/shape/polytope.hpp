@@ -41,6 +41,8 @@ class Polytope {
   const std::vector<Vec3> &vertices() const { return vertices_; }
   const std::vector<Face> &faces() const { return faces_; }
   const std::vector<Edge> &edges() const { return edges_; }
+  // In step with edges(): the tangent of half the angle between the normals of an edge's faces.
+  const std::vector<double> &edge_sharpness() const { return edge_sharpness_; }
   // In step with edges(): unit, from vertex[0] to vertex[1]. Apart from them, so that those looked at stay close in memory.
   const std::vector<Vec3> &edge_directions() const { return edge_directions_; }
   const std::vector<std::int32_t> &face_vertices() const { return face_vertices_; }
@@ -77,6 +79,7 @@ class Polytope {
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
   std::vector<Vec3> edge_directions_;
+  std::vector<double> edge_sharpness_;
   std::vector<std::int32_t> face_vertices_;
   std::vector<std::int32_t> face_edges_;
   std::vector<std::int32_t> neighbours_;

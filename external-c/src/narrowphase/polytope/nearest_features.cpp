@@ -59,7 +59,6 @@ double height_over(const Polytope::Face &face, const Vec3 &p) { return dot(face.
 NearestFeatures::NearestFeatures(const Polytope &polytope, const Vec3 &place, const Vec3 &line, const Feature &near,
                                  FacesAlongLine &room)
     : polytope_(polytope), place_(place), line_(line), nearest_(near), room_(room) {
-  room_.all.clear();
   if (nearest_.kind == FeatureKind::smooth) {
     nearest_ = {FeatureKind::face, highest_face()};
     start_inside_ = height_over(polytope.faces()[index(nearest_.index)], place) < 0.0;
@@ -71,17 +70,22 @@ NearestFeatures::NearestFeatures(const Polytope &polytope, const Vec3 &place, co
 }
 
 void NearestFeatures::look_at_faces() {
-  if (!room_.all.empty()) return;
-  for (std::size_t k = 0; k < polytope_.faces().size(); ++k) {
-    const Polytope::Face &face = polytope_.faces()[k];
-    room_.all.push_back({height_over(face, place_), dot(face.normal, line_), static_cast<std::int32_t>(k)});
+  if (faces_known_) return;
+  faces_known_ = true;
+  const std::vector<Polytope::Face> &faces = polytope_.faces();
+  room_.heights.resize(std::max(room_.heights.size(), faces.size()));
+  room_.rates.resize(room_.heights.size());
+  double *const height = room_.heights.data(), *const rate = room_.rates.data();
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    height[k] = height_over(faces[k], place_);
+    rate[k] = dot(faces[k].normal, line_);
   }
 }
 
 std::int32_t NearestFeatures::highest_face() {
   look_at_faces();
-  const auto lower = [](const FacesAlongLine::Face &x, const FacesAlongLine::Face &y) { return x.height < y.height; };
-  return std::max_element(room_.all.begin(), room_.all.end(), lower)->face;
+  const auto end = room_.heights.begin() + static_cast<std::ptrdiff_t>(polytope_.faces().size());
+  return static_cast<std::int32_t>(std::max_element(room_.heights.begin(), end) - room_.heights.begin());
 }
 
 bool NearestFeatures::improve() {
@@ -157,19 +161,25 @@ void NearestFeatures::find_faces_ahead(double height, double rate) {
   look_at_faces();
   ahead_known_ = true;
   room_.ahead.clear();
-  FacesAlongLine::Face last{height, rate, feature_.index};
-  double level = height + rate * length_;
-  for (const FacesAlongLine::Face &along : room_.all) {
-    const FacesAlongLine::Face face{along.height, sense_ * along.rate, along.face};
-    const double at_end = face.height + face.rate * length_;
-    if (!(face.rate > rate) || !(at_end > height + rate * length_)) continue;
-    room_.ahead.push_back(face);
-    if (at_end > level) level = at_end, last = face;
+  const std::size_t count = polytope_.faces().size();
+  const double *const heights = room_.heights.data(), *const rates = room_.rates.data();
+  const double at_end = height + rate * length_;
+  // Few faces pass either comparison that comes first.
+  double level = at_end;
+  std::size_t last = count;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double end = heights[k] + sense_ * rates[k] * length_;
+    if (end > level && sense_ * rates[k] > rate) level = end, last = k;
   }
-  if (room_.ahead.empty()) return;
-  const double meet = (height - last.height) / (last.rate - rate), least = height + rate * meet;
-  const auto below = [&](const FacesAlongLine::Face &x) { return x.face != last.face && x.height + x.rate * meet < least; };
-  room_.ahead.erase(std::remove_if(room_.ahead.begin(), room_.ahead.end(), below), room_.ahead.end());
+  if (last == count) return;
+  const double meet = (height - heights[last]) / (sense_ * rates[last] - rate), least = height + rate * meet;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double along = sense_ * rates[k];
+    if (k != last && heights[k] + along * meet < least) continue;
+    if (along > rate && heights[k] + along * length_ > at_end) {
+      room_.ahead.push_back({heights[k], along, static_cast<std::int32_t>(k)});
+    }
+  }
 }
 
 }  // namespace cmb::convex

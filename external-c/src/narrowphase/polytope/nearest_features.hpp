@@ -15,11 +15,12 @@ namespace cmb::convex {
 
 // Room that lines work in; one for each thread.
 struct FacesAlongLine {
+  std::vector<double> heights, rates;  // of the place above each face, and its growth along the line
   struct Face {
-    double height, rate;  // of the place above the face, and its growth along the line
+    double height, rate;
     std::int32_t face;
   };
-  std::vector<Face> all, ahead;
+  std::vector<Face> ahead;
 };
 
 class NearestFeatures {
@@ -55,7 +56,8 @@ class NearestFeatures {
   Vec3 way_;
   Feature nearest_, feature_, next_;
   double sense_ = 1.0, length_ = 0.0, at_ = 0.0, end_ = 0.0;
-  bool found_ = false, inside_ = false, start_inside_ = false, next_inside_ = false, ahead_known_ = false;
+  bool found_ = false, inside_ = false, start_inside_ = false, next_inside_ = false, ahead_known_ = false,
+       faces_known_ = false;
   FacesAlongLine &room_;  // `ahead`: what may be the nearest face further on inside
 };
 
