@@ -12,7 +12,7 @@ algorithm
   geometry := "cmb/1 hull file=\"" + fileName + "\" scale=" + String(scale, significantDigits=17) +
     Internal.placement(position, rotation);
   annotation (Documentation(info="<html>
-<p>Faster than the mesh itself, and right for bodies that are convex. The file is found as by
+<p>Faster than a mesh that is not convex, and right for bodies that are; a closed convex mesh is its hull in either way. The file is found as by
 <a href=\"modelica://ContactMultiBody.Shapes.meshFile\">meshFile</a>.</p>
 </html>"));
 end hullFile;

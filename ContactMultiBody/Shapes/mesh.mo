@@ -13,7 +13,7 @@ algorithm
     Internal.placement(position, rotation);
   annotation (Documentation(info="<html>
 <p>A surface of triangles: a closed one with its inside, of any form, or a sheet that pushes from its front. Every edge belongs
-to two triangles at most. Meshes with many triangles are better read from a file, by
+to two triangles at most. A closed convex mesh is the hull of its vertices, as quick as that. Meshes with many triangles are better read from a file, by
 <a href=\"modelica://ContactMultiBody.Shapes.meshFile\">meshFile</a>.</p>
 </html>"));
 end mesh;
