@@ -209,6 +209,23 @@ TEST_P(Libraries, WhoAnsweredCanBeAsked) {
   EXPECT_EQ(who, CMB_BACKEND_AUTO);
 }
 
+// Closed convex meshes are hulls to libraries as well; other meshes are the engine's.
+TEST_P(Libraries, AnswerForConvexMeshes) {
+  using namespace mesh_samples;
+  const std::string box = "cmb/1 box size=1,1,1";
+  const PairScene convex(mesh_text(box_mesh({1, 1, 1}, 2)), box, GetParam());
+  const PairScene other(mesh_text(with_speck(box_mesh({1, 1, 1}, 2))), box, GetParam());
+  // libccd has no distances apart, FCL none of hulls in each other.
+  const double height = GetParam() == CMB_BACKEND_LIBCCD ? 0.9 : 1.3, position[] = {0.3, 0.2, height, 0, 0, 0};
+  const double rotation[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  cmb_backend who = CMB_BACKEND_AUTO;
+  ASSERT_EQ(query_backend(convex.handle(), 1, position, rotation, 2, &who), CMB_OK);
+  EXPECT_EQ(who, GetParam());
+  ASSERT_EQ(query_backend(other.handle(), 1, position, rotation, 2, &who), CMB_OK);
+  EXPECT_EQ(who, CMB_BACKEND_ANALYTIC);
+  EXPECT_NEAR(convex.query({{0.3, 0.2, height}, {}}, {}).distance, height - 1.0, 1e-4);
+}
+
 // What a library has not been given it does not answer for.
 TEST_P(Libraries, AnswerForShapesThatTheyHoldAlone) {
   using namespace cmb;
