@@ -189,6 +189,35 @@ def test_strikes_as_shallow_as_the_hysteresis_of_their_events(balls: BallFmus, s
     assert caught[:4] == pytest.approx(speed * restitution ** np.arange(4.0), rel=1e-3)
 
 
+@pytest.mark.parametrize("mode", ["me", "cs"])
+@pytest.mark.parametrize("model", ["BallOfAnySize", "BallWithoutEvents"])
+@pytest.mark.parametrize("size", [1e-2, 1.0, 1e3])
+def test_bounces_of_all_sizes_are_similar(balls: BallFmus, size: float, model: str, mode: Mode) -> None:
+    """Lengths by the size, speeds and times by its root: three bounces leave the same share of the energy.
+
+    The floor gives way by a millionth of the size, a thousandth of what the tolerance times the position is.
+    """
+    tolerance, restitution = 1e-3, 0.7
+    speed, gap, mass, depth = sqrt(size), 0.01 * size, 1000 * size**3, 1e-6 * size
+    parameters = {"g": GRAVITY, "m": mass, "radius": size / 2, "K": mass * (speed / depth) ** 2, "e": restitution}
+    parameters |= {"height": size / 2 + gap, "down": speed, "across": 1e-3 * speed, "mu": 0.0}
+    parameters["restSpeed"] = 1e-3 * speed
+    strikes = sqrt(speed**2 + 2 * GRAVITY * gap)
+    stop = (strikes - speed) / GRAVITY + strikes / GRAVITY * (2 * restitution + 2 * restitution**2 + restitution**3)
+    energy = simulate(
+        balls[model],
+        signals=["energy"],
+        stop=stop,
+        interval=stop,
+        tolerance=tolerance,
+        mode=mode,
+        parameters=parameters,
+        time_limit=20,
+    )["energy"]
+    left = (energy[-1] - mass * GRAVITY * size / 2) / (mass * strikes**2 / 2)
+    assert left ** (1 / 6) == pytest.approx(restitution, abs=SPREAD * tolerance)
+
+
 @pytest.mark.full
 def test_many_balls_of_any_size_obey_closed_forms(balls: BallFmus) -> None:
     assert not wrong_scenes(range(QUICK, 300), balls)

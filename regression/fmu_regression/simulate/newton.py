@@ -3,9 +3,10 @@
 A step's equation is G(c) = 0 for the correction c of the predicted states; one iteration adds -M^-1 G(c), where M was
 made some steps ago. CVODE's own test looks at that correction alone. Where a contact has opened since, M still holds
 its stiffness: the correction is then tiny though G is not, the step is accepted, and what the contact did last goes on
-in free flight, seen by no error test. So a correction is believed only where the residual that it comes from is small
-itself, or where it makes the residual smaller, as it must if M is right. The second takes an evaluation, which another
-iteration uses. FMUs of ContactMultiBody do the same in co-simulation.
+in free flight, seen by no error test. Where a contact begins, M does not hold its stiffness yet, and the correction may
+be small beside the size of a large body that is then far in another one, as if that were not there. So states are
+accepted only where G is small there too: a tenth as small where the correction did not lessen G, as it must if M is
+right. FMUs of ContactMultiBody do the same in co-simulation.
 
 Where the iteration fails with a new Jacobian, either the equation is too curved, which a shorter step cures, or the
 Jacobian is wrong, as difference quotients are whose increments are wider than the range over which the model bends:
@@ -32,7 +33,10 @@ _NOT_CONVERGED = 902
 _UNRECOVERABLE = -1
 
 SMALL_RESIDUAL: Final = 0.1
-"""Residuals up to so many times a correction's tolerance are small: a hundredth of what the error test allows."""
+"""Residuals up to so many times a correction's tolerance are small, whatever the matrix is: a hundredth of what the
+error test allows."""
+_SMALL_REMAINDER = 1.0
+"""The same for those that the matrix has just lessened; the next correction would do so again."""
 LARGEST_REMAINDER: Final = 0.5
 """A correction by the right matrix leaves at most this share of the residual."""
 _PROBE_SHARE, _LARGEST_JACOBIAN_ERROR = 1e-3, 0.1
@@ -220,8 +224,6 @@ class Newton:
             if count > 1:
                 self._rate = max(_SLOWEST_FALL_OF_RATE * self._rate, change / last_change)
             converged = change * min(1.0, self._rate) <= tolerance
-            if converged and residual <= SMALL_RESIDUAL * tolerance:
-                return _SUCCESS
             if not converged and (
                 count >= self._most_iterations or (count > 1 and not change <= _DIVERGENCE * last_change)
             ):
@@ -232,9 +234,10 @@ class Newton:
                 return flag
             remainder = self._norm(step, weight)
             if converged:
-                if remainder <= max(SMALL_RESIDUAL * tolerance, LARGEST_REMAINDER * residual):
-                    return self._correct(correction, step, memory)
-                if not is_new or count >= self._most_iterations:
+                is_right = remainder <= LARGEST_REMAINDER * residual
+                if remainder <= (_SMALL_REMAINDER if is_right else SMALL_RESIDUAL) * tolerance:
+                    return _SUCCESS
+                if count >= self._most_iterations or not (is_new or is_right):
                     return _NOT_CONVERGED
             residual = remainder
             count += 1

@@ -75,6 +75,24 @@ def test_corrections_alone_would_not_show_it(monkeypatch: pytest.MonkeyPatch) ->
     assert max(flight_drift(tolerance) / tolerance for tolerance in (1e-2, 1e-3, 1e-4)) > 10.0
 
 
+RADIUS = 170.0
+
+
+def bouncing_giant(_: float, states: Any) -> list[float]:
+    """A ball of 1 kg and 340 m that bounces on a spring, by a fraction of a millimetre."""
+    depth = max(RADIUS - float(states[0]), 0.0)
+    return [float(states[1]), STIFFNESS * depth - 9.81]
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4, 1e-5])
+def test_bodies_whose_size_times_the_tolerance_is_far_beyond_their_penetration(tolerance: float) -> None:
+    """A step that ends in the floor has felt it, though its position may err by more than the floor gives way."""
+    rows, _ = integrate(bouncing_giant, [RADIUS + 0.01, 0.0], 2.0, tolerance)
+    depth = np.maximum(RADIUS - rows[:, 1], 0.0)
+    energy = rows[:, 2] ** 2 / 2 + 9.81 * (rows[:, 1] - RADIUS) + STIFFNESS * depth**2 / 2
+    assert np.max(energy - np.minimum.accumulate(energy)) < 0.3 * energy[0]
+
+
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-6])
 def test_states_that_the_model_refuses_are_stepped_around(tolerance: float) -> None:
     """The solution bends where the model ends: predictions go straight on, and steps are made again shorter."""

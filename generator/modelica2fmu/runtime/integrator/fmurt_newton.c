@@ -18,8 +18,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Residuals up to so many times the tolerance of the correction are small; a hundredth of what the error test permits. */
-static const double small_residual = 0.1;
+/* Residuals up to so many times the tolerance of the correction are small, whatever the matrix is; a hundredth of what the
+ * error test permits. Those that the matrix has just lessened may be larger: the next correction would do so again. */
+static const double small_residual = 0.1, small_remainder = 1.0;
 /* A correction by the right matrix leaves at most this share of the residual. */
 static const double largest_remainder = 0.5;
 /* CVODE's own: how fast the rate of convergence may fall from one iteration to the next, and what counts as divergence. */
@@ -99,7 +100,6 @@ static int iterate(content *self, N_Vector correction, N_Vector weight, double t
     const double change = N_VWrmsNorm(self->step, weight);
     if (count > 1) self->rate = fmax(slowest_fall_of_rate * self->rate, change / last_change);
     const int converged = change * fmin(1.0, self->rate) <= tolerance;
-    if (converged && residual <= small_residual * tolerance) return SUN_NLS_SUCCESS;
     if (!converged && (count >= self->most_iterations || (count > 1 && change > divergence * last_change))) {
       return SUN_NLS_CONV_RECVR;
     }
@@ -109,10 +109,9 @@ static int iterate(content *self, N_Vector correction, N_Vector weight, double t
     if (flag != SUN_NLS_SUCCESS) return flag;
     const double remainder = N_VWrmsNorm(self->step, weight);
     if (converged) {
-      if (remainder <= fmax(small_residual * tolerance, largest_remainder * residual)) {
-        return correct(self, correction, integrator);
-      }
-      if (!is_new || count >= self->most_iterations) return SUN_NLS_CONV_RECVR;
+      const int is_right = remainder <= largest_remainder * residual;
+      if (remainder <= (is_right ? small_remainder : small_residual) * tolerance) return SUN_NLS_SUCCESS;
+      if (count >= self->most_iterations || !(is_new || is_right)) return SUN_NLS_CONV_RECVR;
     }
     residual = remainder;
   }
