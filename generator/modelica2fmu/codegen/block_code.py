@@ -166,7 +166,7 @@ class BlockCode:
             set_lanes(places.tangent(step.target), step.value) for step in steps if isinstance(step, TangentAssignment)
         ]
         lanes += [set_lanes(column + k * LANES, value) for k, value in enumerate(derivatives)]
-        statements.append(Statement(numbers_of_lanes(lanes, is_tangent), lambda _: [], group=numbers))
+        statements += numbers_of_lanes(lanes, is_tangent, numbers)
         statements += [Statement(item.roots, item.lines, group=columns) for item in lanes]
 
         message = self._singular(block.torn)

@@ -85,7 +85,7 @@ class FunctionFrame:
 def single_function(name: str, statements: Sequence[Statement], frame: FunctionFrame) -> Function:
     """One function that executes the statements in order, however many they are."""
     chunk = _Chunk(False, None, False, list(statements))
-    return _functions([chunk], [name], frame)[0]
+    return _functions([chunk], [name], _lane_nodes(statements, frame.is_lane_symbol), frame)[0]
 
 
 def functions_of(prefix: str, statements: Sequence[Statement], frame: FunctionFrame) -> list[Function]:
@@ -98,14 +98,15 @@ def functions_of(prefix: str, statements: Sequence[Statement], frame: FunctionFr
         statements: in order; each symbol is assigned at most once and not read before.
         frame: what the functions have in common.
     """
-    chunks = _chunks(statements)
+    lane_nodes = _lane_nodes(statements, frame.is_lane_symbol)
+    chunks = _chunks(statements, lane_nodes)
     counts: dict[str, int] = {}
     names = []
     for chunk in chunks:
         kind = prefix if chunk.group is None else f"{chunk.group.name}_part"
         counts[kind] = counts.get(kind, 0) + 1
         names.append(f"{kind}_{counts[kind]}")
-    parts = _functions(chunks, names, frame)
+    parts = _functions(chunks, names, lane_nodes, frame)
     functions = list(parts)
     for group, members in groupby(zip(chunks, parts, strict=True), key=lambda pair: pair[0].group):
         if group is not None:
@@ -120,8 +121,9 @@ def _group_function(group: Group, parts: Sequence[Function], signature: str) -> 
     return Function(group.name, text, False, len(parts), group.executions, kept)
 
 
-def _functions(chunks: Sequence[_Chunk], names: Sequence[str], frame: FunctionFrame) -> list[Function]:
-    lane_nodes = _lane_nodes([statement for chunk in chunks for statement in chunk.statements], frame.is_lane_symbol)
+def _functions(
+    chunks: Sequence[_Chunk], names: Sequence[str], lane_nodes: Collection[Node], frame: FunctionFrame
+) -> list[Function]:
     homes = _homes(chunks, frame.work, lane_nodes)
     result = []
     for position, (chunk, name) in enumerate(zip(chunks, names, strict=True)):
@@ -135,11 +137,12 @@ def _functions(chunks: Sequence[_Chunk], names: Sequence[str], frame: FunctionFr
     return result
 
 
-def _chunks(statements: Sequence[Statement]) -> list[_Chunk]:
+def _chunks(statements: Sequence[Statement], lane_nodes: Collection[Node]) -> list[_Chunk]:
     chunks: list[_Chunk] = []
     seen: set[Node] = set()
     for statement in statements:
-        size = 1 + len(ex.topological(statement.roots, seen)) // 2
+        nodes = ex.topological(statement.roots, seen)
+        size = 1 + (len(nodes) + (LANES - 1) * sum(node in lane_nodes for node in nodes)) // 2
         if not chunks or not chunks[-1].takes(statement, size):
             chunks.append(_Chunk(statement.is_discrete, statement.group, statement.calls_model))
         chunks[-1].statements.append(statement)
@@ -147,15 +150,22 @@ def _chunks(statements: Sequence[Statement]) -> list[_Chunk]:
     return chunks or [_Chunk(False, None, False)]
 
 
-def numbers_of_lanes(statements: Sequence[Statement], is_lane_symbol: Callable[[str], bool]) -> tuple[Node, ...]:
-    """The expressions without vectors that the vectors of statements are computed from."""
+def numbers_of_lanes(
+    statements: Sequence[Statement], is_lane_symbol: Callable[[str], bool], group: Group
+) -> list[Statement]:
+    """Statements of a group that compute the expressions without vectors which the vectors of others are made of.
+
+    One for each expression, so that they become functions of bounded length; one that does nothing if there are none.
+    """
     lane_nodes = _lane_nodes(statements, is_lane_symbol)
     found: dict[Node, None] = {}
     roots = [root for statement in statements for root in statement.roots if isinstance(root, Node)]
     for node in [*(arg for vector in lane_nodes for arg in vector.args), *roots]:
         if node.args and node not in lane_nodes:
             found[node] = None
-    return tuple(found)
+    return [Statement((node,), lambda _: [], group=group) for node in found] or [
+        Statement((), lambda _: [], group=group)
+    ]
 
 
 def _lane_nodes(statements: Sequence[Statement], is_lane_symbol: Callable[[str], bool]) -> dict[Node, None]:

@@ -16,11 +16,12 @@ from modelica2fmu.codegen.c_expressions import bare, number
 from modelica2fmu.codegen.c_functions import Function, functions_of, numbers_of_lanes, single_function
 from modelica2fmu.codegen.call_code import call_statement
 from modelica2fmu.codegen.model_file import function_calls
+from modelica2fmu.codegen.rolled_code import rolled
 from modelica2fmu.codegen.statements import Group, Statement, Write
 from modelica2fmu.codegen.symbol_places import PROLOGUE, SIGNATURE, SymbolPlaces, set_lanes
 from modelica2fmu.equations.blocks import NonlinearBlock
 from modelica2fmu.equations.direction_passes import Cluster, direction_passes
-from modelica2fmu.equations.lanes import LANES, lanes_at
+from modelica2fmu.equations.lanes import LANES
 from modelica2fmu.equations.tangents import (
     CallTangent,
     SolvedTangent,
@@ -100,8 +101,8 @@ class _Writer:
         ]
         statements = [statement for cluster in clusters for statement in cluster]
         # What does not depend on the direction is computed once for all passes.
-        numbers = Statement(numbers_of_lanes(statements, is_tangent), lambda _: [], group=Group(_NUMBERS, 1))
-        functions = functions_of("fmurt_part_tangent", [numbers, *statements], self._places.frame())
+        numbers = numbers_of_lanes(statements, is_tangent, Group(_NUMBERS, 1))
+        functions = functions_of("fmurt_part_tangent", [*numbers, *statements], self._places.frame())
         self._functions.extend(functions)
         kept = {function.name: function.kept for function in functions}
         return JacobianCode(tuple(self._functions), self._driver(schedule.columns, schedule.clusters, kept))
@@ -153,10 +154,15 @@ class _Writer:
 
     def _call(self, step: CallTangent) -> Statement:
         function = self._shifted_call(step)
-        inputs, outputs = step.inputs, step.outputs
-
-        def tangent(name: str) -> str:
-            return lanes_at(self._places.tangent(name))
+        inputs = step.inputs
+        outputs = [(f"(w + lane)[{self._places.tangent(target)}]", name) for name, target in step.outputs]
+        zeros = rolled([f"{place} = 0.0;" for place, _ in outputs])
+        quotients = rolled(
+            [
+                f"{place} = (output[{k}] - {self._places.location(name)}) / step;"
+                for k, (place, name) in enumerate(outputs)
+            ]
+        )
 
         def lines(write: Write) -> list[str]:
             result = ["{"]
@@ -165,7 +171,7 @@ class _Writer:
             result += [
                 "  for (int lane = 0; lane < FMURT_LANES; ++lane) {",
                 f"    const double step = w[{self._step} + lane];",
-                *(f"    {tangent(target)}[lane] = 0.0;" for _, target in outputs),
+                *(f"    {line}" for line in zeros),
                 f"    if (!({moves})) continue;",
                 f"    double output[{len(outputs)}];",
                 f"    const double input[{len(inputs)}] = {{",
@@ -173,10 +179,7 @@ class _Writer:
                 "    };",
                 f"    const int result = {function}(v, input, output);",
                 "    if (result != FMURT_RESULT_OK) return result;",
-                *(
-                    f"    {tangent(target)}[lane] = (output[{k}] - {self._places.location(name)}) / step;"
-                    for k, (name, target) in enumerate(outputs)
-                ),
+                *(f"    {line}" for line in quotients),
                 "  }",
                 "}",
             ]
