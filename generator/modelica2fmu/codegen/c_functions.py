@@ -125,6 +125,10 @@ def _functions(
     chunks: Sequence[_Chunk], names: Sequence[str], lane_nodes: Collection[Node], frame: FunctionFrame
 ) -> list[Function]:
     homes = _homes(chunks, frame.work, lane_nodes)
+    kept: dict[int, list[int]] = {}
+    for node, (first, offset) in homes.items():
+        if node in lane_nodes:
+            kept.setdefault(first, []).append(offset)
     result = []
     for position, (chunk, name) in enumerate(zip(chunks, names, strict=True)):
         body = FunctionBody(chunk.statements, position, homes, frame.location, lane_nodes).lines()
@@ -132,8 +136,7 @@ def _functions(
             [f"int {name}({frame.signature})", "{", *frame.prologue, *body, "  return FMURT_RESULT_OK;", "}", ""]
         )
         executions = chunk.group.executions if chunk.group is not None else 1
-        kept = tuple(offset for node, (first, offset) in homes.items() if first == position and node in lane_nodes)
-        result.append(Function(name, text, chunk.is_discrete, len(body), executions, kept))
+        result.append(Function(name, text, chunk.is_discrete, len(body), executions, tuple(kept.get(position, ()))))
     return result
 
 

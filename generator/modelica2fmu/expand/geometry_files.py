@@ -15,10 +15,12 @@ from typing import Final
 
 from contact_foundation.errors import InputError
 
-from modelica2fmu.expand.scalar_model import CallArgument, ExternalCall
+from modelica2fmu.expand.scalar_model import ExternalCall
 from modelica2fmu.library.external_code import resource_path
+from modelica2fmu.symbolic.expression import Node
 
 _ENGINE: Final = "libcontactmultibody.so"
+_ROOM: Final = 1 << 21  # bytes, for most descriptors
 _NAMES_A_FILE: Final = re.compile(r"cmb/\d+ \S+ (?:[^;]* )?file=")
 _URI: Final = re.compile(r'(?<=file=)(?:"(?P<quoted>modelica://[^"]*)"|(?P<bare>modelica://[^\s;]*))', re.IGNORECASE)
 
@@ -36,8 +38,20 @@ def write_out_geometry(
     Raises:
         InputError: a file cannot be read or is no mesh, or the engine is missing.
     """
+    written: dict[str, str] = {}  # several calls have the same descriptor, and reading a mesh takes a second
+
+    def without_files(value: float | str | Node) -> float | str | Node:
+        if not (isinstance(value, str) and _names_file(value)):
+            return value
+        if value not in written:
+            written[value] = _written_out(value, library_directories, roots)
+        return written[value]
+
     return [
-        replace(call, args=tuple(_argument(argument, library_directories, roots) for argument in call.args))
+        replace(
+            call,
+            args=tuple(replace(argument, values=tuple(map(without_files, argument.values))) for argument in call.args),
+        )
         if any(_names_file(value) for argument in call.args for value in argument.values)
         else call
         for call in calls
@@ -46,14 +60,6 @@ def write_out_geometry(
 
 def _names_file(value: object) -> bool:
     return isinstance(value, str) and _NAMES_A_FILE.search(value) is not None
-
-
-def _argument(argument: CallArgument, library_directories: Sequence[Path], roots: Sequence[Path]) -> CallArgument:
-    values = tuple(
-        _written_out(value, library_directories, roots) if isinstance(value, str) and _names_file(value) else value
-        for value in argument.values
-    )
-    return replace(argument, values=values)
 
 
 def _written_out(descriptor: str, library_directories: Sequence[Path], roots: Sequence[Path]) -> str:
@@ -81,12 +87,11 @@ def _written_out(descriptor: str, library_directories: Sequence[Path], roots: Se
     engine.cmb_last_error.restype = ctypes.c_char_p
     text = _URI.sub(absolute, descriptor).encode()
     length = ctypes.c_size_t(0)
-    room: ctypes.Array[ctypes.c_char] | None = None
-    for _ in range(2):
-        capacity = 0 if room is None else len(room)
-        if engine.cmb_inline_files(text, b"/", room, capacity, ctypes.byref(length)) != 0:
+    room = ctypes.create_string_buffer(_ROOM)
+    for _ in range(2):  # the second time with the room that the first asked for
+        if engine.cmb_inline_files(text, b"/", room, len(room), ctypes.byref(length)) != 0:
             raise InputError(f"geometry: {engine.cmb_last_error().decode(errors='replace')}")
-        if room is None:
-            room = ctypes.create_string_buffer(length.value)
-    assert room is not None
+        if length.value <= len(room):
+            break
+        room = ctypes.create_string_buffer(length.value)
     return room.value.decode()

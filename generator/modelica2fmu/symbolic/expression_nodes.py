@@ -113,17 +113,39 @@ def topological(roots: Iterable[float | Node], seen: set[Node] | None = None) ->
     order: list[Node] = []
     seen = set() if seen is None else seen
     for root in roots:
-        if not isinstance(root, Node):
-            continue
-        for node in arguments_first(root, seen):
+        stack = [root] if isinstance(root, Node) else []
+        while stack:  # as arguments_first, but without the price of an iterator
+            node = stack[-1]
+            if node in seen:
+                stack.pop()
+                continue
+            if node.args:
+                pending = [arg for arg in node.args if arg not in seen]
+                if pending:
+                    pending.reverse()
+                    stack += pending
+                    continue
+            stack.pop()
             seen.add(node)
             order.append(node)
     return order
 
 
 def symbols(*roots: float | Node) -> list[str]:
-    """Names of the symbols below ``roots``, each once."""
-    return [node.name for node in topological(roots) if node.op == "symbol"]
+    """Names of the symbols below ``roots``, each once, in the order of ``topological``."""
+    names: list[str] = []
+    seen: set[Node] = set()
+    stack = [root for root in reversed(roots) if isinstance(root, Node)]
+    while stack:
+        node = stack.pop()
+        if node in seen:
+            continue
+        seen.add(node)
+        if node.args:
+            stack += node.args[::-1]
+        elif node.op == "symbol":
+            names.append(node.name)
+    return names
 
 
 _INFIX: Final = {
