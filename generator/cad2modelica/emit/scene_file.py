@@ -66,8 +66,8 @@ def _mesh(mesh: Mesh) -> dict[str, Any]:
     vertices, triangles = weld(mesh.vertices, mesh.triangles)
     return {
         "name": mesh.name,
-        "vertices": [[round(float(value), 9) + 0.0 for value in vertex] for vertex in vertices],
-        "triangles": [[int(index) for index in triangle] for triangle in triangles],
+        "vertices": [[round(value, 9) + 0.0 for value in vertex] for vertex in vertices.tolist()],
+        "triangles": triangles.tolist(),
         "color": [round(channel, 6) for channel in mesh.color],
     }
 

@@ -142,7 +142,7 @@ def _with_area(corners: Array) -> NDArray[np.bool_]:
 
 def _obj_index(word: str, count: int, file: Path, line: int) -> int:
     try:
-        index = int(word.split("/")[0])
+        index = int(word.partition("/")[0])
     except ValueError:
         raise _wrong_line(file, line, f"{word!r} is no vertex") from None
     # Counted from 1; negative numbers count back from the vertex defined last.
@@ -157,7 +157,7 @@ def _floats(words: list[str], count: int, file: Path, line: int) -> list[float]:
         values = [float(word) for word in words]
     except ValueError:
         values = []
-    if len(values) != count or not are_usable(values):
+    if len(values) != count or not all(-LARGEST <= value <= LARGEST for value in values):
         raise _wrong_line(file, line, f"{count} finite numbers expected, of at most {LARGEST:g}")
     return values
 
