@@ -6,10 +6,10 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from contact_foundation.progress import Progress
+from contact_foundation.scratch import scratch_folder
 
 from cmb.build_arguments import add_build_arguments, build_options
 from cmb.modelica_sources import find_sources
@@ -64,5 +64,5 @@ def effect_bench(arguments: Namespace, progress: Progress) -> Iterator[Bench]:
         )
 
     options = RunOptions(arguments.stop, arguments.tolerance, arguments.interval, arguments.time_limit)
-    with TemporaryDirectory(prefix="cmb-effects-") as folder:
-        yield Bench(arguments.model, build, Path(folder), arguments.manager, options, progress)
+    with scratch_folder("effects") as folder:
+        yield Bench(arguments.model, build, folder, arguments.manager, options, progress)

@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 import errno
-import fcntl
 import os
 import secrets
 import shutil
-import tempfile
-import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 
+from contact_foundation.abandoned import clear_abandoned, owned
 from contact_foundation.errors import InputError, Place
+from contact_foundation.scratch import scratch_folder
 
 MARKER = ".written-by-cmb"
 _PREFIX = ".cmb-"
 _RANDOM_BYTES = 8
-_NEW = 60.0  # s; what is younger may not be locked yet
+_NAMES = f"{_PREFIX}{'[0-9a-f]' * 2 * _RANDOM_BYTES}"
 
 
 @contextmanager
@@ -40,7 +39,7 @@ def whole_folder(target: Path) -> Iterator[Path]:
     with _errors_about(target):
         staging = _made_beside(real, Path.mkdir)
         try:
-            with _owned(staging):
+            with owned(staging):
                 yield staging
             (staging / MARKER).touch()
             _put_in_place(staging, real)
@@ -88,8 +87,8 @@ def whole_file(target: Path) -> Iterator[Path]:
     real = Path(os.path.realpath(target))
     with _errors_about(target):
         if _is_special(target):
-            with tempfile.TemporaryDirectory(prefix="cmb-output-") as folder:
-                staging = Path(folder) / "output"
+            with scratch_folder("output") as folder:
+                staging = folder / "output"
                 staging.touch()
                 yield staging
                 with staging.open("rb") as source, target.open("wb") as stream:
@@ -97,7 +96,7 @@ def whole_file(target: Path) -> Iterator[Path]:
             return
         staging = _made_beside(real, Path.touch)
         try:
-            with _owned(staging):
+            with owned(staging):
                 yield staging
             if real.exists():
                 staging.chmod(real.stat().st_mode & 0o777)
@@ -165,46 +164,21 @@ def _made_beside(target: Path, make: Callable[[Path], None]) -> Path:
     staging = _name_beside(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        _clear_abandoned(target.parent)
+        clear_abandoned(target.parent, _NAMES, _is_whole)
         make(staging)
     except (FileNotFoundError, PermissionError) as error:  # file systems whose permissions do not say it
         raise _no_place(target.parent, target) from error
     return staging
 
 
+def _is_whole(entry: Path) -> bool:
+    """A folder that carries the marker is never removed: it may be an earlier output that was being replaced."""
+    return (entry / MARKER).exists()
+
+
 def _name_beside(target: Path) -> Path:
     """A new hidden name in the folder of ``target``, short whatever that is called."""
     return target.with_name(f"{_PREFIX}{secrets.token_hex(_RANDOM_BYTES)}")
-
-
-@contextmanager
-def _owned(staging: Path) -> Iterator[None]:
-    """Holds a lock on what is being written; it ends with the process, however that ends."""
-    descriptor = os.open(staging, os.O_RDONLY)
-    try:
-        with suppress(OSError):  # a file system without locks: what is left behind there stays
-            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        yield
-    finally:
-        os.close(descriptor)
-
-
-def _clear_abandoned(folder: Path) -> None:
-    """Removes what killed processes left behind: of the names that are used here, not new, locked by nobody.
-
-    A whole folder, which carries the marker, is never removed: it may be an earlier output that was being replaced.
-    """
-    with suppress(OSError):
-        for entry in folder.glob(f"{_PREFIX}{'[0-9a-f]' * 2 * _RANDOM_BYTES}"):
-            with suppress(OSError):
-                if time.time() - entry.lstat().st_ctime < _NEW or entry.is_symlink() or (entry / MARKER).exists():
-                    continue
-                descriptor = os.open(entry, os.O_RDONLY)
-                try:
-                    fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                    shutil.rmtree(entry) if entry.is_dir() else entry.unlink()
-                finally:
-                    os.close(descriptor)
 
 
 @contextmanager

@@ -203,7 +203,7 @@ def run_until_written(block: str, target: Path, end: str) -> tuple[subprocess.Po
 
 
 def aged(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("contact_foundation.output._NEW", -1.0)
+    monkeypatch.setattr("contact_foundation.abandoned._NEW", -1.0)
 
 
 @pytest.mark.parametrize("block", ["whole_folder", "whole_file"])

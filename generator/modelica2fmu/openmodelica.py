@@ -6,7 +6,6 @@ import os
 import re
 import shutil
 import subprocess
-import tempfile
 import time
 import zipfile
 from collections.abc import Mapping, Sequence
@@ -17,6 +16,7 @@ from typing import Final
 from contact_foundation.errors import BuildError, CmbError, InputError, Place
 from contact_foundation.output import whole_file
 from contact_foundation.progress import Progress, silent
+from contact_foundation.scratch import scratch_folder
 
 from modelica2fmu.library.sources import locate
 from modelica2fmu.library.standard_library import StandardLibrary
@@ -111,8 +111,7 @@ def export_fmu(
     script = _script(model, _packages(file, sources, library), version)
     progress("OpenModelica", 0.0)
     began = time.perf_counter()
-    with tempfile.TemporaryDirectory(prefix="cmb-omc-") as name:
-        folder = Path(name)
+    with scratch_folder("omc") as folder:
         (folder / _SCRIPT).write_text(script, encoding="utf-8")
         tool = _run(program, ["--version"], folder, 60.0).strip()
         said = _run(program, [_SCRIPT], folder, timeout)

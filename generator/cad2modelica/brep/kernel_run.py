@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import shutil
 import sys
-import tempfile
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
@@ -15,6 +14,7 @@ from zipfile import BadZipFile
 import numpy as np
 from contact_foundation.child_process import ChildLimits, run_child
 from contact_foundation.errors import InputError, Place
+from contact_foundation.scratch import scratch_folder
 from numpy.typing import NDArray
 
 MAXIMUM_BYTES = 256 * 2**20
@@ -65,8 +65,7 @@ def _run(
 ) -> tuple[dict[int, KernelResult | InputError], tuple[str, str]]:
     """Results of one process, in the order of the files, and why it ended if some are missing."""
     limit = TIME_LIMIT + sum(file.stat().st_size for file in files.values()) // BYTES_PER_SECOND
-    with tempfile.TemporaryDirectory(prefix="cmb-") as name:
-        folder = Path(name)
+    with scratch_folder("kernel") as folder:
         for number, file in files.items():  # copies: what a file names beside itself is out of reach
             shutil.copyfile(file, folder / f"{number}.step")
         task = folder / "task.json"

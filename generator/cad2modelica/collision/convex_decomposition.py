@@ -8,17 +8,16 @@ Decomposition", in: E. Lengyel, ed., Game Engine Gems 3, 2016.
 from __future__ import annotations
 
 import sys
-import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
-from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile
 
 import numpy as np
 from contact_foundation.cache import user_cache
 from contact_foundation.child_process import ChildLimits, run_child
+from contact_foundation.scratch import scratch_folder
 from numpy.typing import NDArray
 
 from cad2modelica.collision.decomposition_cache import content_key, read_pieces, write_pieces
@@ -123,8 +122,8 @@ def _time_limit(task: Task) -> int:
 def _run(task: Task, decomposer: Decomposer) -> tuple[tuple[Array, ...] | None, str]:
     """Pieces, none if the time was not enough; None and the reason if the run itself failed."""
     name = _NAMES[decomposer]
-    with tempfile.TemporaryDirectory(prefix="cmb-") as folder:
-        task_file, result_file = Path(folder) / "task.npz", Path(folder) / "result.npz"
+    with scratch_folder("decomposition") as folder:
+        task_file, result_file = folder / "task.npz", folder / "result.npz"
         np.savez(task_file, allow_pickle=False, **task)
         # -P: what lies in the current folder is no module of ours.
         command = [sys.executable, "-P", "-m", _PROCESSES[decomposer], str(task_file), str(result_file)]

@@ -7,11 +7,12 @@ It is asked again about the model without one half of its equations and bindings
 from __future__ import annotations
 
 import re
-import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
+
+from contact_foundation.scratch import scratch_folder
 
 from modelica2fmu.crosscheck.class_parser import parse
 from modelica2fmu.crosscheck.class_syntax import Base, ClassDefinition, ComponentDeclaration, Extent
@@ -128,13 +129,13 @@ def _error_about(changed: Mapping[Path, bytes], texts: Mapping[Path, bytes], req
         libraries = request.text[len(texts[file].decode()) :]
         return _error(replace(request, text=changed[file].decode() + libraries))
     package = file.parent
-    with tempfile.TemporaryDirectory(prefix="cmb-package-") as folder:
+    with scratch_folder("package") as folder:
         for original in package.rglob("*"):
             if original in changed or original.name == "package.order":
-                copy = Path(folder) / package.name / original.relative_to(package)
+                copy = folder / package.name / original.relative_to(package)
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 copy.write_bytes(changed.get(original) or original.read_bytes())
-        return _error(about_a_copy(request, package, Path(folder)))
+        return _error(about_a_copy(request, package, folder))
 
 
 def _error(request: Request) -> str:

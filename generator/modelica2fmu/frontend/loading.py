@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tempfile
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
@@ -11,6 +10,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from contact_foundation.errors import InputError, Place
+from contact_foundation.scratch import scratch_folder
 
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
@@ -102,7 +102,7 @@ def load_flat_model(
         if loaded.answer.flat is None:
             unbalanced = _unbalanced(loaded.answer.error, request, file, remark)
             if request.text is None:
-                folder = Path(folders.enter_context(tempfile.TemporaryDirectory(prefix="cmb-package-")))
+                folder = folders.enter_context(scratch_folder("package"))
                 loaded = _with_package_written_out(loaded, request, folder, source_map, remark)
             else:
                 answer = _with_arrays_written_out(loaded.answer, request, file, source_map, remark)

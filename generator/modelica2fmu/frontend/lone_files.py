@@ -6,11 +6,12 @@ part of a package structure is a model by itself, whatever lies beside it.
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+
+from contact_foundation.scratch import scratch_folder
 
 from modelica2fmu.library.source_map import SourceMap
 
@@ -45,11 +46,11 @@ def apart(file: Path, roots: Sequence[Path], source_map: SourceMap) -> Iterator[
         roots: folders that contain packages, and single files.
         source_map: is told what the front end gets.
     """
-    with tempfile.TemporaryDirectory(prefix="cmb-sources-") as name:
+    with scratch_folder("sources") as folder:
         names: list[tuple[Path, Path]] = []
 
         def alone(original: Path) -> Path:
-            given = Path(name) / str(len(names)) / original.name
+            given = folder / str(len(names)) / original.name
             given.parent.mkdir()
             names.append((given, original))
             source_map.add_copy(given, original)

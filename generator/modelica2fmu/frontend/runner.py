@@ -10,7 +10,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import asdict, dataclass
@@ -19,6 +18,7 @@ from typing import Any, Final
 
 from contact_foundation.cache import user_cache
 from contact_foundation.errors import BuildError
+from contact_foundation.scratch import scratch_folder
 
 from modelica2fmu.library.cache_pruning import prune_front_end_cache
 
@@ -91,8 +91,8 @@ def ask(request: Request, remark: Callable[[str], None]) -> Answer:
     answer = _run(request, cache.parent)
     if not answer.may_be_of_the_cache or not cache.is_dir():
         return answer
-    with tempfile.TemporaryDirectory(prefix="cmb-cache-") as fresh:
-        again = _run(request, Path(fresh))
+    with scratch_folder("cache") as fresh:
+        again = _run(request, fresh)
     if not again.may_be_of_the_cache:
         _remove(cache)
         remark(f"the front end's cache was damaged and is made anew: {cache}")

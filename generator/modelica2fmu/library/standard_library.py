@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ from typing import Final
 from contact_data import core_subset
 from contact_foundation.cache import user_cache
 from contact_foundation.errors import InputError, Place
+from contact_foundation.scratch import scratch_folder
 
 CORE_SUBSET: Final = "core subset"
 """Origin of the project's own subset."""
@@ -65,10 +65,10 @@ class StandardLibrary:
         if (self.folder / "Modelica").is_dir():
             yield self.folder
             return
-        with tempfile.TemporaryDirectory(prefix="cmb-msl-") as name:
+        with scratch_folder("msl") as folder:
             for part, path in self.parts().items():
-                (Path(name) / f"{part}{path.suffix if path.is_file() else ''}").symlink_to(path.resolve())
-            yield Path(name)
+                (folder / f"{part}{path.suffix if path.is_file() else ''}").symlink_to(path.resolve())
+            yield folder
 
 
 def cache_folder(environment: Mapping[str, str] = os.environ) -> Path:

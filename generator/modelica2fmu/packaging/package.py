@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 import shutil
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 
 from contact_foundation.errors import InputError, Place
 from contact_foundation.output import whole_file
 from contact_foundation.progress import Progress, silent
+from contact_foundation.scratch import scratch_folder
 
 from modelica2fmu.codegen.generated_source import GeneratedSource
 from modelica2fmu.description.model_description import ModelDescription
@@ -136,8 +136,7 @@ def package_fmu(
     layout = LAYOUTS[version]
     described = with_solver_variables(description, options)
     generated = frozenset(source.name for source in sources)
-    with tempfile.TemporaryDirectory(prefix="cmb-fmu-") as name:
-        scratch = Path(name)
+    with scratch_folder("fmu") as scratch:
         root = scratch / "fmu"
         root.mkdir()
         progress("describe", 0.0)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
-import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -13,6 +11,7 @@ from pathlib import Path
 
 import fmpy
 from contact_foundation.errors import NO_ROOM, InputError, Place, SimulationError
+from contact_foundation.scratch import scratch_folder
 from fmpy.fmi1 import FMICallException
 
 from fmu_regression.fmi.binary_check import require_whole
@@ -162,8 +161,7 @@ def open_fmu(path: Path) -> Iterator[Fmu]:
         said = "is a folder, not an FMU" if path.is_dir() else "there is no such file"
         raise InputError(said, place=Place(file=path))
     description = read_description(path)
-    folder = Path(tempfile.mkdtemp(prefix="cmb-fmu-"))
-    try:
+    with scratch_folder("unpacked") as folder:
         try:
             fmpy.extract(str(path), str(folder))
         except Exception as error:
@@ -174,8 +172,6 @@ def open_fmu(path: Path) -> Iterator[Fmu]:
         if not (folder / "binaries" / platform).is_dir():
             raise InputError(f"the FMU has no binary for {platform}", place=Place(file=path))
         yield Fmu(path=path, folder=folder, description=description)
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
 
 
 def _status_name(status: int) -> str:
