@@ -13,7 +13,7 @@ from contact_foundation.scratch import scratch_folder
 
 from cmb.build_arguments import add_build_arguments, build_options
 from cmb.modelica_sources import find_sources
-from cmb.number_arguments import positive_seconds, relative_tolerance, seconds
+from cmb.simulation_arguments import add_simulation_arguments
 
 if TYPE_CHECKING:
     from scene_effects.measurement import Bench, BuildFigures
@@ -32,10 +32,7 @@ def add_scene_arguments(parser: ArgumentParser) -> None:
         "--source", type=Path, action="append", default=[], metavar="PATH", help="Modelica file or package folder"
     )
     parser.add_argument("--manager", metavar="NAME", help="the ContactManager, needed where there are several")
-    parser.add_argument("--stop", type=seconds, metavar="S", help="stop time in s (the model's own if left out)")
-    parser.add_argument("--tolerance", type=relative_tolerance, metavar="TOL", help="relative tolerance of the solver")
-    parser.add_argument("--interval", type=positive_seconds, metavar="S", help="output interval in s")
-    parser.add_argument("--time-limit", type=positive_seconds, metavar="S", help="wall time for each simulation in s")
+    add_simulation_arguments(parser)
     add_build_arguments(parser)
 
 

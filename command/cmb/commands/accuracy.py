@@ -8,7 +8,7 @@ from pathlib import Path
 from contact_foundation.output import check_file
 
 from cmb.input_file import check_input
-from cmb.number_arguments import positive_seconds, relative_tolerance, seconds
+from cmb.simulation_arguments import add_simulation_arguments
 from cmb.terminal import progress_bars
 
 NAME = "accuracy"
@@ -30,19 +30,10 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("fmu", type=Path, metavar="FMU", help="the FMU file")
     parser.add_argument("--output", type=Path, metavar="HTML", help="also write a page with plots")
     parser.add_argument("--scene", type=Path, metavar="JSON", help="scene file of the generated package")
-    parser.add_argument("--stop", type=seconds, metavar="S", help="stop time in s (the model's own if left out)")
-    parser.add_argument("--interval", type=positive_seconds, metavar="S", help="output interval in s")
+    add_simulation_arguments(parser, repeats=True)
     parser.add_argument("--signal", action="append", metavar="NAME", help="variable to compare, repeatable")
-    parser.add_argument(
-        "--tolerance",
-        type=relative_tolerance,
-        action="append",
-        metavar="TOL",
-        help="solver tolerance, repeatable (1e-3 to 1e-10)",
-    )
     parser.add_argument("--mode", choices=("me", "cs"), action="append", help="repeatable (both if left out)")
     parser.add_argument("--repeats", type=int, default=1, metavar="N", help="runs of each, the shortest time counts")
-    parser.add_argument("--time-limit", type=positive_seconds, metavar="S", help="wall time for each simulation in s")
 
 
 def run(arguments: Namespace) -> int:

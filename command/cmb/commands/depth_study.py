@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from cmb import depth_study_actions as actions
+from cmb.number_arguments import count, port, seed, share
 
 NAME = "depth-study"
 SUMMARY = "measure on people which cues of a picture show depth: design, sequences, answers, evaluation"
@@ -43,9 +44,9 @@ def add_arguments(parser: ArgumentParser) -> None:
     run_page = kinds.add_parser("run", help="show the study in a browser on this machine and keep every answer")
     run_page.add_argument("study", type=Path, metavar="STUDY", help="database of the study; made if it is not there")
     _add_design(run_page)
-    run_page.add_argument("--seed", type=_seed, metavar="N", help=f"of the sequences of a new study ({_DEFAULT_SEED})")
+    run_page.add_argument("--seed", type=seed, metavar="N", help=f"of the sequences of a new study ({_DEFAULT_SEED})")
     run_page.add_argument(
-        "--port", type=_port, default=8770, metavar="N", help="of the page (8770; 0: any that is free)"
+        "--port", type=port, default=8770, metavar="N", help="of the page (8770; 0: any that is free)"
     )
     run_page.add_argument("--no-browser", action="store_true", help="print the page's address, open no browser")
     for name, default, text in (
@@ -72,7 +73,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     _add_seed(simulate)
     simulate.add_argument("--published", type=Path, metavar="TOML", help="true levels (the thesis's if left out)")
     simulate.add_argument("--population", type=Path, metavar="TOML", help="scale, bias, noise of observers drawn")
-    simulate.add_argument("--studies", type=_count, default=1000, metavar="N", help="studies simulated (1000)")
+    simulate.add_argument("--studies", type=count, default=1000, metavar="N", help="studies simulated (1000)")
     simulate.add_argument(
         "--carry-over", type=float, action="append", metavar="SHARE", help="repeatable (0, 0.05, 0.1 and 0.2)"
     )
@@ -85,7 +86,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
     delete = kinds.add_parser("delete", help="delete an observer's answers")
     delete.add_argument("study", type=Path, metavar="STUDY", help="database of the study")
-    delete.add_argument("--observer", type=_count, required=True, metavar="NUMBER", help="whose answers")
+    delete.add_argument("--observer", type=count, required=True, metavar="NUMBER", help="whose answers")
     delete.set_defaults(action=actions.delete_observer)
 
 
@@ -101,43 +102,15 @@ def _add_design(parser: ArgumentParser) -> None:
 
 def _add_observers(parser: ArgumentParser) -> None:
     parser.add_argument(
-        "--observers", type=_count, default=_DEFAULT_OBSERVERS, metavar="N", help=f"({_DEFAULT_OBSERVERS})"
+        "--observers", type=count, default=_DEFAULT_OBSERVERS, metavar="N", help=f"({_DEFAULT_OBSERVERS})"
     )
 
 
 def _add_seed(parser: ArgumentParser) -> None:
     parser.add_argument(
-        "--seed", type=_seed, default=_DEFAULT_SEED, metavar="N", help=f"of all chance ({_DEFAULT_SEED})"
+        "--seed", type=seed, default=_DEFAULT_SEED, metavar="N", help=f"of all chance ({_DEFAULT_SEED})"
     )
 
 
 def _add_confidence(parser: ArgumentParser) -> None:
-    parser.add_argument("--confidence", type=_share, default=0.9, metavar="SHARE", help="of intervals (0.9)")
-
-
-def _count(text: str) -> int:
-    value = int(text)
-    if not 1 <= value <= 100_000:
-        raise ArgumentTypeError(f"{text} is not between 1 and 100000")
-    return value
-
-
-def _seed(text: str) -> int:
-    value = int(text)
-    if not 0 <= value < 2**63:
-        raise ArgumentTypeError(f"{text} is no seed: give a whole number that is not negative")
-    return value
-
-
-def _port(text: str) -> int:
-    value = int(text)
-    if not 0 <= value < 2**16:
-        raise ArgumentTypeError(f"{text} is not between 0 and 65535")
-    return value
-
-
-def _share(text: str) -> float:
-    value = float(text)
-    if not 0 < value < 1:
-        raise ArgumentTypeError(f"{text} is not between 0 and 1")
-    return value
+    parser.add_argument("--confidence", type=share, default=0.9, metavar="SHARE", help="of intervals (0.9)")

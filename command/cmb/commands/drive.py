@@ -9,7 +9,7 @@ from cmb.assignments import parse_assignments
 from cmb.build_arguments import add_build_arguments
 from cmb.generation_arguments import add_generation_arguments
 from cmb.input_file import check_input
-from cmb.number_arguments import relative_tolerance
+from cmb.number_arguments import port, relative_tolerance
 
 NAME = "drive"
 SUMMARY = "drive a machine in real time from a page in the browser"
@@ -29,7 +29,6 @@ EXAMPLES = """examples:
   cmb drive robot.fmu --channel bandwidth=64kbit,delay=200ms,jitter=20ms,loss=1%
 """
 _DEFAULT_STEP = 0.01
-_LARGEST_PORT = 65535
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -40,7 +39,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--scene", type=Path, metavar="JSON", help="what is drawn (model/scene.json beside the FMU if left out)"
     )
-    parser.add_argument("--port", type=_port, metavar="PORT", help="of this machine (8420; 0: any free one)")
+    parser.add_argument("--port", type=port, metavar="PORT", help="of this machine (8420; 0: any free one)")
     parser.add_argument(
         "--listen",
         metavar="ADDRESS",
@@ -84,13 +83,6 @@ def run(arguments: Namespace) -> int:
     from cmb.drive_preparation import drive, measure
 
     return measure(arguments) if arguments.headless else drive(arguments)
-
-
-def _port(text: str) -> int:
-    value = int(text)
-    if not 0 <= value <= _LARGEST_PORT:
-        raise ArgumentTypeError(f"{text} is no port: give 0 to {_LARGEST_PORT}")
-    return value
 
 
 def _step(text: str) -> float:

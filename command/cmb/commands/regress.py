@@ -14,7 +14,7 @@ from contact_foundation.progress import silent
 from cmb.build_arguments import add_build_arguments, build_options
 from cmb.input_file import check_input
 from cmb.jobs_argument import add_jobs_argument
-from cmb.number_arguments import positive_seconds
+from cmb.simulation_arguments import add_time_limit
 from cmb.terminal import progress_bars
 
 NAME = "regress"
@@ -38,7 +38,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--output", type=Path, metavar="HTML", help="also write a page with plots")
     parser.add_argument("--junit", type=Path, metavar="XML", help="also write JUnit XML")
-    parser.add_argument("--time-limit", type=positive_seconds, metavar="S", help="wall time for each simulation in s")
+    add_time_limit(parser)
     add_jobs_argument(parser)
     add_build_arguments(parser)
 

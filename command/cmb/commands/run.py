@@ -15,8 +15,8 @@ from contact_foundation.output import MARKER, whole_folder
 from cmb.assembly_file import ASSEMBLY_HELP, find_assembly
 from cmb.build_arguments import add_build_arguments
 from cmb.generation_arguments import add_generation_arguments
-from cmb.number_arguments import positive_seconds, relative_tolerance, seconds
 from cmb.run_folder import PACKAGE_FOLDER, REPORT, RESULT
+from cmb.simulation_arguments import add_simulation_arguments
 from cmb.terminal import progress_bars
 
 NAME = "run"
@@ -38,12 +38,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
     parser.add_argument("assembly", type=Path, metavar="ASSEMBLY", help=ASSEMBLY_HELP)
     parser.add_argument("--output", type=Path, metavar="FOLDER", help="folder to write (out/NAME if left out)")
-    parser.add_argument("--stop", type=seconds, metavar="S", help="stop time in s (the assembly's own if left out)")
-    parser.add_argument("--tolerance", type=relative_tolerance, metavar="TOL", help="relative tolerance of the solver")
-    parser.add_argument("--interval", type=positive_seconds, metavar="S", help="output interval in s")
-    parser.add_argument(
-        "--time-limit", type=positive_seconds, metavar="S", help="wall time in s after which to give up the simulation"
-    )
+    add_simulation_arguments(parser, stop="the assembly's own")
     parser.add_argument("--mode", choices=("me", "cs"), default="me", help="model exchange or co-simulation")
     add_build_arguments(parser)
     add_generation_arguments(parser)

@@ -12,7 +12,8 @@ from contact_foundation.output import check_file
 
 from cmb.assignments import parse_assignments
 from cmb.input_file import check_input
-from cmb.number_arguments import positive_seconds, relative_tolerance, seconds
+from cmb.number_arguments import positive_seconds
+from cmb.simulation_arguments import add_simulation_arguments
 from cmb.terminal import progress_bars
 
 NAME = "simulate"
@@ -34,13 +35,8 @@ def add_arguments(parser: ArgumentParser) -> None:
     """Adds the command's arguments."""
     parser.add_argument("fmu", type=Path, metavar="FMU", help="the FMU file")
     parser.add_argument("--output", type=Path, required=True, metavar="CSV", help="file to write")
-    parser.add_argument("--stop", type=seconds, metavar="S", help="stop time in s (the model's own if left out)")
-    parser.add_argument("--tolerance", type=relative_tolerance, metavar="TOL", help="relative tolerance of the solver")
-    parser.add_argument("--interval", type=positive_seconds, metavar="S", help="output interval in s")
+    add_simulation_arguments(parser)
     parser.add_argument("--max-step", type=positive_seconds, metavar="S", help="longest solver step in s")
-    parser.add_argument(
-        "--time-limit", type=positive_seconds, metavar="S", help="wall time in s after which to give up"
-    )
     parser.add_argument("--mode", choices=("me", "cs"), default="me", help="model exchange or co-simulation")
     parser.add_argument(
         "--signal", action="append", metavar="NAME", help="variable to record, repeatable (outputs and states if none)"

@@ -119,11 +119,10 @@ class _TreeReader:
         for element in self._root.iterchildren("link"):
             name = _link_name(element.get("name", ""))
             if not name or name in links:
-                self._problems.add(
-                    f"a link needs a name of its own; {name!r} is not",
-                    self._elements.place(element),
-                    "Rename the link.",
-                )
+                place = self._elements.place(element)
+                taken = self._elements.place(links[name].element).line if name in links else None
+                said = f"the link at line {taken} has the name {name!r} too" if taken else "the link has no name"
+                self._problems.add(said, place, "Give each link a name of its own.")
             hangs = element.get("name", "") in children
             links[name] = Link(name, element, self._density and hangs and gets_mass_by_density(element))
             if has_inertia_alone(element):
