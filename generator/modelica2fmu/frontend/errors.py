@@ -19,6 +19,10 @@ from modelica2fmu.library.class_text import without_comments_and_strings
 _NAMELESS: Final = "missing source scope for imports"
 _OUTPUTS_LEFT_OUT: Final = re.compile(r"^\s*\((?:\s*,[^=()]*|[^=()]*,\s*(?:,[^=()]*)?)\)\s*=")
 
+# Its word for records of all elements of an array of components, and where a model may have one.
+_SLICE: Final = "record-array member slice"
+_ARRAY: Final = re.compile(r"(?<![\w.])([A-Za-z_]\w*)\s*\[[^\]]*\]\s*[(;]")
+
 _CRASH: Final = (
     "leave out parts of it to find what the front end does not take; known are `redeclare ... extends` in a model, in"
     " place of a package, and classes that stand for themselves"
@@ -93,6 +97,8 @@ def front_end_error(answer: Answer, model: str, file: Path, library: ClassLibrar
             "outputs of a function are left out, which is not covered: give each a variable",
             place=Place(file=file, line=left_out, component=model),
         )
+    if _SLICE in message and not located:
+        return _slice_error(model, file)
     first = message.strip().split("\nRelated failures")[0]
     first = first.removeprefix(f"{model} could not be compiled: ")
     in_function = _IN_FUNCTION.search(first)
@@ -155,6 +161,22 @@ def _own_mistake(message: str, model: str, file: Path) -> InputError | None:
         if Path(name).is_relative_to(root):
             return InputError(said, place=Place(file=Path(name), line=int(line), component=model))
     return None
+
+
+def _slice_error(model: str, file: Path) -> InputError:
+    """Records of all elements of an array are taken at once, which the front end does not resolve."""
+    code = without_comments_and_strings(file.read_text(encoding="utf-8", errors="replace")) if file.is_file() else ""
+    arrays = "|".join(sorted({re.escape(name) for name in _ARRAY.findall(code)}))
+    slices = re.compile(rf"(?<![\w.])({arrays})\.(?!frame)([A-Za-z_]\w*)") if arrays else None
+    found = next(slices.finditer(code), None) if slices else None
+    example = f"{{{found[1]}[i].{found[2]} for i in 1:n}}" if found else "{body[i].collider for i in 1:n}"
+    line = code.count("\n", 0, found.start()) + 1 if found else None
+    named = f": {found[0]}" if found else ""
+    return InputError(
+        f"records of all elements of an array are taken at once{named}, which is not covered",
+        place=Place(file=file, line=line, component=model),
+        remedy=f"write {example}",
+    )
 
 
 def unconnected_error(frames: Sequence[str], model: str, file: Path) -> InputError:

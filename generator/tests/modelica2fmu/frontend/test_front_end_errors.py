@@ -6,7 +6,7 @@ import random
 from pathlib import Path
 
 import pytest
-from contact_data import core_subset
+from contact_data import core_subset, modelica_library
 from contact_foundation.errors import InputError
 from modelica2fmu.build import build_fmu, translate
 from modelica2fmu.library.standard_library import StandardLibrary
@@ -116,3 +116,23 @@ def test_a_file_in_another_encoding_is_named(tmp_path):
         build_fmu("M", [tmp_path / "M.mo"], tmp_path / "m.fmu")
     assert caught.value.place is not None
     assert caught.value.place.file == tmp_path / "M.mo"
+
+
+def test_records_of_all_elements_taken_at_once_are_told_at_their_line(tmp_path):
+    (tmp_path / "Balls.mo").write_text("""model Balls
+  inner Modelica.Mechanics.MultiBody.World world;
+  // ball.collider is told below
+  ContactMultiBody.Parts.FreeBody ball[2](
+    each m=1, each r_CM={0,0,0}, each I_11=0.004, each I_22=0.004, each I_33=0.004,
+    each geometry=ContactMultiBody.Shapes.sphere(0.1));
+  ContactMultiBody.ContactManager contacts(n=2, collider=ball.collider);
+equation
+  connect(ball.frame_a, contacts.frame);
+end Balls;
+""")
+    with pytest.raises(InputError) as caught:
+        build_fmu("Balls", [tmp_path / "Balls.mo", modelica_library()], tmp_path / "a.fmu")
+    assert "ball.collider, which is not covered" in str(caught.value)
+    assert caught.value.remedy == "write {ball[i].collider for i in 1:n}"
+    assert caught.value.place is not None
+    assert caught.value.place.line == 7
