@@ -70,8 +70,8 @@ def make(tab: Tab, meshes: list[dict[str, Any]], **more: Any) -> None:
 
 
 def picture(tab: Tab, shown: dict[str, Any] | None = None, **view: Any) -> FloatArray:
-    """Red, green, blue and alpha, 0 to 255, rows from above; shape (HEIGHT, WIDTH, 4)."""
-    values = tab.value(
+    """Red, green, blue and alpha, 0 to 255, rows from above; shape (height, width, 4) of what is drawn."""
+    values, width, height = tab.value(
         f"Object.assign(viewer.shown, {json.dumps(shown or {})}); Object.assign(viewer.view, {json.dumps(view)});"
         """(() => {
           viewer.paint();
@@ -80,10 +80,10 @@ def picture(tab: Tab, shown: dict[str, Any] | None = None, **view: Any) -> Float
           gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
           const text = part => String.fromCharCode(...part);
           for (let k = 0; k < pixels.length; k += 32768) parts.push(text(pixels.subarray(k, k + 32768)));
-          return btoa(parts.join(""));
+          return [btoa(parts.join("")), width, height];
         })()"""
     )
-    return np.frombuffer(base64.b64decode(values), np.uint8).astype(float).reshape(HEIGHT, WIDTH, 4)[::-1]
+    return np.frombuffer(base64.b64decode(values), np.uint8).astype(float).reshape(height, width, 4)[::-1]
 
 
 def eye(tab: Tab, which: str, **view: Any) -> FloatArray:
@@ -162,6 +162,40 @@ def test_pictures_that_take_long_are_drawn_coarser_and_quick_ones_sharper_again(
     tab.value("viewer.view.output = 'plain'; detail.begin(0); true")
     assert after(0, 0) == 1
     assert tab.value("viewer.show()") > 0
+
+
+@pytest.mark.parametrize("background", [BACKGROUND, None])
+def test_pictures_that_must_keep_up_look_like_sharp_ones(tab: Tab, background: list[float] | None) -> None:
+    """Half the resolution, not smoothed: apart from edges, each pixel is the average of four sharp ones."""
+    make(tab, [box([0, -0.1, -2], [0.4] * 3, [0.9, 0.6, 0.2])], background=background)
+    shown = {"edges": False, "floor": True, "shading": True, "shadows": True}
+    sharp = picture(tab, shown, output="plain", camera="central").reshape(HEIGHT // 2, 2, WIDTH // 2, 2, 4)
+    tab.value("viewer.detail = 0.5; true")
+    try:
+        quick = picture(tab)
+    finally:
+        tab.value("viewer.detail = 1; true")
+    difference = np.abs(quick - sharp.mean(axis=(1, 3)))
+    assert np.quantile(difference, 0.9) <= 2
+    assert difference.mean() < 1.5
+    assert len(np.unique(quick[..., :3].round(-1).reshape(-1, 3), axis=0)) > 5  # box, floor, shadow
+
+
+def test_shadows_of_pictures_that_must_keep_up_are_three_pictures_old_at_most(tab: Tab) -> None:
+    shown = {"edges": False, "floor": True, "shading": True, "shadows": True}
+    make(tab, [box([0, 0, 0], [0.3] * 3)])
+    tab.value("viewer.detail = 0.5; true")
+    poses = [[-0.4, 0, -2, 0, 0, 0, 1], [0.4, 0, -2, 0, 0, 0, 1]]
+    drawn = []
+    for start in poses[::-1]:
+        tab.value(f"viewer.place(0, {start}); true")
+        for _ in range(3):
+            picture(tab, shown, output="plain", camera="central")
+        tab.value(f"viewer.place(0, {poses[0]}); true")
+        drawn.append([picture(tab) for _ in range(4)])
+    tab.value("viewer.detail = 1; true")
+    assert (np.abs(drawn[0][0] - drawn[1][0]) > 8).sum() > 100  # the shadow is still where the box was
+    np.testing.assert_array_equal(drawn[0][3], drawn[1][3])
 
 
 @pytest.fixture

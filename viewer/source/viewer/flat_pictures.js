@@ -26,7 +26,7 @@ export class FlatPictures {
     };
     const draw = () => {
       if (output === "plain") render("left");
-      else this.outputs.show(output, swapped, render);
+      else this.outputs.show(output, swapped, true, render);
       if (output === "shutter") handle = requestAnimationFrame(draw);
     };
     draw();

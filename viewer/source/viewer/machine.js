@@ -6,6 +6,7 @@ import {
 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 import { decodeArray } from "../arrays.js";
+import "./rigid_bones.js";
 import { surface } from "./meshes.js";
 
 const LINE = { color: 0x0f141f, transparent: true, opacity: 0.62 };

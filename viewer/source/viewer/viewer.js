@@ -11,6 +11,8 @@ const VIEW_ANGLE = 0.6;
 const TURN = -0.62, LIFT = 0.36;
 // How far the observer's head goes when the mouse crosses half of the picture, as a share of the distance looked at.
 const HEAD_REACH = 0.25;
+// Where pictures must keep up, shadows are those of one of so many: they are drawn from the sun, with as many triangles again.
+const SHADOW_PERIOD = 3;
 
 /**
  * Draws bodies where `place` put them, and `forces`: arrays of six numbers, point and force in world axes.
@@ -20,7 +22,8 @@ const HEAD_REACH = 0.25;
  *
  * `shown`: what is drawn and which cues of depth it has. `view`: camera and output, see eyes.js and outputs.js, and whether the
  * eyes are swapped. `way` is how far the machine went: the camera follows it along the floor where `follow` is set. `detail`: share of
- * the resolution that is drawn, less than 1 where pictures must keep up, see detail.js. Changes show with `draw()`.
+ * the resolution that is drawn; less than 1 where pictures must keep up, and then edges are not smoothed and shadows are drawn for one
+ * picture in three, see detail.js. Changes show with `draw()`.
  */
 export class Viewer {
   constructor(canvas, data) {
@@ -97,7 +100,7 @@ export class Viewer {
   paint() {
     const { renderer, canvas, view, world } = this;
     this.resize();
-    world.sharpen(this.detail);
+    const resized = world.sharpen(this.detail);
     this.goAlong();
     const focus = this.rig.position.distanceTo(this.controls.target), stage = this.data.background;
     const dark = !stage && window.matchMedia("(prefers-color-scheme: dark)").matches, inHeadset = Boolean(this.headset.session);
@@ -109,11 +112,11 @@ export class Viewer {
       ...view, perspective: this.shown.perspective, angle: VIEW_ANGLE, aspect: canvas.width / canvas.height, focus,
       near: 0.02 * focus, far: 4 * focus + 12 * this.data.radius, head: this.shown.headMotion ? this.head.map(h => h * focus) : [0, 0],
     });
-    renderer.shadowMap.needsUpdate = true;
+    renderer.shadowMap.needsUpdate = resized || this.detail === 1 || this.frames % SHADOW_PERIOD === 0;
     const render = eye => renderer.render(world.scene, this.eyes[eye]);
     if (inHeadset) renderer.render(world.scene, this.headset.camera);
-    else if (view.output === "plain") render("left");
-    else this.outputs.show(view.output, view.swapped, render);
+    else if (view.output === "plain" && this.detail === 1) render("left");
+    else this.outputs.show(view.output, view.swapped, this.detail === 1, render);
     this.frames += 1;
     canvas.dataset.frames = String(this.frames);
     if (view.output === "shutter") this.draw();

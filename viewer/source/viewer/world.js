@@ -44,13 +44,14 @@ export class World {
     this.scene.add(sky, this.sun, this.sun.target, this.fill, this.fill.target);
   }
 
-  /** Draws shadows with this share of their resolution, up to 1. */
+  /** Draws shadows with this share of their resolution, up to 1; = true, if they must be drawn anew for that. */
   sharpen(share) {
     const { shadow } = this.sun, size = SHADOW_SIZE * Math.max(share, LEAST_SHADOW);
-    if (shadow.mapSize.x === size) return;
+    if (shadow.mapSize.x === size) return false;
     shadow.mapSize.set(size, size);
     shadow.map?.dispose();
     shadow.map = null;
+    return true;
   }
 
   /** What is switched on: edges, floor, forces, and the cues shading, shadows, aerial, texture and knownSizes. */
