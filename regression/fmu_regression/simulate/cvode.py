@@ -155,7 +155,7 @@ class Cvode:
         states: shape (n,), n >= 1.
         indicator_count: number of event indicators.
         tolerance: relative tolerance.
-        absolute: absolute tolerance of a state of nominal value 1.
+        absolute: shape (n,), > 0, absolute tolerances of the states.
         nominal: shape (n,), > 0, nominal values of the states.
         max_step: longest step in s.
     """
@@ -168,12 +168,11 @@ class Cvode:
         states: FloatArray,
         indicator_count: int,
         tolerance: float,
-        absolute: float,
+        absolute: FloatArray,
         nominal: FloatArray,
         max_step: float,
     ) -> None:
         self._nominal = nominal.copy()
-        self._absolute_share = absolute
         self._jacobian_evaluations = 0
         self._fine_jacobians = 0
         self._error: BaseException | None = None
@@ -202,7 +201,7 @@ class Cvode:
         self._check(_clear_handlers(self._context))  # the library's own writes to standard error
         self._check(SUNContext_PushErrHandler(self._context, self._handler, None))
         self._x = self._vector(states)
-        self._absolute = self._vector(absolute * nominal)
+        self._absolute = self._vector(absolute)
         self._interpolated = self._vector(states)
         self._between = self._vector(states)
         self._memory = CVodeCreate(CV_BDF, self._context)
@@ -296,8 +295,8 @@ class Cvode:
         self._check(_get_roots(self._memory, found))
         return [number for number in range(self._indicator_count) if found[number]]
 
-    def restart(self, time: float, states: FloatArray, nominal: FloatArray) -> None:
-        """Starts anew after an event; states and nominal values have shape (n,).
+    def restart(self, time: float, states: FloatArray, nominal: FloatArray, absolute: FloatArray) -> None:
+        """Starts anew after an event; states, nominal values and absolute tolerances have shape (n,).
 
         After one that an indicator told, the first step is no longer than the one in which it was found. CVODE's own
         choice knows the error test alone, and a long step at order one may lead bodies that part slowly back into
@@ -306,7 +305,7 @@ class Cvode:
         self._collect()
         self._nominal[:] = nominal
         _fill(self._x, states)
-        _fill(self._absolute, self._absolute_share * nominal)
+        _fill(self._absolute, absolute)
         if self._root_found:
             self._check(CVodeSetMaxStep(self._memory, min(self._last_step.value, self._max_step)))
             self._first_step_limited = True
@@ -371,7 +370,8 @@ class Cvode:
         increments = _ROOT_OF_ROUNDING * np.maximum(np.abs(states), self._nominal)
         if self._fine_jacobians > 0:
             self._fine_jacobians -= 1
-            permitted = self._tolerance * np.abs(states) + self._absolute_share * self._nominal
+            absolute = np.ctypeslib.as_array(NV_DATA_S(self._absolute), (size,))
+            permitted = self._tolerance * np.abs(states) + absolute
             increments = np.minimum(increments, _FINE_SHARE * permitted)
         for k in range(size):
             kept = float(states[k])

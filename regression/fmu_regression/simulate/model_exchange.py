@@ -27,15 +27,25 @@ _CHATTER_TIME = 1e-4
 Watch = Callable[[float], None]
 
 
-def absolute_tolerance(relative: float) -> float:
-    """Absolute tolerance for states of nominal value 1.
+def absolute_tolerances(relative: float, nominal: FloatArray) -> FloatArray:
+    """Absolute tolerance of each state.
 
     Positions have the nominal value 1 m as a rule, and penetrations of a micrometre carry the load: with the relative
     tolerance itself they, and the fast modes of stiff contacts, would be left undetermined; from a tenth of a
     micrometre on static friction's springs are. Below a nanometre the rounding of contact geometry times the contact's
-    stiffness would keep Newton's iteration from converging.
+    stiffness would keep Newton's iteration from converging. Nominal values below 1, as of the stretches of friction's
+    springs, tell the size that matters themselves: a share of a share would ask for picometres, where steps fail over
+    kinks that nothing depends on.
+
+    Args:
+        relative: relative tolerance.
+        nominal: shape (n,), > 0, nominal values of the states.
+
+    Returns:
+        Shape (n,).
     """
-    return min(relative, max(1e-3 * relative, 1e-9), 1e-7)
+    absolute = min(relative, max(1e-3 * relative, 1e-9), 1e-7)
+    return np.where(nominal < 1.0, np.minimum(absolute, relative * nominal), absolute * nominal)
 
 
 def integrate(
@@ -55,7 +65,7 @@ def integrate(
         instance: a fresh instance.
         variables: what to record.
         grid: output times, shape (n,), n >= 2.
-        tolerance: relative tolerance; a state's absolute one is ``absolute_tolerance`` of it times its nominal value.
+        tolerance: relative tolerance; those of states are ``absolute_tolerances`` of it.
         start_values: checked start values.
         max_step: longest internal step in s.
         watch: called with the time after every internal step; may raise to stop.
@@ -114,7 +124,7 @@ class _Master:
             self._states(),
             self.instance.description.indicator_count,
             self.tolerance,
-            absolute_tolerance(self.tolerance),
+            absolute_tolerances(self.tolerance, self._nominal()),
             self._nominal(),
             self.max_step,
         ) as solver:
@@ -177,7 +187,8 @@ class _Master:
                 self.functions.enter_event_mode()
                 self._iterate_events(f"the event at t = {reached:.9g}")
                 self.recorder.sample(reached)
-                solver.restart(reached, self._states(), self._nominal())
+                nominal = self._nominal()
+                solver.restart(reached, self._states(), nominal, absolute_tolerances(self.tolerance, nominal))
             self.watch(reached)
 
     def _watch_for_chatter(self, solver: Cvode) -> None:
@@ -216,7 +227,7 @@ class _Master:
         except (FMICallException, RecoverableError):
             return ""
         states = np.ctypeslib.as_array(solver.states, (self.state_count,))
-        rates = np.abs(np.array(derivatives)) / (np.abs(states) + absolute_tolerance(self.tolerance))
+        rates = np.abs(np.array(derivatives)) / (np.abs(states) + absolute_tolerances(self.tolerance, self._nominal()))
         fastest = int(np.argmax(np.where(np.isfinite(rates), rates, np.inf)))
         return f"; {names[fastest]} = {states[fastest]:.6g} changes fastest, by {derivatives[fastest]:.6g} a second"
 

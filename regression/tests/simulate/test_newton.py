@@ -33,7 +33,7 @@ def integrate(rates: Rates, start: list[float], stop: float, tolerance: float) -
         np.array(start),
         0,
         tolerance,
-        1e-3 * tolerance,
+        np.full(size, 1e-3 * tolerance),
         np.ones(size),
         math.inf,
     ) as solver:

@@ -14,10 +14,21 @@ from contact_foundation.errors import InputError, SimulationError
 from contact_foundation.progress import silent
 from fmu_regression.fmi.binding import Mode
 from fmu_regression.simulate.limited_process import run_limited
+from fmu_regression.simulate.model_exchange import absolute_tolerances
 from fmu_regression.simulate.simulation import simulate
 
 FIRST = math.sqrt(0.2)  # fall from 1 m at 10 m/s2
 BOUNCES = [FIRST, 2 * FIRST, 2.5 * FIRST]  # e = 0.5 halves every flight
+
+
+@pytest.mark.parametrize("relative", [1e-2, 1e-4, 1e-6, 1e-8])
+def test_absolute_tolerances_never_ask_for_a_share_of_a_share(relative: float) -> None:
+    """Small nominal values tell the size that matters; those of other units are scaled."""
+    meters, stretch, pressure = absolute_tolerances(relative, np.array([1.0, 1e-4, 1e5]))
+    assert meters == pytest.approx(np.clip(1e-3 * relative, 1e-9, 1e-7))
+    assert stretch == pytest.approx(min(meters, 1e-4 * relative))
+    assert pressure == pytest.approx(1e5 * meters)
+    assert absolute_tolerances(relative, np.array([1.0 - 1e-12])) == pytest.approx(meters)
 
 
 def exact(time: np.ndarray) -> np.ndarray:

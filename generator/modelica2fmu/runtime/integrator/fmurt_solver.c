@@ -261,16 +261,22 @@ static double relative_tolerance(const fmurt_situation *situation) {
  * (tried on stacks and on a box that lands on its edge). */
 static double default_absolute(double relative) { return fmin(relative, fmin(fmax(1e-3 * relative, 1e-9), 1e-7)); }
 
+/* The absolute tolerance of a state. Nominal values below 1, as of stretches of friction's springs, tell the size that
+ * matters themselves: a share of a share would ask for picometres, where steps fail over kinks that nothing depends on. */
+static double absolute_tolerance(double relative, double option, double nominal) {
+  if (!(nominal > 0.0)) nominal = 1.0;
+  if (option > 0.0) return option * nominal;
+  return nominal < 1.0 ? fmin(default_absolute(relative), relative * nominal) : default_absolute(relative) * nominal;
+}
+
 static int set_tolerances(fmurt_solver *solver) {
   const fmurt_situation *situation = &solver->instance->situation;
   const double relative = relative_tolerance(situation);
   const double option = situation->solver_real[FMURT_SOLVER_ABSOLUTE_TOLERANCE];
-  const double absolute = option > 0.0 ? option : default_absolute(relative);
   double *tolerance = NV_DATA_S(solver->tolerance);
   if (solver->state_count == 0) tolerance[0] = 1.0;
   for (size_t i = 0; i < solver->state_count; ++i) {
-    const double nominal = fmurt_model.state_nominal[i];
-    tolerance[i] = absolute * (nominal > 0.0 ? nominal : 1.0);
+    tolerance[i] = absolute_tolerance(relative, option, fmurt_model.state_nominal[i]);
   }
   return CVodeSVtolerances(solver->memory, relative, solver->tolerance);
 }
