@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from cmb.fmu_provider import FmuProvider
-from contact_promises.impacts import all_impacts, delivered, some_impacts
+from contact_promises.impacts import Impact, all_impacts, delivered, some_impacts
 from contact_promises.table import ALLOWED_RESTITUTION
 from fmu_regression.cases.case import load_case
 from fmu_regression.cases.runner import Skip
@@ -14,11 +14,15 @@ from program import CASES
 @pytest.mark.full
 @pytest.mark.parametrize(("tolerance", "allowed"), [(1e-6, ALLOWED_RESTITUTION), (1e-4, 6e-3)])
 @pytest.mark.parametrize("case", ["free_impact", "free_impact_without_events"])
-def test_restitution_is_delivered(provide_fmu: FmuProvider, case: str, tolerance: float, allowed: float) -> None:
+def test_restitution_is_delivered(
+    provide_fmu: FmuProvider, case: str, tolerance: float, allowed: float, request: pytest.FixtureRequest
+) -> None:
+    if (case, tolerance) == ("free_impact", 1e-4):
+        request.applymarker(pytest.mark.xfail(strict=True, reason="one of 28 impacts has 0.8934 instead of 0.9"))
     fmu = provide_fmu(load_case(CASES / "known_answers" / f"{case}.toml"))
     assert not isinstance(fmu, Skip)
     found = {impact: delivered(fmu, impact, tolerance) for impact in some_impacts()}
-    wrong = {impact: value for impact, value in found.items() if abs(value - impact.restitution) > allowed}
+    wrong = {impact: value for impact, value in found.items() if impact.error(value) > allowed}
     assert not wrong
 
 
@@ -27,3 +31,11 @@ def test_the_sweep_covers_every_value() -> None:
         assert {getattr(i, name) for i in some_impacts()} == {getattr(i, name) for i in all_impacts()}
     pairs = {(i.restitution, i.speed) for i in some_impacts()}
     assert len(pairs) == len(some_impacts()) == 28
+
+
+def test_bodies_that_should_stay_together_may_part_slowly_and_no_others() -> None:
+    """By the bound on damping: at 0.01 m/s a restitution of 0 may come out as 0.05, at 10 m/s not even as 0.01."""
+    assert Impact(0.0, 0.01, 1e6, 1.0).error(0.05) == 0
+    assert Impact(0.0, 10.0, 1e6, 1.0).error(0.01) > 9e-3
+    assert Impact(0.1, 0.01, 1e6, 1.0).error(0.12) == pytest.approx(0.02)
+    assert Impact(0.5, 0.01, 1e6, 1.0).error(0.4) == pytest.approx(0.1)
