@@ -1,14 +1,16 @@
 /* How sharply a picture that must keep up is drawn. */
 
-const STEPS = [1, 0.7, 0.5, 0.35, 0.25];
+// Share of the resolution, and whether bodies are drawn with few triangles.
+const STEPS = [[1, false], [0.7, false], [0.7, true], [0.5, true], [0.35, true], [0.25, true]];
 // Milliseconds a picture: what takes longer on the average is drawn coarser; what would not with the next finer step, finer.
-const SLOW = 24, QUICK = 7;
+const SLOW = 14, QUICK = 7;
 const SOON = 5, LATER = 90;
 
-/** Chooses a viewer's `detail` by how long its pictures take. */
+/** Chooses a viewer's `detail` and `coarse` by how long its pictures take. */
 export class Detail {
   constructor(viewer) {
     this.viewer = viewer;
+    this.patience = LATER;
     this.begin(0);
   }
 
@@ -17,13 +19,21 @@ export class Detail {
     this.count += 1;
     this.sum += milliseconds;
     const mean = this.sum / this.count;
-    if (this.count >= SOON && mean > SLOW && this.step < STEPS.length - 1) this.begin(this.step + 1);
-    else if (this.count >= LATER) this.begin(this.step - (mean < QUICK && this.step > 0));
+    if (this.count >= SOON && mean > SLOW && this.step < STEPS.length - 1) {
+      // A finer step that was tried and is too slow is tried again much later.
+      if (this.tried) this.patience *= 4;
+      this.begin(this.step + 1);
+    } else if (this.count >= this.patience) {
+      const finer = mean < QUICK && this.step > 0;
+      this.begin(this.step - finer);
+      this.tried = finer;
+    }
   }
 
   begin(step) {
     this.step = step;
-    this.viewer.detail = STEPS[step];
+    [this.viewer.detail, this.viewer.coarse] = STEPS[step];
     this.count = this.sum = 0;
+    this.tried = false;
   }
 }

@@ -7,10 +7,13 @@ import {
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 import { decodeArray } from "../arrays.js";
 import "./rigid_bones.js";
+import { coarser } from "./coarse.js";
 import { surface } from "./meshes.js";
 
 const LINE = { color: 0x0f141f, transparent: true, opacity: 0.62 };
 const ONE = new Vector3(1, 1, 1);
+// Triangles of all bodies where pictures must keep up.
+const COARSE_TRIANGLES = 1500;
 
 /**
  * A call to the graphics card costs as much as hundreds of triangles, so that the faces of all bodies are one mesh and their edges another:
@@ -20,9 +23,12 @@ export class Machine {
   /** bodies: with meshes as in animation.py. */
   constructor(bodies) {
     const faces = [], edges = [];
+    this.ranges = [];
+    let begin = 0;
     bodies.forEach(({ meshes }, k) => {
       for (const mesh of meshes) {
         const drawn = surface(decodeArray(mesh.vertices, Float32Array), decodeArray(mesh.triangles, Uint32Array));
+        this.ranges.push([begin, begin += drawn.faces.index.count]);
         faces.push(colored(following(drawn.faces, k), new Color().setRGB(...mesh.color, SRGBColorSpace)));
         if (drawn.edges) edges.push(following(drawn.edges, k));
       }
@@ -35,6 +41,7 @@ export class Machine {
     this.materials = { shaded: new MeshPhongMaterial({ ...look, specular: 0x0c0c0c, shininess: 48 }), flat: new MeshBasicMaterial(look) };
     if (faces.length) {
       this.faces = this.add(new SkinnedMesh(mergeGeometries(faces), this.materials.shaded));
+      this.fine = this.faces.geometry.index;
       this.faces.castShadow = this.faces.receiveShadow = true;
     }
     if (edges.length) {
@@ -49,6 +56,21 @@ export class Machine {
     mesh.frustumCulled = false;
     this.object.add(mesh);
     return mesh;
+  }
+
+  /** Draws few triangles, or all. */
+  thin(on) {
+    if (!this.faces) return;
+    if (on) this.coarse ??= this.coarseIndex();
+    this.faces.geometry.setIndex(on ? this.coarse : this.fine);
+  }
+
+  /** Of each mesh the same share of triangles. */
+  coarseIndex() {
+    const { geometry } = this.faces, { position, normal } = geometry.attributes, kept = [];
+    const share = COARSE_TRIANGLES / (this.fine.count / 3);
+    for (const [begin, end] of this.ranges) kept.push(coarser(position, normal, this.fine.array.subarray(begin, end), share));
+    return new BufferAttribute(new Uint32Array(kept.flatMap(part => [...part])), 1);
   }
 
   /** Puts a body at a pose: position and quaternion x y z w, body to world. */

@@ -23,7 +23,7 @@ const SHADOW_PERIOD = 3;
  * `shown`: what is drawn and which cues of depth it has. `view`: camera and output, see eyes.js and outputs.js, and whether the
  * eyes are swapped. `way` is how far the machine went: the camera follows it along the floor where `follow` is set. `detail`: share of
  * the resolution that is drawn; less than 1 where pictures must keep up, and then edges are not smoothed and shadows are drawn for one
- * picture in three, see detail.js. Changes show with `draw()`.
+ * picture in three; `coarse`: bodies have few triangles, see detail.js. Changes show with `draw()`.
  */
 export class Viewer {
   constructor(canvas, data) {
@@ -38,6 +38,7 @@ export class Viewer {
     this.head = [0, 0];
     this.frames = 0;
     this.detail = 1;
+    this.coarse = false;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.autoUpdate = false;
@@ -106,6 +107,7 @@ export class Viewer {
     const dark = !stage && window.matchMedia("(prefers-color-scheme: dark)").matches, inHeadset = Boolean(this.headset.session);
     world.scene.background = stage ? new Color().setRGB(...stage, "srgb") : view.output === "plain" && !inHeadset ? null : this.stageColor();
     world.apply(this.shown, dark);
+    world.machine.thin(this.coarse);
     world.forces.show(this.forces);
     world.arrange(this.followed, this.rig, focus);
     this.eyes.place(this.rig, {

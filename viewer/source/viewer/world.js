@@ -8,6 +8,8 @@ import { Machine } from "./machine.js";
 
 const HAZE = 0xb8c7db;
 const SHADOW_SIZE = 2048, LEAST_SHADOW = 0.25;
+// How far off its own shadow a surface is looked up, by the radius of what is seen: some pixels of the map, or it would shade itself.
+const SHADOW_BIAS = 4e-3;
 
 export class World {
   /** data: bodies with meshes, up, center, radius, floor and largestForce as in animation.py. */
@@ -39,7 +41,7 @@ export class World {
     const { radius } = this.data, reach = 1.35 * radius, shadow = this.sun.shadow;
     Object.assign(shadow.camera, { left: -reach, right: reach, bottom: -reach, top: reach, near: 0.1 * radius, far: 8 * radius });
     shadow.camera.up.copy(this.front);
-    shadow.normalBias = 4e-3 * radius;
+    shadow.normalBias = SHADOW_BIAS * radius;
     shadow.bias = -5e-4;
     this.scene.add(sky, this.sun, this.sun.target, this.fill, this.fill.target);
   }
@@ -49,6 +51,7 @@ export class World {
     const { shadow } = this.sun, size = SHADOW_SIZE * Math.max(share, LEAST_SHADOW);
     if (shadow.mapSize.x === size) return false;
     shadow.mapSize.set(size, size);
+    shadow.normalBias = SHADOW_BIAS * this.data.radius * SHADOW_SIZE / size;
     shadow.map?.dispose();
     shadow.map = null;
     return true;
