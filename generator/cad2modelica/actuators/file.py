@@ -25,7 +25,7 @@ from contact_foundation.toml_text import read_toml
 from cad2modelica.actuators.catalogue import IDEAL, SENSOR, ComponentClass, Parameter, components_for
 from cad2modelica.kinematics.loops import LoopAnalysis
 from cad2modelica.mechanism.model import Assembly, Assignment, Joint
-from cad2modelica.source.number_limits import LARGEST, are_usable
+from cad2modelica.source.number_limits import LARGEST, is_usable
 from cad2modelica.source.problems import Problems
 from cad2modelica.structure.renames import Renamed, closest
 
@@ -160,7 +160,7 @@ def finite_number(value: object) -> float:
     Raises:
         ValueError: it is none.
     """
-    if isinstance(value, bool) or not isinstance(value, int | float) or not are_usable(_as_float(value)):
+    if isinstance(value, bool) or not isinstance(value, int | float) or not is_usable(_as_float(value)):
         raise ValueError(f"must be a finite number, of at most {LARGEST:g}")
     return float(value)
 

@@ -19,7 +19,7 @@ from cad2modelica.meshio.gltf_file import read_gltf
 from cad2modelica.meshio.msh_file import read_msh
 from cad2modelica.meshio.ply_file import read_ply
 from cad2modelica.meshio.vrml_scene import read_scene
-from cad2modelica.source.number_limits import LARGEST, are_usable
+from cad2modelica.source.number_limits import LARGEST, are_usable, is_usable
 
 MAXIMUM_BYTES = 256 * 2**20
 STL_HEADER = 84
@@ -157,7 +157,7 @@ def _floats(words: list[str], count: int, file: Path, line: int) -> list[float]:
         values = [float(word) for word in words]
     except ValueError:
         values = []
-    if len(values) != count or not all(-LARGEST <= value <= LARGEST for value in values):
+    if len(values) != count or not all(map(is_usable, values)):
         raise _wrong_line(file, line, f"{count} finite numbers expected, of at most {LARGEST:g}")
     return values
 

@@ -22,6 +22,11 @@ def plain_number(text: str) -> float:
     return float(text)
 
 
+def is_usable(value: float) -> bool:
+    """Whether a number is finite and of at most ``LARGEST``; quicker than ``are_usable`` for a single one."""
+    return -LARGEST <= value <= LARGEST
+
+
 def are_usable(values: ArrayLike) -> bool:
     """Whether all numbers are finite and of at most ``LARGEST``."""
     return bool((np.abs(np.asarray(values, dtype=np.float64)) <= LARGEST).all())

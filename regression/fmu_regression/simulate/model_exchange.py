@@ -117,6 +117,7 @@ class _Master:
         functions.exit_initialization()
         self._iterate_events("initialization")
         self.recorder.sample(self.time)
+        nominal = self._nominal()
         with Cvode(
             self._derivatives,
             self._indicators,
@@ -124,8 +125,8 @@ class _Master:
             self._states(),
             self.instance.description.indicator_count,
             self.tolerance,
-            absolute_tolerances(self.tolerance, self._nominal()),
-            self._nominal(),
+            absolute_tolerances(self.tolerance, nominal),
+            nominal,
             self.max_step,
         ) as solver:
             try:
