@@ -16,7 +16,7 @@ using convex::FeatureKind;
 using convex::NearestFeatures;
 using convex::Polytope;
 
-// Of the way out: an axis this much less deep pierces the obstacle.
+// Of the minimum translation: an axis this much less deep pierces the obstacle.
 constexpr double pierced_part = 0.25;
 // Of the radius: how near an edge is near; from where on that matters, and wholly.
 constexpr double near_part = 0.15, deep_part = 0.8, all_part = 1.0;
@@ -153,7 +153,7 @@ class AxisBesidePolytope {
   std::vector<AxisPiece> *pieces_ = nullptr;
 };
 
-// The part of its energy that the axis carries where the way out is `depth` long.
+// The part of its energy that the axis carries where the minimum translation is `depth` long.
 double part_of(const AxisBesidePolytope &axis, const AxisEnergy &energy, double deepest, double depth, double radius) {
   const double clear = fading(axis.near_edges(energy.begin(), energy.end()), few_near, many_near);
   const double out = deepest > radius ? fading(1.0 - deepest / depth, 0.0, pierced_part) : 1.0;

@@ -1,4 +1,8 @@
-// Distance of two convex cores by the Gilbert-Johnson-Keerthi algorithm.
+// Distance of two convex cores by the algorithm of Gilbert, Johnson and Keerthi (1988).
+//
+// The nearest point of the simplex is found by looking at all of its faces that may hold it, and is kept perpendicular to edges and
+// faces to rounding: near contact the direction and not the tiny vector decides. The search ends when upper and lower bound agree,
+// when a vertex comes back, or when the distance no longer falls.
 #pragma once
 
 #include "narrowphase/minkowski_difference.hpp"

@@ -95,7 +95,7 @@ TEST(PiercedBody, LeavesAPlateByTheShorterWay) {
   }
 }
 
-// A plate's end in a cube's side, deeper than the plate is thick, above the cube's middle: the way out is back.
+// A plate's end in a cube's side, deeper than the plate is thick, above the cube's middle: the exit direction is back.
 TEST(PiercedBody, LeavesAPlatesEndTheWayItCame) {
   const PairScene scene(box, mesh_text(with_speck(box_mesh({1, 1, 0.02}, 3))));
   for (const double depth : {0.02, 0.05, 0.08}) {
@@ -172,7 +172,7 @@ TEST(PiercedBody, BallWithItsCentreOnAnEdgeIsPushedToTheFront) {
   }
 }
 
-// The sides of an angle that stands about a sheet's corner are the shorter ways out, but a sheet has but one front.
+// The sides of an angle that stands about a sheet's corner are nearer exits, but a sheet has but one front.
 TEST(PiercedBody, SheetPushesMeshesToItsFront) {
   const auto height = [](double x, double y) { return 2e-4 * std::sin(5 * x + 1) * std::cos(2 * y); };
   const PairScene scene(mesh_text(angle_mesh(1, 0.13, 0.1)), mesh_text(sheet_mesh(24.0, 16, height)));

@@ -36,7 +36,7 @@ TEST(PublishedPoses, AreAnswered) {
   }
 }
 
-// A library that is named answers itself, too deep where it does not find the shortest way out, but never misses a
+// A library that is named answers itself, too deep where it does not find the minimum translation, but never misses a
 // contact, nor the distance of bodies apart.
 TEST_P(Published, NoContactIsMissed) {
   for (const PublishedPose &p : published_poses()) {

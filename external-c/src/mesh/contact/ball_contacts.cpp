@@ -112,7 +112,7 @@ double ball_contacts(const Vec3 &center, double radius, const TriangleMesh &mesh
         {center, center}, [&] { return radius * radius; },
         [&](std::uint32_t t) { add_places(center, radius, mesh, t, shared); });
   }
-  // With the centre in or below the surface only the nearest place tells which way is out.
+  // With the centre in or below the surface only the nearest place tells the exit direction.
   if (shared.size() == 0) {
     shared.add({-distance, nearest_share(mesh, nearest), nearest.normal, nearest.point}, same);
   }

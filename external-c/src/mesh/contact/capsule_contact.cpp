@@ -126,7 +126,7 @@ class CapsuleQuery {
     const NearestPoint nearest = mesh_.nearest(center);
     const double distance = mesh_.closed() ? nearest.distance : std::fabs(nearest.distance);
     keep_nearest(distance - radius_, center, nearest.normal);
-    // In or below the surface only the nearest place tells which way is out; above it all that are nearer than their
+    // In or below the surface only the nearest place tells the exit direction; above it all that are nearer than their
     // surroundings count.
     if (distance < radius_ && !(nearest.distance > same_)) {
       load_.add(part, nearest.normal, radius_ - distance, nearest_share(mesh_, nearest));

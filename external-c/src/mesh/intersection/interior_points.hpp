@@ -1,4 +1,7 @@
 // Bodies of which a closed mesh holds more than its surface crosses.
+//
+// A convex body has one interior point, its middle; a mesh up to eight, half way through it behind triangles far from each other. They
+// lead out where they lie deeper in the other mesh than 8 times the load, also where nothing crosses: faces may be flush.
 #pragma once
 
 #include <array>
@@ -19,8 +22,8 @@ class InteriorPoint {
   // How deep it lies inside; 0 outside.
   double depth() const { return nearest_.distance < 0.0 ? -nearest_.distance : 0.0; }
 
-  // Where it lies deeper than the `other` ways out of the body: appends a point of the weight that leads to the nearest place of
-  // the mesh with what is missing, all depths multiplied by `part`; sets distance, normal and witness where that is nearer.
+  // Where it lies deeper than `other`, the depth of what else parts the two: appends a point of the weight that leads to the
+  // nearest place of the mesh with what is missing, all depths multiplied by `part`; sets distance, normal and witness where that is nearer.
   void push_out(double other, double part, const Pose &pose, ContactSet &result, double weight = 1.0) const;
 
  private:

@@ -98,7 +98,7 @@ bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const
   visit_sections(body, box, mesh, never, [&](const Vec3 (&corner)[3], const Vec3 &normal, double below, double above) {
     TriangleSection section = body.section(corner);
     if (!(section.depth > 0.0)) return;
-    // Of a body, no more is behind a triangle than behind its plane, nor is the way back longer than what is before it.
+    // Of a body, no more is behind a triangle than behind its plane, nor is the translation back longer than what is before it.
     section.depth = std::fmin(section.depth, std::fmin(below, above));
     pierced.add(section, normal, below, 0.5 * norm(cross(corner[1] - corner[0], corner[2] - corner[0])));
   });

@@ -1,4 +1,9 @@
 // What a mesh pushes that passes through a body.
+//
+// A wall right through a box, a plate's end in its side, an edge in a ball between the pieces of its surface: there may be no
+// surface that faces the mesh. Each triangle's section is how deep it reaches into the body, 0 where and only where it does not. All
+// of the load is added where nothing else carries, none in ordinary contacts, whose load is an eighth of their depth at least. Two
+// meshes count the least translation of crossing triangles, and push both ways first.
 #pragma once
 
 #include "manifold/contact_set.hpp"
@@ -39,8 +44,8 @@ struct CarriedLoad {
 };
 
 // Sections push along their triangle's normal with their own depth; the load is their mean. They count by their area, and by
-// how good a way out that normal is: where a body has h below the triangle's plane, by the fourth power of depth / h. A wall
-// through a body pushes to the side from which less has to come through.
+// how short a translation along that normal parts the two: where a body has h below the triangle's plane, by the fourth power of
+// depth / h. A wall through a body pushes to the side from which less has to come through.
 class PiercedLoad {
  public:
   explicit PiercedLoad(const Vec3 &center) : center_(center) {}
@@ -77,7 +82,7 @@ double limit_by_sections(const SectionedBody &body, const TriangleMesh &mesh, st
 // Completes the contact of a convex body with a mesh. `carried` is that of the points in `result`, which are those of the body's
 // surface that faces the mesh's triangles; distance, normal and witness are set where it is positive. Where it is too little for
 // what passes through the body, adds PiercedLoad; where a closed mesh has swallowed the body's middle, a point that leads it
-// out the shortest way. Returns false, with no points added, where the two do not touch.
+// out along the shortest exit direction. Returns false, with no points added, where the two do not touch.
 bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, const CarriedLoad &carried,
                       ContactSet &result);
 

@@ -19,7 +19,7 @@ constexpr double tolerance = 1e-12;
 constexpr double on_surface = 1e-10;
 // Overlaps less deep, relative to the size, have one contact direction: what the ball rests on would be lost in rounding.
 constexpr double shallow = 1e-7;
-// The sums of shares from which on, and at which, the shortest way takes over.
+// The sums of shares from which on, and at which, the minimum translation takes over.
 constexpr double squeezed = 4.0, opposed = 8.0;
 
 // The ball that is known to touch the surface at the minimum translation.

@@ -2,7 +2,8 @@
 // the Minkowski difference C = A - B.
 //
 // The minimum translation jumps where two places of C's surface become equally near; the projection onto the convex set of the
-// centres of all balls of a given radius in C does not. Derivation: docs/engine/narrowphase.md, "Contact directions".
+// centres of all balls of a given radius in C does not. Derivation: docs/engine/concept.md, "Contact directions of other curved
+// bodies".
 #pragma once
 
 #include <cmath>
@@ -35,7 +36,7 @@ struct ContactDirections {
   int count = 0;
 };
 
-// The contact directions of an overlap whose shortest way is `nearest` (distance < 0), for bodies of `size`. Where the
+// The contact directions of an overlap whose minimum translation is `nearest` (distance < 0), for bodies of `size`. Where the
 // bodies are so deep in each other that no such ball fits, the shortest alone.
 ContactDirections contact_directions(const ConvexBody &a, const ConvexBody &b, const Pose &b_in_a,
                                      const SignedDistance &nearest, double size,

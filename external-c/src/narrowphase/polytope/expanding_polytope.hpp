@@ -1,4 +1,11 @@
-// Penetration depth of two convex cores by the expanding polytope algorithm.
+// Penetration depth of two convex cores by the expanding polytope algorithm (van den Bergen 2001), with these differences.
+//
+// Faces are taken by their distance from the origin, or the offset of their plane where that is negative, so the start need not
+// hold the origin. A face farther than the depth need not be final: the way from the origin to a place of the surface within the
+// ball of the depth crosses a face within the ball, which is. What a new point sees is found by flood fill, and its rim must be a
+// single closed loop before anything is changed. Triangles too thin for a plane of their own take their neighbour's; a vertex that
+// comes back means that a thin face's plane was off, and its neighbours decide: a face of width w can lower the depth by no more
+// than w below its neighbours'. Faces that cannot beat the best support value are never queued.
 #pragma once
 
 #include <cstdint>
