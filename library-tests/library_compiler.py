@@ -9,9 +9,10 @@ from typing import Any
 
 import pytest
 import rumoca
+from contact_data import checkout
 from modelica2fmu.frontend.runner import without_modelicapath
 
-REPOSITORY = Path(__file__).resolve().parents[1]
+REPOSITORY = checkout()
 PACKAGES = ("ContactMultiBody", "ContactMultiBodyTest")
 LIBRARIES = ("core", "4.0.0", "4.1.0")
 

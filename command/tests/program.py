@@ -7,9 +7,10 @@ from collections.abc import Callable, Collection
 from pathlib import Path
 
 import pytest
+from contact_data import checkout
 from fmu_regression.cases.case import find_cases
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = checkout()
 CASES = ROOT / "regression" / "cases"
 
 Cmb = Callable[..., "subprocess.CompletedProcess[str]"]

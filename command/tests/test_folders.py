@@ -6,7 +6,9 @@ import subprocess
 from collections import Counter
 from pathlib import Path
 
-PROJECT = Path(__file__).resolve().parents[2]
+from contact_data import checkout
+
+PROJECT = checkout()
 MOST_FILES = 25
 # Data, of which one looks at a file by its name: cases, corpora, reference trajectories.
 DATA = ("external-c/fuzz/corpus/", "regression/cases/", "Resources/reference/")

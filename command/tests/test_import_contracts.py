@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
+from contact_data import checkout
 from importlinter.cli import EXIT_STATUS_SUCCESS, lint_imports
 
-PROJECT = Path(__file__).resolve().parents[2]
+PROJECT = checkout()
 
 
 def test_imports_go_one_way(capsys):

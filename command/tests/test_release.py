@@ -10,11 +10,11 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from contact_data import modelica_library
+from contact_data import checkout, modelica_library
 from fmu_regression.simulate.simulation import simulate
 from program import Cmb
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = checkout()
 
 
 @pytest.fixture(scope="module")

@@ -40,6 +40,18 @@ def regression_cases() -> Path | None:
     return folder if folder.is_dir() else None
 
 
+def checkout() -> Path:
+    """The checkout's folder, for what works on the project itself: scripts, benchmarks, tests.
+
+    Raises:
+        FileNotFoundError: this is an installation without a checkout.
+    """
+    folder = modelica_library().parent
+    if not (folder / "pyproject.toml").is_file():
+        raise FileNotFoundError(f"{folder} is no checkout of ContactMultiBody, which this works on")
+    return folder
+
+
 def dependencies() -> Path:
     """The folder with what set-up unpacked or built for FMUs (SUNDIALS); it need not exist."""
     return _entry("dependencies")

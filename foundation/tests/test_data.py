@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import contact_data
+import pytest
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 
@@ -16,6 +17,7 @@ def test_each_entry_leads_into_the_checkout():
     assert contact_data.depth_study() == CHECKOUT / "Resources" / "depth-study"
     assert contact_data.regression_cases() == CHECKOUT / "regression" / "cases"
     assert contact_data.dependencies() == CHECKOUT / ".deps"
+    assert contact_data.checkout() == CHECKOUT
 
 
 def test_entries_hold_what_they_say():
@@ -29,3 +31,5 @@ def test_entries_hold_what_they_say():
 def test_an_installation_without_cases_has_none(monkeypatch, tmp_path):
     monkeypatch.setattr(contact_data, "_entry", lambda name: tmp_path / name)
     assert contact_data.regression_cases() is None
+    with pytest.raises(FileNotFoundError, match="no checkout"):
+        contact_data.checkout()

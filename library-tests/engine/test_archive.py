@@ -8,11 +8,11 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from contact_data import contact_engine
+from contact_data import checkout, contact_engine
 
 SHARED = contact_engine()
 ARCHIVE = SHARED.with_name("libContactMultiBody.a")
-HEADERS = Path(__file__).parents[2] / "external-c" / "include"
+HEADERS = checkout() / "external-c" / "include"
 SUPPLIED = {"ModelicaFormatError", "_GLOBAL_OFFSET_TABLE_", "__dso_handle"}
 """By the Modelica tool, by the linker, by the compiler's start-up code."""
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
-REPOSITORY = Path(__file__).resolve().parents[2]
+from contact_data import checkout
+
+REPOSITORY = checkout()
 
 
 def test_literals_are_the_engines_back_ends_in_order() -> None:

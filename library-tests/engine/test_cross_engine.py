@@ -9,8 +9,9 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from contact_data import checkout
 
-BUILDS = Path(__file__).parents[2] / "build" / "external-c"
+BUILDS = checkout() / "build" / "external-c"
 RUNNERS = {"win64": "/usr/lib/wine/wine64", "aarch64-linux": "qemu-aarch64"}
 
 

@@ -18,11 +18,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from contact_data import core_subset
+from contact_data import checkout, core_subset
 from fmpy import extract, simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 
-PROJECT: Final = Path(__file__).resolve().parents[2]
+PROJECT: Final = checkout()
 SIZES: Final = (1, 2, 4, 8, 16, 32, 64)
 TOLERANCE: Final = 1e-6
 

@@ -19,10 +19,11 @@ import time
 from pathlib import Path
 
 import fmpy
+from contact_data import checkout
 from fmpy.fmi2 import FMU2Model
 from modelica2fmu.build import BuildOptions, BuildReport, build_fmu
 
-REPOSITORY = Path(__file__).resolve().parents[2]
+REPOSITORY = checkout()
 MOST_BY_EQUATIONS = 16
 EVALUATIONS = 300
 

@@ -9,12 +9,13 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Sequence
+from importlib.resources import files
 from pathlib import Path
 from typing import Any, Final
 
 from contact_foundation.errors import CmbError
 
-_PACKAGES: Final = Path(__file__).resolve().parents[1]
+_PACKAGES: Final = Path(str(files("peer_bench"))).parent
 _START_LIMIT: Final = 120.0
 
 

@@ -7,11 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cmb.main import main
+from contact_data import checkout
 from fmu_regression.scene.fmu_scene import scene_of_fmu
 
 pytestmark = pytest.mark.usefixtures("tests_cache")
 
-README = Path(__file__).resolve().parents[3] / "README.md"
+README = checkout() / "README.md"
 TWO = """model Two
   inner Modelica.Mechanics.MultiBody.World world(n={0,0,-1});
   ContactMultiBody.Parts.BodyBox box(

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from contact_data import checkout
 from fmu_regression.fmi.description import read_description
 from fmu_regression.results.result import FloatArray, SimulationResult
 from fmu_regression.scene.loads import mean_over_time, pair_loads
@@ -17,7 +18,7 @@ from fmu_regression.scene.signals import signals_for
 from fmu_regression.simulate.simulation import simulate
 from program import Cmb
 
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = checkout()
 
 pytestmark = pytest.mark.full
 

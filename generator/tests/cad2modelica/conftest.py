@@ -6,6 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from contact_data import checkout
 
 FIXTURES = Path(__file__).parent / "fixtures"
 
@@ -23,4 +24,4 @@ def pendulum(tmp_path: Path) -> Path:
 @pytest.fixture(scope="session")
 def hammer() -> Path:
     """The XML file of the CAD sample."""
-    return Path(__file__).resolve().parents[3] / "Resources" / "cad" / "hammer" / "hammer.xml"
+    return checkout() / "Resources" / "cad" / "hammer" / "hammer.xml"

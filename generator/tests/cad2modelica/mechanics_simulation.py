@@ -7,8 +7,9 @@ from pathlib import Path
 
 import numpy as np
 import rumoca
+from contact_data import checkout
 
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = checkout()
 CORE = ROOT / "Resources" / "MultiBodyCore"
 
 

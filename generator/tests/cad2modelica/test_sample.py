@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 from cad2modelica import read_assembly
 from cad2modelica.geometry.mesh import bodies, join, volume_integrals, weld
+from contact_data import checkout
 
-SAMPLES = Path(__file__).resolve().parents[3] / "Resources" / "cad"
+SAMPLES = checkout() / "Resources" / "cad"
 
 
 @pytest.mark.skipif(importlib.util.find_spec("cadquery") is None, reason="CadQuery is not installed")

@@ -18,6 +18,7 @@ from typing import Any
 import fmpy
 import numpy as np
 import pytest
+from contact_data import checkout
 from fmpy import extract, read_model_description, simulate_fmu
 from fmpy.build import build_platform_binary
 from fmpy.fmi2 import FMU2Model, FMU2Slave
@@ -28,7 +29,7 @@ from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.packaging import FmiVersion
 from modelica2fmu.packaging.dependencies import find_sundials
 
-LIBRARY = Path(__file__).resolve().parents[3] / "ContactMultiBody"
+LIBRARY = checkout() / "ContactMultiBody"
 MODEL = "ContactMultiBody.Examples.BallOnFloor"
 KINDS = ("ModelExchange", "CoSimulation")
 STANDARD_HEADERS = {

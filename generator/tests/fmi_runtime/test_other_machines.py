@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from contact_data import checkout
 from contact_foundation.errors import BuildError, InputError
 from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.library.external_code import ExternalCode
@@ -16,7 +17,7 @@ from modelica2fmu.packaging.platforms import AARCH64_LINUX, LINUX64, WIN64, Plat
 from numpy.typing import NDArray
 from other_machines import ARM, BARE, HERE, WINDOWS, Machine, simulate
 
-LIBRARY = Path(__file__).parents[3] / "ContactMultiBody"
+LIBRARY = checkout() / "ContactMultiBody"
 MODEL = "ContactMultiBody.Examples.BallOnFloor"
 VARIABLES = ("ball.frame_a.r_0[3]", "contacts.normalForce[1]", "contacts.elasticEnergy")
 STOP, STEPS = 1.0, 100

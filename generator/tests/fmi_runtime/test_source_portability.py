@@ -9,9 +9,10 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from contact_data import checkout
 from modelica2fmu.packaging.dependencies import find_fmi_headers, find_sundials
 
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = checkout()
 C_HEADERS = {"float", "limits", "math", "setjmp", "stdarg", "stddef", "stdint", "stdio", "stdlib", "string"}
 POSIX_HEADERS = {"pthread"}
 SUNDIALS = re.compile(r"(cvode|nvector|sundials|sunlinsol|sunmatrix)/")

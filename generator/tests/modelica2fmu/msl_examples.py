@@ -20,13 +20,14 @@ from typing import Any, Final
 
 import numpy as np
 import rumoca
+from contact_data import checkout
 from contact_foundation.errors import CmbError
 from fmpy import read_model_description, simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.frontend.errors import FrontEndError
 from modelica2fmu.library.standard_library import find_standard_library
 
-PROJECT: Final = Path(__file__).resolve().parents[3]
+PROJECT: Final = checkout()
 OUTCOMES: Final = PROJECT / "build" / "msl_examples"
 DOCUMENTATION: Final = PROJECT / "docs" / "fmu-builder.md"
 BEGIN, END = "<!-- msl_examples begin -->", "<!-- msl_examples end -->"

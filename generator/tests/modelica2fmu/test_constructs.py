@@ -7,11 +7,12 @@ from pathlib import Path
 import construct_table as table
 import numpy as np
 import pytest
+from contact_data import checkout
 from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 
-DOCUMENTATION = Path(__file__).resolve().parents[3] / "docs" / "fmu-builder.md"
+DOCUMENTATION = checkout() / "docs" / "fmu-builder.md"
 
 
 def written(case, folder: Path) -> Path:

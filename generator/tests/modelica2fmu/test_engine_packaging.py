@@ -8,12 +8,13 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from contact_data import checkout
 from contact_foundation.errors import BuildError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.packaging.shared_libraries import copy_modules
 
-LIBRARY = Path(__file__).parents[3] / "ContactMultiBody"
+LIBRARY = checkout() / "ContactMultiBody"
 ENGINE = LIBRARY / "Resources" / "Library" / "linux64"
 C_LIBRARY = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
 

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
-from contact_data import core_subset
+from contact_data import checkout, core_subset
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, BuildReport, build_fmu, translate
 from modelica2fmu.library.standard_library import CORE_SUBSET, StandardLibrary, find_standard_library
 
-REFERENCE = Path(__file__).resolve().parents[3] / "Resources" / "reference"
+REFERENCE = checkout() / "Resources" / "reference"
 MODELS = REFERENCE / "ReferenceModels.mo"
 
 

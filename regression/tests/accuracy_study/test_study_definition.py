@@ -10,10 +10,11 @@ from accuracy_study.answers import ClosedForm
 from accuracy_study.definition import load_study
 from accuracy_study.grid import base_geometry, base_variant, runs, variants
 from accuracy_study.knobs import BACKENDS, FRICTIONS, LAWS
+from contact_data import checkout
 from contact_foundation.errors import CmbError, InputError
 
-STUDIES = Path(__file__).parents[3] / "Resources" / "studies"
-TYPES = Path(__file__).parents[3] / "ContactMultiBody" / "Types"
+STUDIES = checkout() / "Resources" / "studies"
+TYPES = checkout() / "ContactMultiBody" / "Types"
 
 GOOD = """\
 [study]

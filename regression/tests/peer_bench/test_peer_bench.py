@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from contact_data import checkout
 from fmu_regression.results.result import read_csv
 from peer_bench.bench import Findings, carry_out
 from peer_bench.comparison import levels, safe_errors, sentences
@@ -28,7 +29,7 @@ from peer_bench.table import write_table
 from scipy.integrate import solve_ivp
 
 BLOCK = scene("block that stops")
-PEERS = Path(__file__).resolve().parents[3] / ".deps" / "peers" / "bin" / "python"
+PEERS = checkout() / ".deps" / "peers" / "bin" / "python"
 
 
 class Fake:
@@ -281,7 +282,7 @@ def test_a_peer_slides_a_block_as_coulomb_says(name: str, settings: dict[str, An
 )
 def test_the_robot_of_a_peer_is_that_of_the_modelica_model(name: str, settings: dict[str, Any]):
     hexapod = scene("hexapod")
-    truth = read_csv(Path(__file__).resolve().parents[3] / "Resources" / "reference" / "Hexapod.Walk.csv")
+    truth = read_csv(checkout() / "Resources" / "reference" / "Hexapod.Walk.csv")
     program = Program(PEERS, PROGRAMS[name])
     program.start()
     try:

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from contact_data import modelica_library
+from contact_data import checkout, modelica_library
 from contact_promises.rods import LAWS, MODES, TOLERANCES, Rod, RodRun, random_rod, random_rods, rod_runs
 from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu
 
-TESTS = Path(__file__).resolve().parents[3] / "ContactMultiBodyTest"
+TESTS = checkout() / "ContactMultiBodyTest"
 
 
 @pytest.fixture

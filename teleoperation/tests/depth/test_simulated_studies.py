@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 import time
 from dataclasses import fields
-from pathlib import Path
 
 import numpy as np
 import pytest
 from cmb.main import main
+from contact_data import checkout
 from contact_foundation.errors import InputError
 from depth_study.design.sequences import make_sequences
 from depth_study.evaluation.published import load_published
@@ -21,7 +21,7 @@ from depth_study.simulation.simulated_study import write_simulated_study
 from small_designs import DESIGN_FILE, PUBLISHED_FILE, thesis
 
 DESIGN = thesis()
-DOCUMENT = Path(__file__).resolve().parents[3] / "docs" / "teleoperation.md"
+DOCUMENT = checkout() / "docs" / "teleoperation.md"
 LEVELS = load_published(PUBLISHED_FILE, DESIGN).levels
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from cmb.main import main
+from contact_data import checkout
 from contact_foundation.errors import InputError
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody
@@ -19,7 +19,7 @@ from interactive_drive.mission.score import score, table
 from interactive_drive.mission.scripted_operator import ScriptedOperator
 from lxml import etree
 
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = checkout()
 MISSIONS = ROOT / "Resources" / "missions"
 ANTON = ROOT / "Resources" / "cad" / "anton" / "anton.xml"
 

@@ -14,6 +14,7 @@ from cad2modelica.collision.collision_shapes import CollisionGeometry
 from cad2modelica.emit.hull_files import FOLDER, package_geometry, stl
 from cad2modelica.geometry.mesh import is_closed, volume_integrals, weld
 from cad2modelica.meshio.mesh_files import read_mesh
+from contact_data import checkout
 from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
 from modelica2fmu.build import build_fmu
@@ -21,7 +22,7 @@ from modelica2fmu.options import BuildOptions
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
-ROOT = Path(__file__).resolve().parents[4]
+ROOT = checkout()
 LIBRARY = ROOT / "ContactMultiBody"
 ENGINE = LIBRARY / "Resources" / "Library" / "linux64" / "libcontactmultibody.so"
 SIDES = 7

@@ -12,7 +12,7 @@ from typing import Any
 import casadi
 import numpy as np
 import pytest
-from contact_data import core_subset
+from contact_data import checkout, core_subset
 from fmpy import extract, instantiate_fmu, read_model_description
 from modelica2fmu.build import BuildOptions, Translation, build_fmu, translate
 from modelica2fmu.codegen.slots import Store
@@ -21,7 +21,7 @@ from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.symbolic import expression as ex
 from numpy.typing import NDArray
 
-MODELS = Path(__file__).resolve().parents[4] / "Resources" / "reference" / "ReferenceModels.mo"
+MODELS = checkout() / "Resources" / "reference" / "ReferenceModels.mo"
 
 
 @contextmanager

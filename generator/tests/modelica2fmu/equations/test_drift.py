@@ -6,14 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from contact_data import core_subset
+from contact_data import checkout, core_subset
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.equations.blocks import Assignment
 from modelica2fmu.equations.unit_vectors import unit_vectors
 from modelica2fmu.symbolic import expression as ex
 
-MODELS = Path(__file__).resolve().parents[4] / "Resources" / "reference" / "ReferenceModels.mo"
+MODELS = checkout() / "Resources" / "reference" / "ReferenceModels.mo"
 
 
 def minute(model: str, names: list[str], folder: Path, cache: Path, tolerance: float, kind: str):

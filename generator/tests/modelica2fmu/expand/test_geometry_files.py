@@ -7,13 +7,13 @@ import shutil
 from pathlib import Path
 
 import pytest
-from contact_data import core_subset
+from contact_data import checkout, core_subset
 from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu, translate
 from modelica2fmu.library.standard_library import StandardLibrary, find_standard_library
 
-LIBRARY = Path(__file__).parents[4] / "ContactMultiBody"
+LIBRARY = checkout() / "ContactMultiBody"
 CORE = StandardLibrary(core_subset(), "", "core subset")
 
 pytestmark = pytest.mark.skipif(

@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from contact_data import core_subset
+from contact_data import checkout, core_subset
 from contact_foundation.errors import InputError
 from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.translation import Translation, translate
 
-LIBRARY = Path(__file__).parents[4] / "ContactMultiBody"
+LIBRARY = checkout() / "ContactMultiBody"
 WORLD = "  inner Modelica.Mechanics.MultiBody.World world;\n"
 CONNECTIONS = (
     "  connect(ball.frame_a, contacts.frame[1]);\n",
