@@ -22,7 +22,7 @@ from interactive_drive.server.operators import Operator
 
 MOST_IN_FLIGHT = 2
 MOST_TEXTS = 500
-LEAST_PERIOD = 1 / 60
+LEAST_PERIOD = 1 / 120
 _REFUSED_MESSAGE = 1008
 _SEED = 1
 _pages = count()
