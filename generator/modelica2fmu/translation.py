@@ -28,7 +28,7 @@ from modelica2fmu.library.external_code import ExternalCode, find_external_code,
 from modelica2fmu.library.library_repairs import repaired_library, views_folder
 from modelica2fmu.library.source_map import SourceMap
 from modelica2fmu.library.sources import locate
-from modelica2fmu.library.standard_library import StandardLibrary, other_libraries
+from modelica2fmu.library.standard_library import StandardLibrary, other_libraries, told_of_the_core_subset
 from modelica2fmu.packaging.platforms import LINUX64
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.scene.energies import add_energies
@@ -78,7 +78,8 @@ def translate(
             file = _shown(file, original, library_root)
             roots = [*(_shown(root, original, library_root) for root in found), library_root, *other_libraries()]
             ex.new_graph()
-            flat = load_flat_model(model, file, roots, source_map, clock.remark)
+            with told_of_the_core_subset(library):
+                flat = load_flat_model(model, file, roots, source_map, clock.remark)
             clock.begin("expand")
             scalar = scalarize(flat, source_map, lambda name: named_file(name, roots, file))
             if OutputGroup.ENERGIES in outputs:

@@ -26,6 +26,23 @@ equation
 end Two;
 """
 
+# The box is seen from its frame_b, which is turned and lies beside its centre of mass; the step has no other frame.
+SEEN_FROM_B = """model SeenFromB
+  inner Modelica.Mechanics.MultiBody.World world(n={0,0,-1});
+  Modelica.Mechanics.MultiBody.Joints.Prismatic slide(n={0,0,1}, s(start=0.2, fixed=true), v(fixed=true));
+  Modelica.Mechanics.MultiBody.Parts.BodyShape box(m=2, r={0.1,0,0}, r_CM={0.05,0,0}, I_11=1, I_22=2, I_33=3);
+  ContactMultiBody.Parts.Fixed step(r={0.1,0,0.1}, geometry=ContactMultiBody.Shapes.box({0.2,0.2,0.2}));
+  ContactMultiBody.ContactManager contacts(
+    n=2, geometry={ContactMultiBody.Shapes.sphere(0.02), step.geometry}, pairs={{1,2}},
+    material={ContactMultiBody.Materials.Steel(), step.material});
+equation
+  connect(world.frame_b, slide.frame_a);
+  connect(slide.frame_b, box.frame_a);
+  connect(box.frame_b, contacts.frame[1]);
+  connect(step.frame_b, contacts.frame[2]);
+end SeenFromB;
+"""
+
 
 def built(folder: Path, name: str, text: str, *words: str) -> Path:
     (folder / f"{name}.mo").write_text(text)
@@ -69,3 +86,18 @@ def test_an_fmu_without_contacts_has_no_scene(tmp_path: Path, capsys: pytest.Cap
     fmu = built(tmp_path, "Plain", "model Plain\n  Real x(start=1, fixed=true);\nequation\n  der(x)=-x;\nend Plain;\n")
     assert main(["simulate", str(fmu), "--output", str(tmp_path / "p.csv"), "--scene", str(fmu)]) == 2
     assert "has no contact manager" in capsys.readouterr().err
+
+
+def test_bodies_may_be_connected_by_their_frame_b(tmp_path: Path) -> None:
+    fmu = built(tmp_path, "SeenFromB", SEEN_FROM_B)
+    box, step = scene_of_fmu(fmu).bodies
+    assert (box.variable, box.frame, box.fixed, box.mass) == ("box", "frame_b", False, 2.0)
+    assert box.position == pytest.approx([0.1, 0, 0.2])
+    assert box.center_of_mass == pytest.approx([-0.05, 0, 0])
+    assert np.diag(box.inertia) == pytest.approx([1, 2, 3])
+    assert (step.variable, step.frame, step.fixed) == ("step", "frame_b", True)
+    assert step.position == pytest.approx([0.1, 0, 0.1])
+    csv, html = tmp_path / "b.csv", tmp_path / "b.html"
+    assert main(["simulate", str(fmu), "--output", str(csv), "--stop", "0.1", "--scene", str(fmu)]) == 0
+    assert main(["report", str(csv), "--scene", str(fmu), "--output", str(html)]) == 0
+    assert "box – step" in html.read_text()

@@ -184,6 +184,21 @@ class ClassInstance:
             self._is_finding_bases = False
         return tuple(result)
 
+    def missing_base(self) -> Base | None:
+        """The first class that it extends and that is not found; as long as there is one, no name is found in it."""
+        self._is_finding_bases = True
+        try:
+            for number, base in enumerate(self.definition.bases):
+                if number == 0 and self._inherited is not None:
+                    continue
+                try:
+                    self._base_class(base)
+                except UnknownError:
+                    return base
+        finally:
+            self._is_finding_bases = False
+        return None
+
     @property
     def _is_short(self) -> bool:
         return self.definition.is_short

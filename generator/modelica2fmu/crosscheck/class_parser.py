@@ -208,14 +208,14 @@ class _Parser(SectionReader):
 
     def _components(self, is_outer: bool) -> Iterator[ComponentDeclaration]:
         """component-clause."""
-        is_constant = False
+        prefixes = set()
         while self.text() in _COMPONENT_PREFIXES:
-            is_constant |= self.text() == "constant"
+            prefixes.add(self.text())
             self.at += 1
         type_name = self.name()
         start = self.at
         self.skip_subscripts()
-        may_all_be_absent = is_constant or self.at > start
+        may_all_be_absent = "constant" in prefixes or self.at > start
         while True:
             first = self.at
             name = self.identifier()
@@ -228,7 +228,16 @@ class _Parser(SectionReader):
                 may_be_absent = True
                 self.expression()
             self.skip_comment()
-            yield ComponentDeclaration(name, type_name, extent, arguments, value, is_outer, may_be_absent=may_be_absent)
+            yield ComponentDeclaration(
+                name,
+                type_name,
+                extent,
+                arguments,
+                value,
+                is_outer,
+                is_input="input" in prefixes,
+                may_be_absent=may_be_absent,
+            )
             # In a modification a comma ends the argument.
             if self.text() != "," or self._in_modification:
                 return

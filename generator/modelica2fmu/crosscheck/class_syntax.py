@@ -71,6 +71,7 @@ class ComponentDeclaration:
         value: its binding.
         constraint: its constraining clause, where it is replaceable.
         redeclares: = true, if an element redeclares an inherited component.
+        is_input: = true, if it is declared as an input.
         may_be_absent: = true, if it is constant, an array or conditional.
     """
 
@@ -80,6 +81,7 @@ class ComponentDeclaration:
     arguments: tuple[Modifier, ...] = ()
     value: Extent | None = None
     is_outer: bool = False
+    is_input: bool = False
     redeclares: bool = False
     may_be_absent: bool = False
     constraint: Constraint | None = None

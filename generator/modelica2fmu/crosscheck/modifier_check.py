@@ -16,7 +16,7 @@ from contact_foundation.near_names import did_you_mean
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
-from modelica2fmu.crosscheck.class_syntax import ComponentDeclaration, Extent, Modifier
+from modelica2fmu.crosscheck.class_syntax import Base, ComponentDeclaration, Extent, Modifier
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.near_names import near_names
 from modelica2fmu.crosscheck.own_classes import found_class, model_class, own_classes
@@ -71,6 +71,10 @@ class _ModifierCheck:
         """Raises InputError at the first modifier of nothing, in the order in which components are declared."""
         missing: list[InputError] = []
         for each in own_classes(root, self.own):
+            absent = _missing_base(each)
+            if absent is not None:
+                missing.append(self._missing(absent.type_name, absent.extent, self.model))
+                continue
             for base in each.definition.bases:
                 found = found_class(each, base.type_name)
                 if found is not None:
@@ -78,17 +82,19 @@ class _ModifierCheck:
             for component in each.definition.components.values():
                 found = found_class(each, component.type_name)
                 if found is None:
-                    missing.append(self._missing(component))
+                    missing.append(
+                        self._missing(component.type_name, component.extent, f"{self.model}.{component.name}")
+                    )
                 else:
                     self._component(component, found)
         return missing[0] if missing else None
 
-    def _missing(self, component: ComponentDeclaration) -> InputError:
-        place = self.place_of(component.extent)
+    def _missing(self, name: tuple[str, ...], extent: Extent, component: str) -> InputError:
+        place = self.place_of(extent)
         return InputError(
-            f"there is no class {'.'.join(component.type_name)}",
-            place=Place(file=place.file, line=place.line, component=f"{self.model}.{component.name}"),
-            remedy=near_names(component.type_name, self.model, self.library),
+            f"there is no class {'.'.join(name)}",
+            place=Place(file=place.file, line=place.line, component=component),
+            remedy=near_names(name, self.model, self.library),
         )
 
     def _component(self, component: ComponentDeclaration, found: ClassInstance) -> None:
@@ -130,3 +136,10 @@ class _ModifierCheck:
             place=Place(file=place.file, line=place.line, component=component),
             remedy=did_you_mean(argument.path[0], known) or f"it has {', '.join(known[:8])}",
         )
+
+
+def _missing_base(instance: ClassInstance) -> Base | None:
+    try:
+        return instance.missing_base()
+    except (UnreadableError, RecursionError):
+        return None

@@ -12,6 +12,7 @@ from contact_foundation.errors import InputError, Place
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.collider_order import MisplacedRow
 from modelica2fmu.crosscheck.near_names import near_names
+from modelica2fmu.frontend.call_errors import call_error
 from modelica2fmu.frontend.runner import LAYOUT, Answer
 from modelica2fmu.library.class_text import without_comments_and_strings
 
@@ -79,7 +80,7 @@ def front_end_error(answer: Answer, model: str, file: Path, library: ClassLibrar
     layout = LAYOUT.search(message)
     if layout:
         return _layout_error(Path(layout[1]), layout[2].split("; "))
-    own = _own_mistake(message, model, file)
+    own = _own_mistake(message, model, file) or call_error(message, model, file, library)
     if own is not None:
         return own
     place = Place(file=file, component=model)

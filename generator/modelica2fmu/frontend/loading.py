@@ -54,6 +54,8 @@ from modelica2fmu.library.source_map import SourceMap, Span, source_number
 _UNRESOLVED: Final = re.compile(r"\bunresolved\b")
 # Where connected arrays have different sizes.
 _SIZES_DIFFER: Final = "array dimension mismatch for `connect`"
+# Of concatenations that it takes only when they are written out: the type is that of the dimension.
+_CONCATENATION_REFUSED: Final = re.compile(r"type mismatch: expected `[^`]+`, found `Integer`")
 
 
 @dataclass(frozen=True)
@@ -105,7 +107,7 @@ def load_flat_model(
                 folder = folders.enter_context(scratch_folder("package"))
                 loaded = _with_package_written_out(loaded, request, folder, source_map, remark)
             else:
-                answer = _with_arrays_written_out(loaded.answer, request, file, source_map, remark)
+                answer, request = _with_arrays_written_out(loaded.answer, request, file, source_map, remark)
                 loaded = replace(loaded, answer=answer)
         answer = loaded.answer
         if answer.flat is None:
@@ -117,7 +119,7 @@ def load_flat_model(
             unread = syntax_error(words, model)
             refusal = unread or missing or front_end_error(words, model, file, library)
             vague = unread is None and missing is None and is_vague(refusal)
-            piece = culprit(answer.error, request, given.file, text) if vague else None
+            piece = culprit(answer.error, request, given.file, source_map.text(file)) if vague else None
             if piece is not None:
                 place = replace(_places(source_map)(piece.extent), component=model)
                 refusal = piece_error(piece.said, piece.text, place)
@@ -162,18 +164,24 @@ def _unbalanced(error: str, request: Request, file: Path, remark: Callable[[str]
 
 def _with_arrays_written_out(
     answer: Answer, request: Request, file: Path, source_map: SourceMap, remark: Callable[[str], None]
-) -> Answer:
-    """The answer about the same model with arrays written out; the error as it was where that does not help."""
+) -> tuple[Answer, Request]:
+    """The answer about the same model with arrays written out, and what was asked.
+
+    The error as it was where that tells nothing else.
+    """
     written = None if request.text is None else with_arrays_written_out(request.text)
     if written is None or written.text == request.text:
-        return answer
-    other = ask(replace(request, text=written.text), remark)
-    if other.flat is None and _SIZES_DIFFER in other.error:
-        return other
-    if other.flat is None or not have_values(other.flat, written.numbers):
-        return answer
+        return answer, request
+    about = replace(request, text=written.text)
+    other = ask(about, remark)
+    if other.flat is None:
+        tells_more = _SIZES_DIFFER in other.error or _CONCATENATION_REFUSED.search(answer.error) is not None
+    else:
+        tells_more = have_values(other.flat, written.numbers)
+    if not tells_more:
+        return answer, request
     source_map.add_text(file, written.text)
-    return other
+    return other, about
 
 
 def _check_own_text(model: str, file: Path, source_map: SourceMap, library: ClassLibrary) -> InputError | None:

@@ -27,6 +27,11 @@ _OPENMODELICA: Final = (
 )
 _HEAD_BYTES: Final = 400_000
 _MAJOR_VERSION: Final = 4
+_MISSING_CLASS: Final = re.compile(r"(?:there is no class |unresolved \w+ (?:reference|call): ')Modelica\.")
+_SUBSET: Final = (
+    "Of the Modelica Standard Library only this project's core subset is used: name the whole with --msl, set "
+    "MODELICAPATH, or run cmb msl install"
+)
 _PARTS: Final = ("Modelica", "ModelicaServices", "Complex")
 
 
@@ -115,6 +120,18 @@ def find_standard_library(explicit: Path | None = None, environment: Mapping[str
         "no Modelica Standard Library was found",
         remedy="name one with --msl, set MODELICAPATH, or run cmb msl install",
     )
+
+
+@contextmanager
+def told_of_the_core_subset(library: StandardLibrary) -> Iterator[None]:
+    """Errors about classes of the Standard Library that are not there say so where only the core subset is used."""
+    try:
+        yield
+    except InputError as error:
+        if library.origin != CORE_SUBSET or not _MISSING_CLASS.search(error.message):
+            raise
+        remedy = f"{error.remedy} {_SUBSET}" if error.remedy else _SUBSET
+        raise InputError(error.message, place=error.place, remedy=remedy) from error
 
 
 def other_libraries(environment: Mapping[str, str] = os.environ) -> list[Path]:

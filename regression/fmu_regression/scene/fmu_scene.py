@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from contact_foundation.errors import InputError, Place
@@ -17,7 +18,8 @@ from fmu_regression.scene.descriptor_mesh import descriptor_meshes
 from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody, load_scene
 
 _MANAGER: Final = re.compile(r"(.+)\.pairDistance\[1\]")
-_FRAME: Final = re.compile(r"(.+)\.frame_a\.r_0\[1\]")
+_FRAME: Final = re.compile(r"(.+)\.(frame_[ab])\.r_0\[1\]")
+_AXES: Final = (1, 2, 3)
 _MOVES: Final = ("continuous", "discrete")
 
 
@@ -33,8 +35,8 @@ def load_scene_of(path: Path) -> Scene:
 def scene_of_fmu(path: Path) -> Scene:
     """The scene that the first contact manager of an FMU shows, as it is after initialization.
 
-    Bodies are the components whose ``frame_a`` has the variables of the manager's frames; what has no mass of its own
-    counts as fixed where it does not move.
+    Bodies are the components whose ``frame_a`` or ``frame_b`` has the variables of the manager's frames; what has no
+    mass of its own counts as fixed where it does not move.
 
     Raises:
         InputError: there is no contact manager, or a body of it is not found.
@@ -61,6 +63,21 @@ def scene_of_fmu(path: Path) -> Scene:
     return _Reading(path, description, found, values).scene()
 
 
+class _Frame(NamedTuple):
+    """A frame of a component; what is fixed in the world has a frame_b alone."""
+
+    component: str
+    name: str
+
+    @property
+    def positions(self) -> list[str]:
+        return [f"{self.component}.{self.name}.r_0[{i}]" for i in _AXES]
+
+    @property
+    def rotations(self) -> list[str]:
+        return [f"{self.component}.{self.name}.R.T[{i},{j}]" for i in _AXES for j in _AXES]
+
+
 class _Reading:
     def __init__(self, path: Path, description: ModelDescription, manager: str, values: Mapping[str, float]) -> None:
         self._path = path
@@ -68,7 +85,8 @@ class _Reading:
         self._variables = description.variables
         self._manager = manager
         self._values = values
-        self._components = [match[1] for name in self._variables if (match := _FRAME.fullmatch(name))]
+        frames = [_Frame(*match.groups()) for name in self._variables if (match := _FRAME.fullmatch(name))]
+        self._frames = sorted(frames, key=lambda frame: frame.name)  # frame_a first
 
     def scene(self) -> Scene:
         count = self._count("geometry[{}]")
@@ -78,7 +96,7 @@ class _Reading:
             first, second = (int(self._values[f"{self._manager}.pair[{index},{side}]"]) for side in (1, 2))
             restitution = self._values.get(f"{self._manager}.restitution[{index}]")
             pairs.append(ContactPair(index, (bodies[first - 1].name, bodies[second - 1].name), restitution))
-        direction = self._numbers([f"world.n[{i}]" for i in (1, 2, 3)])
+        direction = self._numbers([f"world.n[{i}]" for i in _AXES])
         gravity = np.zeros(3) if direction is None else direction * self._values.get("world.g", 0.0)
         name = self._description.name
         return Scene(name, gravity, tuple(bodies), (), tuple(pairs), self._manager)
@@ -91,47 +109,57 @@ class _Reading:
 
     def _body(self, number: int) -> SceneBody:
         descriptor = self._variables[f"{self._manager}.geometry[{number}]"].start or ""
-        component = self._component(number, descriptor)
-        frame = f"{component}.frame_a"
-        position_names = [f"{frame}.r_0[{i}]" for i in (1, 2, 3)]
-        rotation_names = [f"{frame}.R.T[{i},{j}]" for i in (1, 2, 3) for j in (1, 2, 3)]
-        moves = any(self._variables[name].variability in _MOVES for name in (*position_names, *rotation_names))
+        frame = self._frame(number, descriptor)
+        component = frame.component
+        moves = any(self._variables[name].variability in _MOVES for name in (*frame.positions, *frame.rotations))
         # A BodyBox has its mass in a body inside.
         massive = next(
             (name for name in (component, f"{component}.body") if f"{name}.I[1,1]" in self._values), component
         )
-        center = self._numbers([f"{massive}.r_CM[{i}]" for i in (1, 2, 3)])
-        inertia = self._numbers([f"{massive}.I[{i},{j}]" for i in (1, 2, 3) for j in (1, 2, 3)])
-        return SceneBody(
-            name=component,
-            label=component,
-            variable=component,
-            fixed=not moves,
-            position=self._required(position_names),
-            rotation=self._required(rotation_names).reshape(3, 3),
-            mass=self._values.get(f"{massive}.m", 0.0),
-            center_of_mass=np.zeros(3) if center is None else center,
-            inertia=np.zeros((3, 3)) if inertia is None else inertia.reshape(3, 3),
-            meshes=descriptor_meshes(descriptor, number),
+        center = self._numbers([f"{massive}.r_CM[{i}]" for i in _AXES])
+        inertia = self._numbers([f"{massive}.I[{i},{j}]" for i in _AXES for j in _AXES])
+        return self._seen_from(
+            _Frame(component, "frame_a"),
+            SceneBody(
+                name=component,
+                label=component,
+                variable=component,
+                fixed=not moves,
+                position=self._required(frame.positions),
+                rotation=self._required(frame.rotations).reshape(3, 3),
+                mass=self._values.get(f"{massive}.m", 0.0),
+                center_of_mass=np.zeros(3) if center is None else center,
+                inertia=np.zeros((3, 3)) if inertia is None else inertia.reshape(3, 3),
+                meshes=descriptor_meshes(descriptor, number),
+                frame=frame.name,
+            ),
         )
 
-    def _component(self, number: int, descriptor: str) -> str:
-        """The component that a frame of the manager is connected to: its position is the same variable."""
-        own = [self._variables[f"{self._manager}.frame[{number}].r_0[{i}]"] for i in (1, 2, 3)]
-        same = [name for name in self._components if self._is_same(own, name)]
-        of_shape = [name for name in same or self._components if self._shape(name) == descriptor]
+    def _seen_from(self, own: _Frame, body: SceneBody) -> SceneBody:
+        """A body whose centre of mass and inertia are told in its own frame, told in the frame that it is seen from."""
+        position, rotation = self._numbers(own.positions), self._numbers(own.rotations)
+        if own.name == body.frame or position is None or rotation is None:
+            return body
+        turned = body.rotation @ rotation.reshape(3, 3).T
+        center = turned @ body.center_of_mass + body.rotation @ (position - body.position)
+        return replace(body, center_of_mass=center, inertia=turned @ body.inertia @ turned.T)
+
+    def _frame(self, number: int, descriptor: str) -> _Frame:
+        """The component's frame that a frame of the manager is connected to: its position is the same variable."""
+        own = [self._variables[f"{self._manager}.frame[{number}].r_0[{i}]"] for i in _AXES]
+        same = [frame for frame in self._frames if self._is_same(own, frame)]
+        of_shape = [frame for frame in same or self._frames if self._shape(frame.component) == descriptor]
         found = of_shape or same
         if not found:
             raise InputError(
-                f"no component's frame_a is found that {self._manager}.frame[{number}] is connected to",
+                f"no component's frame_a or frame_b is found that {self._manager}.frame[{number}] is connected to",
                 place=Place(file=self._path),
-                remedy="Connect the manager with the bodies' own frame_a.",
+                remedy="Connect the manager with the bodies' own frames.",
             )
-        return next((name for name in found if f"{name}.m" in self._values), found[0])
+        return next((frame for frame in found if f"{frame.component}.m" in self._values), found[0])
 
-    def _is_same(self, own: Sequence[Variable], component: str) -> bool:
-        names = [f"{component}.frame_a.r_0[{i}]" for i in (1, 2, 3)]
-        other = [self._variables[name] for name in names]
+    def _is_same(self, own: Sequence[Variable], frame: _Frame) -> bool:
+        other = [self._variables[name] for name in frame.positions]
         return all(
             a.reference == b.reference or (a.variability not in _MOVES and self._values[a.name] == self._values[b.name])
             for a, b in zip(own, other, strict=True)

@@ -24,9 +24,9 @@ class BodyMotion:
 
     Attributes:
         body: the body.
-        position: shape (n, 3), of frame_a, world axes, m.
+        position: shape (n, 3), of the body's frame, world axes, m.
         rotation: shape (n, 3, 3), T: v_body = T v_world.
-        velocity: shape (n, 3), of frame_a, world axes, m/s.
+        velocity: shape (n, 3), of the body's frame, world axes, m/s.
         angular_velocity: shape (n, 3), body axes, rad/s.
         notes: what was not found in the result and how it was replaced; empty if all was there.
     """

@@ -47,12 +47,13 @@ class SceneBody:
         label: name for people.
         variable: prefix of its variables in the result.
         fixed: whether it never moves.
-        position: shape (3,), start position of frame_a, m.
+        position: shape (3,), start position of its frame, m.
         rotation: shape (3, 3), start rotation T: v_body = T v_world.
         mass: kg.
-        center_of_mass: shape (3,), from frame_a, body axes, m.
+        center_of_mass: shape (3,), from its frame, body axes, m.
         inertia: shape (3, 3), about the centre of mass, body axes, kg m2.
         meshes: its geometry; may be empty.
+        frame: that contacts see it in, "frame_a" or "frame_b".
     """
 
     name: str
@@ -65,6 +66,7 @@ class SceneBody:
     center_of_mass: FloatArray
     inertia: FloatArray
     meshes: tuple[Mesh, ...]
+    frame: str = "frame_a"
 
 
 @dataclass(frozen=True)

@@ -14,23 +14,26 @@ _LISTED = 4  # signals named in a message
 
 
 def position_names(body: SceneBody) -> list[str]:
-    """Names of the position of frame_a, x y z."""
-    return [f"{body.variable}.frame_a.r_0[{i}]" for i in _AXES]
+    """Names of the position of the body's frame, x y z."""
+    return [f"{body.variable}.{body.frame}.r_0[{i}]" for i in _AXES]
 
 
 def rotation_names(body: SceneBody) -> list[str]:
     """Names of the nine elements of T, row by row."""
-    return [f"{body.variable}.frame_a.R.T[{i},{j}]" for i in _AXES for j in _AXES]
+    return [f"{body.variable}.{body.frame}.R.T[{i},{j}]" for i in _AXES for j in _AXES]
 
 
 def velocity_candidates(body: SceneBody) -> list[list[str]]:
-    """Names under which the velocity of frame_a, world axes, may be found; best first."""
+    """Names under which the velocity of the body's frame, world axes, may be found; best first."""
+    if body.frame != "frame_a":
+        return []
     return [[f"{body.variable}.v_0[{i}]" for i in _AXES], [f"{body.variable}.body.v_0[{i}]" for i in _AXES]]
 
 
 def angular_velocity_candidates(body: SceneBody) -> list[list[str]]:
     """Names under which the angular velocity, body axes, may be found; best first."""
-    return [[f"{body.variable}.{variable}[{i}]" for i in _AXES] for variable in ("w_a", "body.w_a", "frame_a.R.w")]
+    own = ("w_a", "body.w_a") if body.frame == "frame_a" else ()
+    return [[f"{body.variable}.{variable}[{i}]" for i in _AXES] for variable in (*own, f"{body.frame}.R.w")]
 
 
 def first_present(candidates: Sequence[Sequence[str]], known: Container[str]) -> Sequence[str] | None:

@@ -81,3 +81,12 @@ def test_partial_model_is_refused(tmp_path: Path) -> None:
 def test_right_modifiers_are_taken(tmp_path: Path) -> None:
     (tmp_path / "Swing.mo").write_text(MODEL)
     assert "joint.phi" in translate("Swing", [tmp_path / "Swing.mo"], LIBRARY).scalar.variables
+
+
+def test_a_base_that_is_not_there_is_told_not_what_stands_beside_it(tmp_path: Path) -> None:
+    extends = "  extends Modelica.Mechanics.MultiBody.Examples.Loops.Engine1a;\n"
+    error = refused(tmp_path, "model Swing\n", f"model Swing\n{extends}")
+    assert error.place is not None
+    assert error.place.line == 2
+    assert error.message == "there is no class Modelica.Mechanics.MultiBody.Examples.Loops.Engine1a"
+    assert "cmb msl install" in (error.remedy or "")
