@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/capsule_manifold.hpp"
+#include "manifold/axis/capsule_manifold.hpp"
+#include "manifold/axis/capsule_on_revolved.hpp"
 #include "manifold/deepest_edges.hpp"
 #include "manifold/disc_manifold.hpp"
 #include "manifold/rod_end_share.hpp"
@@ -307,7 +308,9 @@ void contact_along_all(const Shape &a, const Pose &pose_a, const Shape &b, const
   if (points.size() == first) contact_along(a, pose_a, b, pose_b, answer, scratch, points);
 }
 
-// What the energy of a capsule's axis carries on a box or hull; returns its part of the contact.
+bool is_revolved(const Shape &shape) { return shape.kind == ShapeKind::cylinder || shape.kind == ShapeKind::cone; }
+
+// What the energy of a capsule's axis carries on a box, hull, cylinder or cone; returns its part of the contact.
 double elastic_part(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
                     CapsuleScratch &scratch, std::vector<ContactPoint> &points) {
   const double depth = -answer.distance;
@@ -316,6 +319,12 @@ double elastic_part(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   }
   if (b.kind == ShapeKind::capsule && a.polytope) {
     return capsule_on_polytope(b, pose_b, a, pose_a, depth, answer.point_b, -answer.normal, -1.0, scratch, points);
+  }
+  if (a.kind == ShapeKind::capsule && is_revolved(b)) {
+    return capsule_on_revolved(a, pose_a, b, pose_b, depth, answer.point_a, 1.0, points);
+  }
+  if (b.kind == ShapeKind::capsule && is_revolved(a)) {
+    return capsule_on_revolved(b, pose_b, a, pose_a, depth, answer.point_b, -1.0, points);
   }
   return 0.0;
 }

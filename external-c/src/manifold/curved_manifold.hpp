@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "backend/distance_backend.hpp"
-#include "manifold/capsule_on_polytope.hpp"
+#include "manifold/axis/capsule_on_polytope.hpp"
 #include "manifold/contact_set.hpp"
 #include "manifold/line_manifold.hpp"
 #include "manifold/polytope/polytope_manifold.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "backend/distance_library.hpp"
-#include "manifold/capsule_manifold.hpp"
+#include "manifold/axis/capsule_manifold.hpp"
 #include "manifold/halfspace_manifold.hpp"
 #include "math/pose_algebra.hpp"
 #include "query/bound_gap.hpp"

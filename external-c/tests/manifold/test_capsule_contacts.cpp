@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/capsule_manifold.hpp"
+#include "manifold/axis/capsule_manifold.hpp"
 #include "math/pi.hpp"
 #include "support/contact_sums.hpp"
 #include "support/poses.hpp"

@@ -54,7 +54,8 @@ TEST_P(WithoutJumps, LoadsAreContinuous) {
 INSTANTIATE_TEST_SUITE_P(Polytopes, WithoutJumps,
                          testing::Values(Pair{"box", "box"}, Pair{"box", "prism"}, Pair{"prism", "prism"}, Pair{"box", "hull-20"},
                                          Pair{"hull-20", "hull-100"}, Pair{"compound", "compound"}, Pair{"capsule", "capsule"},
-                                         Pair{"capsule", "box"}, Pair{"capsule", "hull-20"}));
+                                         Pair{"capsule", "box"}, Pair{"capsule", "hull-20"}, Pair{"capsule", "cylinder"},
+                                         Pair{"capsule", "cone"}));
 
 INSTANTIATE_TEST_SUITE_P(Cones, WithoutJumps,
                          testing::Values(Pair{"flat-cone", "box"}, Pair{"flat-cone", "capsule"}, Pair{"flat-cone", "hull-20"},
@@ -122,7 +123,8 @@ INSTANTIATE_TEST_SUITE_P(AllPolytopes, ElasticBodies,
                                          Pair{"compound", "box"}));
 
 INSTANTIATE_TEST_SUITE_P(Capsules, ElasticBodies, testing::Values(Pair{"capsule", "capsule"}, Pair{"capsule", "box"}, Pair{"capsule", "prism"},
-                                         Pair{"capsule", "hull-20"}, Pair{"capsule", "hull-100"}, Pair{"capsule", "compound"}));
+                                         Pair{"capsule", "hull-20"}, Pair{"capsule", "hull-100"}, Pair{"capsule", "compound"},
+                                         Pair{"capsule", "cylinder"}, Pair{"capsule", "cone"}, Pair{"capsule", "slender-cone"}));
 
 // Many corners at once as well.
 INSTANTIATE_TEST_SUITE_P(OnHalfSpaces, ElasticBodies,

@@ -22,13 +22,9 @@ struct CapsuleScratch {
   convex::FacesAlongLine faces;
 };
 
-// Appends two points that carry the part of the energy that is returned. That is 1 but where the capsule is nearly as deep as its
-// radius or deeper, and
-// - much of its axis is near an edge, or near the place between two sides inside: the direction would change at once;
-// - the axis pierces the obstacle: the minimum translation is longer than the axis is deep, and leads out on one side.
-// `depth` (m, > 0) is the length of the minimum translation, `deepest` the capsule's deepest place on its surface, `normal` the
-// contact normal there, from the obstacle to the capsule, and `sense` 1 where the capsule is the first body of the pair, -1 where it is
-// the second one.
+// Appends two points that carry the part of the energy that is returned (carried_part.hpp).
+// `depth` (m, > 0) is the length of the minimum translation, `deepest` the capsule's deepest place on its surface, `normal` the contact normal
+// there, from the obstacle to the capsule, and `sense` 1 where the capsule is the first body of the pair, -1 where it is the second one.
 double capsule_on_polytope(const Shape &capsule, const Pose &pose, const Shape &polytope, const Pose &polytope_pose, double depth,
                            const Vec3 &deepest, const Vec3 &normal, double sense, CapsuleScratch &scratch,
                            std::vector<ContactPoint> &points);

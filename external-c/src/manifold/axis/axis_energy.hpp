@@ -25,6 +25,11 @@ class AxisEnergy {
   // The stretch from `from` to `to` over a flat side of outward normal `normal`, of depth `depth` - x `rate`.
   void add_flat(const convex::Vec3 &normal, double depth, double rate, double from, double to);
 
+  // One place of a rule over a stretch that is deep, beside an obstacle of any form: the place at `x`, `depth` deep, is pushed along
+  // `direction` (unit); `weight` (m) is the rule's. The stretch is to be told by extend().
+  void add_place(double x, double weight, double depth, const convex::Vec3 &direction);
+  // Takes it that what is deep reaches from `from` to `to`, or farther.
+  void extend(double from, double to) { begin_ = std::min(begin_, from), end_ = std::max(end_, to); }
   // What is deep lies between these places; so does the origin.
   double begin() const { return begin_; }
   double end() const { return end_; }
@@ -37,7 +42,6 @@ class AxisEnergy {
              double deepest, double sense, std::vector<ContactPoint> &points) const;
 
  private:
-  void extend(double from, double to) { begin_ = std::min(begin_, from), end_ = std::max(end_, to); }
   void integrate_round(const convex::Vec3 &gap, const convex::Vec3 &slope, double shallow, double linear, double curvature,
                        double reach, double from, double to);
 

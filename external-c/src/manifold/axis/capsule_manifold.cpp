@@ -1,10 +1,10 @@
-#include "manifold/capsule_manifold.hpp"
+#include "manifold/axis/capsule_manifold.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "manifold/axis_energy.hpp"
+#include "manifold/axis/axis_energy.hpp"
 #include "narrowphase/analytic/closed_form_distance.hpp"
 
 namespace cmb {

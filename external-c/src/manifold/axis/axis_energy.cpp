@@ -1,4 +1,4 @@
-#include "manifold/axis_energy.hpp"
+#include "manifold/axis/axis_energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +81,15 @@ void AxisEnergy::add_flat(const Vec3 &normal, double depth, double rate, double 
   sum_ += total(part), first_ += total(part * x), second_ += total(part * x * x), cube_ += total(squared * deep);
   one_ = one_ + length * normal, one_x_ = one_x_ + (0.5 * length * (from + to)) * normal;
   square_ = square_ + total(squared) * normal, square_x_ = square_x_ + total(squared * x) * normal;
+}
+
+void AxisEnergy::add_place(double x, double weight, double depth, const Vec3 &direction) {
+  if (!(depth > 0.0)) return;
+  const double part = weight * depth, squared = part * depth;
+  sum_ += part, first_ += part * x, second_ += part * x * x, cube_ += squared * depth;
+  const Vec3 one = weight * direction, square = squared * direction;
+  one_ = one_ + one, one_x_ = one_x_ + x * one;
+  square_ = square_ + square, square_x_ = square_x_ + x * square;
 }
 
 bool AxisEnergy::carry(const convex::Mat3 &frame, const Vec3 &axis, const Vec3 &origin, double radius, double part, double deepest,

@@ -1,9 +1,10 @@
-#include "manifold/capsule_on_polytope.hpp"
+#include "manifold/axis/capsule_on_polytope.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/axis_energy.hpp"
+#include "manifold/axis/axis_energy.hpp"
+#include "manifold/axis/carried_part.hpp"
 #include "math/index.hpp"
 #include "math/smoothstep.hpp"
 
@@ -16,16 +17,7 @@ using convex::FeatureKind;
 using convex::NearestFeatures;
 using convex::Polytope;
 
-// Of the minimum translation: an axis this much less deep pierces the obstacle.
-constexpr double pierced_part = 0.25;
-// Of the radius: how near an edge is near; from where on that matters, and wholly.
-constexpr double near_part = 0.15, deep_part = 0.8, all_part = 1.0;
-// The part of the axis near edges up to which its energy carries all, and from which on nothing.
-constexpr double few_near = 0.3, many_near = 0.8;
 constexpr int samples = 8;
-
-// From 1 at `full` to 0 at `none`.
-double fading(double x, double full, double none) { return convex::falling_smoothstep(std::max(0.0, (x - full) / (none - full))); }
 
 // An axis beside or inside a polytope, in whose frame all is; places are counted from `origin`.
 class AxisBesidePolytope {
@@ -83,7 +75,7 @@ class AxisBesidePolytope {
 
   // The part of the stretch that is near edges, or near the planes between two sides inside.
   double near_edges(double begin, double end) const {
-    const double step = (end - begin) / samples, near = near_part * std::min(1.0, polytope_.sharpest_edge()) * radius_;
+    const double step = (end - begin) / samples, near = near_edge_part * std::min(1.0, polytope_.sharpest_edge()) * radius_;
     double sum = 0.0;
     for (const AxisPiece &piece : *pieces_) {
       for (int k = 0; k < samples; ++k) {
@@ -153,13 +145,6 @@ class AxisBesidePolytope {
   std::vector<AxisPiece> *pieces_ = nullptr;
 };
 
-// The part of its energy that the axis carries where the minimum translation is `depth` long.
-double part_of(const AxisBesidePolytope &axis, const AxisEnergy &energy, double deepest, double depth, double radius) {
-  const double clear = fading(axis.near_edges(energy.begin(), energy.end()), few_near, many_near);
-  const double out = deepest > radius ? fading(1.0 - deepest / depth, 0.0, pierced_part) : 1.0;
-  return out * (1.0 - (1.0 - clear) * (1.0 - fading(depth / radius, deep_part, all_part)));
-}
-
 }  // namespace
 
 double capsule_on_polytope(const Shape &capsule, const Pose &pose, const Shape &polytope, const Pose &polytope_pose, double depth,
@@ -177,10 +162,10 @@ double capsule_on_polytope(const Shape &capsule, const Pose &pose, const Shape &
   if (!beside.find_pieces(-half - place, half - place, near, scratch)) return 0.0;
   const AxisEnergy energy = beside.energy();
   double part = 1.0, limit = radius;
-  if (depth > deep_part * radius) {
+  if (depth > deep_axis_part * radius) {
     const double inside = beside.deepest();
     limit = std::max(depth, inside);
-    part = part_of(beside, energy, inside, depth, radius);
+    part = carried_part(beside.near_edges(energy.begin(), energy.end()), inside, depth, radius);
   }
   return part > 0.0 && energy.carry(frame, axis, origin, radius, part, limit, sense, points) ? part : 0.0;
 }

@@ -1,12 +1,14 @@
-// Capsules on boxes and hulls: the energy along the axis, and the gradient of it that the points carry.
+// Capsules on boxes, hulls, cylinders and cones: the energy along the axis, and the gradient of it that the points carry.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "backend/distance_backend.hpp"
-#include "manifold/capsule_on_polytope.hpp"
+#include "manifold/axis/capsule_on_polytope.hpp"
+#include "manifold/axis/capsule_on_revolved.hpp"
 #include "math/pi.hpp"
 #include "math/pose_algebra.hpp"
 #include "support/contact_sums.hpp"
@@ -43,6 +45,22 @@ Shape random_polytope(Random &random, int sample) {
   return polytope(std::move(hull), ShapeKind::hull);
 }
 
+Shape revolved(convex::ConvexBody body, ShapeKind kind) {
+  Shape shape;
+  shape.kind = kind;
+  shape.body = body;
+  return shape;
+}
+
+Shape random_cylinder(Random &random, int) {
+  return revolved(convex::make_cylinder(random.uniform(0.2, 1), random.uniform(0.3, 2)), ShapeKind::cylinder);
+}
+
+// Slender and blunt ones as well.
+Shape random_cone(Random &random, int) {
+  return revolved(convex::make_cone(random.log_uniform(0.05, 1), random.log_uniform(0.2, 2)), ShapeKind::cone);
+}
+
 // How deep it is, and what the points carry that stand for all of the contact.
 struct Contact {
   double depth = 0.0, part = 0.0;
@@ -57,7 +75,9 @@ Contact contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &
   Contact result;
   result.depth = -answer.distance;
   if (!(result.depth > 0.0)) return result;
-  result.part = capsule_on_polytope(a, pose_a, b, pose_b, result.depth, answer.point_a, answer.normal, 1.0, scratch, result.points);
+  result.part = b.polytope ? capsule_on_polytope(a, pose_a, b, pose_b, result.depth, answer.point_a, answer.normal, 1.0, scratch,
+                                                 result.points)
+                           : capsule_on_revolved(a, pose_a, b, pose_b, result.depth, answer.point_a, 1.0, result.points);
   return result;
 }
 
@@ -75,17 +95,22 @@ double integrated_energy(const Shape &a, const Pose &pose_a, const Shape &b, con
   return depths > 0.0 ? 0.5 * cubes / depths : 0.0;
 }
 
-// A capsule and a polytope in each other, from hardly to deeper than the radius.
+struct Obstacle {
+  const char *name;
+  Shape (*make)(Random &random, int number);
+};
+
+// A capsule and an obstacle in each other, from hardly to deeper than the radius.
 struct Sample {
   Shape a, b;
   Pose pose_a, pose_b;
   Contact touching;
 
-  Sample(Random &random, int number, double least, double most)
-      : a(capsule(random.uniform(0.05, 0.3), random.uniform(0.1, 1.5))), b(random_polytope(random, number)) {
+  Sample(const Obstacle &obstacle, Random &random, int number, double least, double most)
+      : a(capsule(random.uniform(0.05, 0.3), random.uniform(0.1, 1.5))), b(obstacle.make(random, number)) {
     pose_a = {random_bodies::random_rotation(random), 3.0 * random.direction()};
     pose_b = {random_bodies::random_rotation(random), random.direction()};
-    if (number % 4 == 0) {  // nearly along a box's edges
+    if (number % 4 == 0) {  // nearly along a box's edges, a cylinder's mantle
       pose_a.rotation = test::product(random_bodies::rotation_about(random.direction(), random.log_uniform(1e-9, 0.1)), pose_b.rotation);
     }
     const double depth = random.log_uniform(least, most) * a.body.radius;
@@ -100,18 +125,20 @@ struct Sample {
   }
 };
 
-TEST(CapsuleOnPolytope, StoresTheIntegrals) {
+class CapsuleOn : public testing::TestWithParam<Obstacle> {};
+
+TEST_P(CapsuleOn, StoresTheIntegrals) {
   Random random(8);
   int shallow = 0, deep = 0;
   for (int number = 0; number < 200; ++number) {
-    const Sample sample(random, number, 0.05, 2.0);
+    const Sample sample(GetParam(), random, number, 0.05, 2.0);
     if (sample.touching.part != 1.0) continue;
     const double depth = sample.touching.depth, radius = sample.a.body.radius;
     const double stored = test::stored_energy(sample.touching.points);
     const double expected = integrated_energy(sample.a, sample.pose_a, sample.b, sample.pose_b);
     ++(depth < radius ? shallow : deep);
     // Sides that oppose each other push as little as no depth that the points may have stores.
-    if (depth < radius || sample.touching.points[0].depth < depth) {
+    if (sample.touching.points[0].depth < (1.0 - 1e-9) * std::max(depth, radius)) {
       EXPECT_NEAR(stored, expected, 2e-4 * depth * depth) << number;
     } else {
       EXPECT_LT(stored, expected + 2e-4 * depth * depth) << number;
@@ -121,12 +148,12 @@ TEST(CapsuleOnPolytope, StoresTheIntegrals) {
   EXPECT_GT(deep, 10);
 }
 
-TEST(CapsuleOnPolytope, PushesByTheGradient) {
+TEST_P(CapsuleOn, PushesByTheGradient) {
   Random random(9);
   int touching = 0;
   for (int number = 0; number < 2000; ++number) {
     // Not where the axis comes near the surface: the distance bends there.
-    const Sample sample(random, number, 1e-3, 0.5);
+    const Sample sample(GetParam(), random, number, 1e-3, 0.5);
     if (sample.touching.part != 1.0) continue;
     ++touching;
     const Sums found = test::sum_of(sample.touching.points);
@@ -143,7 +170,12 @@ TEST(CapsuleOnPolytope, PushesByTheGradient) {
   EXPECT_GT(touching, 1900);
 }
 
-TEST(CapsuleOnPolytope, IsAsHardAsItIsDeepOnAFaceAndSofterAtAnEndAndAcrossAnEdge) {
+INSTANTIATE_TEST_SUITE_P(Obstacles, CapsuleOn,
+                         testing::Values(Obstacle{"polytope", random_polytope}, Obstacle{"cylinder", random_cylinder},
+                                         Obstacle{"cone", random_cone}),
+                         [](const auto &info) { return std::string(info.param.name); });
+
+TEST(CapsuleOnBox, IsAsHardAsItIsDeepOnAFaceAndSofterAtAnEndAndAcrossAnEdge) {
   const Shape box = polytope(convex::Polytope::box({1, 1, 1}), ShapeKind::box), rod = capsule(0.1, 0.5);
   const double depth = 0.001;
   const Pose below{};
@@ -155,6 +187,19 @@ TEST(CapsuleOnPolytope, IsAsHardAsItIsDeepOnAFaceAndSofterAtAnEndAndAcrossAnEdge
   // At right angles to the edge, and as far from one side as from the other.
   const double beside = std::sqrt(0.5) * (std::sqrt(0.5) + 0.1 - depth);
   EXPECT_NEAR(load(test::rotation_about({0, 1, 0}, -0.25 * pi), {beside, 0, beside}), 24.0 / 35.0 * depth, 0.01 * depth);
+}
+
+TEST(CapsuleOnCylinder, IsAsHardAsItIsDeepAlongItAndSofterAtAnEndAndAcross) {
+  const Shape drum = revolved(convex::make_cylinder(0.5, 1), ShapeKind::cylinder), rod = capsule(0.1, 0.5);
+  const double depth = 0.001;
+  const Mat3 along_x = test::rotation_about({0, 1, 0}, 0.5 * pi), along_y = test::rotation_about({1, 0, 0}, 0.5 * pi);
+  const auto load = [&](const Mat3 &rotation, const Vec3 &place) {
+    return norm(test::sum_of(contact(rod, {rotation, place}, drum, {}).points).force);
+  };
+  EXPECT_NEAR(load(along_x, {0, 0, 0.6 - depth}), depth, 1e-15);  // on the top
+  EXPECT_NEAR(load({}, {0.6 - depth, 0, 0}), depth, 1e-15);       // along the mantle
+  EXPECT_NEAR(load({}, {0, 0, 0.85 - depth}), 0.5 * depth, 1e-15);
+  EXPECT_NEAR(load(along_y, {0.6 - depth, 0, 0}), 24.0 / 35.0 * depth, 0.01 * depth);
 }
 
 }  // namespace
