@@ -1,5 +1,5 @@
 // Times pairs that are far apart, all pairs of a scene in one query: exact distances, and bounds from 0.1 m on
-// (cmb_query_scene_within).
+// (cmb_query_scene).
 //
 //   bench_apart [bodies]
 #include <time.h>

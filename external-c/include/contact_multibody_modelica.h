@@ -18,13 +18,8 @@ int cmb_modelica_intern(const char **geometry, size_t body_count, const int *pai
 /* The thickness of the thinner body of each pair, [pair_count]; see cmb_pair_thickness. */
 void cmb_modelica_pair_thickness(int scene, size_t pair_count, double *thickness);
 
-/* Evaluates all pairs; see cmb_query_scene. */
-void cmb_modelica_query(int scene, const double *position, size_t body_count, const double *rotation,
-                        size_t pair_count, size_t point_capacity, double *distance, double *depth,
-                        double *weight, double *normal, double *point);
-
-/* The same, cheaper for pairs farther apart than exact_within (m, > 0; infinity or a number that large: exact everywhere);
- * see cmb_query_scene_within. */
+/* Evaluates all pairs, cheaper those farther apart than exact_within (m, > 0; infinity or a number that large: exact
+ * everywhere); see cmb_query_scene. */
 void cmb_modelica_query_within(int scene, double exact_within, const double *position, size_t body_count,
                                const double *rotation, size_t pair_count, size_t point_capacity, double *distance,
                                double *depth, double *weight, double *normal, double *point);
@@ -33,12 +28,8 @@ void cmb_modelica_query_within(int scene, double exact_within, const double *pos
  * one depth (m); their weights (m2) times the depth sum to the volume, and times half the squared depth to the integral
  * of half the squared depth over the area, exactly so where one side of the overlap is flat. Their mean is the volume's
  * centroid; they lie as far from it as the patch's second moment says. All arrays have four slots a pair; distance has
- * one. Pairs whose overlap the engine does not know (see cmb_overlap) are an error. */
-void cmb_modelica_query_volume(int scene, const double *position, size_t body_count, const double *rotation,
-                               size_t pair_count, double *distance, double *depth, double *weight, double *normal,
-                               double *point);
-
-/* The same, cheaper for pairs farther apart than exact_within, as cmb_modelica_query_within; overlaps are the same. */
+ * one. Pairs whose overlap the engine does not know (see cmb_overlap) are an error.
+ * exact_within: as of cmb_modelica_query_within, of distances; overlaps are the same. */
 void cmb_modelica_query_volume_within(int scene, double exact_within, const double *position, size_t body_count,
                                       const double *rotation, size_t pair_count, double *distance, double *depth,
                                       double *weight, double *normal, double *point);

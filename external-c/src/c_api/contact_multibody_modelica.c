@@ -32,13 +32,6 @@ void cmb_modelica_pair_thickness(int scene, size_t pair_count, double *thickness
   for (size_t i = 0; i < pair_count; ++i) report(cmb_pair_thickness((cmb_scene){scene}, i + 1, &thickness[i]));
 }
 
-void cmb_modelica_query(int scene, const double *position, size_t body_count, const double *rotation,
-                        size_t pair_count, size_t point_capacity, double *distance, double *depth,
-                        double *weight, double *normal, double *point) {
-  cmb_modelica_query_within(scene, HUGE_VAL, position, body_count, rotation, pair_count, point_capacity, distance,
-                            depth, weight, normal, point);
-}
-
 void cmb_modelica_query_within(int scene, double exact_within, const double *position, size_t body_count,
                                const double *rotation, size_t pair_count, size_t point_capacity, double *distance,
                                double *depth, double *weight, double *normal, double *point) {
@@ -78,13 +71,6 @@ static void place_points(const cmb_overlap *overlap, const double *n, double *po
     point[6 + k] = overlap->centroid[k] + w[k];
     point[9 + k] = overlap->centroid[k] - w[k];
   }
-}
-
-void cmb_modelica_query_volume(int scene, const double *position, size_t body_count, const double *rotation,
-                               size_t pair_count, double *distance, double *depth, double *weight, double *normal,
-                               double *point) {
-  cmb_modelica_query_volume_within(scene, HUGE_VAL, position, body_count, rotation, pair_count, distance, depth, weight,
-                                   normal, point);
 }
 
 void cmb_modelica_query_volume_within(int scene, double exact_within, const double *position, size_t body_count,

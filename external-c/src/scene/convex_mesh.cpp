@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/symmetric_matrix.hpp"
 #include "shape/convex_hull.hpp"
 
 namespace cmb {
@@ -73,18 +74,14 @@ bool has_bent_faces(const convex::Polytope &hull, double rounding) {
 // Where planes meet: the place nearest to all of them, from `start` on. `start` itself where that is farther off than `most`, or
 // the planes leave it open.
 Vec3 meeting_place(const std::vector<const convex::Polytope::Face *> &planes, const Vec3 &start, double most) {
-  // Normal equations, sum of n n' times the way = sum of n (offset - n . start), by Cramer's rule.
-  Vec3 column[3], right;
+  // Normal equations: sum of n n' times the move = sum of n (offset - n . start).
+  convex::SymmetricMatrix squares;
+  Vec3 right, move;
   for (const auto *plane : planes) {
-    const Vec3 &n = plane->normal;
-    for (int k = 0; k < 3; ++k) column[k] = column[k] + n[k] * n;
-    right = right + (plane->offset - dot(n, start)) * n;
+    squares.add_square(1.0, plane->normal);
+    right = right + (plane->offset - dot(plane->normal, start)) * plane->normal;
   }
-  const double determinant = dot(column[0], cross(column[1], column[2]));
-  if (!(determinant > 1e-9)) return start;
-  const Vec3 way = (1.0 / determinant) * Vec3{dot(right, cross(column[1], column[2])), dot(column[0], cross(right, column[2])),
-                                              dot(column[0], cross(column[1], right))};
-  return norm(way) <= most ? start + way : start;
+  return squares.solve(right, 1e-9, move) && norm(move) <= most ? start + move : start;
 }
 
 // The hull with faces that are one to rounding made flat: its corners are moved to where the planes of the merged faces meet.

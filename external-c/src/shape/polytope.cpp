@@ -158,7 +158,6 @@ Polytope Polytope::box(const Vec3 &size) {
   Polytope result;
   build(vertices, {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}, result,
         nullptr);
-  result.box_half_ = 0.5 * size;
   return result;
 }
 

@@ -36,7 +36,6 @@ class Polytope {
   // of v's bits (bit 0: x, set = positive); faces come in the order -x, +x, -y, +y, -z, +z.
   static Polytope box(const Vec3 &size);
   // The half lengths of what box() made; zero for any other polytope.
-  const Vec3 &box_half() const { return box_half_; }
 
   const std::vector<Vec3> &vertices() const { return vertices_; }
   const std::vector<Face> &faces() const { return faces_; }
@@ -93,7 +92,6 @@ class Polytope {
   std::vector<std::int32_t> cell_begin_;
   double radius_ = 0.0, sharpest_edge_ = 0.0;
   Vec3 center_;
-  Vec3 box_half_;
 };
 
 }  // namespace cmb::convex

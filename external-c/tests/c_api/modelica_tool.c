@@ -31,7 +31,7 @@ int main(void) {
   int scene, i;
   if (!refuses("cmb/1 sphere radius=-1")) return puts("no error"), 2;
   scene = cmb_modelica_intern(geometry, 2, pairs, 1, 0);
-  cmb_modelica_query(scene, position, 2, rotation, 1, 4, &distance, depth, weight, normal, point);
+  cmb_modelica_query_within(scene, HUGE_VAL, position, 2, rotation, 1, 4, &distance, depth, weight, normal, point);
   for (i = 0; i < 4; ++i) load += weight[i] * depth[i];
   return fabs(load - 0.01) < 1e-12 && fabs(distance + 0.01) < 1e-12 ? 0 : 1;
 }

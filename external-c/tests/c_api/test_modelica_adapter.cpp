@@ -28,7 +28,7 @@ struct VolumePoints {
     const int pairs[] = {1, 2};
     const int scene = cmb_modelica_intern(geometry, 2, pairs, 1, 0);
     const double position[] = {position_a.x, position_a.y, position_a.z, 0, 0, 0};
-    cmb_modelica_query_volume(scene, position, 2, rotation, 1, &distance, depth, weight, normal, point);
+    cmb_modelica_query_volume_within(scene, HUGE_VAL, position, 2, rotation, 1, &distance, depth, weight, normal, point);
   }
   double volume() const {
     double sum = 0.0;
@@ -147,7 +147,7 @@ TEST(VolumeLaw, UnknownOverlapsAndBadPosesAreErrors) {
 
 enum class Law { points, volume };
 
-// A cube on a cube, and one across from both; exact_within 0: by the calls that take no such length.
+// A cube on a cube, and one across from both.
 struct ThreeCubes {
   double distance[3], depth[12], weight[12], normal[36], point[36];
 
@@ -157,12 +157,8 @@ struct ThreeCubes {
     const int scene = cmb_modelica_intern(geometry, 3, pairs, 3, 0);
     const double position[] = {0, 0, 0.99, 0, 0, 0, 2.1, 2.1, 0};
     const double rotation[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-    if (exact_within == 0.0 && law == Law::volume) {
-      cmb_modelica_query_volume(scene, position, 3, rotation, 3, distance, depth, weight, normal, point);
-    } else if (law == Law::volume) {
+    if (law == Law::volume) {
       cmb_modelica_query_volume_within(scene, exact_within, position, 3, rotation, 3, distance, depth, weight, normal, point);
-    } else if (exact_within == 0.0) {
-      cmb_modelica_query(scene, position, 3, rotation, 3, 4, distance, depth, weight, normal, point);
     } else {
       cmb_modelica_query_within(scene, exact_within, position, 3, rotation, 3, 4, distance, depth, weight, normal, point);
     }
@@ -172,7 +168,7 @@ struct ThreeCubes {
 class QueryWithin : public testing::TestWithParam<Law> {};
 
 TEST_P(QueryWithin, GivesBoundsFarApartAndTheSameContacts) {
-  const ThreeCubes exact(GetParam(), 0.0), bounds(GetParam(), 0.1);
+  const ThreeCubes exact(GetParam(), HUGE_VAL), bounds(GetParam(), 0.1);
   EXPECT_NEAR(exact.distance[2], 1.1 * std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(bounds.distance[2], 2.1 * std::sqrt(2.0) - std::sqrt(3.0), 1e-12) << "the gap of the cubes' bounding spheres";
   EXPECT_LT(bounds.distance[1], exact.distance[1]);
@@ -186,8 +182,8 @@ TEST_P(QueryWithin, GivesBoundsFarApartAndTheSameContacts) {
 }
 
 TEST_P(QueryWithin, ModelicasInfinityMeansExact) {
-  const ThreeCubes exact(GetParam(), 0.0);
-  for (const double infinity : {HUGE_VAL, DBL_MAX, 1e60}) {  // of C, and of the Standard Library on various tools
+  const ThreeCubes exact(GetParam(), HUGE_VAL);
+  for (const double infinity : {DBL_MAX, 1e60}) {  // of the Standard Library on various tools
     const ThreeCubes same(GetParam(), infinity);
     EXPECT_TRUE(std::equal(exact.distance, exact.distance + 3, same.distance)) << infinity;
     EXPECT_TRUE(std::equal(exact.normal, exact.normal + 36, same.normal)) << infinity;

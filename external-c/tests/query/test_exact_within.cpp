@@ -1,4 +1,4 @@
-// Pairs far apart by their bounding spheres: cmb_query_scene_within beside cmb_query_scene.
+// Pairs far apart by their bounding spheres, beside exact distances: exact_within of cmb_query_scene.
 #include <algorithm>
 #include <limits>
 

@@ -1,6 +1,7 @@
 // Descriptor strings: what is accepted, and what is said of the rest.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "contact_multibody.h"
@@ -184,11 +185,12 @@ TEST(Modelica, QueriesAsTheEngineDoes) {
   const double position[] = {0, 0, 0.4, 0, 0, 0};
   double rotation[18] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   double distance, depth, weight, normal[3], point[3];
-  cmb_modelica_query(scene, position, 2, rotation, 1, 1, &distance, &depth, &weight, normal, point);
+  cmb_modelica_query_within(scene, HUGE_VAL, position, 2, rotation, 1, 1, &distance, &depth, &weight, normal, point);
   EXPECT_NEAR(depth, 0.1, 1e-15);
   rotation[0] = 2.0;
-  EXPECT_THROW(cmb_modelica_query(scene, position, 2, rotation, 1, 1, &distance, &depth, &weight, normal, point),
-               ModelicaError);
+  EXPECT_THROW(
+      cmb_modelica_query_within(scene, HUGE_VAL, position, 2, rotation, 1, 1, &distance, &depth, &weight, normal, point),
+      ModelicaError);
 }
 
 }  // namespace

@@ -31,6 +31,18 @@ class NearestTriangle {
     }
     return least;
   }
+  // Asks offer(t) for each triangle that may be nearer than those offered so far to a body in the box, beginning with `first`, until
+  // one meets it. Returns whether none does.
+  template <typename Offer>
+  bool search(const Bounds &box, std::uint32_t first, Offer &&offer) const {
+    offer(first);
+    mesh_.hierarchy().visit_near(
+        box, [&] { return distance() > 0.0 ? distance() * distance() : -1.0; },
+        [&](std::uint32_t t) {
+          if (distance() > 0.0) offer(t);
+        });
+    return distance() > 0.0;
+  }
   // Unit, from the mesh to the body: the triangle's normal where they meet.
   Vec3 direction() const { return normalized(gap_.on_body - gap_.on_triangle, mesh_.face_normal(triangle_)); }
   // Sets distance, normal and witness; `pose` is the mesh's.

@@ -71,14 +71,9 @@ class PolytopeQuery {
       const Vec3 local = transposed_times(place_.rotation, -direction);
       lowest = dot(direction, scratch_.body_vertices[static_cast<std::size_t>(body_.support_vertex(local))]);
     };
-    offer(first);
-    mesh_.hierarchy().visit_near(
-        box_, [&] { return nearest.distance() > 0.0 ? nearest.distance() * nearest.distance() : -1.0; },
-        [&](std::uint32_t t) {
-          if (nearest.distance() > 0.0) offer(t);
-        });
+    const bool none_meets = nearest.search(box_, first, offer);
     nearest.write(pose_, result_);
-    return nearest.distance() > 0.0;
+    return none_meets;
   }
 
   const convex::Polytope &body_;

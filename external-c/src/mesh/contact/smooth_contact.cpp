@@ -86,14 +86,9 @@ class SmoothQuery {
       towards = -nearest.direction();
       reach = sectioned_.reach(towards);
     };
-    offer(first);
-    mesh_.hierarchy().visit_near(
-        box_, [&] { return nearest.distance() > 0.0 ? nearest.distance() * nearest.distance() : -1.0; },
-        [&](std::uint32_t t) {
-          if (nearest.distance() > 0.0) offer(t);
-        });
+    const bool none_meets = nearest.search(box_, first, offer);
     nearest.write(pose_, result_);
-    return nearest.distance() > 0.0;
+    return none_meets;
   }
 
   const convex::ConvexBody &body_;

@@ -2,36 +2,18 @@
 
 #include <cmath>
 
+#include "math/symmetric_matrix.hpp"
+
 namespace cmb::mesh {
 
 namespace {
 
-// A symmetric matrix that is summed up: xx, yy, zz, yz, zx, xy.
-struct Symmetric {
-  double m[6] = {};
-
-  // part * (|r|^2 - r r^T)
-  void add_inertia(double part, const Vec3 &r) {
-    const double r2 = norm2(r);
-    for (int k = 0; k < 3; ++k) {
-      m[k] += part * (r2 - r[k] * r[k]);
-      m[3 + k] -= part * r[(k + 1) % 3] * r[(k + 2) % 3];
-    }
-  }
-  double trace() const { return m[0] + m[1] + m[2]; }
-
-  // The solution of matrix * x = right, the matrix raised by a little so that it has one.
-  Vec3 solve(const Vec3 &right) const {
-    const double raise = 1e-14 * trace();
-    const double xx = m[0] + raise, yy = m[1] + raise, zz = m[2] + raise;
-    const Vec3 a{yy * zz - m[3] * m[3], m[4] * m[3] - m[5] * zz, m[5] * m[3] - m[4] * yy};
-    const double determinant = xx * a.x + m[5] * a.y + m[4] * a.z;
-    if (!(determinant > 0.0)) return {};
-    const Vec3 b{a.y, xx * zz - m[4] * m[4], m[4] * m[5] - xx * m[3]};
-    const Vec3 c{a.z, b.z, xx * yy - m[5] * m[5]};
-    return {dot(a, right) / determinant, dot(b, right) / determinant, dot(c, right) / determinant};
-  }
-};
+// The solution of matrix * x = right, the matrix raised by a little so that it has one.
+Vec3 solve_raised(convex::SymmetricMatrix matrix, const Vec3 &right) {
+  matrix.add_to_diagonal(1e-14 * matrix.trace());
+  Vec3 x;
+  return matrix.solve(right, 0.0, x) ? x : Vec3{};
+}
 
 double load_of(const std::vector<LoadPoint> &points) {
   double load = 0.0;
@@ -88,7 +70,7 @@ Vec3 center_of(const std::vector<LoadPoint> &points, double load) {
 void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque) {
   const double load = load_of(points);
   if (!(load > 0.0)) return;
-  Symmetric spread, across;
+  convex::SymmetricMatrix spread, across;
   const Vec3 center = center_of(points, load);
   for (const LoadPoint &point : points) {
     const double part = norm(point.force);
@@ -99,17 +81,17 @@ void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque) {
   // Shifting comes first: it counts as far as the points are apart, times this.
   constexpr double prefer_shift = 1e6;
   const double reach2 = prefer_shift * spread.trace() / load;
-  Symmetric both = spread;
-  for (int k = 0; k < 6; ++k) both.m[k] += reach2 * across.m[k];
-  const Vec3 turn = both.solve(missing_torque(points, torque));
+  convex::SymmetricMatrix both = spread;
+  both.add(reach2, across);
+  const Vec3 turn = solve_raised(both, missing_torque(points, torque));
   for (LoadPoint &point : points) {
     const double part = norm(point.force);
     if (part > 0.0) point.place = point.place + reach2 / part * cross(point.force, turn);
   }
   const Vec3 shifted = center_of(points, load);
-  Symmetric inertia;
+  convex::SymmetricMatrix inertia;
   for (const LoadPoint &point : points) inertia.add_inertia(norm(point.force), point.place - shifted);
-  const Vec3 twist = inertia.solve(missing_torque(points, torque));
+  const Vec3 twist = solve_raised(inertia, missing_torque(points, torque));
   // Normals tilt by half at most: more is rounding.
   double most = 0.0;
   for (const LoadPoint &point : points) most = std::fmax(most, norm2(cross(twist, point.place - shifted)));
