@@ -16,6 +16,7 @@ from cad2modelica.assembly.part_geometry import GeometryReader, GeometryReferenc
 from cad2modelica.assembly.unfolding import PartDescription, Unfolded, Unfolder
 from cad2modelica.geometry.mesh import Mesh
 from cad2modelica.mechanism.angle_units import angle_notes
+from cad2modelica.mechanism.description_defaults import GRAVITY, STOP_TIME, TOLERANCE
 from cad2modelica.mechanism.mass_check import check_against_geometry, check_tensor
 from cad2modelica.mechanism.model import (
     GROUND,
@@ -32,10 +33,6 @@ from cad2modelica.mechanism.model import (
 from cad2modelica.source.problems import Problems
 from cad2modelica.source.units import ANGLE, LENGTH, MASS, UnitSystem, to_si
 from cad2modelica.source.xml_document import line_of, validate
-
-DEFAULT_GRAVITY = (0.0, 0.0, -9.81)
-DEFAULT_STOP_TIME = 1.0
-DEFAULT_TOLERANCE = 1e-6
 
 
 def read_assembly_xml(root: etree._Element, path: Path, progress: Progress = silent) -> Assembly:
@@ -100,11 +97,9 @@ class _Reader:
             if source is not None
             else "",
             file=self._file,
-            gravity=numbers(gravity.text) if gravity is not None else np.array(DEFAULT_GRAVITY),
-            stop_time=float(simulation.get("stopTime", "")) if simulation is not None else DEFAULT_STOP_TIME,
-            tolerance=float(simulation.get("tolerance", DEFAULT_TOLERANCE))
-            if simulation is not None
-            else DEFAULT_TOLERANCE,
+            gravity=numbers(gravity.text) if gravity is not None else np.array(GRAVITY),
+            stop_time=float(simulation.get("stopTime", "")) if simulation is not None else STOP_TIME,
+            tolerance=float(simulation.get("tolerance", TOLERANCE)) if simulation is not None else TOLERANCE,
             materials=tuple(materials.values()),
             planes=tuple(planes),
             parts=tuple(kept.values()),

@@ -13,6 +13,7 @@ from contact_foundation.errors import Place
 
 from cad2modelica.geometry.mesh import Mesh
 from cad2modelica.geometry.spatial import Array, Pose
+from cad2modelica.mechanism.description_defaults import GRAVITY, STOP_TIME, TOLERANCE
 
 GROUND = "ground"
 
@@ -332,16 +333,16 @@ class Assembly:
     """
 
     name: str
-    description: str
     source: str
     file: Path
-    gravity: Array
-    stop_time: float
-    tolerance: float
-    materials: tuple[Material, ...]
-    planes: tuple[Plane, ...]
     parts: tuple[Part, ...]
     joints: tuple[Joint, ...]
+    description: str = ""
+    gravity: Array = field(default_factory=lambda: np.array(GRAVITY))
+    stop_time: float = STOP_TIME
+    tolerance: float = TOLERANCE
+    materials: tuple[Material, ...] = ()
+    planes: tuple[Plane, ...] = ()
     contacts: ContactSettings = field(default_factory=ContactSettings)
     notes: tuple[str, ...] = ()
     length_unit: float = 1.0

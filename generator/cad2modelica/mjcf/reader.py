@@ -14,7 +14,7 @@ from contact_foundation.progress import Progress, silent
 from lxml import etree
 
 from cad2modelica.geometry.spatial import Array
-from cad2modelica.mechanism.description_defaults import GRAVITY, STOP_TIME, TOLERANCE
+from cad2modelica.mechanism.description_defaults import GRAVITY
 from cad2modelica.mechanism.model import Assembly, Joint, JointFriction, JointSpring, Part
 from cad2modelica.mechanism.moved_inertia import inertia_about
 from cad2modelica.meshio.mesh_library import MeshLibrary
@@ -97,12 +97,9 @@ def _assembly(
         elements.problems.raise_if_any()
     return Assembly(
         name=root.get("model", "") or path.stem,
-        description="",
         source="MJCF",
         file=path,
         gravity=_gravity(document, elements),
-        stop_time=STOP_TIME,
-        tolerance=TOLERANCE,
         materials=tuple(parts.materials.values()),
         planes=tuple(plane for plane, _ in parts.planes),
         parts=tuple(all_parts.values()),

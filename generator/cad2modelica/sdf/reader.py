@@ -13,7 +13,7 @@ from contact_foundation.progress import Progress, silent
 from lxml import etree
 
 from cad2modelica.geometry.spatial import IDENTITY, Pose
-from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY, STOP_TIME, TOLERANCE
+from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY
 from cad2modelica.mechanism.model import GROUND, Assembly, ContactSettings, DecompositionLimits
 from cad2modelica.sdf.document import SdfDocument
 from cad2modelica.sdf.joints import JointReader, joint_name
@@ -61,12 +61,9 @@ def read_sdf(
         problems.raise_if_any()
     return Assembly(
         name=_name(root, scope, path),
-        description="",
         source="SDFormat",
         file=path,
         gravity=scope.elements.numbers(scope.element, "gravity", GRAVITY),
-        stop_time=STOP_TIME,
-        tolerance=TOLERANCE,
         materials=tuple(parts.materials.values()),
         planes=tuple(parts.planes),
         parts=(*parts.parts.values(), *joints.between),

@@ -17,7 +17,7 @@ from lxml import etree
 
 from cad2modelica.geometry.spatial import IDENTITY, Pose
 from cad2modelica.mates.joint_chains import Chain
-from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY, STOP_TIME, TOLERANCE
+from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES
 from cad2modelica.mechanism.mass_properties import NO_MASS, placed, together
 from cad2modelica.mechanism.model import (
     GROUND,
@@ -99,14 +99,8 @@ class _SimscapeReader:
         created = self._root.find("{*}Created")
         return Assembly(
             name=document.name or self._file.stem,
-            description="",
             source=(created.get("from", "") if created is not None else "") or "Simscape Multibody import file",
             file=self._file,
-            gravity=np.array(GRAVITY),
-            stop_time=STOP_TIME,
-            tolerance=TOLERANCE,
-            materials=(),
-            planes=(),
             parts=tuple(self._parts),
             joints=tuple(self._joints),
             contacts=ContactSettings(decomposition=DecompositionLimits(triangles=DECOMPOSED_TRIANGLES)),

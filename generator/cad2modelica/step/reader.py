@@ -6,13 +6,12 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import networkx as nx
-import numpy as np
 from contact_foundation.errors import InputError, Place
 from contact_foundation.progress import Progress, silent
 
 from cad2modelica.brep.step_model import Shape, read_step
 from cad2modelica.geometry.mesh import Mesh
-from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY, STOP_TIME, TOLERANCE
+from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES
 from cad2modelica.mechanism.mass_properties import NO_MASS, placed, solid_mass, together
 from cad2modelica.mechanism.model import (
     GROUND,
@@ -78,14 +77,8 @@ class _StepAssembly:
         joints = [self._joint(item, {name: names[hosts[name]] for name in hosts}, joints_path) for item in given.joints]
         return Assembly(
             name=model.name,
-            description="",
             source="STEP",
             file=self._file,
-            gravity=np.array(GRAVITY),
-            stop_time=STOP_TIME,
-            tolerance=TOLERANCE,
-            materials=(),
-            planes=(),
             parts=tuple(bodies),
             joints=tuple(joint for joint in joints if joint is not None),
             contacts=ContactSettings(decomposition=DecompositionLimits(triangles=DECOMPOSED_TRIANGLES)),

@@ -9,14 +9,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
 from contact_foundation.errors import CmbError, Place
 from contact_foundation.progress import Progress, silent
 from lxml import etree
 
 from cad2modelica.geometry.mesh import Mesh
 from cad2modelica.geometry.spatial import IDENTITY, Pose
-from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY, STOP_TIME, TOLERANCE
+from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES
 from cad2modelica.mechanism.mass_properties import NO_MASS, placed, solid_mass, together
 from cad2modelica.mechanism.mass_repair import impossible_members, usable
 from cad2modelica.mechanism.model import (
@@ -116,14 +115,8 @@ class _UrdfReader:
             self._problems.raise_if_any()
         return Assembly(
             name=self._root.get("name", "") or self._file.stem,
-            description="",
             source="URDF",
             file=self._file,
-            gravity=np.array(GRAVITY),
-            stop_time=STOP_TIME,
-            tolerance=TOLERANCE,
-            materials=(),
-            planes=(),
             parts=tuple(parts),
             joints=tuple(joints),
             contacts=ContactSettings(decomposition=DecompositionLimits(triangles=DECOMPOSED_TRIANGLES)),
