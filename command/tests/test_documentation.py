@@ -54,6 +54,16 @@ def test_pages_that_sources_name_exist(suffix: str) -> None:
     assert sorted(name for name in named if not (PROJECT / name).is_file()) == []
 
 
+def test_sections_that_folders_and_sources_name_exist() -> None:
+    section = re.compile(r'(docs/[\w/-]+\.md)(?:\]\([^)]*\))?, "([^"\n]+)"')
+    sources = [source for suffix in ("hpp", "cpp", "py", "md") for source in _tracked(f"*.{suffix}")]
+    named = {pair for source in sources for pair in section.findall(source.read_text(encoding="utf-8"))}
+    assert len(named) > 20
+    headings = {page: HEADING.findall((PROJECT / page).read_text(encoding="utf-8")) for page, _ in named}
+    missing = {pair for pair in named if not any(heading.startswith(pair[1]) for heading in headings[pair[0]])}
+    assert missing == set()
+
+
 def test_the_summary_of_pairs_is_that_of_their_table() -> None:
     script = runpy.run_path(str(PROJECT / "external-c" / "bench" / "pairs_table.py"))
     page = script["PAGE"].read_text(encoding="utf-8")
