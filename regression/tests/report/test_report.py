@@ -13,12 +13,11 @@ import numpy as np
 import pytest
 from fmu_regression.report.animation import frame_rows, make_animation, quaternions
 from fmu_regression.report.page import Section, render_page
-from fmu_regression.report.picture import save_pictures
 from fmu_regression.report.simulation_report import write_report
 from fmu_regression.results.result import SimulationResult, read_csv
 from fmu_regression.results.thinning import display_rows
 from fmu_regression.scene.scene_file import load_scene
-from headless_browser import needs_bundle, needs_pages
+from headless_browser import needs_bundle
 from lxml import html
 from scene_viewer.bundle import MISSING, REMEDY
 from scipy.spatial.transform import Rotation
@@ -239,19 +238,6 @@ def test_licences_of_what_is_bundled_travel_along(folder: Path) -> None:
     for holder in ("three.js authors", "Leon Sorokin"):
         assert holder in text
     assert text.count("The above copyright notice and this permission notice shall be included") == 2
-
-
-@needs_pages
-def test_pictures_show_the_scene(folder: Path, tmp_path: Path) -> None:
-    mechanism, result = load_scene(folder / "scene.json"), read_csv(folder / "result.csv")
-    targets = [tmp_path / "a.png", tmp_path / "b.png"]
-    save_pictures(result, mechanism, [0.0, 0.2], targets, size=(320, 200))
-    first, second = (target.read_bytes() for target in targets)
-    assert first.startswith(b"\x89PNG")
-    assert int.from_bytes(first[16:20], "big") == 320
-    assert int.from_bytes(first[20:24], "big") == 200
-    assert len(first) > 8000  # an empty stage compresses to less
-    assert first != second
 
 
 def test_equal_parts_share_an_entry_of_the_key(tmp_path: Path) -> None:

@@ -174,3 +174,18 @@ def test_on_paper_plots_have_light_colours(browser: Browser, folder: Path) -> No
     assert tab.value(ink) == "#000"
     tab.value("dispatchEvent(new Event('afterprint'))")
     assert tab.value(ink) == "#e6eaf0"
+
+
+def test_the_picture_alone_shows_the_scene_at_its_time(browser: Browser, folder: Path) -> None:
+    shots = []
+    for time in (0.0, 0.2):
+        tab = browser.tab("about:blank")
+        tab.command("Emulation.setDeviceMetricsOverride", width=320, height=200, deviceScaleFactor=1, mobile=False)
+        tab.go(f"{(folder / 'report.html').as_uri()}#t={time}&picture")
+        tab.until("document.querySelector('#canvas').dataset.frames > 0")
+        assert tab.value("document.body.scrollHeight <= 200")
+        shots.append(tab.picture())
+    first, second = shots
+    assert (int.from_bytes(first[16:20], "big"), int.from_bytes(first[20:24], "big")) == (320, 200)
+    assert len(first) > 8000  # an empty stage compresses to less
+    assert first != second

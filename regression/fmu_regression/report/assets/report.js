@@ -85,7 +85,7 @@
     }
     if (window.matchMedia) window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => viewer.draw());
 
-    // #t=1.25 opens the page at a time, &picture shows the animation alone (see picture.py).
+    // #t=1.25 opens the page at a time, &picture shows the animation alone.
     const wish = new URLSearchParams(location.hash.slice(1));
     if (wish.has("picture")) {
       document.body.classList.add("picture");
