@@ -1,4 +1,4 @@
-"""The comparison as a page of Markdown with its pictures."""
+"""The comparison as pages of Markdown: who wins where, with its pictures, and what was tried."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from peer_bench.scenes import Scene
 
 
 def markdown(findings: Findings, pictures: Path) -> str:
-    """Versions, an overview, and for each scene its picture, who wins where, and what was tried.
+    """Versions, an overview, and for each scene its picture and who wins where.
 
     Args:
         findings: of the comparison.
@@ -29,6 +29,18 @@ def markdown(findings: Findings, pictures: Path) -> str:
     for scene in findings.scenes:
         lines += _scene(findings, scene, pictures)
     return "\n".join(lines)
+
+
+def tried_markdown(findings: Findings) -> str:
+    """For each scene, every configuration that was tried, with the least error that it reached."""
+    lines = []
+    for scene in findings.scenes:
+        lines += [_heading(scene), "", *_tried(findings, scene), ""]
+    return "\n".join(lines)
+
+
+def _heading(scene: Scene) -> str:
+    return f"## {scene.name[0].upper()}{scene.name[1:]}"
 
 
 def _overview(findings: Findings) -> list[str]:
@@ -60,7 +72,7 @@ def _scene(findings: Findings, scene: Scene, pictures: Path) -> list[str]:
     picture = (pictures / f"{file_name(scene)}.svg").as_posix()
     programs = list(findings.versions)
     lines = [
-        f"## {scene.name[0].upper()}{scene.name[1:]}",
+        _heading(scene),
         "",
         f"{scene.text} Measured against: {scene.reference}. Error: {scene.error}.",
         "",
@@ -78,7 +90,7 @@ def _scene(findings: Findings, scene: Scene, pictures: Path) -> list[str]:
             text = f"{milliseconds(row)} ({run_text(row)})" if row else "–"
             cells.append(f"**{text}**" if program == level.winner else text)
         lines.append(f"| {level.error:.0e} | {' | '.join(cells)} |")
-    return [*lines, "", "What was tried:", "", *_tried(findings, scene), ""]
+    return [*lines, ""]
 
 
 def _tried(findings: Findings, scene: Scene) -> list[str]:
