@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Final, NamedTuple
 
@@ -33,29 +33,75 @@ class Token(NamedTuple):
     end: int
 
 
-def call_arguments(text: bytes) -> list[tuple[str, int, int]]:
-    """The arguments of a call such as ``R(1, b = 2)``: their names, empty where there is none, and places.
+class Argument(NamedTuple):
+    """An argument of a call: its name, empty where there is none, and the place of its expression."""
 
-    An expression of another kind has none.
+    name: str
+    start: int
+    end: int
+
+
+class Call(NamedTuple):
+    """A call such as ``R(1, b = 2)``: what is called, where it begins and ends, and with which arguments.
+
+    The name begins with an empty part where it is written with a leading dot.
     """
+
+    name: tuple[str, ...]
+    start: int
+    end: int
+    arguments: tuple[Argument, ...]
+
+
+def calls_of(text: bytes) -> Iterator[Call]:
+    """All calls in a text, those within arguments of others as well; modifiers of declarations look the same."""
     tokens = list(tokens_of(text.decode("latin-1")))
-    opening = next((number for number, token in enumerate(tokens) if token.text == "("), 0)
-    if not opening or any(token.kind != "name" and token.text != "." for token in tokens[:opening]):
-        return []
-    result = []
-    first, depth = opening + 1, 0
-    for number, token in enumerate(tokens[opening:], start=opening):
-        if token.kind == "sign":
-            depth += (token.text in OPENING) - (token.text in OPENING.values())
-            if (token.text == "," and depth == 1) or depth == 0:
-                named = number - first > 1 and tokens[first + 1].text == "="
-                start = first + 2 if named else first
-                if number > start:
-                    result.append((tokens[first].text if named else "", tokens[start].start, tokens[number - 1].end))
-                first = number + 1
-            if depth == 0:
-                return result if number == len(tokens) - 1 else []
-    return []
+    for opening, token in enumerate(tokens):
+        first = _start_of_name(tokens, opening) if token.text == "(" else opening
+        if first < opening:
+            call = _call(tokens, first, opening)
+            if call is not None:
+                yield call
+
+
+def call_arguments(text: bytes) -> list[Argument]:
+    """The arguments of a call such as ``R(1, b = 2)``; an expression of another kind has none."""
+    call = next(calls_of(text), None)
+    is_whole = call is not None and text[: call.start].strip() == b"" and text[call.end :].strip() == b""
+    return list(call.arguments) if call is not None and is_whole else []
+
+
+def _start_of_name(tokens: Sequence[Token], end: int) -> int:
+    """Number of the first token of a name with dots that ends before a token; that token's if there is none."""
+    first = end
+    while first > 0 and tokens[first - 1].kind == "name":
+        first -= 1
+        if first == 0 or tokens[first - 1].text != ".":
+            break
+        first -= 1
+    return first
+
+
+def _call(tokens: Sequence[Token], first: int, opening: int) -> Call | None:
+    """The call whose name begins at a token and whose parenthesis opens at another; None where none closes it."""
+    arguments = []
+    begins, depth = opening + 1, 0
+    for number in range(opening, len(tokens)):
+        token = tokens[number]
+        if token.kind != "sign":
+            continue
+        depth += (token.text in OPENING) - (token.text in OPENING.values())
+        if (token.text == "," and depth == 1) or depth == 0:
+            named = number - begins > 1 and tokens[begins + 1].text == "="
+            start = begins + 2 if named else begins
+            if number > start:
+                name = tokens[begins].text if named else ""
+                arguments.append(Argument(name, tokens[start].start, tokens[number - 1].end))
+            begins = number + 1
+        if depth == 0:
+            parts = "".join(each.text for each in tokens[first:opening]).split(".")
+            return Call(tuple(parts), tokens[first].start, token.end, tuple(arguments))
+    return None
 
 
 def tokens_of(text: str) -> Iterator[Token]:

@@ -9,7 +9,7 @@ import numpy as np
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
 from modelica2fmu.expand.bounds_check import empty_bounds, outside_bounds
-from modelica2fmu.expand.scalar_model import Kind, ScalarModel
+from modelica2fmu.expand.scalar_model import TIME, Kind, ScalarModel
 from modelica2fmu.expand.scalar_values import KNOWN_KINDS, element_names
 from modelica2fmu.expand.tables import is_table_function
 from modelica2fmu.frontend import ir
@@ -110,6 +110,7 @@ class VariableValues:
                 )
         else:
             items = self._items(variable, expression, names)
+            self._require_no_time(items, expression, f"the parameter {variable.name}", variable)
         values: list[Scalar] = []
         for scalar, item in zip(scalars, items, strict=True):
             if isinstance(item, Text):
@@ -144,7 +145,7 @@ class VariableValues:
         try:
             return self.broadcast(expression, names)
         except InputError as error:
-            if error.place is not None:
+            if error.place is not None and error.place.file is not None:
                 raise
             place = self._source_map.place(expression.span or variable.span, variable.name)
             raise type(error)(error.message, place=place, remedy=error.remedy) from error
@@ -176,11 +177,9 @@ class VariableValues:
         if variable.variability in ("parameter", "constant"):
             self.variable(variable.name)
         elif variable.start is not None:
-            for name, start in zip(names, self.broadcast(variable.start, names), strict=True):
-                self._result.variables[name].start = self._plain(start)
+            self._set_start(variable, variable.start, names)
         if self._result.variables[names[0]].kind is Kind.FREE_PARAMETER and variable.start is not None:
-            for name, start in zip(names, self.broadcast(variable.start, names), strict=True):
-                self._result.variables[name].start = self._plain(start)
+            self._set_start(variable, variable.start, names)
         for attribute in ("minimum", "maximum", "nominal"):
             expression = getattr(variable, attribute)
             if expression is None:
@@ -189,6 +188,23 @@ class VariableValues:
                 if isinstance(value, float | int):
                     setattr(self._result.variables[name], attribute, float(value))
         self._require_within(variable, names)
+
+    def _set_start(self, variable: ir.Variable, start: ir.Expression, names: list[str]) -> None:
+        items = self.broadcast(start, names)
+        self._require_no_time(items, start, f"the start value of {variable.name}", variable)
+        for name, item in zip(names, items, strict=True):
+            self._result.variables[name].start = self._plain(item)
+
+    def _require_no_time(
+        self, items: Iterable[Scalar], expression: ir.Expression, what: str, variable: ir.Variable
+    ) -> None:
+        """Refuses what is to stay as it is and changes with time (Modelica 3.6, 3.8.4)."""
+        if any(isinstance(item, Node) and TIME in ex.symbols(item) for item in items):
+            raise InputError(
+                f"{what} depends on time, which it cannot",
+                place=self._source_map.place(expression.span or variable.span, variable.name),
+                remedy="Give it a value that stays, or declare a variable in its place.",
+            )
 
     def _require_within(self, variable: ir.Variable, names: list[str]) -> None:
         """Holds bounds against each other, and against values of parameters and start values of variables.
@@ -206,7 +222,8 @@ class VariableValues:
             if wrong and known:
                 raise self._outside(f"{name} is {wrong}", variable.binding.span if variable.binding else variable.span)
             if wrong and scalar.fixed:
-                raise self._outside(f"the start value of {name} is {wrong}", variable.span)
+                given_at = variable.start.span if variable.start is not None else None
+                raise self._outside(f"the start value of {name} is {wrong}", given_at or variable.span)
             if wrong:
                 self._result.warnings.append(f"the start value of {name} is {wrong}")
 
@@ -303,7 +320,9 @@ class VariableValues:
                 self.variable(declared.name)
             value = self._result.variables[name].value
         if isinstance(value, Node):
-            return self.constant(value, span, f"the parameter {name}")
+            declared = self._result.variables[name].declaration
+            own = declared.binding.span if declared is not None and declared.binding is not None else None
+            return self.constant(value, own or span, f"the parameter {name}")
         if isinstance(value, float | int):
             return value
         raise UnsupportedModelError(f"the parameter {name} has no value at translation")

@@ -13,7 +13,7 @@ from contact_foundation.near_names import did_you_mean
 from modelica2fmu.crosscheck.class_instances import Names, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_tokens import UnreadableError, call_arguments
-from modelica2fmu.library.class_text import without_comments_and_strings
+from modelica2fmu.frontend.source_lines import code_of
 
 _INVALID: Final = re.compile(r"invalid call of function `(?P<name>[^`]+)`: (?P<what>.*)")
 _NOT_THERE: Final = re.compile(r"named argument `(?P<input>\w+)` does not match any input")
@@ -68,9 +68,7 @@ def _inputs(name: str, model: str, library: ClassLibrary) -> list[str]:
 
 def _line(name: str, wrong: str | None, file: Path) -> int | None:
     """Line of the first call; of the first that names an argument, where it is known which one is wrong."""
-    if not file.is_file():
-        return None
-    code = without_comments_and_strings(file.read_text(encoding="utf-8", errors="replace"))
+    code = code_of(file)
     places = [start for start, text in _calls(name, code) if wrong is None or _names(text, wrong)]
     return code.count("\n", 0, places[0]) + 1 if places else None
 

@@ -1,13 +1,13 @@
 """Finds the equation or binding that the front end refuses without a place.
 
 What rumoca 0.10 finds only while it builds equations, such as arrays whose sizes do not fit, it tells without a line.
-It is asked again about the model without one half of its equations and bindings after the other, until one is left.
+It is asked again about the model without some of its equations and bindings, until none of those left can be missed.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -25,6 +25,7 @@ from modelica2fmu.frontend.runner import Request, ask
 
 _STAGE: Final = re.compile(r" failed in ToDae: (.*)", re.DOTALL)
 _GAP: Final = 200
+_MOST_SUSPECTS: Final = 4
 _GIVES: Final = re.compile(rb"(?::?=)\s*\Z")
 # Sizes and branches depend on their values, which are left as they are.
 _COUNTS: Final = frozenset({"Integer", "Boolean", "String"})
@@ -46,7 +47,7 @@ class Piece:
 
 
 def culprit(error: str, request: Request, file: Path, text: bytes) -> Piece | None:
-    """What alone brings an error; None if the error is of another kind, or no single piece brings it.
+    """The first of the few pieces that bring an error together; None if it is of another kind, or they are many.
 
     Args:
         error: of the front end.
@@ -68,19 +69,31 @@ def culprit(error: str, request: Request, file: Path, text: bytes) -> Piece | No
         kept = set(left)
         return _said(_error_without(texts, [each for each in pieces if each not in kept], request, file)) == said
 
-    suspects: Sequence[Extent] = pieces
-    if not suspects or is_refused(()):
+    if not pieces or is_refused(()):
         return None
-    while len(suspects) > 1:
-        middle = len(suspects) // 2
-        halves = (suspects[:middle], suspects[middle:])
-        half = next((half for half in halves if is_refused(half)), None)
-        if half is None:
-            return None
-        suspects = half
+    suspects = _conflict((), (), pieces, is_refused)
+    if len(suspects) > _MOST_SUSPECTS or not is_refused(suspects):
+        return None
     statement = None if SHAPES in said else _statement(classes, texts, request, file, said)
     found = statement or suspects[0]
     return Piece(found, texts[found.file][found.start : found.end].decode(errors="replace"), said)
+
+
+def _conflict(
+    kept: Sequence[Extent],
+    added: Sequence[Extent],
+    suspects: Sequence[Extent],
+    is_refused: Callable[[Sequence[Extent]], bool],
+) -> list[Extent]:
+    """Pieces none of which can be left out for an error beside those that are kept, in order (Junker, AAAI 2004)."""
+    if added and is_refused(kept):
+        return []
+    if len(suspects) == 1:
+        return list(suspects)
+    middle = len(suspects) // 2
+    first, second = suspects[:middle], suspects[middle:]
+    of_second = _conflict((*kept, *first), first, second, is_refused)
+    return [*_conflict((*kept, *of_second), of_second, first, is_refused), *of_second]
 
 
 def _statement(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -14,7 +15,14 @@ from modelica2fmu.crosscheck.collider_order import MisplacedRow
 from modelica2fmu.crosscheck.near_names import near_names
 from modelica2fmu.frontend.call_errors import call_error
 from modelica2fmu.frontend.runner import LAYOUT, Answer
-from modelica2fmu.library.class_text import without_comments_and_strings
+from modelica2fmu.frontend.source_lines import (
+    code_of,
+    line_of,
+    line_of_connect,
+    line_of_modifier,
+    line_of_name,
+    line_of_quoted_name,
+)
 
 # rumoca's whole message where an equation leaves out outputs of a function.
 _NAMELESS: Final = "missing source scope for imports"
@@ -32,6 +40,13 @@ _CRASH: Final = (
 _LOCATED: Final = re.compile(r"(?:^|; )((?:(?!\.mo:\d+:\d+\]; ).)*?) \[([^\[\]]+\.mo):(\d+):\d+\]", re.DOTALL)
 
 _UNRESOLVED: Final = re.compile(r"unresolved (?:component|type|function) reference: '([^']+)'")
+# Its words for the stage that failed, and about values and connections.
+_STAGE: Final = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
+_OWN_TERMS: Final = re.compile(
+    r"unsupported Flat semantic owner `[^`]*`: |canonical DAE construction rejected an invalid operation: "
+    r"|(?<=unresolved )Flat "
+)
+_UNEVALUATED: Final = re.compile(r"`parameter binding`: `([^`]+)` cannot be evaluated: (.*)", re.DOTALL)
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
 
 _PROBLEMS_SHOWN: Final = 3
@@ -86,13 +101,16 @@ def front_end_error(answer: Answer, model: str, file: Path, library: ClassLibrar
     place = Place(file=file, component=model)
     text = "\n".join((*answer.diagnostics, message))
     located = re.search(r"\[([^\[\]\s]+\.mo):(\d+):\d+\]", text)
-    if located:
+    line = None
+    if located and Path(located[1]).is_relative_to(_own_root(file)):
         place = Place(file=Path(located[1]), line=int(located[2]), component=model)
     else:
-        line = _line_of_quoted_name(message, file)
-        if line is not None:
-            place = Place(file=file, line=line, component=model)
-    left_out = _line_of(_OUTPUTS_LEFT_OUT, file) if _NAMELESS in message else None
+        line = line_of_connect(message, file) or line_of_quoted_name(message, file)
+    if line is not None:
+        place = Place(file=file, line=line, component=model)
+    elif located:
+        place = Place(file=Path(located[1]), line=int(located[2]), component=model)
+    left_out = line_of(_OUTPUTS_LEFT_OUT, file) if _NAMELESS in message else None
     if left_out is not None:
         return InputError(
             "outputs of a function are left out, which is not covered: give each a variable",
@@ -101,7 +119,12 @@ def front_end_error(answer: Answer, model: str, file: Path, library: ClassLibrar
     if _SLICE in message and not located:
         return _slice_error(model, file)
     first = message.strip().split("\nRelated failures")[0]
-    first = first.removeprefix(f"{model} could not be compiled: ")
+    first = _STAGE.sub("", first.removeprefix(f"{model} could not be compiled: "))
+    unevaluated = _UNEVALUATED.search(first)
+    if unevaluated is not None:
+        name, why = unevaluated.groups()
+        place = replace(place, line=line_of_modifier(name, file) or place.line)
+        return InputError(f"{name} cannot be evaluated: {why}", place=place)
     in_function = _IN_FUNCTION.search(first)
     first = first if in_function is None or SHAPES in first else f"the function {in_function['words']}"
     unresolved = _UNRESOLVED.search(message)
@@ -117,6 +140,11 @@ def is_vague(error: InputError) -> bool:
     """= true, if an error names no line, or the first that mentions a name where the front end compares sizes."""
     words = (SHAPES, _SHAPE_ASSIGNED)
     return error.place is None or error.place.line is None or any(each in error.message for each in words)
+
+
+def in_plain_words(error: InputError) -> InputError:
+    """The same error without what the front end calls its own parts."""
+    return InputError(_OWN_TERMS.sub("", error.message), place=error.place, remedy=error.remedy)
 
 
 def piece_error(said: str, text: str, place: Place) -> InputError:
@@ -156,7 +184,7 @@ def _own_mistake(message: str, model: str, file: Path) -> InputError | None:
 
     One mistake in a model lets rumoca find fault with places of libraries, which it puts first.
     """
-    root = file.parent if file.name == "package.mo" else file
+    root = _own_root(file)
     _, _, errors = message.partition(" failed in Typecheck: ")
     for said, name, line in _LOCATED.findall(errors):
         if Path(name).is_relative_to(root):
@@ -166,7 +194,7 @@ def _own_mistake(message: str, model: str, file: Path) -> InputError | None:
 
 def _slice_error(model: str, file: Path) -> InputError:
     """Records of all elements of an array are taken at once, which the front end does not resolve."""
-    code = without_comments_and_strings(file.read_text(encoding="utf-8", errors="replace")) if file.is_file() else ""
+    code = code_of(file)
     arrays = "|".join(sorted({re.escape(name) for name in _ARRAY.findall(code)}))
     slices = re.compile(rf"(?<![\w.])({arrays})\.(?!frame)([A-Za-z_]\w*)") if arrays else None
     found = next(slices.finditer(code), None) if slices else None
@@ -183,7 +211,7 @@ def _slice_error(model: str, file: Path) -> InputError:
 def unconnected_error(frames: Sequence[str], model: str, file: Path) -> InputError:
     """Frames are connected to nothing, so nothing says where they are."""
     component = re.split(r"[.\[]", frames[0], maxsplit=1)[0]
-    line = _line_of_name(component, file)
+    line = line_of_name(component, file)
     several = len(frames) > 1
     return InputError(
         f"{', '.join(frames)} {'are' if several else 'is'} connected to nothing: no equation says where "
@@ -197,7 +225,7 @@ def loose_error(component: str, model: str, file: Path) -> InputError:
     """A component has no connection to anything that has a place."""
     return InputError(
         f"{component} is connected to nothing that has a place: no equation says where it is",
-        place=Place(file=file, line=_line_of_name(component, file), component=model),
+        place=Place(file=file, line=line_of_name(component, file), component=model),
         remedy="connect one of its frames to the world or to a body",
     )
 
@@ -206,14 +234,14 @@ def not_inner_error(world: str, model: str, file: Path) -> InputError:
     """The world is not declared as inner, and parts look for one that is."""
     return InputError(
         f"{world} is declared without inner: parts do not find it",
-        place=Place(file=file, line=_line_of_name(world, file), component=model),
+        place=Place(file=file, line=line_of_name(world, file), component=model),
         remedy=f"write: inner Modelica.Mechanics.MultiBody.World {world}",
     )
 
 
 def misplaced_error(row: MisplacedRow, model: str, file: Path) -> InputError:
     """A manager of contacts takes a body's geometry or material for another one."""
-    line = _line_of_name(row.taken, file)
+    line = line_of_name(row.taken, file)
     return InputError(
         row.message,
         place=Place(file=file, line=line, component=model),
@@ -228,20 +256,6 @@ def _layout_error(package: Path, problems: list[str]) -> InputError:
     return InputError(f"is no package: {shown}{more}", place=Place(file=package), remedy="Correct these files.")
 
 
-def _line_of_quoted_name(message: str, file: Path) -> int | None:
-    """Line of the first mention of a name that the message quotes, where it gives no place itself."""
-    quoted = re.search(r"['`]([A-Za-z_][\w.]*)['`]", message)
-    return None if quoted is None else _line_of_name(quoted[1], file)
-
-
-def _line_of_name(name: str, file: Path) -> int | None:
-    """Line of the first mention of a component."""
-    return _line_of(re.compile(rf"(?<![\w.]){re.escape(name)}(?!\w)"), file)
-
-
-def _line_of(pattern: re.Pattern[str], file: Path) -> int | None:
-    """First line of the file's code in which the pattern is found."""
-    if not file.is_file():
-        return None
-    code = without_comments_and_strings(file.read_text(encoding="utf-8", errors="replace"))
-    return next((number for number, line in enumerate(code.splitlines(), start=1) if pattern.search(line)), None)
+def _own_root(file: Path) -> Path:
+    """The file or the package's folder that the user wrote."""
+    return file.parent if file.name == "package.mo" else file

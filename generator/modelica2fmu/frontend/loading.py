@@ -16,6 +16,7 @@ from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.collider_order import misplaced_row
 from modelica2fmu.crosscheck.connect_check import check_connect_sizes, check_connects
+from modelica2fmu.crosscheck.constructor_check import check_constructors
 from modelica2fmu.crosscheck.flat_check import added_components, check_flat_model
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
@@ -35,6 +36,7 @@ from modelica2fmu.frontend.culprit import culprit
 from modelica2fmu.frontend.errors import (
     FrontEndError,
     front_end_error,
+    in_plain_words,
     is_vague,
     loose_error,
     misplaced_error,
@@ -123,6 +125,7 @@ def load_flat_model(
             if piece is not None:
                 place = replace(_places(source_map)(piece.extent), component=model)
                 refusal = piece_error(piece.said, piece.text, place)
+            refusal = in_plain_words(refusal)
             if unbalanced is not None:
                 return replace(read_flat_model(unbalanced, model, source_map), refusal=refusal)
             raise refusal from FrontEndError(words.error)
@@ -188,10 +191,11 @@ def _check_own_text(model: str, file: Path, source_map: SourceMap, library: Clas
     """The error of a class that is not found.
 
     Raises:
-        InputError: the user modifies what is not there, or connects connectors of different kinds.
+        InputError: the user modifies or names what is not there, or connects connectors of different kinds.
     """
     own = file.parent if file.name == "package.mo" else file
     missing = check_modifiers(model, library, own, _places(source_map))
+    check_constructors(model, library, own, _places(source_map))
     check_connects(model, library, own, _places(source_map))
     return missing
 

@@ -90,3 +90,68 @@ def test_a_base_that_is_not_there_is_told_not_what_stands_beside_it(tmp_path: Pa
     assert error.place.line == 2
     assert error.message == "there is no class Modelica.Mechanics.MultiBody.Examples.Loops.Engine1a"
     assert "cmb msl install" in (error.remedy or "")
+
+
+RECORDS = """model Slide
+  record Material
+    extends Basic;
+    parameter Real mu = 0.1;
+  end Material;
+  record Basic
+    parameter Real hardness = 1;
+  end Basic;
+  model Body
+    parameter Material material;
+    Real friction = material.mu*time;
+  end Body;
+  parameter Material chosen = Material(mu = 0.4, hardness = 2);
+  Body first(material = chosen);
+  Body second(material = Material(hardness = 3, mu = 0.2));
+  parameter Material third = Material(
+    1,
+    mu = 3);
+  Real height(start = 0, fixed = true);
+equation
+  der(height) = 1;
+end Slide;
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "wrong"),
+    [
+        ("mu = 0.4", "muu = 0.4", 13, "muu"),
+        ("hardness = 2)", "hardnes = 2)", 13, "hardnes"),
+        ("mu = 0.2", "friction = 0.2", 15, "friction"),
+        ("    mu = 3", "    m = 3", 18, "m"),
+    ],
+)
+def test_records_have_the_fields_that_their_constructors_name(
+    tmp_path: Path, old: str, new: str, line: int, wrong: str
+) -> None:
+    (tmp_path / "Slide.mo").write_text(RECORDS)
+    translate("Slide", [tmp_path / "Slide.mo"], LIBRARY)
+    assert old in RECORDS
+    (tmp_path / "Slide.mo").write_text(RECORDS.replace(old, new))
+    with pytest.raises(InputError) as caught:
+        translate("Slide", [tmp_path / "Slide.mo"], LIBRARY)
+    error = caught.value
+    assert error.message == f"Material has no {wrong}"
+    assert error.place is not None
+    assert (error.place.file, error.place.line) == (tmp_path / "Slide.mo", line)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "what"),
+    [
+        ("{0, -1, 0}", "{0, -1, time}", 4, "the parameter body.r_CM"),
+        ("m = 1", "m = if time > 1 then 1 else 2", 4, "the parameter body.m"),
+        ("start = 0.5", "start = 0.5 + time", 3, "the start value of joint.phi"),
+        ("{1, 2};", "{1, time};", 5, "the parameter slack"),
+    ],
+)
+def test_what_stays_does_not_depend_on_time(tmp_path: Path, old: str, new: str, line: int, what: str) -> None:
+    error = refused(tmp_path, old, new)
+    assert error.message == f"{what} depends on time, which it cannot"
+    assert error.place is not None
+    assert (error.place.file, error.place.line) == (tmp_path / "Swing.mo", line)
