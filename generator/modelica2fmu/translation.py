@@ -22,6 +22,7 @@ from modelica2fmu.expand.geometry_files import write_out_geometry
 from modelica2fmu.expand.scalar_model import ScalarModel, derivative_name
 from modelica2fmu.expand.scalarize import scalarize
 from modelica2fmu.frontend.loading import load_flat_model
+from modelica2fmu.garbage import collection_paused
 from modelica2fmu.library.cache_pruning import pruned_after_use
 from modelica2fmu.library.experiment import read_experiment
 from modelica2fmu.library.external_code import ExternalCode, find_external_code, named_file
@@ -65,8 +66,18 @@ def translate(
     outputs: Collection[OutputGroup] = (),
 ) -> Translation:
     """Everything up to the C; see :func:`modelica2fmu.build.build_fmu`."""
-    clock = clock or PhaseClock()
     check_model_name(model)
+    with collection_paused():
+        return _translate(model, sources, library, clock or PhaseClock(), outputs)
+
+
+def _translate(
+    model: str,
+    sources: Sequence[Path],
+    library: StandardLibrary,
+    clock: PhaseClock,
+    outputs: Collection[OutputGroup],
+) -> Translation:
     clock.begin("load")
     file, found = locate(model, sources)
     source_map = SourceMap([file, *sources, library.folder])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from modelica2fmu.codegen.c_expressions import bare, c_text, number
@@ -153,21 +153,21 @@ class BlockCode:
 
         statements = [Statement((), self._take(name, solution + k), group=inner) for k, name in enumerate(block.torn)]
         for step in block.inner:
-            assignment = places.assign(step.target, step.value)
-            statements.append(Statement(assignment.roots, assignment.lines, group=inner))
+            statements.append(replace(places.assign(step.target, step.value), group=inner))
         for k, residual in enumerate(block.residuals):
-            residual_statement = set_work(solution + k, ex.negate(residual))
-            statements.append(Statement(residual_statement.roots, residual_statement.lines, group=last))
+            statements.append(replace(set_work(solution + k, ex.negate(residual)), group=last))
 
         steps, derivatives = probe(block)
         seeds = places.put_tangents(tuple(probe_name(name) for name in block.torn))
         column = work.real(n * LANES)
         lanes = [
-            set_lanes(places.tangent(step.target), step.value) for step in steps if isinstance(step, TangentAssignment)
+            set_lanes(places.tangent(step.target), step.value, step.target)
+            for step in steps
+            if isinstance(step, TangentAssignment)
         ]
         lanes += [set_lanes(column + k * LANES, value) for k, value in enumerate(derivatives)]
         statements += numbers_of_lanes(lanes, is_tangent, numbers)
-        statements += [Statement(item.roots, item.lines, group=columns) for item in lanes]
+        statements += [replace(item, group=columns) for item in lanes]
 
         message = self._singular(block.torn)
         solve = [

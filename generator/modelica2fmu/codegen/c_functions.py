@@ -7,18 +7,20 @@ Nodes below which certain symbols stand can be vectors of ``LANES`` numbers, for
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Container, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Final
 
-from modelica2fmu.codegen.function_body import FunctionBody
-from modelica2fmu.codegen.statements import Group, Statement, WorkSpace
+from modelica2fmu.codegen.function_body import BEFORE, FunctionBody
+from modelica2fmu.codegen.similar_statements import Arrangement, arranged
+from modelica2fmu.codegen.statements import Group, Put, Statement, Stored, WorkSpace
 from modelica2fmu.equations.lanes import LANES
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
 _STATEMENTS_PER_FUNCTION: Final = 1200
+_LINES_PER_STATEMENT: Final = 8  # executed lines of a loop, whose tables take a compiler as long as one statement
 
 
 @dataclass(frozen=True)
@@ -32,6 +34,7 @@ class Function:
         size: number of lines.
         executions: how often it is executed in one evaluation.
         kept: offsets of the vectors that it keeps in the work array for later functions.
+        executed: number of lines that one execution goes through.
     """
 
     name: str
@@ -40,6 +43,7 @@ class Function:
     size: int
     executions: int = 1
     kept: tuple[int, ...] = ()
+    executed: int = 0
 
 
 @dataclass
@@ -49,6 +53,7 @@ class _Chunk:
     is_discrete: bool
     group: Group | None
     calls_model: bool
+    is_loop: bool
     statements: list[Statement] = field(default_factory=list)
     size: int = 0
 
@@ -58,6 +63,7 @@ class _Chunk:
             not self.calls_model
             and not statement.calls_model
             and self.is_discrete == statement.is_discrete
+            and self.is_loop == (statement.executed > 0)
             and self.group == statement.group
             and self.size + size <= _STATEMENTS_PER_FUNCTION
         )
@@ -84,8 +90,8 @@ class FunctionFrame:
 
 def single_function(name: str, statements: Sequence[Statement], frame: FunctionFrame) -> Function:
     """One function that executes the statements in order, however many they are."""
-    chunk = _Chunk(False, None, False, list(statements))
-    return _functions([chunk], [name], _lane_nodes(statements, frame.is_lane_symbol), frame)[0]
+    chunk = _Chunk(False, None, False, False, list(statements))
+    return _functions([chunk], [name], _lane_nodes(statements, frame.is_lane_symbol), frame, Arrangement([]))[0]
 
 
 def functions_of(prefix: str, statements: Sequence[Statement], frame: FunctionFrame) -> list[Function]:
@@ -99,14 +105,15 @@ def functions_of(prefix: str, statements: Sequence[Statement], frame: FunctionFr
         frame: what the functions have in common.
     """
     lane_nodes = _lane_nodes(statements, frame.is_lane_symbol)
-    chunks = _chunks(statements, lane_nodes)
+    arrangement = arranged(statements, frame.location, frame.work, lane_nodes)
+    chunks = _chunks(arrangement, lane_nodes)
     counts: dict[str, int] = {}
     names = []
     for chunk in chunks:
         kind = prefix if chunk.group is None else f"{chunk.group.name}_part"
         counts[kind] = counts.get(kind, 0) + 1
         names.append(f"{kind}_{counts[kind]}")
-    parts = _functions(chunks, names, lane_nodes, frame)
+    parts = _functions(chunks, names, lane_nodes, frame, arrangement)
     functions = list(parts)
     for group, members in groupby(zip(chunks, parts, strict=True), key=lambda pair: pair[0].group):
         if group is not None:
@@ -118,39 +125,61 @@ def _group_function(group: Group, parts: Sequence[Function], signature: str) -> 
     calls = "".join(f"  if ((result = {part.name}(v)) != FMURT_RESULT_OK) return result;\n" for part in parts)
     text = f"int {group.name}({signature})\n{{\n  int result = FMURT_RESULT_OK;\n{calls}  return result;\n}}\n"
     kept = tuple(offset for part in parts for offset in part.kept)
-    return Function(group.name, text, False, len(parts), group.executions, kept)
+    return Function(group.name, text, False, len(parts), group.executions, kept, len(parts))
 
 
 def _functions(
-    chunks: Sequence[_Chunk], names: Sequence[str], lane_nodes: Collection[Node], frame: FunctionFrame
+    chunks: Sequence[_Chunk],
+    names: Sequence[str],
+    lane_nodes: Collection[Node],
+    frame: FunctionFrame,
+    arrangement: Arrangement,
 ) -> list[Function]:
-    homes = _homes(chunks, frame.work, lane_nodes)
+    homes = _homes(chunks, frame.work, lane_nodes, arrangement.kept)
     kept: dict[int, list[int]] = {}
     for node, (first, offset) in homes.items():
         if node in lane_nodes:
             kept.setdefault(first, []).append(offset)
+    for node, (position, offset) in _homes_of_loops(chunks, arrangement).items():
+        homes[node] = (BEFORE, offset)
+        if node in lane_nodes and node in arrangement.handed_on:
+            kept.setdefault(position, []).append(offset)
     result = []
     for position, (chunk, name) in enumerate(zip(chunks, names, strict=True)):
-        body = FunctionBody(chunk.statements, position, homes, frame.location, lane_nodes).lines()
+        body = FunctionBody(chunk.statements, position, homes, frame.location, lane_nodes)
+        lines = body.lines()
         text = "\n".join(
-            [f"int {name}({frame.signature})", "{", *frame.prologue, *body, "  return FMURT_RESULT_OK;", "}", ""]
+            [f"int {name}({frame.signature})", "{", *frame.prologue, *lines, "  return FMURT_RESULT_OK;", "}", ""]
         )
         executions = chunk.group.executions if chunk.group is not None else 1
-        result.append(Function(name, text, chunk.is_discrete, len(body), executions, tuple(kept.get(position, ()))))
+        stored = tuple(kept.get(position, ()))
+        result.append(Function(name, text, chunk.is_discrete, len(lines), executions, stored, body.executed))
     return result
 
 
-def _chunks(statements: Sequence[Statement], lane_nodes: Collection[Node]) -> list[_Chunk]:
+def _homes_of_loops(chunks: Sequence[_Chunk], arrangement: Arrangement) -> dict[Node, tuple[int, int]]:
+    """Nodes that loops store: number of the chunk, offset in the work array."""
+    return {
+        node: (position, arrangement.kept[node])
+        for position, chunk in enumerate(chunks)
+        for statement in chunk.statements
+        for node in statement.keeps
+    }
+
+
+def _chunks(arrangement: Arrangement, lane_nodes: Collection[Node]) -> list[_Chunk]:
     chunks: list[_Chunk] = []
-    seen: set[Node] = set()
-    for statement in statements:
+    seen: set[Node] = set(arrangement.kept)
+    for statement in arrangement.statements:
         nodes = ex.topological(statement.roots, seen)
         size = 1 + (len(nodes) + (LANES - 1) * sum(node in lane_nodes for node in nodes)) // 2
+        size += statement.executed // _LINES_PER_STATEMENT
         if not chunks or not chunks[-1].takes(statement, size):
-            chunks.append(_Chunk(statement.is_discrete, statement.group, statement.calls_model))
+            is_loop = statement.executed > 0
+            chunks.append(_Chunk(statement.is_discrete, statement.group, statement.calls_model, is_loop))
         chunks[-1].statements.append(statement)
         chunks[-1].size += size
-    return chunks or [_Chunk(False, None, False)]
+    return chunks or [_Chunk(False, None, False, False)]
 
 
 def numbers_of_lanes(
@@ -166,8 +195,9 @@ def numbers_of_lanes(
     for node in [*(arg for vector in lane_nodes for arg in vector.args), *roots]:
         if node.args and node not in lane_nodes:
             found[node] = None
-    return [Statement((node,), lambda _: [], group=group) for node in found] or [
-        Statement((), lambda _: [], group=group)
+    put = Put("", None, Stored.OTHERWISE)
+    return [Statement((node,), lambda _: [], group=group, put=put) for node in found] or [
+        Statement((), lambda _: [], group=group, put=put)
     ]
 
 
@@ -180,8 +210,13 @@ def _lane_nodes(statements: Sequence[Statement], is_lane_symbol: Callable[[str],
     return found
 
 
-def _homes(chunks: Sequence[_Chunk], work: WorkSpace, lane_nodes: Collection[Node]) -> dict[Node, tuple[int, int]]:
-    """Nodes that continuous chunks share with later ones: number of the first chunk, offset in the work array."""
+def _homes(
+    chunks: Sequence[_Chunk], work: WorkSpace, lane_nodes: Collection[Node], given: Container[Node]
+) -> dict[Node, tuple[int, int]]:
+    """Nodes that continuous chunks share with later ones: number of the first chunk, offset in the work array.
+
+    Nodes that are given have places already.
+    """
     first: dict[Node, int] = {}
     shared: dict[Node, None] = {}
     for position, chunk in enumerate(chunks):
@@ -190,7 +225,7 @@ def _homes(chunks: Sequence[_Chunk], work: WorkSpace, lane_nodes: Collection[Nod
             stack = [root for root in statement.roots if isinstance(root, Node)]
             while stack:
                 node = stack.pop()
-                if not node.args or node in mine:
+                if not node.args or node in mine or node in given:
                     continue
                 mine.add(node)
                 owner = first.get(node)

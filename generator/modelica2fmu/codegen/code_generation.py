@@ -99,7 +99,7 @@ class _Generator:
         self._add("fmurt_part_indicators", indicator_statements(self._model), indicators)
         jacobian = self._jacobian()
         self._functions.extend(self._blocks.functions)
-        operations = sum(item.size * item.executions for item in simulating if not item.is_discrete)
+        operations = sum(item.executed * item.executions for item in simulating if not item.is_discrete)
         return self._assemble(jacobian, operations)
 
     def _add(self, prefix: str, statements: Sequence[Statement], frame: FunctionFrame) -> None:

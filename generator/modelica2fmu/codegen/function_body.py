@@ -11,6 +11,8 @@ from modelica2fmu.equations.lanes import lanes_at
 from modelica2fmu.symbolic.expression import Node
 
 _INLINE_LENGTH: Final = 160
+BEFORE: Final = -1
+"""Position of what is in the work array whatever function reads it."""
 
 
 class FunctionBody:
@@ -25,6 +27,9 @@ class FunctionBody:
         homes: of shared nodes: position of the function that computes them, offset in the work array.
         location: C lvalue of a symbol.
         lane_nodes: nodes that are vectors.
+
+    Attributes:
+        executed: number of lines that are executed, known once the lines are written.
     """
 
     def __init__(
@@ -43,6 +48,7 @@ class FunctionBody:
         self._names: dict[Node, str] = {}
         self._lines: list[str] = []
         self._uses: dict[Node, int] = {}
+        self.executed = 0
         self._count_uses()
 
     def _count_uses(self) -> None:
@@ -70,7 +76,11 @@ class FunctionBody:
             for root in statement.roots:
                 if isinstance(root, Node):
                     self._prepare(root)
+            before = len(self._lines)
             self._lines.extend(f"  {line}" for line in statement.lines(self._write))
+            if statement.executed:
+                self.executed += statement.executed - (len(self._lines) - before)
+        self.executed += len(self._lines)
         return self._lines
 
     def _write(self, root: float | Node) -> str:

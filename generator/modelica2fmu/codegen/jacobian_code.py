@@ -111,7 +111,7 @@ class _Writer:
 
     def _statements(self, step: Tangent) -> list[Statement]:
         if isinstance(step, TangentAssignment):
-            return [set_lanes(self._places.tangent(step.target), step.value)]
+            return [set_lanes(self._places.tangent(step.target), step.value, step.target)]
         if isinstance(step, CallTangent):
             return [self._call(step)]
         return self._solved(step)

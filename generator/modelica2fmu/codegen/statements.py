@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from enum import Enum, auto
 
 from modelica2fmu.symbolic.expression import Node
 
@@ -25,6 +26,35 @@ class Group:
     executions: int
 
 
+class Stored(Enum):
+    """How a statement stores what it computes.
+
+    Attributes:
+        NUMBER: the value as it is.
+        TRUTH: whether it is other than zero.
+        OTHERWISE: with more lines, or not at all.
+    """
+
+    NUMBER = auto()
+    TRUTH = auto()
+    OTHERWISE = auto()
+
+
+@dataclass(frozen=True)
+class Put:
+    """All that a statement does: it stores the value of its root, so that it can stand wherever that is known.
+
+    Attributes:
+        place: C lvalue; empty if nothing is stored.
+        symbol: that the place belongs to, if other statements can read it.
+        stored: how.
+    """
+
+    place: str
+    symbol: str | None = None
+    stored: Stored = Stored.NUMBER
+
+
 @dataclass(frozen=True)
 class Statement:
     """Some lines of C and the expressions in them.
@@ -36,6 +66,9 @@ class Statement:
         group: the group that the statement is in; the statements of a group follow each other.
         calls_model: = true, if the lines call functions that change the model's variables: it becomes a function of
             its own, since the others take it for granted that only they do.
+        put: what it does if that is no more than to store a value; else it stays where it is.
+        executed: number of lines that a loop executes; 0 for a statement that is none.
+        keeps: nodes that a loop stores in the work array.
     """
 
     roots: tuple[float | Node, ...]
@@ -43,6 +76,9 @@ class Statement:
     is_discrete: bool = False
     group: Group | None = None
     calls_model: bool = False
+    put: Put | None = None
+    executed: int = 0
+    keeps: tuple[Node, ...] = ()
 
 
 @dataclass

@@ -7,7 +7,7 @@ from typing import Final
 from modelica2fmu.codegen.c_expressions import bare, c_text
 from modelica2fmu.codegen.c_functions import FunctionFrame
 from modelica2fmu.codegen.slots import Slots, Store
-from modelica2fmu.codegen.statements import Statement, WorkSpace
+from modelica2fmu.codegen.statements import Put, Statement, Stored, WorkSpace
 from modelica2fmu.equations.lanes import LANES, lanes_at
 from modelica2fmu.equations.tangents import is_tangent
 from modelica2fmu.expand.scalar_model import INITIAL, TERMINAL, TIME, unwrapped
@@ -22,6 +22,7 @@ PROLOGUE: Final = (
     "  (void)r; (void)w; (void)i; (void)b;",
 )
 _ARRAYS: Final = {Store.REAL: "r", Store.INTEGER: "i", Store.BOOLEAN: "b"}
+_STORED: Final = {Store.REAL: Stored.NUMBER, Store.BOOLEAN: Stored.TRUTH}
 _PREVIOUS: Final = {Store.REAL: "v->pre_real", Store.INTEGER: "v->pre_integer", Store.BOOLEAN: "v->pre_boolean"}
 
 
@@ -96,16 +97,22 @@ class SymbolPlaces:
 
     def assign(self, name: str, value: float | Node, is_discrete: bool = False) -> Statement:
         """The assignment of an expression to a symbol."""
-        return Statement((value,), lambda write: [self.store(name, write(value))], is_discrete)
+        slot = self.slots.of.get(name) or self.slots.of.get(unwrapped(name)[1])
+        store = Store.REAL if slot is None else slot.store
+        put = Put(self.location(name), name, _STORED.get(store, Stored.OTHERWISE))
+        return Statement((value,), lambda write: [self.store(name, write(value))], is_discrete, put=put)
 
 
 def set_work(offset: int, value: float | Node) -> Statement:
     """The assignment of an expression to an element of the work array."""
-    return Statement((value,), lambda write: [f"w[{offset}] = {bare(write(value))};"])
+    place = f"w[{offset}]"
+    return Statement((value,), lambda write: [f"{place} = {bare(write(value))};"], put=Put(place))
 
 
-def set_lanes(offset: int, value: float | Node) -> Statement:
-    """The assignment of a vector; an expression without vectors is zero."""
+def set_lanes(offset: int, value: float | Node, symbol: str | None = None) -> Statement:
+    """The assignment of a vector, which ``symbol`` may name; an expression without vectors is zero."""
+    place = lanes_at(offset)
     if not isinstance(value, Node):
-        return Statement((), lambda _: [f"{lanes_at(offset)} = (fmurt_lanes){{0}};"])
-    return Statement((value,), lambda write: [f"{lanes_at(offset)} = {bare(write(value))};"])
+        put = Put(place, symbol, Stored.OTHERWISE)
+        return Statement((), lambda _: [f"{place} = (fmurt_lanes){{0}};"], put=put)
+    return Statement((value,), lambda write: [f"{place} = {bare(write(value))};"], put=Put(place, symbol))

@@ -1,0 +1,286 @@
+"""Statements that differ by their places and numbers alone become loops, so that code does not grow with their number.
+
+The contacts of many pairs of bodies, for example, are the same equations with other variables. Nodes that several
+statements use are statements of their own, for else no two would be the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Hashable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Final
+
+from modelica2fmu.codegen.c_expressions import number
+from modelica2fmu.codegen.expression_forms import ExpressionForms, Form, Leaf, Operation, split_place
+from modelica2fmu.codegen.loop_code import loop_lines
+from modelica2fmu.codegen.shared_nodes import SharedNode, shared_nodes
+from modelica2fmu.codegen.statement_schedule import Schedule
+from modelica2fmu.codegen.statements import Group, Put, Statement, Stored, WorkSpace, Write
+from modelica2fmu.equations.lanes import LANES, lanes_at
+from modelica2fmu.symbolic import expression as ex
+from modelica2fmu.symbolic.expression import Node
+
+_LEAST: Final = 8  # statements of a loop
+_SMALL: Final = 5000  # operations that a compiler takes as they are
+_SAVED: Final = 0.25  # of the operations, from which on loops pay
+
+
+@dataclass
+class Arrangement:
+    """Statements in an order in which many are loops.
+
+    Attributes:
+        statements: in order.
+        kept: nodes that loops store in the work array, and their offsets.
+        handed_on: those of them that statements of other groups read.
+    """
+
+    statements: list[Statement]
+    kept: dict[Node, int] = field(default_factory=dict)
+    handed_on: set[Node] = field(default_factory=set)
+
+
+def arranged(
+    statements: Sequence[Statement],
+    location: Callable[[str], str],
+    work: WorkSpace,
+    lane_nodes: Collection[Node],
+) -> Arrangement:
+    """The statements with loops where these pay; else as they are.
+
+    Args:
+        statements: in order; each symbol is assigned at most once and not read before.
+        location: C lvalue of a symbol.
+        work: where loops keep nodes that other statements use.
+        lane_nodes: nodes that are vectors.
+    """
+    if sum(statement.put is not None for statement in statements) < _LEAST:
+        return Arrangement(list(statements))
+    return _Arranger(statements, location, work, lane_nodes).run()
+
+
+@dataclass(frozen=True)
+class _Unit:
+    """A statement, or a shared node that is computed.
+
+    Attributes:
+        statement: None for a node.
+        shared: None for a statement.
+        segment: in which the unit is executed.
+        form: of its expression; None where it cannot be in a loop.
+        leaves: what it reads, in the order of the form if it has one.
+    """
+
+    statement: Statement | None
+    shared: SharedNode | None
+    segment: int
+    form: Form | None
+    leaves: tuple[Node, ...]
+
+    @property
+    def is_discrete(self) -> bool:
+        """= true, if it is executed at events only."""
+        if self.shared is not None:
+            return self.shared.is_discrete
+        return self.statement is not None and self.statement.is_discrete
+
+    @property
+    def put(self) -> Put | None:
+        """What a statement does."""
+        return self.statement.put if self.statement is not None else None
+
+
+class _Arranger:
+    def __init__(
+        self,
+        statements: Sequence[Statement],
+        location: Callable[[str], str],
+        work: WorkSpace,
+        lane_nodes: Collection[Node],
+    ) -> None:
+        self._statements = statements
+        self._location = location
+        self._work = work
+        self._lane_nodes = lane_nodes
+        self._segments, self._groups = _segments(statements)
+        shared = shared_nodes(statements)
+        self._place = {item.node: len(statements) + k for k, item in enumerate(shared)}
+        self._forms = ExpressionForms(self._place, lane_nodes, location)
+        self._units = [
+            *(self._unit_of_statement(position) for position in range(len(statements))),
+            *(self._unit_of_node(item) for item in shared),
+        ]
+        self._families = self._found_families()
+        self._needed = self._needed_by_loops()
+        self._result = Arrangement([])
+
+    def _unit_of_statement(self, position: int) -> _Unit:
+        statement, segment = self._statements[position], self._segments[position]
+        put = statement.put
+        if put is None or put.stored is Stored.OTHERWISE or len(statement.roots) != 1:
+            return _Unit(statement, None, segment, None, self._read(statement.roots))
+        root = ex.node_of(statement.roots[0])
+        if root in self._place:  # a copy
+            leaf = Leaf("shared lanes" if root in self._lane_nodes else "shared")
+            return _Unit(statement, None, segment, (leaf,), (root,))
+        form, leaves = self._forms.form(root)
+        return _Unit(statement, None, segment, form, leaves)
+
+    def _unit_of_node(self, item: SharedNode) -> _Unit:
+        form, leaves = self._forms.form(item.node)
+        return _Unit(None, item, self._segments[item.first], form, leaves)
+
+    def _read(self, roots: Sequence[float | Node]) -> tuple[Node, ...]:
+        """Symbols and shared nodes that expressions read."""
+        found: dict[Node, None] = {}
+        seen: set[Node] = set()
+        stack = [root for root in roots if isinstance(root, Node)]
+        while stack:
+            node = stack.pop()
+            if node in seen:
+                continue
+            seen.add(node)
+            if node in self._place or node.op == "symbol":
+                found[node] = None
+            else:
+                stack.extend(node.args)
+        return tuple(found)
+
+    # --- families ---
+
+    def _found_families(self) -> dict[int, int]:
+        """Family of each unit that has enough others like it; none where that saves little."""
+        members: dict[Hashable, list[int]] = {}
+        for position, unit in enumerate(self._units):
+            if unit.form is not None:
+                members.setdefault(self._likeness(unit), []).append(position)
+        large = [units for units in members.values() if len(units) >= _LEAST]
+        total = sum(self._size(unit) for unit in self._units)
+        saved = sum((len(units) - 1) * self._size(self._units[units[0]]) for units in large)
+        if total < _SMALL or saved < _SAVED * total:
+            return {}
+        return {unit: family for family, units in enumerate(large) for unit in units}
+
+    @staticmethod
+    def _size(unit: _Unit) -> int:
+        return 1 + sum(isinstance(step, Operation) for step in unit.form or ())
+
+    @staticmethod
+    def _likeness(unit: _Unit) -> Hashable:
+        """What the units of a loop have in common."""
+        put = unit.put
+        parts = None if put is None else split_place(put.place)
+        array = None if put is None else (put.place if parts is None else parts[0], put.stored)
+        return unit.segment, unit.is_discrete, array, unit.form
+
+    def _needed_by_loops(self) -> set[Node]:
+        """Shared nodes that loops read and none computes."""
+        return {
+            leaf
+            for position in self._families
+            for leaf in self._units[position].leaves
+            if leaf in self._place and self._place[leaf] not in self._families
+        }
+
+    # --- order ---
+
+    def run(self) -> Arrangement:
+        if not self._families:
+            return Arrangement(list(self._statements))
+        of_segment: dict[int, list[int]] = {}
+        for position, unit in enumerate(self._units):
+            of_segment.setdefault(unit.segment, []).append(position)
+        is_discrete = [unit.is_discrete for unit in self._units]
+        for segment in sorted(of_segment):
+            units = of_segment[segment]
+            for together in Schedule(self._needs(units), self._families, is_discrete, _LEAST).run():
+                self._emit(together, self._groups[segment])
+        return self._result
+
+    def _needs(self, units: Sequence[int]) -> dict[int, list[int]]:
+        """For each unit of a segment, those of it that compute what it reads."""
+        assigned = {
+            put.symbol: position
+            for position in units
+            if (put := self._units[position].put) is not None and put.symbol is not None
+        }
+        present = set(units)
+        return {position: list(self._needs_of(position, assigned, present)) for position in units}
+
+    def _needs_of(self, position: int, assigned: Mapping[str, int], present: Collection[int]) -> Iterator[int]:
+        for leaf in dict.fromkeys(self._units[position].leaves):
+            needed = assigned.get(leaf.name) if leaf.op == "symbol" else self._place.get(leaf)
+            if needed is not None and needed in present and needed != position:
+                yield needed
+
+    # --- statements ---
+
+    def _emit(self, together: Sequence[int], group: Group | None) -> None:
+        statements = self._result.statements
+        if len(together) > 1:
+            units = sorted((self._units[position] for position in together), key=self._index)
+            statements.append(self._loop(units, group))
+            return
+        unit = self._units[together[0]]
+        if unit.statement is not None:
+            statements.append(unit.statement)
+        elif unit.shared is not None and (unit.shared.node in self._needed or together[0] in self._families):
+            statements.append(Statement((unit.shared.node,), lambda _: [], group=group))
+
+    def _index(self, unit: _Unit) -> int:
+        """Where a unit's place, or what it reads first, stands in its array."""
+        places = [unit.put.place] if unit.put is not None else []
+        places += [self._location(leaf.name) for leaf in unit.leaves if leaf.op == "symbol"]
+        return next((found[1] for place in places if (found := split_place(place)) is not None), 0)
+
+    def _loop(self, units: Sequence[_Unit], group: Group | None) -> Statement:
+        targets, put = self._targets(units), units[0].put
+        stored = Stored.NUMBER if put is None else put.stored
+        read = tuple(dict.fromkeys(leaf for unit in units for leaf in unit.leaves if leaf in self._place))
+        form = units[0].form
+        assert form is not None
+
+        def lines(write: Write) -> list[str]:
+            leaves = [[self._leaf(leaf, write) for leaf in unit.leaves] for unit in units]
+            return loop_lines(form, leaves, targets, stored)
+
+        executed = len(units) * (1 + sum(isinstance(step, Operation) and step.is_shared for step in form))
+        keeps = tuple(unit.shared.node for unit in units if unit.shared is not None)
+        return Statement(read, lines, units[0].is_discrete, group, executed=executed, keeps=keeps)
+
+    def _leaf(self, leaf: Node, write: Write) -> str:
+        if leaf.op == "constant":
+            return number(leaf.value)
+        return self._location(leaf.name) if leaf.op == "symbol" else write(leaf)
+
+    def _targets(self, units: Sequence[_Unit]) -> list[str]:
+        result = []
+        for unit in units:
+            if unit.shared is None:
+                assert unit.put is not None
+                result.append(unit.put.place)
+                continue
+            node = unit.shared.node
+            is_lane = node in self._lane_nodes
+            offset = self._work.real(LANES if is_lane else 1)
+            self._result.kept[node] = offset
+            if unit.shared.crosses_groups:
+                self._result.handed_on.add(node)
+            result.append(lanes_at(offset) if is_lane else f"w[{offset}]")
+        return result
+
+
+def _segments(statements: Sequence[Statement]) -> tuple[list[int], list[Group | None]]:
+    """For each statement the number of the stretch in which it may move, and the groups of these stretches.
+
+    A statement that does more than to store a value is a stretch of its own.
+    """
+    segments: list[int] = []
+    groups: list[Group | None] = []
+    before: Statement | None = None
+    for statement in statements:
+        if before is None or statement.put is None or before.put is None or statement.group != before.group:
+            groups.append(statement.group)
+        segments.append(len(groups) - 1)
+        before = statement
+    return segments, groups
