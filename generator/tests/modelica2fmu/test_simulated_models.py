@@ -454,3 +454,26 @@ def test_a_violated_warning_is_said_once_where_a_step_is_accepted(simulate, fmi_
     x, time = re.fullmatch(r"x is (\S+) % \(first at (\S+) s\)", about[0]).groups()
     assert float(x) == pytest.approx(float(time), abs=1e-5)
     assert 0.5 <= float(x) < 0.7
+
+
+NEAR_THE_END = """model NearTheEnd "Events just before the end"
+  parameter Real last = 0.3;
+  Real x(start = 0, fixed = true);
+equation
+  der(x) = if {relation} then 2 else 1;
+  annotation(experiment(StopTime = 1, Tolerance = 1e-6, Interval = 0.1));
+end NearTheEnd;
+"""
+
+
+@pytest.mark.parametrize("relation", ["time > last", "x > last"])
+@pytest.mark.parametrize("mode", ["me", "cs"])
+def test_an_event_within_rounding_of_the_end_does_not_stop_a_run(build, mode, relation):
+    from fmu_regression.simulate.simulation import simulate as run
+
+    fmu = build(NEAR_THE_END.format(relation=relation)).fmu
+    for stop in (0.1, 0.7, 123.4):
+        for units in (0, 1, 2, 3, 5, 8, 20, 100, 1000):
+            last = stop - units * math.ulp(stop)
+            result = run(fmu, signals=["x"], stop=stop, interval=stop / 4, mode=mode, parameters={"last": last})
+            assert result.signals["x"][-1] == pytest.approx(stop, rel=1e-9)

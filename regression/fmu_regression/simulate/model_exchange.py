@@ -19,6 +19,8 @@ _FMI_DISCARD = 2
 _MAX_EVENT_ITERATIONS = 1000
 _MAX_EVENTS_AT_A_TIME = 500
 _MAX_STEPS_AT_A_TIME = 200
+_RESOLUTION = 8 * float(np.finfo(np.float64).eps)
+"""Times that differ by less of their size are one: no integrator starts so near to where it shall end."""
 # So many state events within so short a time, s, are no physics but relations that undo themselves. FMUs of
 # ContactMultiBody notice 1000 and say which relation it is.
 _CHATTER_EVENTS = 1200
@@ -147,7 +149,7 @@ class _Master:
         stalled = 0
         while self.time < stop:
             limit = min(stop, self.next_time_event)
-            if limit > self.time:
+            if limit - self.time > _RESOLUTION * max(abs(limit), abs(self.time)):
                 self.discarded = False
                 reached, end = solver.step(limit)
                 if self.discarded and reached > self.time:
@@ -158,7 +160,7 @@ class _Master:
                         f"time does not advance: the step is below the resolution of time{self._fastest(solver)}"
                     )
             else:
-                reached, end = self.time, StepEnd.STEP
+                reached, end = max(limit, self.time), StepEnd.STEP
             while next_row < self.grid.size and self.grid[next_row] < reached:
                 self._move(float(self.grid[next_row]), solver.interpolate(float(self.grid[next_row])))
                 self.recorder.sample(float(self.grid[next_row]))
