@@ -27,6 +27,12 @@ static const double largest_remainder = 0.5;
 static const double slowest_fall_of_rate = 0.3, divergence = 2.0;
 /* The share of the first correction over which the residual is differentiated, and the largest error of a Jacobian. */
 static const double probe_share = 1e-3, largest_jacobian_error = 0.1;
+/* What an extrapolated correction may leave of the residual, so that no linear system is solved, and up to how many times
+ * the tolerance the last one may err: CVODE's choice of order and step is upset by more. */
+static const double largest_contraction = 0.9, small_extrapolation_error = 0.3;
+/* How many of them a step takes; after how many steps they are tried again where they left more, which costs an evaluation
+ * or two; and the number of states from which on solving with a matrix costs more than that. */
+enum { MOST_EXTRAPOLATIONS = 5, WAIT_WITHOUT_MATRIX = 3, WAIT_WITH_MATRIX = 20, STATES_OF_A_LARGE_MATRIX = 100 };
 /* So many Jacobians in a row are computed by difference quotients once the model's own was wrong. */
 enum { QUOTIENTS_IN_A_ROW = 3 };
 
@@ -39,6 +45,7 @@ typedef struct content {
   int most_iterations;
   int *quotients;
   double rate; /* of convergence, with the present matrix */
+  int steps_to_solve; /* before extrapolated corrections are tried again */
   long iterations, failures;
 } content;
 
@@ -47,6 +54,11 @@ static content *content_of(SUNNonlinearSolver solver) { return solver->content; 
 static SUNNonlinearSolver_Type type_of(SUNNonlinearSolver solver) {
   (void)solver;
   return SUNNONLINEARSOLVER_ROOTFIND;
+}
+
+static int initialize(SUNNonlinearSolver solver) {
+  content_of(solver)->steps_to_solve = 0;
+  return SUN_NLS_SUCCESS;
 }
 
 static int set_residual(SUNNonlinearSolver solver, SUNNonlinSolSysFn function) {
@@ -117,6 +129,36 @@ static int iterate(content *self, N_Vector correction, N_Vector weight, double t
   }
 }
 
+/* Takes the residual for the correction, extrapolated from the one before (Anderson 1965, depth 1), as long as that lessens
+ * it: steps that are short beside the stiffest contact, as where a hundred bodies collide one after the other, need no
+ * more. An evaluation a correction, where a linear system without a matrix takes one for each direction and one more. */
+static int extrapolate(content *self, N_Vector correction, N_Vector weight, double tolerance, void *integrator) {
+  N_Vector last = self->first_residual, move = self->first_step;
+  double before = 0.0, residual = N_VWrmsNorm(self->step, weight);
+  for (int count = 0; count < MOST_EXTRAPOLATIONS; ++count) {
+    ++self->iterations;
+    if (count == 0) {
+      N_VScale(-1.0, self->step, move);
+    } else {
+      N_VLinearSum(1.0, self->step, -1.0, last, last);
+      const double change = N_VWrmsNorm(last, weight), square = change * change;
+      const double share = square > 0.0 ? 0.5 * (square + residual * residual - before * before) / square : 0.0;
+      N_VLinearSum(-share, move, share, last, move);
+      N_VLinearSum(1.0, move, -1.0, self->step, move);
+    }
+    N_VScale(1.0, self->step, last);
+    N_VLinearSum(1.0, correction, 1.0, move, correction);
+    const int flag = self->residual(correction, self->step, integrator);
+    if (flag != SUN_NLS_SUCCESS) return flag;
+    const double remainder = N_VWrmsNorm(self->step, weight);
+    if (remainder > largest_contraction * residual) return SUN_NLS_CONV_RECVR;
+    if (remainder * residual <= (residual - remainder) * small_extrapolation_error * tolerance) return SUN_NLS_SUCCESS;
+    before = residual;
+    residual = remainder;
+  }
+  return SUN_NLS_CONV_RECVR;
+}
+
 /* After a failure with a new Jacobian: 1 if that one does not give the residual's derivative along the first correction,
  * which must be minus the first residual. Changes `correction`. */
 static int jacobian_is_wrong(content *self, N_Vector correction, N_Vector weight, void *integrator) {
@@ -133,6 +175,15 @@ static int solve(SUNNonlinearSolver solver, N_Vector predicted, N_Vector correct
   (void)predicted; /* known to the residual's function */
   self->iterations = self->failures = 0;
   if (self->setup == NULL) self->rate = 1.0;
+  if (self->steps_to_solve > 0) {
+    --self->steps_to_solve;
+  } else if (self->setup == NULL || N_VGetLength(correction) >= STATES_OF_A_LARGE_MATRIX) {
+    int flag = self->residual(correction, self->step, integrator);
+    if (flag == SUN_NLS_SUCCESS) flag = extrapolate(self, correction, weight, tolerance, integrator);
+    if (flag <= 0) return flag;
+    self->steps_to_solve = self->setup == NULL ? WAIT_WITHOUT_MATRIX : WAIT_WITH_MATRIX;
+    N_VConst(0.0, correction);
+  }
   booleantype jacobian_is_bad = SUNFALSE;
   for (;;) {
     booleantype is_new = self->setup == NULL;
@@ -176,6 +227,7 @@ SUNNonlinearSolver fmurt_newton_create(N_Vector like, int *quotients, SUNContext
   SUNNonlinearSolver solver = SUNNonlinSolNewEmpty(context);
   if (solver == NULL) return NULL;
   solver->ops->gettype = type_of;
+  solver->ops->initialize = initialize;
   solver->ops->setsysfn = set_residual;
   solver->ops->setlsetupfn = set_setup;
   solver->ops->setlsolvefn = set_solve;
