@@ -64,13 +64,29 @@ double logarithm_at_separation(double damping) {
   return t;
 }
 
+Damping damping_of(double factor) {
+  const double d = std::fmax(factor, smallest_damping);
+  Damping result;
+  result.factor = factor;
+  result.logarithm_at_separation = logarithm_at_separation(factor);
+  result.logarithm_at_start = std::log(1.0 + d);
+  result.constant = 1.0 + d - result.logarithm_at_start;
+  const double span = result.logarithm_at_start - result.logarithm_at_separation;
+  const double squared = -result.logarithm_at_separation / result.logarithm_at_start;
+  result.middle = std::sqrt(squared);
+  result.slope = std::sqrt(d - result.logarithm_at_start) * (1.0 + squared) * (1.0 + squared) /
+                 (2.0 * result.middle * span);
+  result.rate_at_start = std::sqrt(d / span);
+  result.rate_at_separation = std::sqrt((1.0 - std::exp(result.logarithm_at_separation)) / span);
+  return result;
+}
+
 const Damping &DampingMemory::find(cmb_normal_law law, double restitution) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &restitution, sizeof bits);
   Entry &entry = entries_[((bits * 0x9e3779b97f4a7c15u) >> 58) % entries_.size()];
   if (entry.law != law || entry.restitution != restitution) {
-    const double factor = damping_factor(law, restitution);
-    entry = {law, restitution, {factor, logarithm_at_separation(factor)}};
+    entry = {law, restitution, damping_of(damping_factor(law, restitution))};
   }
   return entry.damping;
 }

@@ -24,36 +24,60 @@ double spring_damper_force(double depth, double approach_speed, double stiffness
   return std::fmax(0.0, stiffness * depth_power(depth, exponent) + s * s * (3.0 - 2.0 * s) * damping * approach_speed);
 }
 
-double memoryless_speed_ratio(double approach_speed, double specific_energy, const Damping &damping) {
-  constexpr double smallest_damping = 1e-3;
-  constexpr double largest_q = 1e4;  // beyond, the ratio is that at the start or the end of the contact
-  const double d = std::fmax(damping.factor, smallest_damping);
-  const double start = std::log(1.0 + d);
-  const double c = 1.0 + d - start;
-  const double end = damping.logarithm_at_separation;
-  const double q = std::clamp(approach_speed / std::sqrt(specific_energy + std::numeric_limits<double>::min()),
-                              -largest_q, largest_q);
+namespace {
 
-  // Bisection for l = ln sigma, then Newton's method for sigma with t = (start sigma^2 + end)/(1 + sigma^2).
-  const auto t_of = [&](double p) { return (start * p + end) / (1.0 + p); };
+// t = ln(1 + d (dx/dt)/v0) by the square of sigma.
+double logarithm_at(double squared, const Damping &damping) {
+  return (damping.logarithm_at_start * squared + damping.logarithm_at_separation) / (1.0 + squared);
+}
+
+// Near the root, by its asymptotes and what it is without approach.
+double sigma_nearby(double q, const Damping &damping) {
+  const double rate = q > 0.0 ? damping.rate_at_start : damping.rate_at_separation;
+  const double n = q > 0.0 ? rate * damping.middle : rate / damping.middle;
+  const double slope = q > 0.0 ? damping.slope : damping.slope / (damping.middle * damping.middle);
+  const double half = 0.5 * std::fabs(q);
+  const double y = (half + std::sqrt(half * half + n * (2.0 * rate * slope - 1.0) * std::fabs(q) + n * n)) / rate;
+  return q > 0.0 ? y : 1.0 / y;
+}
+
+// Near the root for any damping, by bisections for the logarithm.
+double sigma_by_bisection(double q, const Damping &damping) {
   double low = -10.0, high = 10.0;
   for (int i = 0; i < 10; ++i) {
     const double l = 0.5 * (low + high);
-    const double t = t_of(std::exp(2.0 * l)), power = std::exp(t), e = power - 1.0;
-    const bool below = e * std::fabs(e) < q * std::fabs(q) * (t - power + c);
+    const double t = logarithm_at(std::exp(2.0 * l), damping), power = std::exp(t), e = power - 1.0;
+    const bool below = e * std::fabs(e) < q * std::fabs(q) * (t - power + damping.constant);
     (below ? low : high) = l;
   }
-  double sigma = std::exp(0.5 * (low + high));
-  for (int i = 0; i < 3; ++i) {
-    const double p = sigma * sigma;
-    const double t = t_of(p), power = std::exp(t), e = power - 1.0;
-    const double h = t - power + c, root = std::sqrt(h);
-    const double residual = e / root - q;
-    const double slope =
-        2.0 * p * (start - end) / ((1.0 + p) * (1.0 + p)) * (power / root + e * e / (2.0 * h * root));
-    sigma -= sigma * residual / (residual + slope);
+  return std::exp(0.5 * (low + high));
+}
+
+}  // namespace
+
+double memoryless_speed_ratio(double approach_speed, double specific_energy, const Damping &damping) {
+  constexpr double smallest_damping = 1e-3;
+  constexpr double largest_nearby = 8.0;
+  constexpr double largest_q = 1e4;  // beyond, the ratio is that at the start or the end of the contact
+  const double d = std::fmax(damping.factor, smallest_damping);
+  const double span = damping.logarithm_at_start - damping.logarithm_at_separation;
+  const double q = std::clamp(approach_speed / std::sqrt(specific_energy + std::numeric_limits<double>::min()),
+                              -largest_q, largest_q);
+
+  double sigma = d > largest_nearby ? sigma_by_bisection(q, damping) : sigma_nearby(q, damping);
+  constexpr double converged = 1e-7;  // a correction, by sigma; what is left is of the order of its square
+  for (int i = 0; i < 4; ++i) {
+    const double p = sigma * sigma, part = 1.0 / (1.0 + p);
+    const double t = (damping.logarithm_at_start * p + damping.logarithm_at_separation) * part;
+    const double power = std::exp(t), e = power - 1.0;
+    const double inverse = 1.0 / std::sqrt(t - power + damping.constant);
+    const double residual = e * inverse - q;
+    const double slope = 2.0 * p * span * part * part * inverse * (power + 0.5 * e * e * inverse * inverse);
+    const double correction = residual / (residual + slope);
+    sigma -= sigma * correction;
+    if (std::fabs(correction) < converged) break;
   }
-  return (std::exp(t_of(sigma * sigma)) - 1.0) / d;
+  return (std::exp(logarithm_at(sigma * sigma, damping)) - 1.0) / d;
 }
 
 double memoryless_force(double depth, double approach_speed, double stiffness, double exponent,

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Final
 
+from modelica2fmu.codegen.branch_nodes import nodes_of_branch
 from modelica2fmu.codegen.c_expressions import bare, number, operation
 from modelica2fmu.codegen.statements import Statement
 from modelica2fmu.equations.lanes import lanes_at
@@ -19,7 +20,8 @@ class FunctionBody:
     """Writes the lines of a function.
 
     A node that is used more than once is a local constant; one that other functions use too has a home in the work
-    array.
+    array. What one branch of a conditional expression alone needs is computed where that branch is taken: most contacts
+    are open most of the time.
 
     Args:
         statements: of the function, in order.
@@ -48,6 +50,8 @@ class FunctionBody:
         self._names: dict[Node, str] = {}
         self._lines: list[str] = []
         self._uses: dict[Node, int] = {}
+        self._branches: dict[Node, list[dict[Node, None]]] = {}
+        self._indent = "  "
         self.executed = 0
         self._count_uses()
 
@@ -106,9 +110,41 @@ class FunctionBody:
                 continue
             if not ready:
                 stack.append((node, True))
-                stack.extend((arg, False) for arg in node.args if arg not in self._names)
+                stack.extend((arg, False) for arg in self._needed_before(node) if arg not in self._names)
                 continue
-            self._name(node)
+            if node in self._branches:
+                self._name_by_branches(node)
+            else:
+                self._name(node)
+
+    def _needed_before(self, node: Node) -> Iterable[Node]:
+        """What has a text before the node gets one: its operands, or what they need where branches are taken apart."""
+        if node.op != "select":
+            return node.args
+        branches = [nodes_of_branch(node, arg, self._uses, self._homes.__contains__) for arg in node.args[1:]]
+        if not any(branches):
+            return node.args
+        self._branches[node] = branches
+        inside = {**branches[0], **branches[1]}
+        outer = [node.args[0], *(arg for arg in node.args[1:] if arg not in inside)]
+        outer += [arg for item in inside for arg in item.args if arg not in inside]
+        return dict.fromkeys(outer)
+
+    def _name_by_branches(self, node: Node) -> None:
+        """Declares a variable that the branch taken assigns."""
+        name = f"n{len(self._names)}"
+        self._names[node] = name
+        outer = self._indent
+        self._lines.append(f"{outer}{self._type(node)} {name};")
+        for head, branch in zip((f"if ({bare(self._names[node.args[0]])}) {{", "} else {"), node.args[1:], strict=True):
+            self._lines.append(outer + head)
+            self._indent = outer + "  "
+            self._prepare(branch)
+            self._lines.append(f"{self._indent}{name} = {bare(self._branch_text(node, branch))};")
+        self._indent = outer
+        self._lines.append(outer + "}")
+        if node in self._homes:
+            self._lines.append(f"{outer}{self._home(node)} = {name};")
 
     def _home(self, node: Node) -> str:
         offset = self._homes[node][1]
@@ -121,18 +157,22 @@ class FunctionBody:
             self._names[node] = text
             return
         name = f"n{len(self._names)}"
-        type_name = "fmurt_lanes" if node in self._lane_nodes else "double"
-        self._lines.append(f"  const {type_name} {name} = {bare(text)};")
+        self._lines.append(f"{self._indent}const {self._type(node)} {name} = {bare(text)};")
         self._names[node] = name
         if home is not None:
-            self._lines.append(f"  {self._home(node)} = {name};")
+            self._lines.append(f"{self._indent}{self._home(node)} = {name};")
+
+    def _type(self, node: Node) -> str:
+        return "fmurt_lanes" if node in self._lane_nodes else "double"
 
     def _text(self, node: Node) -> str:
         args = [self._names[arg] for arg in node.args]
-        if node.op == "select" and node in self._lane_nodes:
-            # A branch that is no vector is the number zero: derivatives are linear in the directions.
-            args[1:] = [
-                f"(fmurt_lanes){text}" if arg in self._lane_nodes else "(fmurt_lanes){0}"
-                for arg, text in zip(node.args[1:], args[1:], strict=True)
-            ]
+        if node.op == "select":
+            args[1:] = [self._branch_text(node, branch) for branch in node.args[1:]]
         return operation(node.op, args)
+
+    def _branch_text(self, node: Node, branch: Node) -> str:
+        """A branch; one that is no vector where the other is one is the number zero: derivatives are linear."""
+        if node not in self._lane_nodes:
+            return self._names[branch]
+        return f"(fmurt_lanes){self._names[branch]}" if branch in self._lane_nodes else "(fmurt_lanes){0}"
