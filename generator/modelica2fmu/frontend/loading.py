@@ -44,6 +44,7 @@ from modelica2fmu.frontend.errors import (
     piece_error,
     unconnected_error,
 )
+from modelica2fmu.frontend.evaluated_references import with_references
 from modelica2fmu.frontend.flat_reader import read_flat_model
 from modelica2fmu.frontend.library_names import about_a_copy, naming, packages
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
@@ -140,7 +141,8 @@ def load_flat_model(
             f"no component {name} is declared as inner, so one with its default values is added: declare it in {model}"
             for name in added_components(answer.flat, model, library)
         )
-        return replace(read_flat_model(answer.flat, model, source_map), warnings=warnings)
+        flat = with_references(read_flat_model(answer.flat, model, source_map), source_map)
+        return replace(flat, warnings=warnings)
 
 
 def _unbalanced(error: str, request: Request, file: Path, remark: Callable[[str], None]) -> dict[str, Any] | None:

@@ -73,6 +73,18 @@ class SourceMap:
         line = self.text(path).count(b"\n", 0, span.start) + 1
         return Place(file=path, line=line, component=component)
 
+    def excerpt(self, span: Span | None) -> str:
+        """What stands there; empty where the file is not known."""
+        path = None if span is None else self._known_files().get(span.source)
+        if span is None or path is None:
+            return ""
+        return self.text(path)[span.start : span.end].decode(errors="replace")
+
+    def before(self, span: Span) -> str:
+        """What stands before it in its file; empty where that is not known."""
+        path = self._known_files().get(span.source)
+        return "" if path is None else self.text(path)[: span.start].decode(errors="replace")
+
     def _known_files(self) -> dict[int, Path]:
         if self._files is None:
             self._files = dict(self._copies)

@@ -1,0 +1,149 @@
+"""Parameters that have their value from another one follow it when that is set on the FMU."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from contact_data import modelica_library
+from fmu_regression.simulate.simulation import simulate
+from modelica2fmu.build import BuildOptions, build_fmu
+
+CLASSES = """package Classes
+  record R
+    parameter Real k=1;
+  end R;
+  record Outer
+    parameter R inside;
+    parameter Real other=1;
+  end Outer;
+  model B
+    parameter Real k=1;
+    Real x(start=0, fixed=true);
+  equation
+    der(x) = k;
+  end B;
+  model C
+    parameter R r;
+    Real x(start=0, fixed=true);
+  equation
+    der(x) = r.k;
+  end C;
+  model D
+    parameter Outer o;
+    Real x(start=0, fixed=true);
+  equation
+    der(x) = o.inside.k;
+  end D;
+  model A
+    parameter Real k=2;
+    parameter Real v[2]={k,0};
+    final parameter R r(k=k);
+    final parameter Outer o(inside=r);
+    final parameter Real h=k;
+    B b(k=k);
+    B half(k=0.5*k);
+    B named(k=h);
+    C c(r=r);
+    C d(r(k=k));
+    C e(r=R(k=k));
+    D f(o=o);
+    B first(k=v[1]);
+  end A;
+  model Deeper
+    parameter Real q=4;
+    A a(k=q);
+  end Deeper;
+  model Changed
+    extends A(k=6);
+  end Changed;
+{model}
+end Classes;
+"""
+SHARES = {"b": 1, "half": 0.5, "named": 1, "c": 1, "d": 1, "e": 1, "f": 1}
+
+
+def rates(model: str, names: list[str], parameters: dict[str, float], folder: Path, cache: Path) -> list[float]:
+    """How fast components' x grow in a model of these classes, with parameters set on its FMU."""
+    source = folder / "Classes.mo"
+    source.write_text(CLASSES.replace("{model}", model))
+    fmu = build_fmu("Classes.Whole", [source], folder / "whole.fmu", BuildOptions(cache=cache)).fmu
+    result = simulate(fmu, signals=[f"{name}.x" for name in names], stop=1, interval=1, parameters=parameters)
+    return [float(result[f"{name}.x"][-1]) for name in names]
+
+
+@pytest.mark.parametrize(
+    ("declared", "component", "parameter"),
+    [
+        ("A a;", "a", "a.k"),
+        ("A a(k=5);", "a", "a.k"),
+        ('A a(k(min=0)=5 /* kg */ "a;b");', "a", "a.k"),
+        ("parameter Real p=3; A a(k=p);", "a", "p"),
+        ("Deeper z(q=7);", "z.a", "z.q"),
+        ("Changed a;", "a", "a.k"),
+        ("A a[2](each k=8);", "a[2]", "a[2].k"),
+        ("A a[2](k={8,9});", "a[1]", "a[1].k"),
+    ],
+)
+def test_a_parameter_reaches_all_that_is_bound_to_it(
+    declared: str, component: str, parameter: str, tmp_path: Path, fmu_cache: Path
+) -> None:
+    names = [f"{component}.{name}" for name in SHARES]
+    found = rates(f"  model Whole\n    {declared}\n  end Whole;", names, {parameter: 10.0}, tmp_path, fmu_cache)
+    assert found == pytest.approx([10 * share for share in SHARES.values()])
+
+
+SEPARATE = """  model Inside
+    extends B(k=3);
+  end Inside;
+  model Both
+    extends B(k=3);
+    Inside inside;
+  end Both;
+  model Plain
+    extends B;
+    B inside;
+  end Plain;
+  model Whole
+    Both both;
+    Plain plain;
+    B one(k=2);
+    B two(k=2);
+  end Whole;
+"""
+
+
+def test_parameters_of_the_same_value_stay_apart(tmp_path: Path, fmu_cache: Path) -> None:
+    parameters = {"both.k": 10.0, "plain.k": 10.0, "one.k": 10.0}
+    names = ["both", "both.inside", "plain", "plain.inside", "one", "two"]
+    assert rates(SEPARATE, names, parameters, tmp_path, fmu_cache) == pytest.approx([10, 3, 10, 1, 10, 2])
+
+
+BALL = """model Whole "A ball whose mass is set where it is used"
+  parameter Modelica.Units.SI.Mass mass=1;
+  inner Modelica.Mechanics.MultiBody.World world(n={0,0,-1});
+  ContactMultiBody.Parts.FreeBody ball({mass}, r_CM={0,0,0}, I_11=0.004, I_22=0.004, I_33=0.004,
+    r_0(start={0,0,0.2}, each fixed=true), v_0(each fixed=true), angles_fixed=true, w_0_fixed=true,
+    geometry=ContactMultiBody.Shapes.sphere(0.1));
+  ContactMultiBody.Parts.Ground floor;
+  ContactMultiBody.ContactManager contacts(n=2, collider={ball.collider, floor.collider},
+    restitutionMethod=ContactMultiBody.Types.RestitutionMethod.Memoryless);
+equation
+  connect(ball.frame_a, contacts.frame[1]);
+  connect(floor.frame_a, contacts.frame[2]);
+end Whole;
+"""
+
+
+@pytest.mark.parametrize(("written", "parameter"), [("m=1", "ball.m"), ("m=mass", "mass")])
+def test_contacts_know_the_mass_that_is_set(written: str, parameter: str, tmp_path: Path, fmu_cache: Path) -> None:
+    source = tmp_path / "Whole.mo"
+    speeds = []
+    for number, text in ((1, written), (2, "m=50")):
+        source.write_text(BALL.replace("{mass}", text))
+        sources = [source, modelica_library()]
+        fmu = build_fmu("Whole", sources, tmp_path / f"{number}.fmu", BuildOptions(cache=fmu_cache)).fmu
+        set_values = {parameter: 50.0} if number == 1 else {}
+        speeds.append(simulate(fmu, signals=["ball.v_0[3]"], stop=0.25, parameters=set_values)["ball.v_0[3]"])
+    assert max(speeds[1]) > 0.3  # it bounces
+    assert speeds[0] == pytest.approx(speeds[1], abs=1e-3)
