@@ -33,7 +33,7 @@ from modelica2fmu.library.standard_library import StandardLibrary, other_librari
 from modelica2fmu.packaging.platforms import LINUX64
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.scene.energies import add_energies
-from modelica2fmu.scene.mechanism import find_mechanism
+from modelica2fmu.scene.mechanism import find_mechanism, pair_thicknesses
 from modelica2fmu.scene.outputs import OutputGroup, with_outputs
 from modelica2fmu.symbolic import expression as ex
 
@@ -106,7 +106,7 @@ def _translate(
         if flat.refusal is not None:
             raise flat.refusal
         clock.begin("generate")
-        generated = generate(reduced, systems, external.includes, source_map.place)
+        generated = generate(reduced, systems, external.includes, source_map.place, pair_thicknesses(scalar.variables))
     finally:
         sys.setrecursionlimit(limit)
     states = tuple(systems.reduction.states)

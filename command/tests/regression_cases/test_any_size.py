@@ -226,3 +226,42 @@ def test_many_balls_of_any_size_obey_closed_forms(balls: BallFmus) -> None:
 def test_a_ball_that_begins_to_roll_in_half_a_millisecond(balls: BallFmus) -> None:
     """Its speed of rest is 2e-8 m/s, as small as the increments of difference quotients."""
     assert not wrong_scenes([161], balls)
+
+
+SMALL_SPREAD = 75.0
+"""Tolerances that the restitution of three bounces may be off; they are no more for larger balls."""
+
+
+def restitution_error(fmu: Path, size: float, mode: Mode, tolerance: float) -> float:
+    """Of three bounces of a ball of SmallBall.mo, in tolerances."""
+    restitution = 0.7
+    strike = sqrt(size + 2 * GRAVITY * 0.01 * size)
+    flights = 2 * restitution + 2 * restitution**2 + restitution**3
+    stop = (strike - sqrt(size)) / GRAVITY + strike / GRAVITY * flights
+    result = simulate(fmu, signals=["energy"], stop=stop, interval=stop, tolerance=tolerance, mode=mode, time_limit=20)
+    mass = 1000 * size**3
+    left = (result["energy"][-1] - mass * GRAVITY * size / 2) / (mass * strike**2 / 2)
+    return float(abs(max(left, 0.0) ** (1 / 6) - restitution) / tolerance)
+
+
+@pytest.mark.parametrize(
+    ("model", "size"),
+    [
+        ("TinyBall", 1e-4),
+        pytest.param("TinyBallWithoutEvents", 1e-4, marks=pytest.mark.full),
+        pytest.param("SmallBall", 1e-3, marks=pytest.mark.full),
+        pytest.param("SmallBallWithoutEvents", 1e-3, marks=pytest.mark.full),
+    ],
+)
+def test_small_balls_bounce_as_large_ones(model: str, size: float, fmu_cache: Path, tmp_path: Path) -> None:
+    """The floor gives way by a tenth of a nanometre, or one: nominal values of positions follow the thickness."""
+    source = Path(__file__).parent / "fixtures" / "SmallBall.mo"
+    sources = find_sources(model, [source])
+    fmu = build_fmu(model, sources, tmp_path / f"{model}.fmu", BuildOptions(cache=fmu_cache)).fmu
+    modes: tuple[Mode, ...] = ("me", "cs")
+    errors = {
+        (mode, tolerance): restitution_error(fmu, size, mode, tolerance)
+        for mode in modes
+        for tolerance in (1e-3, 1e-4, 1e-5, 1e-6)
+    }
+    assert max(errors.values()) < SMALL_SPREAD, errors

@@ -58,7 +58,9 @@ class GeneratedModel:
     needs_completed_steps: bool
 
 
-def generate(reduced: ReducedModel, systems: Systems, includes: Sequence[str], place: PlaceOf) -> GeneratedModel:
+def generate(
+    reduced: ReducedModel, systems: Systems, includes: Sequence[str], place: PlaceOf, thicknesses: Sequence[str] = ()
+) -> GeneratedModel:
     """Generates the C of a model.
 
     Args:
@@ -66,18 +68,27 @@ def generate(reduced: ReducedModel, systems: Systems, includes: Sequence[str], p
         systems: blocks and states.
         includes: texts of Include annotations, in order.
         place: place of a span.
+        thicknesses: parameters that are thicknesses of what may touch.
     """
-    return _Generator(reduced, systems, includes, place).run()
+    return _Generator(reduced, systems, includes, place, thicknesses).run()
 
 
 class _Generator:
-    def __init__(self, reduced: ReducedModel, systems: Systems, includes: Sequence[str], place: PlaceOf) -> None:
+    def __init__(
+        self,
+        reduced: ReducedModel,
+        systems: Systems,
+        includes: Sequence[str],
+        place: PlaceOf,
+        thicknesses: Sequence[str],
+    ) -> None:
         self._reduced = reduced
         self._systems = systems
         self._model = systems.model
         self._states = tuple(systems.reduction.states)
         self._includes = includes
         self._place = place
+        self._thicknesses = thicknesses
         self._functions: list[Function] = []
         self._simulation, self._initialization = self._needed()
         self._places = SymbolPlaces(self._assigned_slots(), WorkSpace())
@@ -221,6 +232,7 @@ class _Generator:
                 work.reals,
                 work.integers,
                 self._blocks.followed,
+                [slots.of[name].index for name in self._thicknesses if name in slots.of],
             )
         )
         sources = [GeneratedSource("model_parts.h", model_header(self._functions)), *self._part_files()]

@@ -306,7 +306,7 @@ _DRIVER: Final = """static fmurt_result jacobian(fmurt_values *v, double *jacobi
       const int j = columns[lane];
       if (j < 0) continue;
       w[seed[j] + lane] = 1.0;
-      w[{step} + lane] = {relative} * fmax(fabs(v->real[state[j]]), state_nominal[j]);
+      w[{step} + lane] = {relative} * fmax(fabs(v->real[state[j]]), v->state_nominal[j]);
     }}
     for (int k = 0; k < {clusters}; ++k) {{
       if (active[k]) {{

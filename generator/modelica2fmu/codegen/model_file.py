@@ -30,6 +30,7 @@ class ModelParts:
         reals: size of the work array.
         integers: size of that of integers.
         followed: slots of the unknowns of nonlinear systems.
+        thicknesses: slots of the thicknesses of what may touch.
     """
 
     reduced: ReducedModel
@@ -40,6 +41,7 @@ class ModelParts:
     reals: int
     integers: int
     followed: Sequence[int]
+    thicknesses: Sequence[int]
 
 
 def model_header(functions: Iterable[Function]) -> str:
@@ -51,6 +53,13 @@ def state_nominal(model: ScalarModel, name: str) -> float:
     """Size of a state."""
     variable = model.variables.get(name)
     return abs(variable.nominal) if variable is not None and variable.nominal else 1.0
+
+
+def _is_length(model: ScalarModel, name: str) -> bool:
+    """Whether a state is in metres and nothing says what size it has."""
+    variable = model.variables.get(name)
+    declaration = None if variable is None else variable.declaration
+    return variable is not None and not variable.nominal and declaration is not None and declaration.unit == "m"
 
 
 def function_calls(functions: Iterable[Function], prefix: str, args: str = "v", with_discrete: bool = True) -> str:
@@ -72,6 +81,7 @@ def model_file(parts: ModelParts) -> str:
     real, integer, boolean, string = _start_tables(parts)
     texts = [c_text(f"{item.indicator} > 0"[:_INDICATOR_TEXT]) for item in model.relations] or ["NULL"]
     nominal = [number(state_nominal(model, name)) for name in states]
+    lengths = [str(int(_is_length(model, name))) for name in states]
     state = [str(slots.of[name].index) for name in states]
     rates = [str(slots.of[derivative_name(name)].index) for name in states]
     parameters = function_calls(functions, "fmurt_part_parameters")
@@ -88,6 +98,8 @@ def model_file(parts: ModelParts) -> str:
 static const unsigned state[] = {{{_wrapped(state)}}};
 static const unsigned derivative[] = {{{_wrapped(rates)}}};
 static const double state_nominal[] = {{{_wrapped(nominal)}}};
+static const unsigned char is_length[] = {{{_wrapped(lengths)}}};
+static const unsigned thickness[] = {{{_wrapped([str(slot) for slot in parts.thicknesses])}}};
 static const double real_start[] = {{{_wrapped(real)}}};
 static const int integer_start[] = {{{_wrapped(integer)}}};
 static const int boolean_start[] = {{{_wrapped(boolean)}}};
@@ -152,6 +164,9 @@ static inline fmurt_result warnings(fmurt_values *v)
   .state = state,
   .derivative = derivative,
   .state_nominal = state_nominal,
+  .is_length = is_length,
+  .thickness_count = {len(parts.thicknesses)},
+  .thickness = thickness,
   .real_start = real_start,
   .integer_start = integer_start,
   .boolean_start = boolean_start,

@@ -12,6 +12,7 @@ _MASS_POINTS: Final = ("m", "r_CM[1]", "I[1,1]")
 _MOTION: Final = ("v_0[1]", "w_a[1]", "frame_a.R.T[1,1]")
 _PAIR_MANAGER: Final = re.compile(r"(.+)\.pairDistance\[1\]")
 _COMPILED_MANAGER: Final = re.compile(r"(.+)\.contactCount")
+_THICKNESS: Final = re.compile(r"(.+)\.thickness\[\d+\]")
 _FREE_BODIES: Final = re.compile(r"(.+)\.bodyKineticEnergy\[1\]")
 
 
@@ -39,6 +40,12 @@ def find_mechanism(names: Collection[str]) -> Mechanism:
     )
     managers = dict.fromkeys((*_components(_PAIR_MANAGER, names), *_components(_COMPILED_MANAGER, names)))
     return Mechanism(tuple(bodies), tuple(managers), tuple(_components(_FREE_BODIES, names)))
+
+
+def pair_thicknesses(names: Collection[str]) -> list[str]:
+    """The variables of contact managers that hold the thickness of the thinner body of each pair."""
+    managers = find_mechanism(names).managers
+    return [name for name in names if (found := _THICKNESS.fullmatch(name)) is not None and found[1] in managers]
 
 
 def _components(pattern: re.Pattern[str], names: Collection[str]) -> Iterator[str]:

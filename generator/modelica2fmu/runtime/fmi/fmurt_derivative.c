@@ -10,9 +10,9 @@
 #include "fmurt_call.h"
 #include "fmurt_evaluate.h"
 
-static double nominal(unsigned slot) {
+static double nominal(const fmurt_values *values, unsigned slot) {
   for (size_t i = 0; i < fmurt_model.state_count; ++i) {
-    if (fmurt_model.state[i] == slot) return fmurt_model.state_nominal[i];
+    if (fmurt_model.state[i] == slot) return values->state_nominal[i];
   }
   return 1.0;
 }
@@ -135,7 +135,7 @@ fmurt_result fmurt_directional_derivative(fmurt_instance *instance, const unsign
   /* Central differences are best at the cube root of the rounding error (Nocedal and Wright, section 8.1). */
   double rate = 0.0;
   for (size_t i = 0; i < known_count; ++i) {
-    rate = fmax(rate, fabs(seed[i]) / fmax(fabs(instance->values.real[known[i]]), nominal(known[i])));
+    rate = fmax(rate, fabs(seed[i]) / fmax(fabs(instance->values.real[known[i]]), nominal(&instance->values, known[i])));
   }
   if (!(rate > 0.0) || !isfinite(rate)) {
     for (size_t i = 0; i < unknown_count; ++i) sensitivity[i] = 0.0;

@@ -107,6 +107,6 @@ fmurt_fmu_status fmurt_fmu_get_nominals(fmurt_fmu *fmu, const char *call, double
   if (!accepts(fmu, call, EVALUATION_PHASES | FMURT_PHASE_INSTANTIATED, nominal, count, fmurt_model.state_count)) {
     return FMURT_FMU_ERROR;
   }
-  if (count > 0) memcpy(nominal, fmurt_model.state_nominal, count * sizeof *nominal);
+  if (count > 0) memcpy(nominal, fmu->instance->values.state_nominal, count * sizeof *nominal);
   return FMURT_FMU_OK;
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "fmurt_call.h"
+#include "fmurt_nominal.h"
 #include "fmurt_solved.h"
 
 enum { MAXIMUM_RELATION_ITERATIONS = 50 };
@@ -54,6 +55,7 @@ static fmurt_result update_start_values(fmurt_instance *instance) {
   if (result == FMURT_RESULT_OK) result = fmurt_call_model(instance, FMURT_CALL_PARAMETERS, NULL);
   if (result != FMURT_RESULT_OK) return result;
   restore_set_values(instance);
+  fmurt_fit_nominals(&instance->values);
   copy_values_to(&instance->values, instance->start_real, instance->start_integer, instance->start_boolean);
   instance->situation.parameters_stale = 0;
   return FMURT_RESULT_OK;
@@ -70,8 +72,10 @@ fmurt_result fmurt_update_parameters(fmurt_instance *instance) {
   for (size_t i = 0; i < fmurt_model.real_count; ++i) {
     if (!is_parameter(&fmurt_interface_tables.real, i)) instance->values.real[i] = instance->scratch[i];
   }
-  if (result == FMURT_RESULT_OK) instance->situation.parameters_stale = 0;
-  return result;
+  if (result != FMURT_RESULT_OK) return result;
+  fmurt_fit_nominals(&instance->values);
+  instance->situation.parameters_stale = 0;
+  return FMURT_RESULT_OK;
 }
 
 fmurt_result fmurt_update_initialization(fmurt_instance *instance) {

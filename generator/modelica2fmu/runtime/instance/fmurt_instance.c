@@ -35,7 +35,7 @@ static int allocate_arrays(fmurt_instance *instance) {
   const size_t reals = fmurt_model.real_count, integers = fmurt_model.integer_count,
                booleans = fmurt_model.boolean_count;
   const size_t delays = fmurt_model.delay_count * FMURT_DELAY_SIZE;
-  instance->double_block_count = 4 * reals + fmurt_model.work_count + delays + fmurt_model.followed_count + 1 +
+  instance->double_block_count = 4 * reals + fmurt_model.state_count + fmurt_model.work_count + delays + fmurt_model.followed_count + 1 +
                                  fmurt_solved_size();
   instance->int_block_count =
       5 * integers + 5 * booleans + reals + fmurt_model.indicator_count + fmurt_model.integer_work_count;
@@ -58,6 +58,7 @@ static int allocate_arrays(fmurt_instance *instance) {
   instance->values.pre_real = take_doubles(&next_double, reals);
   instance->start_real = take_doubles(&next_double, reals);
   instance->set_real = take_doubles(&next_double, reals);
+  instance->values.state_nominal = take_doubles(&next_double, fmurt_model.state_count);
   instance->values.work = take_doubles(&next_double, fmurt_model.work_count);
   instance->values.delay = take_doubles(&next_double, delays);
   instance->values.accepted = take_doubles(&next_double, fmurt_model.followed_count + 1);
@@ -132,6 +133,7 @@ fmurt_result fmurt_instance_reset(fmurt_instance *instance) {
   memset(instance->double_block, 0, instance->double_block_count * sizeof(double));
   memset(instance->int_block, 0, instance->int_block_count * sizeof(int));
   copy_doubles(instance->start_real, fmurt_model.real_start, fmurt_model.real_count);
+  copy_doubles(instance->values.state_nominal, fmurt_model.state_nominal, fmurt_model.state_count);
   copy_ints(instance->start_integer, fmurt_model.integer_start, fmurt_model.integer_count);
   copy_ints(instance->start_boolean, fmurt_model.boolean_start, fmurt_model.boolean_count);
   copy_doubles(instance->values.real, instance->start_real, fmurt_model.real_count);

@@ -138,7 +138,7 @@ static int difference_quotients(realtype time, N_Vector state, N_Vector derivati
   double *x = NV_DATA_S(state), *moved = NV_DATA_S(first);
   const double *here = NV_DATA_S(derivative);
   for (size_t k = 0; k < solver->state_count; ++k) {
-    const double kept = x[k], nominal = fmurt_model.state_nominal[k];
+    const double kept = x[k], nominal = solver->instance->values.state_nominal[k];
     x[k] += sqrt(DBL_EPSILON) * fmax(fabs(kept), nominal > 0.0 ? nominal : 1.0);
     const double step = x[k] - kept;
     const int flag = right_hand_side(time, state, first, data);
@@ -276,7 +276,7 @@ static int set_tolerances(fmurt_solver *solver) {
   double *tolerance = NV_DATA_S(solver->tolerance);
   if (solver->state_count == 0) tolerance[0] = 1.0;
   for (size_t i = 0; i < solver->state_count; ++i) {
-    tolerance[i] = absolute_tolerance(relative, option, fmurt_model.state_nominal[i]);
+    tolerance[i] = absolute_tolerance(relative, option, solver->instance->values.state_nominal[i]);
   }
   return CVodeSVtolerances(solver->memory, relative, solver->tolerance);
 }

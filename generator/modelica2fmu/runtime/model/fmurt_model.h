@@ -41,6 +41,7 @@ typedef struct fmurt_values {
   double *work;           /* [work_count] scratch and warm starts of the solved blocks */
   int *integer_work;      /* [integer_work_count] */
   double *delay;          /* [delay_count * FMURT_DELAY_SIZE]: what delay() remembers (fmurt_delay.h) */
+  double *state_nominal;  /* [state_count]: the model's, or smaller where bodies are small (fmurt_nominal.h) */
   double *accepted;       /* [followed_count + 1]: unknowns of nonlinear systems at the last accepted step; its time */
   const double *solved[FMURT_SOLVED_POINTS]; /* [solved_count][followed_count]: these at points solved since then */
   int solved_count;
@@ -114,6 +115,9 @@ typedef struct fmurt_model_description {
   const unsigned *state;       /* [state_count] value references into real */
   const unsigned *derivative;  /* [state_count] */
   const double *state_nominal; /* [state_count] */
+  const unsigned char *is_length; /* [state_count], 1: in metres, and the model says no nominal value; NULL if none is */
+  size_t thickness_count;
+  const unsigned *thickness; /* [thickness_count] value references into real: parameters, of what may touch */
   const double *real_start;    /* start tables, defaults before parameters are computed */
   const int *integer_start;
   const int *boolean_start;
