@@ -3,18 +3,21 @@
 rumoca 0.10 refuses ``cat(1, a, b)`` of Strings and records, whose type it takes to be that of the first argument, and
 ``{ball[i].geometry for i in 1:n}``, an array made of members of components. Written out, ``{ball[1].geometry,
 ball[2].geometry, floor.geometry}``, it takes both. ``connect(ball.frame_a, contacts.frame[1:3])`` it takes with
-``ball[1:3].frame_a``. The numbers that ranges and sizes depend on are read from the same
-text; whether they hold in the model is for the caller to check.
+``ball[1:3].frame_a``. The numbers that ranges and sizes depend on are read from the class that
+uses them, else from those around it and those the model uses; whether they hold in the model is for the caller to
+check.
 """
 
 from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, Final
+
+from modelica2fmu.frontend.class_scopes import ClassScope, class_scopes, own_classes, scope_at, used_classes
 
 _OPENING: Final = {"(": ")", "{": "}", "[": "]"}
 _MASKED: Final = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
@@ -24,8 +27,11 @@ _REFERENCE: Final = re.compile(r"(\w+)((?:\.\w+)*)")
 _CONNECT: Final = re.compile(r"\bconnect\s*\(")
 _ARRAY_OF_CONNECTORS: Final = re.compile(r"\s*(\w+)((?:\.\w+)+)\s*")
 _SLICE: Final = re.compile(r"\[[^\]]*:[^\]]*\]")
-_NUMBER: Final = r"\bInteger\s+{name}\s*=\s*([^;\"()\[\]{{}},]+)"
-_DECLARED: Final = r"(?<![\w.]){name}\s*\[([^\[\],:]+)\]\s*[(;\"]"
+# Strings are masked by zero characters.
+_NUMBER: Final = (
+    r"\bInteger\s+(?:[^;()]*,\s*)?{name}\s*(?:\([^()]*\)\s*)?=\s*([^;()\[\]{{}},\0]+?)\s*(?:[;,\0]|\bannotation\b)"
+)
+_DECLARED: Final = r"(?<![\w.]){name}\s*\[([^\[\],:]+)\]\s*[(;\0]"
 _MOST_ELEMENTS: Final = 1000
 
 
@@ -34,37 +40,61 @@ class _UnknownError(Exception):
 
 
 @dataclass(frozen=True)
-class WrittenOut:
-    """A text with its arrays written out.
+class Numbers:
+    """What was taken for the values of Integers.
 
     Attributes:
-        text: of the same lines.
+        own: of the model's own ones, by name.
+        others: of those of other classes.
+    """
+
+    own: dict[str, int] = field(default_factory=dict)
+    others: dict[str, int] = field(default_factory=dict)
+
+    def take(self, name: str, number: int, is_own: bool) -> None:
+        """Adds one; raises _UnknownError where classes give two to one name."""
+        if (self.own if is_own else self.others).setdefault(name, number) != number:
+            raise _UnknownError
+
+    def hold_in(self, flat: Mapping[str, Any]) -> bool:
+        """= true, if they are so in a flattened model, those of other classes wherever they occur."""
+        bindings: dict[str, list[Any]] = {}
+        for name, variable in flat["variables"].items():
+            bindings.setdefault(name.rpartition(".")[2], []).append(variable["binding"])
+        return all(
+            name in flat["variables"] and _is_number(flat["variables"][name]["binding"], number)
+            for name, number in self.own.items()
+        ) and all(
+            name in bindings and all(_is_number(binding, number) for binding in bindings[name])
+            for name, number in self.others.items()
+        )
+
+
+@dataclass(frozen=True)
+class WrittenOut:
+    """Texts with their arrays written out.
+
+    Attributes:
+        texts: of the same lines, in the same order.
         numbers: what was taken for the values of Integers.
     """
 
-    text: str
-    numbers: dict[str, int] = field(default_factory=dict)
+    texts: list[str]
+    numbers: Numbers
 
 
-def with_arrays_written_out(text: str) -> WrittenOut:
+def with_arrays_written_out(model: str, texts: Sequence[str]) -> WrittenOut:
     """The same Modelica with concatenations, and arrays over members of components, written out where that is possible.
 
     Args:
-        text: of a Modelica file.
+        model: whose arrays are meant: classes that it does not use stay as they are.
+        texts: of Modelica files.
     """
-    writer = _Writer(text)
-    return WrittenOut(writer.written(), writer.numbers)
-
-
-def have_values(flat: Mapping[str, Any], numbers: Mapping[str, int]) -> bool:
-    """= true, if each Integer of these names has this value, wherever in a flattened model it occurs."""
-    values: dict[str, list[Any]] = {}
-    for name, variable in flat["variables"].items():
-        values.setdefault(name.rpartition(".")[2], []).append(variable["binding"])
-    return all(
-        name in values and all(_is_number(binding, number) for binding in values[name])
-        for name, number in numbers.items()
-    )
+    numbers = Numbers()
+    writers = [_Writer(text, numbers) for text in texts]
+    used = used_classes(model, [scope for writer in writers for scope in writer.scopes])
+    own = own_classes(model, used)
+    return WrittenOut([writer.written(used, own) for writer in writers], numbers)
 
 
 def _is_number(binding: Any, number: int) -> bool:
@@ -77,15 +107,25 @@ def _masked(text: str, letter: str) -> str:
 
 
 class _Writer:
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, numbers: Numbers) -> None:
         self._text = text
         # The same length and lines, with blanks for comments; and with nothing of what Strings say.
         self._plain = _MASKED.sub(lambda found: found[0] if found[0][0] == '"' else _masked(found[0], " "), text)
         self._code = _MASKED.sub(lambda found: _masked(found[0], "\0"), self._plain)
-        self.numbers: dict[str, int] = {}
+        self._numbers = numbers
+        self._used: Sequence[ClassScope] = ()
+        self._own: Container[str] = ()
+        self._scope: ClassScope | None = None  # of what is being written out
+        self.scopes = class_scopes(self._code)
 
-    def written(self) -> str:
-        """The text with what can be written out."""
+    def written(self, used: Sequence[ClassScope], own: Container[str]) -> str:
+        """The text with what can be written out.
+
+        Args:
+            used: the classes that may be changed.
+            own: names of those whose members are the model's.
+        """
+        self._used, self._own = used, own
         result, done = [], 0
         for start, end, text in sorted((*self._arrays(), *self._subscripts())):
             if start >= done:  # not within what is written out already
@@ -96,6 +136,8 @@ class _Writer:
     def _arrays(self) -> Iterator[tuple[int, int, str]]:
         """Ranges of the text that are arrays, each with what they are written out."""
         for start, end in self._places():
+            if not self._enter(start):
+                continue
             with suppress(_UnknownError):
                 if elements := self._elements(start, end):
                     lines = "\n" * self._text.count("\n", start, end)
@@ -104,6 +146,8 @@ class _Writer:
     def _subscripts(self) -> Iterator[tuple[int, int, str]]:
         """Places after an array of components that is connected to a slice, each with the subscripts of all of them."""
         for found in _CONNECT.finditer(self._code):
+            if not self._enter(found.start()):
+                continue
             parts = self._parts(found.end(), self._end(found.end() - 1) - 1)
             for part, other in (parts, parts[::-1]) if len(parts) == 2 else ():
                 array = _ARRAY_OF_CONNECTORS.fullmatch(self._code, *part)
@@ -111,6 +155,22 @@ class _Writer:
                     continue
                 with suppress(_UnknownError):
                     yield array.end(1), array.end(1), f"[1:{self._declared_size(array[1])}]"
+
+    def _enter(self, position: int) -> bool:
+        """Makes the class around a place that whose names are meant; = true, if the model uses it."""
+        self._scope = scope_at(self.scopes, position)
+        return self._scope is not None and any(scope is self._scope for scope in self._used)
+
+    def _declarations(self, pattern: str) -> tuple[list[str], bool]:
+        """What the nearest class says that says anything, and whether its members are the model's."""
+        assert self._scope is not None
+        for scope in self._scope.and_around():
+            if declared := re.findall(pattern, scope.code):
+                return declared, scope.name in self._own
+        elsewhere = [
+            (text, scope.name in self._own) for scope in self._used for text in re.findall(pattern, scope.code)
+        ]
+        return [text for text, _ in elsewhere], all(is_own for _, is_own in elsewhere)
 
     def _places(self) -> Iterator[tuple[int, int]]:
         """Calls of cat, and array constructors with an iterator that subscripts a component, in order."""
@@ -195,8 +255,8 @@ class _Writer:
         return [f"{reference[1]}[{number}]{reference[2]}" for number in range(1, size + 1)]
 
     def _declared_size(self, name: str) -> int:
-        """Of an array that the text declares once; raises _UnknownError."""
-        declared = re.findall(_DECLARED.format(name=name), self._code)
+        """Of an array that is declared once; raises _UnknownError."""
+        declared, _ = self._declarations(_DECLARED.format(name=name))
         if len(declared) != 1:
             raise _UnknownError
         return self._number(declared[0])
@@ -208,16 +268,17 @@ class _Writer:
             raise _UnknownError from error
 
     def _value(self, tree: ast.expr) -> int:
-        """Value of an Integer expression of numbers and of names that the text gives one number each."""
+        """Value of an Integer expression of numbers and of names that one declaration gives a number each."""
         match tree:
             case ast.Constant(value=int(number)):
                 return number
             case ast.Name(id=name):
-                declared: Sequence[str] = re.findall(_NUMBER.format(name=name), self._code)
+                declared, is_own = self._declarations(_NUMBER.format(name=name))
                 if len(declared) != 1:
                     raise _UnknownError
-                self.numbers[name] = self._number(declared[0])
-                return self.numbers[name]
+                number = self._number(declared[0])
+                self._numbers.take(name, number, is_own)
+                return number
             case ast.UnaryOp(op=ast.USub(), operand=operand):
                 return -self._value(operand)
             case ast.BinOp(left=left, op=ast.Add(), right=right):

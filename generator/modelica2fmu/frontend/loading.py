@@ -31,7 +31,7 @@ from modelica2fmu.frontend.balance import (
     unplaced_frames,
     world_without_inner,
 )
-from modelica2fmu.frontend.concatenation import have_values, with_arrays_written_out
+from modelica2fmu.frontend.concatenation import with_arrays_written_out
 from modelica2fmu.frontend.culprit import culprit
 from modelica2fmu.frontend.errors import (
     FrontEndError,
@@ -174,18 +174,21 @@ def _with_arrays_written_out(
 
     The error as it was where that tells nothing else.
     """
-    written = None if request.text is None else with_arrays_written_out(request.text)
-    if written is None or written.text == request.text:
+    if request.text is None:
         return answer, request
-    about = replace(request, text=written.text)
+    written = with_arrays_written_out(request.model, [request.text])
+    (text,) = written.texts
+    if text == request.text:
+        return answer, request
+    about = replace(request, text=text)
     other = ask(about, remark)
     if other.flat is None:
         tells_more = _SIZES_DIFFER in other.error or _CONCATENATION_REFUSED.search(answer.error) is not None
     else:
-        tells_more = have_values(other.flat, written.numbers)
+        tells_more = written.numbers.hold_in(other.flat)
     if not tells_more:
         return answer, request
-    source_map.add_text(file, written.text)
+    source_map.add_text(file, text)
     return other, about
 
 
@@ -213,16 +216,16 @@ def _with_package_written_out(
 
     Where that does not help the error stays as it was, but for that of a library that is not named.
     """
-    view = package_view(loaded.file.parent, folder)
+    view = package_view(request.model, loaded.file.parent, folder)
     is_unnamed = _UNRESOLVED.search(loaded.answer.error) is not None
-    if view.numbers is None or not (view.texts or is_unnamed):
+    if not (view.texts or is_unnamed):
         return loaded
     about = about_a_copy(request, view.package, view.root)
     other = ask(about, remark)
     if other.flat is None:
         words = replace(other, error=view.restored(other.error))
         return replace(loaded, answer=words) if is_unnamed else loaded
-    if not have_values(other.flat, view.numbers):
+    if not view.numbers.hold_in(other.flat):
         return loaded
     view.register(source_map)
     return _Loaded(other, view.file, tuple(map(Path, about.roots)))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from modelica2fmu.frontend.concatenation import with_arrays_written_out
+from modelica2fmu.frontend.concatenation import Numbers, with_arrays_written_out
 from modelica2fmu.library.source_map import SourceMap
 
 
@@ -23,7 +23,7 @@ class PackageView:
         package: the original's folder.
         texts: what was written out: other texts of the same lines, by original file.
         copies: the original of each Modelica file.
-        numbers: what was taken for the values of Integers; ``None`` if two files take different ones.
+        numbers: what was taken for the values of Integers.
     """
 
     root: Path
@@ -31,7 +31,7 @@ class PackageView:
     package: Path
     texts: dict[Path, str]
     copies: dict[Path, Path]
-    numbers: dict[str, int] | None
+    numbers: Numbers
 
     def register(self, source_map: SourceMap) -> None:
         """Tells a map that the front end was given this."""
@@ -45,33 +45,26 @@ class PackageView:
         return text.replace(str(self.root / self.package.name), str(self.package))
 
 
-def package_view(package: Path, root: Path) -> PackageView:
+def package_view(model: str, package: Path, root: Path) -> PackageView:
     """Copies a package's Modelica files with arrays written out.
 
     Args:
+        model: whose arrays they are.
         package: the folder that holds ``package.mo``.
         root: an empty folder.
     """
+    originals = sorted(package.rglob("*.mo"))
+    given = [original.read_bytes().decode("utf-8", errors="surrogateescape") for original in originals]
+    written = with_arrays_written_out(model, given)
     texts: dict[Path, str] = {}
     copies: dict[Path, Path] = {}
-    numbers: dict[str, int] | None = {}
-    for original in sorted((*package.rglob("*.mo"), *package.rglob("package.order"))):
+    for original, before, after in zip(originals, given, written.texts, strict=True):
         copy = root / package.name / original.relative_to(package)
         copy.parent.mkdir(parents=True, exist_ok=True)
-        given = original.read_bytes()
-        if original.suffix == ".mo":
-            copies[copy] = original
-            text = given.decode("utf-8", errors="surrogateescape")
-            written = with_arrays_written_out(text)
-            if written.text != text:
-                texts[original] = written.text
-                given = written.text.encode("utf-8", errors="surrogateescape")
-                numbers = _joined(numbers, written.numbers)
-        copy.write_bytes(given)
-    return PackageView(root, root / package.name / "package.mo", package, texts, copies, numbers)
-
-
-def _joined(first: dict[str, int] | None, second: dict[str, int]) -> dict[str, int] | None:
-    if first is None or any(first.get(name, number) != number for name, number in second.items()):
-        return None
-    return {**first, **second}
+        copy.write_bytes(after.encode("utf-8", errors="surrogateescape"))
+        copies[copy] = original
+        if after != before:
+            texts[original] = after
+    for order in package.rglob("package.order"):
+        (root / package.name / order.relative_to(package)).write_bytes(order.read_bytes())
+    return PackageView(root, root / package.name / "package.mo", package, texts, copies, written.numbers)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from pathlib import Path
 
 import pytest
@@ -36,9 +37,17 @@ end M;
 """
 
 
-def translated(folder: Path, text: str) -> Translation:
-    (folder / "M.mo").write_text(text)
-    return translate("M", [folder / "M.mo"], StandardLibrary(core_subset(), "", "core subset"))
+def translated(folder: Path, text: str, name: str = "M") -> Translation:
+    file = folder / f"{name.partition('.')[0]}.mo"
+    file.write_text(text)
+    return translate(name, [file], StandardLibrary(core_subset(), "", "core subset"))
+
+
+def written_out(text: str) -> str:
+    """The same in a model."""
+    head, tail = "model M\n", "\nend M;"
+    (written,) = with_arrays_written_out("M", [head + text + tail]).texts
+    return written.removeprefix(head).removesuffix(tail)
 
 
 def value(translation: Translation, name: str) -> object:
@@ -99,16 +108,81 @@ def test_places_in_a_file_of_a_package_stay_right(tmp_path):
     assert caught.value.place.line in (line, line + 1)
 
 
-def test_numbers_that_two_files_of_a_package_give_differently_are_not_taken(tmp_path):
-    text = "cat(1, {ball[i].X for i in 1:N}, {floor.X})"
+def two_of_a_package() -> tuple[str, str]:
+    """Models M and Other, whose numbers of bodies differ."""
+    text = "cat(1, {ball[i].X for i in 1:N}, ball.X, {floor.X})"
     model, other = (
-        MODEL.format(count=count, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
+        MODEL.format(count=count, shape=text.replace("X", "shape"), material=text.replace("X", "material")).replace(
+            "n = N + 1", "n = 2*N + 1"
+        )
         for count in (2, 3)
     )
-    other = other.replace("model M\n", "model Other\n").replace("end M;", "end Other;")
+    return model, other.replace("model M\n", "model Other\n").replace("end M;", "end Other;")
+
+
+def test_each_file_of_a_package_has_its_own_numbers(tmp_path):
+    model, other = two_of_a_package()
     package = in_package(tmp_path, M=model, Other=other)
+    for name, count in (("M", 2), ("Other", 3)):
+        translation = translate(f"P.{name}", [package], StandardLibrary(core_subset(), "", "core subset"))
+        shapes = [value(translation, f"contacts.shape[{number}]") for number in range(1, 2 * count + 2)]
+        assert shapes == [*["ball"] * 2 * count, "floor"]
+
+
+def test_each_model_of_a_file_has_its_own_numbers(tmp_path):
+    models = "".join(two_of_a_package())
+    (tmp_path / "P.mo").write_text(f"package P\n{models}end P;\n")
+    for name, count in (("M", 2), ("Other", 3)):
+        translation = translate(f"P.{name}", [tmp_path / "P.mo"], StandardLibrary(core_subset(), "", "core subset"))
+        assert value(translation, f"contacts.shape[{2 * count + 1}]") == "floor"
+
+
+def test_numbers_that_two_models_in_use_give_differently_are_not_taken(tmp_path):
+    model, other = two_of_a_package()
+    package = in_package(tmp_path, M=model.replace("  Body ball", "  Other other;\n  Body ball"), Other=other)
     with pytest.raises(InputError):
         translate("P.M", [package], StandardLibrary(core_subset(), "", "core subset"))
+
+
+@pytest.mark.parametrize(
+    "declared",
+    [
+        "parameter Integer N = 2 annotation(Evaluate = true)",
+        'parameter Integer N(min = 1) = 2 "Number of balls"',
+        "parameter Integer K = 1, N = 2",
+        "constant Integer N = 2 /* balls */",
+    ],
+)
+def test_numbers_are_found_however_they_are_declared(tmp_path, declared):
+    text = "cat(1, ball.X, {floor.X})"
+    model = MODEL.format(count=2, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
+    translation = translated(tmp_path, model.replace("constant Integer N = 2", declared))
+    assert value(translation, "contacts.shape[3]") == "floor"
+
+
+@pytest.mark.parametrize("name", ["n", "mu"])
+def test_the_same_name_elsewhere_does_no_harm(tmp_path, name):
+    """The manager has a size n of another value, the materials a Real mu."""
+    text = "cat(1, ball.X, {floor.X})"
+    model = MODEL.format(count=2, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
+    translation = translated(tmp_path, re.sub(r"\bN\b", name, model))
+    assert value(translation, "contacts.shape[3]") == "floor"
+
+
+@pytest.mark.parametrize("modified", ["", "(N = 3)"])
+def test_bodies_of_a_base(tmp_path, modified):
+    """The text says 2: what a modifier makes 3 is not taken."""
+    text = "cat(1, ball.X, {floor.X})"
+    model = MODEL.format(count=2, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
+    bodies, manager = model.replace("constant Integer N", "parameter Integer N").split("  Manager contacts")
+    base = bodies.replace("model M\n", "model Base\n") + "end Base;\n"
+    models = f"{base}model M\n  extends Base{modified};\n  Manager contacts{manager}"
+    if modified:
+        with pytest.raises(InputError):
+            translated(tmp_path, f"package P\n{models}end P;\n", "P.M")
+    else:
+        translation = translated(tmp_path, f"package P\n{models}end P;\n", "P.M")
+        assert value(translation, "contacts.shape[3]") == "floor"
 
 
 def test_a_package_needs_not_name_the_libraries_its_files_use(tmp_path):
@@ -162,11 +236,11 @@ def test_a_number_that_a_modifier_changes_is_not_taken(tmp_path):
     ],
 )
 def test_what_is_not_plain_stays_as_it_is(text):
-    assert with_arrays_written_out(text).text == text
+    assert written_out(text) == text
 
 
 def test_iterators_are_replaced_by_their_numbers_alone():
-    written = with_arrays_written_out("x = {a[i].i + f(i = i, n = i*pi) for i in 2:3};").text
+    written = written_out("x = {a[i].i + f(i = i, n = i*pi) for i in 2:3};")
     assert written == "x = {a[2].i + f(i = 2, n = 2*pi), a[3].i + f(i = 3, n = 3*pi)};"
 
 
@@ -185,7 +259,7 @@ def test_lines_and_elements_of_random_concatenations():
                 parts.append(f"{{{', '.join(names)}}}{blank}")
                 expected += names
         text = f"a = cat(1, {', '.join(parts)}) + c;"
-        written = with_arrays_written_out(text).text
+        written = written_out(text)
         assert written.count("\n") == text.count("\n")
         if expected:
             code = written.replace("\n", "")
