@@ -34,5 +34,17 @@ def require_tractable(variables: Sequence[ir.Variable], place: Callable[[Span | 
         f"the model has {total} scalar variables, of which {MOST_SCALARS} can be translated; the largest array is this "
         f"one of {shape} elements",
         place=place(largest.span, largest.name),
-        remedy="Make it smaller; data belong into a table of the Standard Library, which counts as one.",
+        remedy=_remedy(largest.name, variables),
+    )
+
+
+def _remedy(largest: str, variables: Sequence[ir.Variable]) -> str:
+    manager = largest.rpartition(".")[0]
+    pairs = next((variable.shape[0] for variable in variables if variable.name == f"{manager}.pairDistance"), 0)
+    if not manager or pairs == 0:
+        return "Make it smaller; data belong into a table of the Standard Library, which counts as one."
+    return (
+        f"{manager} watches {pairs} pairs of bodies, each with variables of its own: give it pairs={{{{1,2}},...}}, "
+        "those that matter (an assembly's: --exclude A,B, or --no-contacts and --include A,B), or take a "
+        "CompiledContactManager, whose variables grow with the bodies alone."
     )
