@@ -10,7 +10,7 @@
 # make contact-quality  work, jumps and frames of the contact forces of all pairs of bodies, as tables (PATHS=40)
 # make promises  measures what the library promises into docs/promises.md
 # make response measures contact response at all tolerances into docs/response.md
-# make study    what accuracy costs, scene by scene, into docs/accuracy; some hours, resumes
+# make study    what accuracy costs, scene by scene, into docs/accuracy; half an hour, resumes
 # make bench-peers   the same scenes in MuJoCo, Drake and Bullet, from PyPI, into docs/peers.md; half an hour, resumes
 # make soak     200 random scenes at all tolerances, modes and importers into out/soak; hours, resumes (SCENES=...)
 # make large     lets a thousand spheres fill a box: builds and runs regression/cases/large, some minutes
