@@ -88,6 +88,16 @@ def test_an_fmu_without_contacts_has_no_scene(tmp_path: Path, capsys: pytest.Cap
     assert "has no contact manager" in capsys.readouterr().err
 
 
+def test_a_manager_that_tells_no_pairs_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A report of it would deny the contacts."""
+    fmu = built(tmp_path, "Two", TWO.replace("ContactManager contacts(", "CompiledContactManager contacts(n=2, "))
+    assert main(["simulate", str(fmu), "--output", str(tmp_path / "d.csv"), "--scene", str(fmu)]) == 2
+    message = capsys.readouterr().err
+    assert "contacts" in message
+    assert "not in which pairs they touch" in message
+    assert not (tmp_path / "d.csv").exists()
+
+
 def test_bodies_may_be_connected_by_their_frame_b(tmp_path: Path) -> None:
     fmu = built(tmp_path, "SeenFromB", SEEN_FROM_B)
     box, step = scene_of_fmu(fmu).bodies

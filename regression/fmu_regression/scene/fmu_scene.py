@@ -18,6 +18,7 @@ from fmu_regression.scene.descriptor_mesh import descriptor_meshes
 from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody, load_scene
 
 _MANAGER: Final = re.compile(r"(.+)\.pairDistance\[1\]")
+_WITHOUT_PAIRS: Final = re.compile(r"(.+)\.contactCount")
 _FRAME: Final = re.compile(r"(.+)\.(frame_[ab])\.r_0\[1\]")
 _AXES: Final = (1, 2, 3)
 _MOVES: Final = ("continuous", "discrete")
@@ -39,17 +40,13 @@ def scene_of_fmu(path: Path) -> Scene:
     mass of its own counts as fixed where it does not move.
 
     Raises:
-        InputError: there is no contact manager, or a body of it is not found.
+        InputError: there is no contact manager that tells its pairs, or a body of it is not found.
     """
     with open_fmu(path) as opened:
         description = opened.description
         found = next((match[1] for name in description.variables if (match := _MANAGER.fullmatch(name))), None)
         if found is None:
-            raise InputError(
-                "the FMU has no contact manager, so there is no scene to report on",
-                place=Place(file=path),
-                remedy="Leave --scene out, or name a scene.json.",
-            )
+            raise _no_scene(description, path)
         mode = "me" if "me" in description.identifiers else "cs"
         with opened.instantiate(mode) as instance:  # type: ignore[arg-type]
             instance.functions.enter_initialization(1e-6, description.start, description.start + 1.0)
@@ -61,6 +58,18 @@ def scene_of_fmu(path: Path) -> Scene:
                 read = instance.functions.reader(data_type, [variable.reference for variable in chosen])
                 values.update(zip((v.name for v in chosen), map(float, read()), strict=True))
     return _Reading(path, description, found, values).scene()
+
+
+def _no_scene(description: ModelDescription, path: Path) -> InputError:
+    name = next((match[1] for name in description.variables if (match := _WITHOUT_PAIRS.fullmatch(name))), None)
+    if name is None:
+        said = "the FMU has no contact manager, so there is no scene to report on"
+        return InputError(said, place=Place(file=path), remedy="Leave --scene out, or name a scene.json.")
+    return InputError(
+        f"{name} tells what forces act on bodies, but not in which pairs they touch: a report would say that none do",
+        place=Place(file=path, component=name),
+        remedy=f"Leave --scene out, and plot {name}.contactCount and others; or take a ContactManager.",
+    )
 
 
 class _Frame(NamedTuple):
