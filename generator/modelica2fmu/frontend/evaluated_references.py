@@ -16,6 +16,7 @@ from typing import Final
 from modelica2fmu.frontend import ir
 from modelica2fmu.library.source_map import SourceMap, Span
 
+_PREDEFINED: Final = ("Real", "Integer", "Boolean", "String")
 _NAME: Final = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*")
 _PART: Final = re.compile(r"(\w+)(?:\[([\d,]+)\])?")
 _SKIPPED: Final = re.compile(r'"(?:[^"\\]|\\.)*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
@@ -38,10 +39,16 @@ def with_references(flat: ir.FlatModel, source_map: SourceMap) -> ir.FlatModel:
 
 
 def _span(variable: ir.Variable) -> Span | None:
-    """Where the value of a parameter that can be set stands in the sources."""
+    """Where the value of a parameter that can be set stands in the sources.
+
+    Final parameters of other types than Real may be what the structure of a model goes by.
+    """
     binding = variable.binding
-    is_set = variable.type == "Real" and variable.variability == "parameter" and binding is not None
-    return getattr(binding, "span", None) if is_set and not isinstance(binding, ir.Reference) else None
+    if variable.variability != "parameter" or (variable.evaluate and variable.type != "Real"):
+        return None
+    if isinstance(binding, ir.Reference) and variable.type in _PREDEFINED:  # of others it is a literal
+        return None
+    return getattr(binding, "span", None)
 
 
 # --- one modifier, several parameters ---
@@ -75,7 +82,7 @@ def _owner(name: str, names: list[str]) -> str | None:
 
 
 def _are_alike(variables: Mapping[str, ir.Variable], name: str, owner: str) -> bool:
-    return variables[name].shape == variables[owner].shape
+    return variables[name].shape == variables[owner].shape and variables[name].type == variables[owner].type
 
 
 def _modifies_a_component(source_map: SourceMap, span: Span) -> bool:
@@ -96,7 +103,9 @@ def _named(name: str, variable: ir.Variable, flat: ir.FlatModel, source_map: Sou
     """The parameter whose name stands in the source where the front end read a number, in a record of a record."""
     literal = variable.binding
     span = _span(variable)
-    if span is None or not isinstance(literal, ir.Literal) or variable.shape or not _is_of_nested_record(name, flat):
+    if span is None or variable.type != "Real" or variable.shape or not _is_of_nested_record(name, flat):
+        return None
+    if not isinstance(literal, ir.Literal):
         return None
     text = source_map.excerpt(span)
     if not _NAME.fullmatch(text):

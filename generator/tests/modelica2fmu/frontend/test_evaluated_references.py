@@ -93,6 +93,40 @@ def test_a_parameter_reaches_all_that_is_bound_to_it(
     assert found == pytest.approx([10 * share for share in SHARES.values()])
 
 
+OTHER_TYPES = """  type Mode = enumeration(One, Two);
+  model Inside
+    parameter Integer n=1;
+    parameter Boolean up=false;
+    parameter Real v[2]={0,0};
+    parameter Mode mode=Mode.One;
+    Real x(start=0, fixed=true);
+  equation
+    der(x) = n + (if up then 100 else 0) + 1000*v[1] + v[2] + (if mode == Mode.Two then 1e5 else 0);
+  end Inside;
+  model Around
+    parameter Integer n=2;
+    parameter Boolean up=false;
+    parameter Real v[2]={0,0};
+    parameter Mode mode=Mode.One;
+    Inside inside(n=n, up=up, v=v, mode=mode);
+  end Around;
+  model Whole
+    Around a(n=3, up=false, v={1,1}, mode=Mode.One);
+  end Whole;
+"""
+
+
+@pytest.mark.parametrize(
+    ("parameter", "value", "rate"),
+    [("a.n", 7, 1008), ("a.up", 1, 1104), ("a.v[1]", 5, 5004), ("a.v[2]", 5, 1008), ("a.mode", 2, 101004)],
+)
+def test_parameters_of_all_types_reach_what_is_bound_to_them(
+    parameter: str, value: float, rate: float, tmp_path: Path, fmu_cache: Path
+) -> None:
+    found = rates(OTHER_TYPES, ["a.inside"], {parameter: value}, tmp_path, fmu_cache)
+    assert found == pytest.approx([rate])
+
+
 SEPARATE = """  model Inside
     extends B(k=3);
   end Inside;
