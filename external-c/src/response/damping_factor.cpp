@@ -12,7 +12,6 @@ namespace {
 // Less would need unbounded damping; as in the library's NormalForce.exact, and in the published laws there.
 constexpr double smallest_exact = 5e-4;
 constexpr double smallest_restitution = 0.01;
-constexpr double smallest_damping = 1e-3;
 
 // The root d of (1 + d)/(1 - d e) = exp(d (1 + e)): by Newton's method for u = -ln(1 - d e), above e = 0.98, where
 // logarithms cancel, by the series of the equation.

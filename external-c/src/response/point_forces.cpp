@@ -26,9 +26,12 @@ double spring_damper_force(double depth, double approach_speed, double stiffness
 
 namespace {
 
-// t = ln(1 + d (dx/dt)/v0) by the square of sigma.
-double logarithm_at(double squared, const Damping &damping) {
-  return (damping.logarithm_at_start * squared + damping.logarithm_at_separation) / (1.0 + squared);
+// From here on sigma is found by bisection first.
+constexpr double largest_nearby = 8.0;
+
+// t = ln(1 + d (dx/dt)/v0) by the square of sigma; part: 1/(1 + squared).
+double logarithm_at(double squared, double part, const Damping &damping) {
+  return (damping.logarithm_at_start * squared + damping.logarithm_at_separation) * part;
 }
 
 // Near the root, by its asymptotes and what it is without approach.
@@ -45,8 +48,8 @@ double sigma_nearby(double q, const Damping &damping) {
 double sigma_by_bisection(double q, const Damping &damping) {
   double low = -10.0, high = 10.0;
   for (int i = 0; i < 10; ++i) {
-    const double l = 0.5 * (low + high);
-    const double t = logarithm_at(std::exp(2.0 * l), damping), power = std::exp(t), e = power - 1.0;
+    const double l = 0.5 * (low + high), squared = std::exp(2.0 * l);
+    const double t = logarithm_at(squared, 1.0 / (1.0 + squared), damping), power = std::exp(t), e = power - 1.0;
     const bool below = e * std::fabs(e) < q * std::fabs(q) * (t - power + damping.constant);
     (below ? low : high) = l;
   }
@@ -56,8 +59,6 @@ double sigma_by_bisection(double q, const Damping &damping) {
 }  // namespace
 
 double memoryless_speed_ratio(double approach_speed, double specific_energy, const Damping &damping) {
-  constexpr double smallest_damping = 1e-3;
-  constexpr double largest_nearby = 8.0;
   constexpr double largest_q = 1e4;  // beyond, the ratio is that at the start or the end of the contact
   const double d = std::fmax(damping.factor, smallest_damping);
   const double span = damping.logarithm_at_start - damping.logarithm_at_separation;
@@ -68,7 +69,7 @@ double memoryless_speed_ratio(double approach_speed, double specific_energy, con
   constexpr double converged = 1e-7;  // a correction, by sigma; what is left is of the order of its square
   for (int i = 0; i < 4; ++i) {
     const double p = sigma * sigma, part = 1.0 / (1.0 + p);
-    const double t = (damping.logarithm_at_start * p + damping.logarithm_at_separation) * part;
+    const double t = logarithm_at(p, part, damping);
     const double power = std::exp(t), e = power - 1.0;
     const double inverse = 1.0 / std::sqrt(t - power + damping.constant);
     const double residual = e * inverse - q;
@@ -77,7 +78,8 @@ double memoryless_speed_ratio(double approach_speed, double specific_energy, con
     sigma -= sigma * correction;
     if (std::fabs(correction) < converged) break;
   }
-  return (std::exp(logarithm_at(sigma * sigma, damping)) - 1.0) / d;
+  const double squared = sigma * sigma;
+  return (std::exp(logarithm_at(squared, 1.0 / (1.0 + squared), damping)) - 1.0) / d;
 }
 
 double memoryless_force(double depth, double approach_speed, double stiffness, double exponent,

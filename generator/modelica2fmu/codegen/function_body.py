@@ -50,7 +50,7 @@ class FunctionBody:
         self._names: dict[Node, str] = {}
         self._lines: list[str] = []
         self._uses: dict[Node, int] = {}
-        self._branches: dict[Node, list[dict[Node, None]]] = {}
+        self._branched: set[Node] = set()
         self._indent = "  "
         self.executed = 0
         self._count_uses()
@@ -112,7 +112,7 @@ class FunctionBody:
                 stack.append((node, True))
                 stack.extend((arg, False) for arg in self._needed_before(node) if arg not in self._names)
                 continue
-            if node in self._branches:
+            if node in self._branched:
                 self._name_by_branches(node)
             else:
                 self._name(node)
@@ -124,7 +124,7 @@ class FunctionBody:
         branches = [nodes_of_branch(node, arg, self._uses, self._homes.__contains__) for arg in node.args[1:]]
         if not any(branches):
             return node.args
-        self._branches[node] = branches
+        self._branched.add(node)
         inside = {**branches[0], **branches[1]}
         outer = [node.args[0], *(arg for arg in node.args[1:] if arg not in inside)]
         outer += [arg for item in inside for arg in item.args if arg not in inside]

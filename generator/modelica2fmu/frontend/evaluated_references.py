@@ -8,8 +8,9 @@ place there, or a name stands where the number was read.
 
 from __future__ import annotations
 
+import itertools
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -19,7 +20,7 @@ from modelica2fmu.library.source_map import SourceMap, Span
 _PREDEFINED: Final = ("Real", "Integer", "Boolean", "String")
 _NAME: Final = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*")
 _PART: Final = re.compile(r"(\w+)(?:\[([\d,]+)\])?")
-_SKIPPED: Final = re.compile(r'"(?:[^"\\]|\\.)*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+_SKIPPED: Final = re.compile(rb'"(?:[^"\\]|\\.)*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _WORDS: Final = r"\s*(?:(?:public|protected|final|inner|outer|redeclare|replaceable|partial|encapsulated|pure)\s+)*"
 _KINDS: Final = "model|class|block|record|type|connector|package|function|operator"
 _HEAD_OF_CLASS: Final = re.compile(rf"{_WORDS}(?:{_KINDS})\s+\w+(?!\s*=)(?=\s)")
@@ -62,33 +63,56 @@ def _owners(variables: Mapping[str, ir.Variable], source_map: SourceMap) -> dict
         if span is not None:
             of_span.setdefault(span, []).append(name)
     found: dict[str, str] = {}
+    statements = _Statements(source_map)
     for span, names in of_span.items():
         if len(names) == 1:
             continue
-        names.sort(key=lambda name: name.count("."))
-        pairs = {name: owner for name in names if (owner := _owner(name, names)) is not None}
-        if pairs and _modifies_a_component(source_map, span):
+        pairs = _pairs(names)
+        if pairs and _modifies_a_component(statements.before(span)):
             found.update((name, owner) for name, owner in pairs.items() if _are_alike(variables, name, owner))
     return found
 
 
-def _owner(name: str, names: list[str]) -> str | None:
-    """The outermost of the names that belongs to a component which the name lies deeper in."""
-    for other in names:
-        scope = other.rpartition(".")[0]
-        if scope and other.count(".") < name.count(".") and name.startswith(f"{scope}."):
-            return other
-    return None
+def _pairs(names: Sequence[str]) -> dict[str, str]:
+    """With names, the outermost of them that belongs to a component which the name lies deeper in."""
+    of_scope: dict[str, str] = {}
+    for name in names:
+        of_scope.setdefault(name.rpartition(".")[0], name)
+    found = {}
+    for name in names:
+        own = name.rpartition(".")[0]
+        scopes = itertools.accumulate(own.split("."), "{}.{}".format)
+        outermost = next((scope for scope in scopes if scope in of_scope), own)
+        if outermost != own:
+            found[name] = of_scope[outermost]
+    return found
 
 
 def _are_alike(variables: Mapping[str, ir.Variable], name: str, owner: str) -> bool:
     return variables[name].shape == variables[owner].shape and variables[name].type == variables[owner].type
 
 
-def _modifies_a_component(source_map: SourceMap, span: Span) -> bool:
-    """Whether a value stands in a modifier of a component: not in a declaration of its own, a base or a short class."""
-    text = source_map.before(span)
-    statement = _SKIPPED.sub(" ", text).rpartition(";")[2]
+class _Statements:
+    """Finds what stands before a value in its statement, without comments and strings."""
+
+    def __init__(self, source_map: SourceMap) -> None:
+        self._source_map = source_map
+        self._texts: dict[int, bytes] = {}
+
+    def before(self, span: Span) -> str:
+        if span.source not in self._texts:
+            text = self._source_map.source_text(span)
+            self._texts[span.source] = _SKIPPED.sub(lambda match: b" " * len(match[0]), text)
+        text = self._texts[span.source]
+        return text[text.rfind(b";", 0, span.start) + 1 : span.start].decode(errors="replace")
+
+
+def _modifies_a_component(statement: str) -> bool:
+    """Whether a value stands in a modifier of a component: not in a declaration of its own, a base or a short class.
+
+    Args:
+        statement: what stands before the value.
+    """
     while (head := _HEAD_OF_CLASS.match(statement)) is not None:
         statement = statement[head.end() :]
     if _NO_COMPONENT.match(statement):

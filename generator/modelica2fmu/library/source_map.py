@@ -55,8 +55,10 @@ class SourceMap:
         self._texts[original] = text.encode()
 
     def text(self, path: Path) -> bytes:
-        """What the front end was given as the text of a file."""
-        return self._texts[path] if path in self._texts else path.read_bytes()
+        """What the front end was given as the text of a file; it is read once."""
+        if path not in self._texts:
+            self._texts[path] = path.read_bytes()
+        return self._texts[path]
 
     def add_view(self, given: Path, original: Path) -> None:
         """Tells that the front end was given a folder ``given`` that shows the files of ``original``."""
@@ -80,10 +82,10 @@ class SourceMap:
             return ""
         return self.text(path)[span.start : span.end].decode(errors="replace")
 
-    def before(self, span: Span) -> str:
-        """What stands before it in its file; empty where that is not known."""
+    def source_text(self, span: Span) -> bytes:
+        """The text of the file that it stands in; empty where that is not known."""
         path = self._known_files().get(span.source)
-        return "" if path is None else self.text(path)[: span.start].decode(errors="replace")
+        return b"" if path is None else self.text(path)
 
     def _known_files(self) -> dict[int, Path]:
         if self._files is None:

@@ -35,8 +35,8 @@ static int allocate_arrays(fmurt_instance *instance) {
   const size_t reals = fmurt_model.real_count, integers = fmurt_model.integer_count,
                booleans = fmurt_model.boolean_count;
   const size_t delays = fmurt_model.delay_count * FMURT_DELAY_SIZE;
-  instance->double_block_count = 4 * reals + fmurt_model.state_count + fmurt_model.work_count + delays + fmurt_model.followed_count + 1 +
-                                 fmurt_solved_size();
+  instance->double_block_count = 4 * reals + fmurt_model.state_count + fmurt_model.work_count + delays +
+                                 fmurt_model.followed_count + 1 + fmurt_solved_size();
   instance->int_block_count =
       5 * integers + 5 * booleans + reals + fmurt_model.indicator_count + fmurt_model.integer_work_count;
   instance->double_block = calloc(instance->double_block_count + 1, sizeof(double));
