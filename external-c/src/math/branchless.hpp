@@ -30,4 +30,19 @@ inline double greatest_of(const double *values, std::size_t count) {
   return first > second ? first : second;
 }
 
+// The least of `count` numbers, likewise; infinity of none.
+inline double least_of(const double *values, std::size_t count) {
+  double least[4] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4) {
+    for (std::size_t chain = 0; chain < 4; ++chain) {
+      least[chain] = values[k + chain] < least[chain] ? values[k + chain] : least[chain];
+    }
+  }
+  for (; k < count; ++k) least[0] = values[k] < least[0] ? values[k] : least[0];
+  const double first = least[0] < least[1] ? least[0] : least[1];
+  const double second = least[2] < least[3] ? least[2] : least[3];
+  return first < second ? first : second;
+}
+
 }  // namespace cmb::convex

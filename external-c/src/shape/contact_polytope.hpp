@@ -87,6 +87,10 @@ class ContactPolytope {
   const double *coordinates(std::size_t axis) const { return coordinates_.data() + axis * geometry_.vertices().size(); }
   const Incidence &incidence(std::int32_t v) const { return incidence_[static_cast<std::size_t>(v)]; }
 
+  // The faces' normals' coordinates along an axis (0 to 2), and their offsets.
+  const double *face_normals(std::size_t axis) const { return normal_coordinates_.data() + axis * geometry_.faces().size(); }
+  const double *face_offsets() const { return face_normals(3); }
+
   // The solid angle of vertex v's whole normal cone.
   double normal_cone(std::int32_t v) const { return normal_cone_[static_cast<std::size_t>(v)]; }
 
@@ -104,7 +108,7 @@ class ContactPolytope {
   std::vector<double> normal_cone_;         // solid angle of the whole cone
   std::vector<EdgeStiffness> edge_stiffness_;
   std::vector<Incidence> incidence_;
-  std::vector<double> coordinates_, normal_coordinates_;  // of vertices and of faces, axis by axis
+  std::vector<double> coordinates_, normal_coordinates_;  // of vertices and of faces, axis by axis; then the offsets
   // Of others: the hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without
   // vertices where it could not be made.
   convex::Polytope normals_;

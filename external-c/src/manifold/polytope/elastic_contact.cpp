@@ -36,7 +36,8 @@ struct Spread2 {
   }
 };
 
-Spread2 spread_across(const double (&spread)[6], const Vec3 &u, const Vec3 &v) {
+Spread2 spread_across(const convex::SymmetricMatrix &matrix, const Vec3 &u, const Vec3 &v) {
+  const double(&spread)[6] = matrix.m;
   const auto form = [&spread](const Vec3 &p, const Vec3 &q) {
     return spread[0] * p.x * q.x + spread[1] * p.y * q.y + spread[2] * p.z * q.z + spread[3] * (p.y * q.z + p.z * q.y) +
            spread[4] * (p.z * q.x + p.x * q.z) + spread[5] * (p.x * q.y + p.y * q.x);
@@ -58,7 +59,7 @@ bool elastic_contact(const ContactPolytope &a, const Pose &pose_a, const Contact
   const Vec3 along = (1.0 / load) * overlap.force(), u = convex::any_perpendicular(along), v = cross(along, u);
   // The load's place, from the overlap's middle. Where the depth changes linearly over a surface, the place is three times as far from
   // that surface's middle as the overlap's middle is: there are the points, spread as corners of a rectangle.
-  const Vec3 lever = (1.0 / load2) * cross(overlap.force(), overlap.torque()) - solid.middle();
+  const Vec3 lever = (1.0 / load2) * cross(overlap.force(), overlap.torque());
   const Plane2 place{dot(lever, u), dot(lever, v)}, half{0.5 * place.u, 0.5 * place.v};
   Spread2 surface = spread_across(solid.spread(), u, v);
   surface.add_square(half);
@@ -94,7 +95,7 @@ bool elastic_contact(const ContactPolytope &a, const Pose &pose_a, const Contact
   // All are as deep as stores the energy; where bodies are that deep in each other that nothing pushes much, no deeper than this.
   constexpr double deepest = 4.0;
   const double depth = std::fmin(2.0 * energy / (load * sum), deepest * std::sqrt(2.0 * energy));
-  const Vec3 at = solid.origin() + solid.middle() + lever - dot(lever, along) * along;
+  const Vec3 at = solid.origin() + solid.middle() + lever;
   for (int k = 0; k < count; ++k) {
     const double length = norm(forces[k]);
     if (!(length > 0.0)) continue;

@@ -1,26 +1,62 @@
 #include "manifold/polytope/overlap_energy.hpp"
 
-#include <cmath>
+#include "math/branchless.hpp"
+#include "math/index.hpp"
 
 namespace cmb {
 
 namespace {
 
-double fourth(double x) { return x * x * x * x; }
+using convex::Mat3;
+using convex::SymmetricMatrix;
 
-// Integrals over the surface of a quadric, and of place times quadric.
+Vec3 times(const SymmetricMatrix &matrix, const Vec3 &p) {
+  const double(&m)[6] = matrix.m;
+  return {m[0] * p.x + m[5] * p.y + m[4] * p.z, m[5] * p.x + m[1] * p.y + m[3] * p.z, m[4] * p.x + m[3] * p.y + m[2] * p.z};
+}
+
+// turn matrix turn^T
+SymmetricMatrix turned(const Mat3 &turn, const SymmetricMatrix &matrix) {
+  const Vec3 x = times(matrix, turn.row[0]), y = times(matrix, turn.row[1]), z = times(matrix, turn.row[2]);
+  return {{dot(turn.row[0], x), dot(turn.row[1], y), dot(turn.row[2], z), dot(turn.row[1], z), dot(turn.row[2], x), dot(turn.row[0], y)}};
+}
+
+// The sum of row x row of both matrices, row by row.
+Vec3 sum_of_crosses(const SymmetricMatrix &left, const SymmetricMatrix &right) {
+  const double(&l)[6] = left.m, (&r)[6] = right.m;
+  const Vec3 left_row[3] = {{l[0], l[5], l[4]}, {l[5], l[1], l[3]}, {l[4], l[3], l[2]}};
+  const Vec3 right_row[3] = {{r[0], r[5], r[4]}, {r[5], r[1], r[3]}, {r[4], r[3], r[2]}};
+  return cross(left_row[0], right_row[0]) + cross(left_row[1], right_row[1]) + cross(left_row[2], right_row[2]);
+}
+
+// Of all planes: how far the middle is below them, and the mean square of that over what has this spread about the middle. Arrays
+// that do not overlap, so that compilers make vectors of them.
+void find_mean_squares(std::size_t count, const double *__restrict x, const double *__restrict y, const double *__restrict z,
+                       const double *__restrict offset, const Vec3 &middle, const SymmetricMatrix &spread,
+                       double *__restrict below, double *__restrict mean_square) {
+  const double mx = middle.x, my = middle.y, mz = middle.z;
+  const double xx = spread.m[0], yy = spread.m[1], zz = spread.m[2];
+  const double yz = 2.0 * spread.m[3], zx = 2.0 * spread.m[4], xy = 2.0 * spread.m[5];
+  for (std::size_t f = 0; f < count; ++f) {
+    const double nx = x[f], ny = y[f], nz = z[f], depth = offset[f] - (nx * mx + ny * my + nz * mz);
+    below[f] = depth;
+    mean_square[f] = depth * depth + nx * (nx * xx + ny * xy) + ny * (ny * yy + nz * yz) + nz * (nz * zz + nx * zx);
+  }
+}
+
+// Integrals over the surface of a quadric, and of place times quadric; places are from the overlap's middle.
 class SurfaceIntegral {
  public:
   explicit SurfaceIntegral(const Quadric &quadric) : q_(quadric) {}
 
   void add(const OverlapSolid &solid, const OverlapSolid::Piece &piece) {
-    const Vec3 *const corners = solid.points().data() + piece.first;
+    const Vec3 *const corners = solid.points().data() + piece.first, middle = solid.middle();
     double whole = 0.0;
     Vec3 places;
-    const Corner p = corner(corners[0]);
-    Corner q = corner(corners[1]);
+    const Corner p = corner(corners[0] - middle);
+    Corner q = corner(corners[1] - middle);
     for (std::size_t i = 2; i < piece.count; ++i) {
-      const Corner r = corner(corners[i]);
+      const Corner r = corner(corners[i] - middle);
       const double area = 0.5 * dot(piece.normal, cross(q.at - p.at, r.at - p.at));
       if (piece.fades == nullptr) {
         add_triangle(area, p, q, r, whole, places);
@@ -43,9 +79,8 @@ class SurfaceIntegral {
     double rest, value;
   };
   Corner corner(const Vec3 &p) const {
-    const Vec3 gradient{q_.xx * p.x + q_.xy * p.y + q_.zx * p.z + q_.linear.x, q_.xy * p.x + q_.yy * p.y + q_.yz * p.z + q_.linear.y,
-                        q_.zx * p.x + q_.yz * p.y + q_.zz * p.z + q_.linear.z};
-    const double rest = dot(q_.linear, p) + q_.constant;
+    const Vec3 gradient = times(q_.squares, p) - q_.linear;
+    const double rest = q_.constant - dot(q_.linear, p);
     return {p, gradient, rest, dot(gradient, p) + rest};
   }
 
@@ -71,7 +106,7 @@ class SurfaceIntegral {
     for (const auto &node : rule) {
       for (const Vec3 *apart : {&p, &q, &r}) {
         const Vec3 at = node.near * (sum - *apart) + (1.0 - 2.0 * node.near) * *apart;
-        const double part = node.weight * area * solid.share(fades, at) * corner(at).value;
+        const double part = node.weight * area * solid.share(fades, at + solid.middle()) * corner(at).value;
         whole += part;
         places = places + part * at;
       }
@@ -84,56 +119,52 @@ class SurfaceIntegral {
 
 }  // namespace
 
+// In the body's frame, where its planes stand still.
 void OverlapEnergy::weigh(const OverlapSolid &solid, const ContactPolytope &body, const Pose &in_axes, Depth &depth) {
-  const std::vector<convex::Polytope::Face> &faces = body.geometry().faces();
-  const Vec3 &middle = solid.middle();
-  const double(&m)[6] = solid.spread();
-  const Vec3 own_middle = transposed_times(in_axes.rotation, middle + solid.origin() - in_axes.translation);
-  const auto mean_square = [&](const Vec3 &n, double below) {
-    return below * below + n.x * (n.x * m[0] + 2.0 * n.y * m[5]) + n.y * (n.y * m[1] + 2.0 * n.z * m[3]) +
-           n.z * (n.z * m[2] + 2.0 * n.x * m[4]);
-  };
-  below_.resize(faces.size());
-  std::size_t nearest = 0;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    below_[f] = faces[f].offset - dot(faces[f].normal, own_middle);
-    nearest = below_[f] < below_[nearest] ? f : nearest;
+  const std::size_t count = body.geometry().faces().size();
+  const double *const x = body.face_normals(0), *const y = body.face_normals(1), *const z = body.face_normals(2);
+  if (below_.size() <= count) {
+    for (std::vector<double> *const room : {&below_, &mean_square_, &part_}) room->resize(count + 1);
+    near_.resize(count + 1);
   }
-  // Faces farther than this have weights below 1e-11.
-  constexpr double farthest = 40.0;
-  const Vec3 first = in_axes.rotation * faces[nearest].normal;
-  const double limit = farthest * mean_square(first, below_[nearest]);
-  const Vec3 to_origin = in_axes.translation - solid.origin();
-  faces_.clear();
-  double least = HUGE_VAL;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (below_[f] * below_[f] > limit) continue;
-    const Vec3 normal = in_axes.rotation * faces[f].normal;
-    const double offset = faces[f].offset + dot(normal, to_origin);
-    faces_.push_back({normal, offset, mean_square(normal, offset - dot(normal, middle))});
-    least = faces_.back().mean_square < least ? faces_.back().mean_square : least;
+  const Vec3 middle = transposed_times(in_axes.rotation, solid.middle() + solid.origin() - in_axes.translation);
+  const SymmetricMatrix spread = turned(transposed(in_axes.rotation), solid.spread());
+  double *const below = below_.data(), *const mean_square = mean_square_.data(), *const part = part_.data();
+  find_mean_squares(count, x, y, z, body.face_offsets(), middle, spread, below, mean_square);
+  const double least = convex::least_of(mean_square, count);
+  // Faces with a greater mean square change the energy by less than 1e-15 of it.
+  constexpr double farthest = 150.0;
+  std::int32_t *const near = near_.data();
+  std::size_t near_count = 0;
+  for (std::size_t f = 0; f < count; ++f) {  // which count is unpredictable: no branch
+    near[near_count] = static_cast<std::int32_t>(f);
+    near_count += mean_square[f] <= farthest * least ? 1 : 0;
   }
   double sum = 0.0, raised = 0.0;  // of e^-8 and of e^-7, in units of the least
-  for (const Face &face : faces_) {
-    const double part = least / face.mean_square, weight = fourth(part * part);
-    sum += weight;
-    raised += weight * (face.mean_square / least);
+  for (std::size_t k = 0; k < near_count; ++k) {
+    const double inverse = least / mean_square[near[k]], square = inverse * inverse;
+    const double seventh = square * square * square * inverse;
+    part[k] = inverse;
+    sum += seventh * inverse;
+    raised += seventh;
   }
-  depth.least = least * raised / sum;
-  depth.squares = {};
-  depth.slope = depth.moment = {};
-  for (const Face &face : faces_) {
-    const double part = least / face.mean_square;
-    const double weight = fourth(part * part) * (8.0 * depth.least / face.mean_square - 7.0) / sum;
-    const Vec3 &n = face.normal;
-    depth.squares.add_square(weight, n, face.offset);
-    const double below = face.offset - dot(n, middle);
-    depth.slope = depth.slope - (2.0 * weight * below) * n;
-    // The mean of below * place.
-    const Vec3 places = below * middle - Vec3{m[0] * n.x + m[5] * n.y + m[4] * n.z, m[5] * n.x + m[1] * n.y + m[3] * n.z,
-                                              m[4] * n.x + m[3] * n.y + m[2] * n.z};
-    depth.moment = depth.moment - cross((2.0 * weight) * places, n);
+  const double mean = raised / sum, inverse_sum = 1.0 / sum;
+  double constant = 0.0;
+  SymmetricMatrix squares;
+  Vec3 linear;
+  for (std::size_t k = 0; k < near_count; ++k) {
+    const auto f = index(near[k]);
+    const double square = part[k] * part[k], fourth = square * square;
+    const double weight = fourth * fourth * (8.0 * mean * part[k] - 7.0) * inverse_sum;
+    const Vec3 n{x[f], y[f], z[f]}, scaled = weight * n;
+    squares.m[0] += scaled.x * n.x, squares.m[1] += scaled.y * n.y, squares.m[2] += scaled.z * n.z;
+    squares.m[3] += scaled.y * n.z, squares.m[4] += scaled.z * n.x, squares.m[5] += scaled.x * n.y;
+    linear = linear + below[f] * scaled;
+    constant += weight * below[f] * below[f];
   }
+  depth.least = least * mean;
+  depth.squares = {turned(in_axes.rotation, squares), in_axes.rotation * linear, constant};
+  depth.moment = 2.0 * (in_axes.rotation * sum_of_crosses(spread, squares));
 }
 
 // The means over the overlap O of B's squares q_B have the gradient, by A's motion v, of the integral of (q_B - mean) n.v / |O| over A's
@@ -146,10 +177,9 @@ void OverlapEnergy::find(const OverlapSolid &solid, const ContactPolytope &a, co
   weigh(solid, b, b_in_axes, of_b);
   energy_ = 0.75 * (of_a.least + of_b.least);
   Quadric both = of_a.squares;
-  const Quadric &other = of_b.squares;
-  both.xx += other.xx, both.yy += other.yy, both.zz += other.zz, both.yz += other.yz, both.zx += other.zx, both.xy += other.xy;
-  both.linear = both.linear + other.linear;
-  both.constant += other.constant - of_a.least - of_b.least;
+  both.squares.add(1.0, of_b.squares.squares);
+  both.linear = both.linear + of_b.squares.linear;
+  both.constant += of_b.squares.constant - of_a.least - of_b.least;
   const bool over_b = solid.fades() || solid.pieces_b().size() <= solid.pieces_a().size();
   SurfaceIntegral surface(both);
   for (const OverlapSolid::Piece &piece : over_b ? solid.pieces_b() : solid.pieces_a()) {
@@ -157,7 +187,7 @@ void OverlapEnergy::find(const OverlapSolid &solid, const ContactPolytope &a, co
   }
   const double sense = over_b ? 0.75 : -0.75, part = sense / solid.volume();
   const Depth &inside = over_b ? of_b : of_a;
-  force_ = part * surface.force() - sense * inside.slope;
+  force_ = part * surface.force() + (2.0 * sense) * inside.squares.linear;
   torque_ = part * surface.torque() - sense * inside.moment;
 }
 

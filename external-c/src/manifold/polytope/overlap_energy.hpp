@@ -4,23 +4,15 @@
 #include <vector>
 
 #include "manifold/polytope/overlap_solid.hpp"
+#include "math/symmetric_matrix.hpp"
 
 namespace cmb {
 
-// A homogeneous quadratic polynomial of (place, 1).
+// A quadratic polynomial of a place x: x . (squares x) - 2 linear . x + constant.
 struct Quadric {
-  double xx = 0.0, yy = 0.0, zz = 0.0, yz = 0.0, zx = 0.0, xy = 0.0;
+  convex::SymmetricMatrix squares;
   Vec3 linear;
   double constant = 0.0;
-
-  // Adds weight * below^2, with below = offset - normal . place.
-  void add_square(double weight, const Vec3 &normal, double offset) {
-    const Vec3 scaled = weight * normal;
-    xx += scaled.x * normal.x, yy += scaled.y * normal.y, zz += scaled.z * normal.z;
-    yz += scaled.y * normal.z, zx += scaled.z * normal.x, xy += scaled.x * normal.y;
-    linear = linear - offset * scaled;
-    constant += weight * offset * offset;
-  }
 };
 
 // With the depth s_f of a place below face f, each body stores
@@ -39,7 +31,7 @@ class OverlapEnergy {
             const Pose &b_in_axes);
 
   double energy() const { return energy_; }
-  // On A; torque about the solid's origin.
+  // On A; torque about the overlap's middle.
   const Vec3 &force() const { return force_; }
   const Vec3 &torque() const { return torque_; }
 
@@ -47,17 +39,14 @@ class OverlapEnergy {
   // A body's soft least mean square, as a sum of weighted squares of depths.
   struct Depth {
     double least = 0.0;
-    Quadric squares;
-    Vec3 slope, moment;  // means over the overlap of the squares' gradient, and of place x gradient
+    Quadric squares;  // of places from the overlap's middle
+    Vec3 moment;      // the mean over the overlap of place x the squares' gradient
   };
   void weigh(const OverlapSolid &solid, const ContactPolytope &body, const Pose &in_axes, Depth &depth);
 
-  struct Face {
-    Vec3 normal;
-    double offset, mean_square;
-  };
-  std::vector<double> below_;  // of the overlap's middle, by face
-  std::vector<Face> faces_;    // that count
+  std::vector<double> below_, mean_square_;  // by face: of the overlap's middle, over the overlap
+  std::vector<std::int32_t> near_;           // faces that count
+  std::vector<double> part_;                 // in step: least mean square by the face's
   double energy_ = 0.0;
   Vec3 force_, torque_;
 };

@@ -350,9 +350,9 @@ bool OverlapSolid::find_moments() {
   volume_ = volume / 3.0;
   middle_ = (0.25 / volume) * first;
   const double part = 0.05 / volume;
-  spread_[0] = part * xx - middle_.x * middle_.x, spread_[1] = part * yy - middle_.y * middle_.y;
-  spread_[2] = part * zz - middle_.z * middle_.z, spread_[3] = part * yz - middle_.y * middle_.z;
-  spread_[4] = part * zx - middle_.z * middle_.x, spread_[5] = part * xy - middle_.x * middle_.y;
+  const Vec3 &m = middle_;
+  spread_ = {{part * xx - m.x * m.x, part * yy - m.y * m.y, part * zz - m.z * m.z, part * yz - m.y * m.z, part * zx - m.z * m.x,
+              part * xy - m.x * m.y}};
   return true;
 }
 

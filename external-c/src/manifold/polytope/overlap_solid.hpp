@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "manifold/polytope/contact_side.hpp"
+#include "math/symmetric_matrix.hpp"
 
 namespace cmb {
 
@@ -48,8 +49,8 @@ class OverlapSolid {
   const std::vector<Vec3> &points() const { return points_; }
   double volume() const { return volume_; }
   const Vec3 &middle() const { return middle_; }
-  // The mean of the products of coordinates, from the middle: xx, yy, zz, yz, zx, xy.
-  const double (&spread() const)[6] { return spread_; }
+  // The mean of the products of coordinates, from the middle.
+  const convex::SymmetricMatrix &spread() const { return spread_; }
 
  private:
   // A corner of a polygon, and the plane of the other body beyond which it is farthest.
@@ -117,7 +118,8 @@ class OverlapSolid {
   double size_ = 0.0, fading_ = 0.0;
   bool fades_ = false;
   Vec3 origin_, middle_;
-  double volume_ = 0.0, spread_[6] = {};
+  double volume_ = 0.0;
+  convex::SymmetricMatrix spread_;
 };
 
 }  // namespace cmb
