@@ -95,7 +95,7 @@ bool elastic_contact(const ContactPolytope &a, const Pose &pose_a, const Contact
   // All are as deep as stores the energy; where bodies are that deep in each other that nothing pushes much, no deeper than this.
   constexpr double deepest = 4.0;
   const double depth = std::fmin(2.0 * energy / (load * sum), deepest * std::sqrt(2.0 * energy));
-  const Vec3 at = solid.origin() + solid.middle() + lever;
+  const Vec3 at = solid.middle() + lever;
   for (int k = 0; k < count; ++k) {
     const double length = norm(forces[k]);
     if (!(length > 0.0)) continue;

@@ -127,7 +127,7 @@ void OverlapEnergy::weigh(const OverlapSolid &solid, const ContactPolytope &body
     for (std::vector<double> *const room : {&below_, &mean_square_, &part_}) room->resize(count + 1);
     near_.resize(count + 1);
   }
-  const Vec3 middle = transposed_times(in_axes.rotation, solid.middle() + solid.origin() - in_axes.translation);
+  const Vec3 middle = transposed_times(in_axes.rotation, solid.middle() - in_axes.translation);
   const SymmetricMatrix spread = turned(transposed(in_axes.rotation), solid.spread());
   double *const below = below_.data(), *const mean_square = mean_square_.data(), *const part = part_.data();
   find_mean_squares(count, x, y, z, body.face_offsets(), middle, spread, below, mean_square);

@@ -21,7 +21,7 @@ constexpr double same_plane_cosine = 1.0 - 1e-12, fading_cosine = 0.995, fading_
 }  // namespace
 
 double OverlapSolid::share(const Plane &plane, const Vec3 &p) const {
-  return convex::within_unit(0.5 + 0.5 * (plane.below(p + origin_)) / fading_);
+  return convex::within_unit(0.5 + 0.5 * plane.below(p) / fading_);
 }
 
 OverlapSolid::Plane OverlapSolid::Body::plane_of(std::int32_t face) const {
@@ -32,6 +32,7 @@ OverlapSolid::Plane OverlapSolid::Body::plane_of(std::int32_t face) const {
 
 bool OverlapSolid::find(const ContactPolytope &a, const Pose &a_in_axes, const ContactPolytope &b, const Pose &b_in_axes) {
   size_ = std::fmin(a.geometry().radius(), b.geometry().radius());
+  tolerance_ = 1e-15 * size_;
   a_.in_axes = a_in_axes;
   b_.in_axes = b_in_axes;
   // A lies above: it is mirrored.
@@ -50,12 +51,11 @@ bool OverlapSolid::find(const ContactPolytope &a, const Pose &a_in_axes, const C
   if (a_.few_planes && b_.few_planes && (!keep_cutting(b_, a_) || !keep_cutting(a_, b_))) return false;
   find_alike();
   start_search();
-  points_.clear();
+  first_ = 0;
   cut_faces_of_a();
   cut_faces_of_b();
   if (pieces_a_.empty() && pieces_b_.empty()) return false;
-  set_origin();
-  return find_moments();
+  return find_moments(find_apex());
 }
 
 void OverlapSolid::start_search() {
@@ -71,20 +71,31 @@ void OverlapSolid::start_search() {
 void OverlapSolid::look_at(Body &body, double sense) {
   const ContactSide &side = body.side;
   body.side.near_faces(faces_);
-  body.planes.clear();
-  for (const std::int32_t f : faces_) body.planes.push_back(body.plane_of(f));
+  body.planes.resize(faces_.size());
+  for (std::size_t k = 0; k < faces_.size(); ++k) {
+    const Plane own = body.plane_of(faces_[k]);
+    Plane &plane = body.planes[k];  // written member by member, which does not wait for a copy
+    plane.normal.x = own.normal.x, plane.normal.y = own.normal.y, plane.normal.z = own.normal.z;
+    plane.offset = own.offset, plane.face = own.face;
+  }
   body.few_planes = faces_.size() <= few_planes;
   body.last_plane = faces_.front();
   body.outline.clear();
   if (!body.few_planes) return;
-  const auto true_place = [sense](const Vec3 &p) { return Vec3{p.x, p.y, sense * p.z}; };
-  for (std::size_t k = 0; k < side.inside_count(); ++k) body.outline.push_back(true_place(side.at(index(side.inside(k)))));
+  body.outline.resize(side.inside_count() + side.edge_count());
+  Vec3 *outline = body.outline.data();
+  for (std::size_t k = 0; k < side.inside_count(); ++k, ++outline) {
+    const Vec3 at = side.at(index(side.inside(k)));
+    outline->x = at.x, outline->y = at.y, outline->z = sense * at.z;
+  }
   const double limit = side.limit();
   for (std::size_t k = 0; k < side.edge_count(); ++k) {
     const Vec3 from = side.at(index(side.edge(k).vertex[0])), to = side.at(index(side.edge(k).vertex[1]));
-    if (to.z > limit) continue;
-    body.outline.push_back(true_place(from + ((from.z - limit) / (from.z - to.z)) * (to - from)));
+    const double part = (from.z - limit) / (from.z - to.z);
+    outline->x = from.x + part * (to.x - from.x), outline->y = from.y + part * (to.y - from.y), outline->z = sense * limit;
+    outline += to.z > limit ? 0 : 1;
   }
+  body.outline.resize(static_cast<std::size_t>(outline - body.outline.data()));
 }
 
 // Drops the planes that have all of the other body's part before them. False where a plane has none of it.
@@ -105,34 +116,14 @@ bool OverlapSolid::keep_cutting(Body &body, const Body &other) const {
   return true;
 }
 
-// Of few planes the one beyond which the corner is farthest and that is not done, of many the farthest.
-void OverlapSolid::find_plane(Body &body, Corner &corner) {
-  if (!body.few_planes) {
-    find_farthest_plane(body, corner);
-    // What is at the border may be beyond it by rounding.
-    if (std::find(done_faces_.begin(), done_faces_.end(), corner.plane) != done_faces_.end()) corner.below = HUGE_VAL;
-    return;
-  }
-  corner.plane = 0;
-  corner.below = HUGE_VAL;
-  const Plane *const planes = body.planes.data();
-  const auto count = static_cast<std::int32_t>(body.planes.size());
-  for (std::int32_t k = 0; k < count; ++k) {
-    const double below = planes[k].below(corner.at);
-    const bool beyond = (below < corner.below) & ((done_ >> k & 1) == 0);
-    corner.below = beyond ? below : corner.below;
-    corner.plane = beyond ? k : corner.plane;
-  }
-}
-
-// Beyond which the corner is by the greatest part of the body's own reach: a linear function on the corners of the polar body, which has
+// Beyond which the place is by the greatest part of the body's own reach: a linear function on the corners of the polar body, which has
 // no maximum but one.
-void OverlapSolid::find_farthest_plane(Body &body, Corner &corner) {
+void OverlapSolid::find_farthest_plane(Body &body, const Vec3 &where, std::int32_t &plane, double &below) {
   const convex::Polytope &geometry = body.geometry();
   const convex::Polytope::Face *const faces = geometry.faces().data();
   const Vec3 *const polar = body.side.body().polar_corners().data();
   const std::int32_t *const across = body.side.body().faces_across().data();
-  const Vec3 place = transposed_times(body.in_axes.rotation, corner.at - body.in_axes.translation), at = place - geometry.center();
+  const Vec3 place = transposed_times(body.in_axes.rotation, where - body.in_axes.translation), at = place - geometry.center();
   std::int32_t best = body.last_plane, from = -1;
   double farthest = dot(polar[best], at);
   for (std::int32_t next_best = best;; best = next_best) {
@@ -147,8 +138,8 @@ void OverlapSolid::find_farthest_plane(Body &body, Corner &corner) {
     if (next_best == best) break;
     from = best;
   }
-  body.last_plane = corner.plane = best;
-  corner.below = faces[best].offset - dot(faces[best].normal, place);
+  body.last_plane = plane = best;
+  below = faces[best].offset - dot(faces[best].normal, place);
 }
 
 // Of many planes only those that may be one, as fine tessellations have none that are as good as parallel for long.
@@ -165,79 +156,204 @@ void OverlapSolid::find_alike() {
   }
 }
 
+void OverlapSolid::look_at_vertex(const Body &body, std::int32_t vertex, Body &other, Corner &corner) {
+  const Vec3 at = body.in_axes(body.geometry().vertices()[index(vertex)]);
+  corner.at.x = at.x, corner.at.y = at.y, corner.at.z = at.z;
+  if (!other.few_planes) {
+    find_farthest_plane(other, at, corner.plane, corner.below);
+    return;
+  }
+  const Plane *const planes = other.planes.data();
+  std::uint64_t beyond = 0;
+  for (std::size_t k = 0; k < other.planes.size(); ++k) {
+    beyond |= static_cast<std::uint64_t>(planes[k].below(at) < -tolerance_) << k;
+  }
+  corner.beyond = beyond;
+}
+
 void OverlapSolid::start_polygon(Body &body, const Plane &face, Body &other) {
   const convex::Polytope::Face &corners = body.geometry().faces()[index(face.face)];
   const std::int32_t *const vertices = body.geometry().face_vertices().data() + corners.first;
-  polygon_.clear();
+  count_ = index(corners.count);
+  make_room();
   done_ = 0;
   done_faces_.clear();
-  for (std::int32_t i = 0; i < corners.count; ++i) {
+  beyond_any_ = 0;
+  beyond_all_ = ~std::uint64_t{0};
+  Vec3 *const polygon = points_.data() + first_;
+  for (std::size_t i = 0; i < count_; ++i) {
     Body::Mark &mark = body.marks[index(vertices[i])];
     if (mark.search != search_) {
-      mark = {search_, static_cast<std::int32_t>(body.corners.size())};
-      body.corners.push_back({body.in_axes(body.geometry().vertices()[index(vertices[i])]), -1, 0.0});
-      find_plane(other, body.corners.back());
+      mark.search = search_;
+      mark.place = static_cast<std::int32_t>(body.corners.size());
+      look_at_vertex(body, vertices[i], other, body.corners.emplace_back());
     }
-    polygon_.push_back(body.corners[index(mark.place)]);
+    const Corner &corner = body.corners[index(mark.place)];
+    polygon[i].x = corner.at.x, polygon[i].y = corner.at.y, polygon[i].z = corner.at.z;
+    beyond_any_ |= corner.beyond;
+    beyond_all_ &= corner.beyond;
+    if (other.few_planes) continue;
+    farthest_[i] = corner.plane;
+    below_[i] = corner.below;
   }
 }
 
-// A plane that shall not cut the polygon. The numbers of corners that it concerns are forgotten.
+// For the polygon and one corner more.
+void OverlapSolid::make_room() {
+  const std::size_t needed = count_ + 1;
+  if (points_.size() < first_ + needed) points_.resize(2 * (first_ + needed));
+  if (below_cut_.size() >= needed) return;
+  below_cut_.resize(2 * needed);
+  below_.resize(2 * needed);
+  farthest_.resize(2 * needed);
+}
+
+// A plane that shall not cut the polygon. The corners that are farthest beyond it are looked at anew.
 void OverlapSolid::leave_out(const Body &other, std::size_t plane) {
-  const std::int32_t number = other.few_planes ? static_cast<std::int32_t>(plane) : other.planes[plane].face;
-  set_done(other, number);
-  for (Corner &corner : polygon_) {
-    if (corner.plane == number) corner.plane = -1;
-  }
-}
-
-void OverlapSolid::set_done(const Body &other, std::int32_t plane) {
   if (other.few_planes) {
     done_ |= std::uint64_t{1} << plane;
-  } else {
-    done_faces_.push_back(plane);
+    return;
   }
+  const std::int32_t face = other.planes[plane].face;
+  done_faces_.push_back(face);
+  for (std::size_t i = 0; i < count_; ++i) farthest_[i] = farthest_[i] == face ? -1 : farthest_[i];
 }
 
 // Leaves of the polygon what lies in the other body, but for planes that are done already.
 void OverlapSolid::cut_by(Body &other) {
-  const double tolerance = 1e-15 * size_;
-  for (;;) {
-    std::int32_t worst = -1;
-    double least = -tolerance;
-    for (Corner &corner : polygon_) {
-      if (corner.plane < 0) find_plane(other, corner);
-      const bool worse = corner.below < least;
-      worst = worse ? corner.plane : worst;
-      least = worse ? corner.below : least;
-    }
-    if (worst < 0) return;
-    set_done(other, worst);
-    cut(other.numbered(worst));
+  if (other.few_planes) {
+    cut_by_few(other);
+  } else {
+    cut_by_many(other);
   }
 }
 
-// Leaves of the polygon what lies below the plane. New corners have no face yet.
-void OverlapSolid::cut(const Plane &plane) {
-  cut_polygon_.clear();
-  const Corner *last = &polygon_.back();
-  double from = plane.below(last->at);
-  for (const Corner &corner : polygon_) {
-    const double to = plane.below(corner.at);
-    if ((from >= 0.0) != (to >= 0.0)) {
-      cut_polygon_.push_back({last->at + (from / (from - to)) * (corner.at - last->at), -1, 0.0});
-    }
-    if (to >= 0.0) cut_polygon_.push_back(corner);
-    last = &corner, from = to;
+// New corners lie between old ones: no further planes concern them.
+void OverlapSolid::cut_by_few(const Body &other) {
+  if ((beyond_all_ & ~done_) != 0) count_ = 0;
+  for (std::uint64_t left = beyond_any_ & ~done_; left != 0 && count_ != 0; left &= left - 1) {
+    cut(other.planes[static_cast<std::size_t>(__builtin_ctzll(left))]);
   }
-  polygon_.swap(cut_polygon_);
-  if (polygon_.size() < 3) polygon_.clear();
+}
+
+// By the plane beyond which a corner is farthest, again and again.
+void OverlapSolid::cut_by_many(Body &other) {
+  for (;;) {
+    std::int32_t worst = -1;
+    double least = -tolerance_;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (farthest_[i] < 0) {
+        find_farthest_plane(other, points_[first_ + i], farthest_[i], below_[i]);
+        // What is at the border may be beyond it by rounding.
+        if (std::find(done_faces_.begin(), done_faces_.end(), farthest_[i]) != done_faces_.end()) below_[i] = HUGE_VAL;
+      }
+      const bool worse = below_[i] < least;
+      worst = worse ? farthest_[i] : worst;
+      least = worse ? below_[i] : least;
+    }
+    if (worst < 0) return;
+    done_faces_.push_back(worst);
+    other.last_plane = worst;
+    cut(other.plane_of(worst));
+  }
+}
+
+// Leaves of the polygon what lies below the plane. New corners have no farthest plane yet.
+void OverlapSolid::cut(const Plane &plane) {
+  constexpr std::size_t most_in_set = 64;
+  make_room();
+  const std::size_t count = count_;
+  Vec3 *const polygon = points_.data() + first_;
+  double *const below = below_cut_.data();
+  std::uint64_t beyond = 0;
+  std::size_t within = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double here = plane.below(polygon[i]);
+    below[i] = here;
+    within += here >= 0.0 ? 1 : 0;
+    beyond |= static_cast<std::uint64_t>(!(here >= 0.0)) << (i % most_in_set);
+  }
+  if (within == count) return;
+  if (within == 0) {
+    count_ = 0;
+    return;
+  }
+  // The corners beyond follow each other but for rounding.
+  if (count > most_in_set) {
+    cut_ragged();
+    return;
+  }
+  const std::uint64_t after_other = beyond << 1 | beyond >> (count - 1), before_other = beyond >> 1 | (beyond & 1) << (count - 1);
+  const std::uint64_t firsts = beyond & ~after_other, lasts = beyond & ~before_other;
+  if ((firsts & (firsts - 1)) != 0) {
+    cut_ragged();
+    return;
+  }
+  const auto first = static_cast<std::size_t>(__builtin_ctzll(firsts)), last = static_cast<std::size_t>(__builtin_ctzll(lasts));
+  const std::size_t before = first == 0 ? count - 1 : first - 1, after = last + 1 == count ? 0 : last + 1;
+  const Vec3 &p = polygon[before], &q = polygon[first], &r = polygon[last], &s = polygon[after];
+  const Vec3 leaves = p + (below[before] / (below[before] - below[first])) * (q - p);
+  const Vec3 enters = r + (below[last] / (below[last] - below[after])) * (s - r);
+  cut_out(first, last, leaves, enters);
+}
+
+// Two corners in place of those from `first` to `last`, in turn.
+void OverlapSolid::cut_out(std::size_t first, std::size_t last, const Vec3 &leaves, const Vec3 &enters) {
+  Vec3 *const polygon = points_.data() + first_;
+  double *const below = below_.data();
+  std::int32_t *const farthest = farthest_.data();
+  const auto move = [&](std::size_t from, std::size_t to) {
+    polygon[to].x = polygon[from].x, polygon[to].y = polygon[from].y, polygon[to].z = polygon[from].z;
+    below[to] = below[from], farthest[to] = farthest[from];
+  };
+  const auto put = [&](std::size_t to, const Vec3 &at) {
+    polygon[to].x = at.x, polygon[to].y = at.y, polygon[to].z = at.z;
+    farthest[to] = -1;
+  };
+  if (first > last) {  // across the end
+    for (std::size_t i = last + 1; last > 0 && i < first; ++i) move(i, i - last);
+    put(0, enters);
+    put(first - last, leaves);
+    count_ = first - last + 1;
+    return;
+  }
+  const std::size_t after = last + 1;
+  if (first == last) {
+    for (std::size_t i = count_; i > after; --i) move(i - 1, i);
+  } else if (after != first + 2) {
+    for (std::size_t i = after; i < count_; ++i) move(i, i + first + 2 - after);
+  }
+  put(first, leaves);
+  put(first + 1, enters);
+  count_ = count_ + first + 2 - after;
+}
+
+// Where the corners beyond the plane do not follow each other.
+void OverlapSolid::cut_ragged() {
+  const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(first_);
+  ragged_.assign(begin, begin + static_cast<std::ptrdiff_t>(count_));
+  ragged_below_.assign(below_cut_.begin(), below_cut_.begin() + static_cast<std::ptrdiff_t>(count_));
+  count_ = 0;
+  const auto put = [&](const Vec3 &at) {
+    make_room();
+    points_[first_ + count_] = at;
+    farthest_[count_++] = -1;
+  };
+  std::size_t last = ragged_.size() - 1;
+  for (std::size_t i = 0; i < ragged_.size(); last = i++) {
+    const double from = ragged_below_[last], to = ragged_below_[i];
+    if ((from >= 0.0) != (to >= 0.0)) put(ragged_[last] + (from / (from - to)) * (ragged_[i] - ragged_[last]));
+    if (to >= 0.0) put(ragged_[i]);
+  }
 }
 
 void OverlapSolid::append(std::vector<Piece> &pieces, const Vec3 &normal, bool bounds, bool carries, const Plane *fades) {
-  if (polygon_.empty()) return;
-  pieces.push_back({points_.size(), polygon_.size(), normal, bounds, carries, fades});
-  for (const Corner &corner : polygon_) points_.push_back(corner.at);
+  if (count_ < 3) return;
+  Piece &piece = pieces.emplace_back();
+  piece.first = first_, piece.count = count_;
+  piece.normal.x = normal.x, piece.normal.y = normal.y, piece.normal.z = normal.z;
+  piece.bounds = bounds, piece.carries = carries, piece.fades = fades;
+  first_ += count_;
 }
 
 // Of faces that lie in one plane and look the same way, A's is the surface.
@@ -250,7 +366,9 @@ void OverlapSolid::cut_faces_of_a() {
       const Plane &plane = b_.planes[alike.b];
       if (alike.a != i || !(dot(face.normal, plane.normal) > same_plane_cosine)) continue;
       alike.flush = true;
-      for (const Corner &corner : polygon_) alike.flush &= std::fabs(plane.below(corner.at)) < flush_tolerance * size_;
+      for (std::size_t k = 0; k < count_; ++k) {
+        alike.flush &= std::fabs(plane.below(points_[first_ + k])) < flush_tolerance * size_;
+      }
       if (alike.flush) leave_out(b_, alike.b);
     }
     cut_by(b_);
@@ -279,31 +397,37 @@ void OverlapSolid::cut_faces_of_b() {
 void OverlapSolid::fade(const Plane &face, const Alike &alike) {
   const Plane &beside = a_.planes[alike.a];
   double least = HUGE_VAL;
-  for (const Corner &corner : polygon_) least = std::fmin(least, beside.below(corner.at));
+  for (std::size_t k = 0; k < count_; ++k) least = std::fmin(least, beside.below(points_[first_ + k]));
   if (least >= fading_) {
     append(pieces_b_, face.normal, true, true, nullptr);
     return;
   }
   fades_ = true;
-  whole_ = polygon_;
+  const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(first_);
+  whole_.assign(begin, begin + static_cast<std::ptrdiff_t>(count_));
+  const auto take_whole = [&] {
+    count_ = whole_.size();
+    make_room();
+    std::copy(whole_.begin(), whole_.end(), points_.begin() + static_cast<std::ptrdiff_t>(first_));
+  };
   const auto leave = [&](const Plane &plane) {
-    if (!polygon_.empty()) cut(plane);
+    if (count_ != 0) cut(plane);
   };
   if (!alike.flush) {
     leave(beside);
     append(pieces_b_, face.normal, true, false, nullptr);
   }
-  polygon_ = whole_;
+  take_whole();
   leave({beside.normal, beside.offset - fading_, 0});
   append(pieces_b_, face.normal, false, true, nullptr);
-  polygon_ = whole_;
+  take_whole();
   leave({beside.normal, beside.offset + fading_, 0});
   leave({-beside.normal, fading_ - beside.offset, 0});
   append(pieces_b_, face.normal, false, true, &beside);
 }
 
-// A corner in which many faces meet, whose moments are known then.
-void OverlapSolid::set_origin() {
+// A corner of the overlap in which many faces meet, whose moments about it are none.
+Vec3 OverlapSolid::find_apex() const {
   const auto farthest = [](const ContactSide &side) {
     std::int32_t best = side.inside(0);
     for (std::size_t k = 1; k < side.inside_count(); ++k) {
@@ -318,22 +442,22 @@ void OverlapSolid::set_origin() {
     return true;
   };
   const Vec3 of_a = farthest(a_.side), of_b = farthest(b_.side), lowest{of_a.x, of_a.y, -of_a.z};
-  origin_ = below_all(b_.planes, lowest) ? lowest : below_all(a_.planes, of_b) ? of_b : points_[0];
-  for (Vec3 &p : points_) p = p - origin_;
+  return below_all(b_.planes, lowest) ? lowest : below_all(a_.planes, of_b) ? of_b : points_[0];
 }
 
-// Sums of cones from the origin over the pieces.
-bool OverlapSolid::find_moments() {
+// Sums of cones from the apex over the pieces.
+bool OverlapSolid::find_moments(const Vec3 &apex) {
   double volume = 0.0, xx = 0.0, yy = 0.0, zz = 0.0, yz = 0.0, zx = 0.0, xy = 0.0;
   Vec3 first;
   for (const std::vector<Piece> *pieces : {&pieces_a_, &pieces_b_}) {
     for (const Piece &piece : *pieces) {
       const Vec3 *const corner = points_.data() + piece.first;
-      const double height = dot(piece.normal, corner[0]);
+      const Vec3 p = corner[0] - apex;
+      const double height = dot(piece.normal, p);
       if (!piece.bounds || std::fabs(height) <= 1e-15 * size_) continue;
-      const Vec3 p = corner[0];
+      Vec3 q = corner[1] - apex;
       for (std::size_t i = 2; i < piece.count; ++i) {
-        const Vec3 &q = corner[i - 1], &r = corner[i], sum = p + q + r;
+        const Vec3 r = corner[i] - apex, sum = p + q + r;
         const double part = 0.5 * height * dot(piece.normal, cross(q - p, r - p));
         volume += part;
         first = first + part * sum;
@@ -343,14 +467,15 @@ bool OverlapSolid::find_moments() {
         yz += part * (sum.y * sum.z + p.y * p.z + q.y * q.z + r.y * r.z);
         zx += part * (sum.z * sum.x + p.z * p.x + q.z * q.x + r.z * r.x);
         xy += part * (sum.x * sum.y + p.x * p.y + q.x * q.y + r.x * r.y);
+        q = r;
       }
     }
   }
   if (!(volume > 0.0)) return false;
   volume_ = volume / 3.0;
-  middle_ = (0.25 / volume) * first;
+  const Vec3 m = (0.25 / volume) * first;
+  middle_ = apex + m;
   const double part = 0.05 / volume;
-  const Vec3 &m = middle_;
   spread_ = {{part * xx - m.x * m.x, part * yy - m.y * m.y, part * zz - m.z * m.z, part * yz - m.y * m.z, part * zx - m.z * m.x,
               part * xy - m.x * m.y}};
   return true;

@@ -44,8 +44,6 @@ class OverlapSolid {
   bool fades() const { return fades_; }
   double share(const Plane &plane, const Vec3 &p) const;
 
-  // Relative to the origin, a corner of the overlap:
-  const Vec3 &origin() const { return origin_; }
   const std::vector<Vec3> &points() const { return points_; }
   double volume() const { return volume_; }
   const Vec3 &middle() const { return middle_; }
@@ -53,11 +51,13 @@ class OverlapSolid {
   const convex::SymmetricMatrix &spread() const { return spread_; }
 
  private:
-  // A corner of a polygon, and the plane of the other body beyond which it is farthest.
+  // A vertex as the other body's planes see it: of few planes the set of those that it lies beyond, of many the one beyond which it is
+  // farthest.
   struct Corner {
     Vec3 at;
-    std::int32_t plane = -1;  // its number; negative where it is not known
-    double below = 0.0;       // negative beyond
+    std::uint64_t beyond = 0;
+    std::int32_t plane = -1;
+    double below = 0.0;  // negative beyond
   };
   // A polytope's part that may bound the overlap.
   struct Body {
@@ -77,8 +77,6 @@ class OverlapSolid {
 
     const convex::Polytope &geometry() const { return side.body().geometry(); }
     Plane plane_of(std::int32_t face) const;
-    // By the number that corners have: its place among few planes, else its face's.
-    Plane numbered(std::int32_t number) const { return few_planes ? planes[static_cast<std::size_t>(number)] : plane_of(number); }
   };
 
   // Planes of A and B that look the same way, by their places among those.
@@ -92,32 +90,42 @@ class OverlapSolid {
   void cut_faces_of_a();
   void cut_faces_of_b();
   void find_alike();
+  void look_at_vertex(const Body &body, std::int32_t vertex, Body &other, Corner &corner);
   void start_polygon(Body &body, const Plane &face, Body &other);
-  void find_plane(Body &body, Corner &corner);
-  static void find_farthest_plane(Body &body, Corner &corner);
+  void make_room();
+  static void find_farthest_plane(Body &body, const Vec3 &place, std::int32_t &plane, double &below);
   void leave_out(const Body &other, std::size_t plane);
-  void set_done(const Body &other, std::int32_t plane);
   void start_search();
   void cut_by(Body &other);
+  void cut_by_few(const Body &other);
+  void cut_by_many(Body &other);
   void cut(const Plane &plane);
+  void cut_out(std::size_t first, std::size_t last, const Vec3 &enters, const Vec3 &leaves);
+  void cut_ragged();
   void fade(const Plane &face, const Alike &alike);
   void append(std::vector<Piece> &pieces, const Vec3 &normal, bool bounds, bool carries, const Plane *fades);
-  void set_origin();
-  bool find_moments();
+  Vec3 find_apex() const;
+  bool find_moments(const Vec3 &apex);
 
   Body a_, b_;
   std::vector<std::int32_t> faces_;
-  std::vector<Corner> polygon_, cut_polygon_, whole_;
   std::vector<Alike> alike_;
-  // Planes that need not cut the polygon any more: few as a set, many by number.
-  std::uint64_t done_ = 0;
-  std::vector<std::int32_t> done_faces_;
+  // The polygon at hand: `count_` points from `first_` on. By corner: how far it is below the plane that cuts and, of many planes, the
+  // farthest plane; negative where that is not known.
+  std::size_t first_ = 0, count_ = 0;
+  std::vector<double> below_cut_, below_;
+  std::vector<std::int32_t> farthest_;
+  std::vector<Vec3> whole_, ragged_;
+  std::vector<double> ragged_below_;
+  // Few planes: those beyond which any corner lies, or all do; those that shall not cut.
+  std::uint64_t beyond_any_ = 0, beyond_all_ = 0, done_ = 0;
+  std::vector<std::int32_t> done_faces_;  // of many planes those that need not cut any more
   std::uint32_t search_ = 0;
   std::vector<Piece> pieces_a_, pieces_b_;
   std::vector<Vec3> points_;
-  double size_ = 0.0, fading_ = 0.0;
+  double size_ = 0.0, tolerance_ = 0.0, fading_ = 0.0;
   bool fades_ = false;
-  Vec3 origin_, middle_;
+  Vec3 middle_;
   double volume_ = 0.0;
   convex::SymmetricMatrix spread_;
 };
