@@ -129,6 +129,7 @@ void ContactPolytope::build_polar() {
       faces_across_[index(k)] = edge.face[edge.face[0] == static_cast<std::int32_t>(f) ? 1 : 0];
     }
   }
+  for (const std::int32_t face : faces_across_) polar_corners_across_.push_back(polar_corners_[index(face)]);
 }
 
 double ContactPolytope::share_in(std::int32_t v, std::int32_t face) const {

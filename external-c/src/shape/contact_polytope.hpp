@@ -70,8 +70,9 @@ class ContactPolytope {
   // Corners of the polar body about the center, one for each face: the face's normal divided by its distance from there. Of all faces
   // the one whose corner is farthest along a place's direction from the center is the one beyond which that place is first.
   const std::vector<Vec3> &polar_corners() const { return polar_corners_; }
-  // In step with the geometry's face_edges(): the face across.
+  // In step with the geometry's face_edges(): the face across, and its corner.
   const std::vector<std::int32_t> &faces_across() const { return faces_across_; }
+  const std::vector<Vec3> &polar_corners_across() const { return polar_corners_across_; }
 
   // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated; 0 where they stand for a curve.
   double fineness() const { return fineness_; }
@@ -112,7 +113,7 @@ class ContactPolytope {
   // Of others: the hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without
   // vertices where it could not be made.
   convex::Polytope normals_;
-  std::vector<Vec3> polar_corners_;
+  std::vector<Vec3> polar_corners_, polar_corners_across_;
   std::vector<std::int32_t> faces_across_;
 };
 

@@ -10,8 +10,8 @@ namespace cmb {
 
 namespace {
 
-// So many planes are looked at one by one.
-constexpr std::size_t few_planes = 16;
+// So many planes are looked at one by one, as members of a set. Of more than so many none fades.
+constexpr std::size_t few_planes = 24, most_that_fade = 16;
 // By the size: what is nearer to a plane lies in it.
 constexpr double flush_tolerance = 1e-9;
 // Planes whose normals have a greater cosine are one plane where they are near; where they are as good as parallel, one fades into
@@ -79,6 +79,7 @@ void OverlapSolid::look_at(Body &body, double sense) {
     plane.offset = own.offset, plane.face = own.face;
   }
   body.few_planes = faces_.size() <= few_planes;
+  body.may_fade = faces_.size() <= most_that_fade;
   body.last_plane = faces_.front();
   body.outline.clear();
   if (!body.few_planes) return;
@@ -100,16 +101,22 @@ void OverlapSolid::look_at(Body &body, double sense) {
 
 // Drops the planes that have all of the other body's part before them. False where a plane has none of it.
 bool OverlapSolid::keep_cutting(Body &body, const Body &other) const {
+  constexpr std::ptrdiff_t at_once = 4;
+  const double before = 1e-12 * size_ + 2.0 * fading_;
+  const Vec3 *const places = other.outline.data(), *const end = places + other.outline.size();
   std::size_t kept = 0;
   for (const Plane &plane : body.planes) {
     double least = HUGE_VAL, most = -HUGE_VAL;
-    for (const Vec3 &p : other.outline) {
-      const double below = plane.below(p);
-      least = below < least ? below : least;
-      most = below > most ? below : most;
+    // Mostly the first places tell.
+    for (const Vec3 *p = places; p != end && !(least <= before && most > 0.0);) {
+      for (const Vec3 *const next = end - p > at_once ? p + at_once : end; p != next; ++p) {
+        const double below = plane.below(*p);
+        least = below < least ? below : least;
+        most = below > most ? below : most;
+      }
     }
     if (!(most > 0.0)) return false;
-    if (least > 1e-12 * size_ + 2.0 * fading_) continue;
+    if (least > before) continue;
     body.planes[kept++] = plane;
   }
   body.planes.resize(kept);
@@ -118,38 +125,35 @@ bool OverlapSolid::keep_cutting(Body &body, const Body &other) const {
 
 // Beyond which the place is by the greatest part of the body's own reach: a linear function on the corners of the polar body, which has
 // no maximum but one.
-void OverlapSolid::find_farthest_plane(Body &body, const Vec3 &where, std::int32_t &plane, double &below) {
+void OverlapSolid::find_farthest_plane(const Body &body, const Vec3 &where, std::int32_t start, std::int32_t &plane, double &below) {
   const convex::Polytope &geometry = body.geometry();
   const convex::Polytope::Face *const faces = geometry.faces().data();
-  const Vec3 *const polar = body.side.body().polar_corners().data();
+  const Vec3 *const polar_across = body.side.body().polar_corners_across().data();
   const std::int32_t *const across = body.side.body().faces_across().data();
   const Vec3 place = transposed_times(body.in_axes.rotation, where - body.in_axes.translation), at = place - geometry.center();
-  std::int32_t best = body.last_plane, from = -1;
-  double farthest = dot(polar[best], at);
+  std::int32_t best = start;
+  double farthest = dot(body.side.body().polar_corners()[index(start)], at);
   for (std::int32_t next_best = best;; best = next_best) {
     const convex::Polytope::Face &face = faces[best];
     for (std::int32_t k = face.first; k < face.first + face.count; ++k) {
-      const std::int32_t next = across[k];
-      if (next == from) continue;
-      const double beyond = dot(polar[next], at);
-      next_best = beyond > farthest ? next : next_best;
+      const double beyond = dot(polar_across[k], at);
+      next_best = beyond > farthest ? across[k] : next_best;
       farthest = beyond > farthest ? beyond : farthest;
     }
     if (next_best == best) break;
-    from = best;
   }
-  body.last_plane = plane = best;
+  plane = best;
   below = faces[best].offset - dot(faces[best].normal, place);
 }
 
 // Of many planes only those that may be one, as fine tessellations have none that are as good as parallel for long.
 void OverlapSolid::find_alike() {
   alike_.clear();
-  const bool few = a_.few_planes && b_.few_planes;
-  const double least = few ? fading_cosine : same_plane_cosine;
+  const bool fade = a_.may_fade && b_.may_fade;
+  const double least = fade ? fading_cosine : same_plane_cosine;
   for (std::size_t i = 0; i < a_.planes.size(); ++i) {
     const Vec3 &normal = a_.planes[i].normal;
-    if (!few && b_.side.body().greatest_face_cosine(transposed_times(b_.in_axes.rotation, normal)) < least - 1e-9) continue;
+    if (!fade && b_.side.body().greatest_face_cosine(transposed_times(b_.in_axes.rotation, normal)) < least - 1e-9) continue;
     for (std::size_t j = 0; j < b_.planes.size(); ++j) {
       if (dot(normal, b_.planes[j].normal) > least) alike_.push_back({i, j, false});
     }
@@ -160,7 +164,8 @@ void OverlapSolid::look_at_vertex(const Body &body, std::int32_t vertex, Body &o
   const Vec3 at = body.in_axes(body.geometry().vertices()[index(vertex)]);
   corner.at.x = at.x, corner.at.y = at.y, corner.at.z = at.z;
   if (!other.few_planes) {
-    find_farthest_plane(other, at, corner.plane, corner.below);
+    find_farthest_plane(other, at, other.last_plane, corner.plane, corner.below);
+    other.last_plane = corner.plane;
     return;
   }
   const Plane *const planes = other.planes.data();
@@ -220,7 +225,7 @@ void OverlapSolid::leave_out(const Body &other, std::size_t plane) {
 }
 
 // Leaves of the polygon what lies in the other body, but for planes that are done already.
-void OverlapSolid::cut_by(Body &other) {
+void OverlapSolid::cut_by(const Body &other) {
   if (other.few_planes) {
     cut_by_few(other);
   } else {
@@ -237,13 +242,15 @@ void OverlapSolid::cut_by_few(const Body &other) {
 }
 
 // By the plane beyond which a corner is farthest, again and again.
-void OverlapSolid::cut_by_many(Body &other) {
+void OverlapSolid::cut_by_many(const Body &other) {
+  std::int32_t worst = other.last_plane;
   for (;;) {
-    std::int32_t worst = -1;
+    const std::int32_t start = worst;
+    worst = -1;
     double least = -tolerance_;
     for (std::size_t i = 0; i < count_; ++i) {
       if (farthest_[i] < 0) {
-        find_farthest_plane(other, points_[first_ + i], farthest_[i], below_[i]);
+        find_farthest_plane(other, points_[first_ + i], start, farthest_[i], below_[i]);
         // What is at the border may be beyond it by rounding.
         if (std::find(done_faces_.begin(), done_faces_.end(), farthest_[i]) != done_faces_.end()) below_[i] = HUGE_VAL;
       }
@@ -253,7 +260,6 @@ void OverlapSolid::cut_by_many(Body &other) {
     }
     if (worst < 0) return;
     done_faces_.push_back(worst);
-    other.last_plane = worst;
     cut(other.plane_of(worst));
   }
 }

@@ -66,6 +66,7 @@ class OverlapSolid {
     std::vector<Plane> planes;
     std::vector<Vec3> outline;  // corners of the convex body that is left of it between both bodies' reaches
     bool few_planes = true;     // few enough to look at all of them
+    bool may_fade = true;       // one into the other body's
     std::int32_t last_plane = 0;
     // Vertices that were looked at, and for each vertex in which search and where.
     struct Mark {
@@ -93,12 +94,12 @@ class OverlapSolid {
   void look_at_vertex(const Body &body, std::int32_t vertex, Body &other, Corner &corner);
   void start_polygon(Body &body, const Plane &face, Body &other);
   void make_room();
-  static void find_farthest_plane(Body &body, const Vec3 &place, std::int32_t &plane, double &below);
+  static void find_farthest_plane(const Body &body, const Vec3 &where, std::int32_t start, std::int32_t &plane, double &below);
   void leave_out(const Body &other, std::size_t plane);
   void start_search();
-  void cut_by(Body &other);
+  void cut_by(const Body &other);
   void cut_by_few(const Body &other);
-  void cut_by_many(Body &other);
+  void cut_by_many(const Body &other);
   void cut(const Plane &plane);
   void cut_out(std::size_t first, std::size_t last, const Vec3 &enters, const Vec3 &leaves);
   void cut_ragged();
