@@ -86,27 +86,63 @@ void ContactSide::find_seen() {
   perturb_all(perturbation_, vertex_count_, x_.data(), y_.data(), z_.data(), perturbed_x_.data(), perturbed_y_.data());
 }
 
-void ContactSide::gather_by_sets(double limit) {
-  const convex::Polytope &geometry = body_->geometry();
+// And the faces at them.
+ContactSide::Sets ContactSide::find_inside(double limit) {
   // Which are beyond the limit is unpredictable: no branch.
-  std::uint64_t inside = 0, edge_set = 0, face_set = 0;
+  Sets sets;
+  std::uint64_t face_set = 0;
   std::size_t inside_count = 0;
-  const double *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
+  const double *const z = z_.data();
   const ContactPolytope::Incidence *const incidence = &body_->incidence(0);
   std::int32_t *const inside_list = inside_.data();
   for (std::size_t v = 0; v < vertex_count_; ++v) {
     const auto is_inside = static_cast<std::uint64_t>(z[v] > limit);
     inside_list[inside_count] = static_cast<std::int32_t>(v);
     inside_count += is_inside;
-    inside |= is_inside << v;
-    edge_set |= incidence[v].edges & (0 - is_inside);
+    sets.inside |= is_inside << v;
+    sets.edges |= incidence[v].edges & (0 - is_inside);
     face_set |= incidence[v].faces & (0 - is_inside);
   }
+  inside_count_ = inside_count;
+  face_set_ = face_set;
+  return sets;
+}
+
+std::size_t ContactSide::gather_outline(double limit, double sense, std::vector<Vec3> &outline) {
+  faces_gathered_ = false;
+  limit_ = limit;
+  const Sets sets = find_inside(limit);
+  const convex::Polytope &geometry = body_->geometry();
+  const std::size_t most = geometry.vertices().size() + geometry.edges().size();
+  if (outline.size() < most) outline.resize(most);
+  const double *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
+  Vec3 *place = outline.data();
+  for (std::size_t k = 0; k < inside_count_; ++k, ++place) {
+    const std::size_t v = index(inside_[k]);
+    place->x = x[v], place->y = y[v], place->z = sense * z[v];
+  }
+  const double level = sense * limit;
+  const convex::Polytope::Edge *const edges = geometry.edges().data();
+  for (std::uint64_t left = sets.edges; left != 0;) {
+    const std::int32_t *const ends = edges[take_lowest(left)].vertex;
+    const std::size_t from = index(ends[0]), to = index(ends[1]);
+    const double part = (z[from] - limit) / (z[from] - z[to]);
+    place->x = x[from] + part * (x[to] - x[from]), place->y = y[from] + part * (y[to] - y[from]), place->z = level;
+    place += 1 - (sets.inside >> from & sets.inside >> to & 1);  // unless both ends are beyond
+  }
+  return static_cast<std::size_t>(place - outline.data());
+}
+
+void ContactSide::gather_by_sets(double limit) {
+  const convex::Polytope &geometry = body_->geometry();
+  const Sets sets = find_inside(limit);
+  const std::uint64_t inside = sets.inside;
+  const double *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
   const convex::Polytope::Edge *const all_edges = geometry.edges().data();
   Edge *edge = edges_.data();
   Extent extent;
-  while (edge_set != 0) {
-    const std::int32_t number = take_lowest(edge_set);
+  for (std::uint64_t left = sets.edges; left != 0;) {
+    const std::int32_t number = take_lowest(left);
     const std::int32_t *const ends = all_edges[number].vertex;
     const std::size_t to_first = 1 - (inside >> ends[0] & 1);  // from an end beyond the limit
     const std::int32_t self = ends[to_first], other = ends[1 - to_first];
@@ -119,9 +155,7 @@ void ContactSide::gather_by_sets(double limit) {
     ++edge;
   }
   edge_count_ = static_cast<std::size_t>(edge - edges_.data());
-  inside_count_ = inside_count;
   extent_ = extent;
-  face_set_ = face_set;
 }
 
 void ContactSide::make_room() {

@@ -64,6 +64,9 @@ class ContactSide {
   void place(const ContactPolytope &body, const Pose &to_side, const Perturbation &perturbation);
   // Gathers what lies beyond `limit`: z > limit.
   void gather(double limit);
+  // Gathers vertices and faces alone; the first ones of `outline`, so many as are returned, become the corners of the part beyond
+  // the limit, z times `sense` (1 or -1). For bodies that have sets and are not perturbed.
+  std::size_t gather_outline(double limit, double sense, std::vector<Vec3> &outline);
 
   double limit() const { return limit_; }
   // The faces that reach beyond the limit.
@@ -83,6 +86,7 @@ class ContactSide {
   std::int32_t number(std::size_t k) const { return number_[k]; }
   Vec3 at(std::size_t k) const { return {x_[k], y_[k], z_[k]}; }
   double height(std::size_t k) const { return z_[k]; }
+  const double *heights() const { return z_.data(); }
   const double *seen_x() const { return perturbation_.is_none() ? x_.data() : perturbed_x_.data(); }
   const double *seen_y() const { return perturbation_.is_none() ? y_.data() : perturbed_y_.data(); }
   // The vertices beyond the limit among them.
@@ -100,6 +104,10 @@ class ContactSide {
  private:
   void make_room();
   // Of polytopes that have sets: by looking at all vertices.
+  struct Sets {
+    std::uint64_t inside = 0, edges = 0;
+  };
+  Sets find_inside(double limit);
   void gather_by_sets(double limit);
   // The vertices beyond a plane hang together: they are found from the farthest one along the edges.
   void gather_from_summit(double limit);

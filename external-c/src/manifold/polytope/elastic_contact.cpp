@@ -24,7 +24,8 @@ struct Spread2 {
   Plane2 operator*(const Plane2 &p) const { return {uu * p.u + uv * p.v, uv * p.u + vv * p.v}; }
   // Positive semidefinite.
   Spread2 root() const {
-    const double part = std::sqrt(std::fmax(0.0, uu * vv - uv * uv)), trace = uu + vv + 2.0 * part;
+    const double determinant = uu * vv - uv * uv, part = std::sqrt(determinant > 0.0 ? determinant : 0.0);
+    const double trace = uu + vv + 2.0 * part;
     const double scale = trace > 0.0 ? 1.0 / std::sqrt(trace) : 0.0;
     return {scale * (uu + part), scale * (vv + part), scale * uv};
   }
@@ -72,7 +73,7 @@ bool elastic_contact(const ContactPolytope &a, const Pose &pose_a, const Contact
     const Vec3 corner = a_in_axes.rotation * Vec3{corners[k][0], corners[k][1], corners[k][2]};
     ways[k] = root * Plane2{dot(corner, u), dot(corner, v)};
     leans[k] = tilt.u * ways[k].u + tilt.v * ways[k].v;
-    most = std::fmax(most, -leans[k]);
+    most = -leans[k] > most ? -leans[k] : most;
   }
   // Loads are not negative: rather the points come nearer to the load.
   double shares[count], sum = 0.0, inertia = 0.0;
@@ -81,25 +82,34 @@ bool elastic_contact(const ContactPolytope &a, const Pose &pose_a, const Contact
     shares[k] = (1.0 + leans[k] / most) / count;
     center.u += shares[k] * ways[k].u, center.v += shares[k] * ways[k].v;
   }
-  Vec3 arms[count];
+  Plane2 arms[count];
   for (int k = 0; k < count; ++k) {
-    arms[k] = (ways[k].u - center.u) * u + (ways[k].v - center.v) * v;
-    inertia += shares[k] * norm2(arms[k]);
+    arms[k] = {ways[k].u - center.u, ways[k].v - center.v};
+    inertia += shares[k] * (arms[k].u * arms[k].u + arms[k].v * arms[k].v);
   }
+  // Loads by share: the load's direction, turned about it by what the twist asks for.
   const double twist = inertia > 0.0 ? dot(along, overlap.torque()) / (load * inertia) : 0.0;
-  Vec3 forces[count];
+  double lengths[count];
   for (int k = 0; k < count; ++k) {
-    forces[k] = shares[k] * (along + twist * cross(along, arms[k]));
-    sum += norm(forces[k]);
+    lengths[k] = std::sqrt(1.0 + twist * twist * (arms[k].u * arms[k].u + arms[k].v * arms[k].v));
+    sum += shares[k] * lengths[k];
   }
   // All are as deep as stores the energy; where bodies are that deep in each other that nothing pushes much, no deeper than this.
   constexpr double deepest = 4.0;
-  const double depth = std::fmin(2.0 * energy / (load * sum), deepest * std::sqrt(2.0 * energy));
-  const Vec3 at = solid.middle() + lever;
+  const double stores = 2.0 * energy / (load * sum), most_deep = deepest * std::sqrt(2.0 * energy);
+  const double depth = stores < most_deep ? stores : most_deep, by_share = load / depth;
+  const Vec3 at = axes(solid.middle() + lever);
+  const Vec3 world_along = axes.rotation * along, world_u = axes.rotation * u, world_v = axes.rotation * v;
   for (int k = 0; k < count; ++k) {
-    const double length = norm(forces[k]);
-    if (!(length > 0.0)) continue;
-    points.push_back({depth, load * length / depth, axes.rotation * ((1.0 / length) * forces[k]), axes(at + arms[k])});
+    if (!(shares[k] > 0.0)) continue;
+    const Plane2 &arm = arms[k];
+    const double part = 1.0 / lengths[k], turn = twist * part;
+    const Vec3 direction = part * world_along + (turn * arm.u) * world_v - (turn * arm.v) * world_u;
+    const Vec3 position = at + arm.u * world_u + arm.v * world_v;
+    ContactPoint &point = points.emplace_back();  // written member by member, which does not wait for a copy
+    point.depth = depth, point.weight = by_share * shares[k] * lengths[k];
+    point.normal.x = direction.x, point.normal.y = direction.y, point.normal.z = direction.z;
+    point.position.x = position.x, point.position.y = position.y, point.position.z = position.z;
   }
   return true;
 }

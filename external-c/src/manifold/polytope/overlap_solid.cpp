@@ -18,6 +18,14 @@ constexpr double flush_tolerance = 1e-9;
 // the other, within this part of the depth.
 constexpr double same_plane_cosine = 1.0 - 1e-12, fading_cosine = 0.995, fading_part = 0.05;
 
+// Adds `bit` to the sets of the places that are beyond a plane. Arrays that do not overlap, so that compilers make vectors of them.
+void mark_beyond(double normal_x, double normal_y, double normal_z, double offset, std::uint64_t bit, std::size_t count,
+                 const double *__restrict x, const double *__restrict y, const double *__restrict z, std::uint64_t *__restrict sets) {
+  for (std::size_t k = 0; k < count; ++k) {
+    sets[k] |= normal_x * x[k] + normal_y * y[k] + normal_z * z[k] > offset ? bit : 0;
+  }
+}
+
 }  // namespace
 
 double OverlapSolid::share(const Plane &plane, const Vec3 &p) const {
@@ -31,7 +39,7 @@ OverlapSolid::Plane OverlapSolid::Body::plane_of(std::int32_t face) const {
 }
 
 bool OverlapSolid::find(const ContactPolytope &a, const Pose &a_in_axes, const ContactPolytope &b, const Pose &b_in_axes) {
-  size_ = std::fmin(a.geometry().radius(), b.geometry().radius());
+  size_ = a.geometry().radius() < b.geometry().radius() ? a.geometry().radius() : b.geometry().radius();
   tolerance_ = 1e-15 * size_;
   a_.in_axes = a_in_axes;
   b_.in_axes = b_in_axes;
@@ -44,13 +52,14 @@ bool OverlapSolid::find(const ContactPolytope &a, const Pose &a_in_axes, const C
   const double thickness = a_.side.reach() + b_.side.reach();
   if (!(thickness > 0.0)) return false;
   fading_ = fading_part * thickness;
-  a_.side.gather(-b_.side.reach());
-  b_.side.gather(-a_.side.reach());
-  look_at(a_, -1.0);
-  look_at(b_, 1.0);
+  a_.sense = -1.0;
+  look_at(a_, -b_.side.reach());
+  look_at(b_, -a_.side.reach());
   if (a_.few_planes && b_.few_planes && (!keep_cutting(b_, a_) || !keep_cutting(a_, b_))) return false;
   find_alike();
   start_search();
+  see_vertices(a_, b_);
+  see_vertices(b_, a_);
   first_ = 0;
   cut_faces_of_a();
   cut_faces_of_b();
@@ -68,8 +77,14 @@ void OverlapSolid::start_search() {
   if (search_ == 0) search_ = 1;
 }
 
-void OverlapSolid::look_at(Body &body, double sense) {
-  const ContactSide &side = body.side;
+void OverlapSolid::look_at(Body &body, double limit) {
+  ContactSide &side = body.side;
+  const bool has_sets = side.body().has_sets();
+  if (has_sets) {
+    body.outline_count = side.gather_outline(limit, body.sense, body.outline);
+  } else {
+    side.gather(limit);
+  }
   body.side.near_faces(faces_);
   body.planes.resize(faces_.size());
   for (std::size_t k = 0; k < faces_.size(); ++k) {
@@ -81,29 +96,27 @@ void OverlapSolid::look_at(Body &body, double sense) {
   body.few_planes = faces_.size() <= few_planes;
   body.may_fade = faces_.size() <= most_that_fade;
   body.last_plane = faces_.front();
-  body.outline.clear();
-  if (!body.few_planes) return;
-  body.outline.resize(side.inside_count() + side.edge_count());
-  Vec3 *outline = body.outline.data();
-  for (std::size_t k = 0; k < side.inside_count(); ++k, ++outline) {
+  if (!body.few_planes || has_sets) return;
+  if (body.outline.size() < side.inside_count() + side.edge_count()) body.outline.resize(side.inside_count() + side.edge_count());
+  Vec3 *place = body.outline.data();
+  for (std::size_t k = 0; k < side.inside_count(); ++k, ++place) {
     const Vec3 at = side.at(index(side.inside(k)));
-    outline->x = at.x, outline->y = at.y, outline->z = sense * at.z;
+    place->x = at.x, place->y = at.y, place->z = body.sense * at.z;
   }
-  const double limit = side.limit();
   for (std::size_t k = 0; k < side.edge_count(); ++k) {
     const Vec3 from = side.at(index(side.edge(k).vertex[0])), to = side.at(index(side.edge(k).vertex[1]));
     const double part = (from.z - limit) / (from.z - to.z);
-    outline->x = from.x + part * (to.x - from.x), outline->y = from.y + part * (to.y - from.y), outline->z = sense * limit;
-    outline += to.z > limit ? 0 : 1;
+    place->x = from.x + part * (to.x - from.x), place->y = from.y + part * (to.y - from.y), place->z = body.sense * limit;
+    place += to.z > limit ? 0 : 1;
   }
-  body.outline.resize(static_cast<std::size_t>(outline - body.outline.data()));
+  body.outline_count = static_cast<std::size_t>(place - body.outline.data());
 }
 
 // Drops the planes that have all of the other body's part before them. False where a plane has none of it.
 bool OverlapSolid::keep_cutting(Body &body, const Body &other) const {
   constexpr std::ptrdiff_t at_once = 4;
   const double before = 1e-12 * size_ + 2.0 * fading_;
-  const Vec3 *const places = other.outline.data(), *const end = places + other.outline.size();
+  const Vec3 *const places = other.outline.data(), *const end = places + other.outline_count;
   std::size_t kept = 0;
   for (const Plane &plane : body.planes) {
     double least = HUGE_VAL, most = -HUGE_VAL;
@@ -160,6 +173,19 @@ void OverlapSolid::find_alike() {
   }
 }
 
+void OverlapSolid::see_vertices(Body &body, const Body &other) const {
+  body.is_seen = other.few_planes && body.side.body().has_sets();
+  if (!body.is_seen) return;
+  const std::size_t count = body.side.vertex_count();
+  if (body.beyond.size() < count) body.beyond.resize(count);
+  std::fill_n(body.beyond.data(), count, 0);
+  for (std::size_t k = 0; k < other.planes.size(); ++k) {
+    const Plane &plane = other.planes[k];
+    mark_beyond(plane.normal.x, plane.normal.y, body.sense * plane.normal.z, plane.offset + tolerance_, std::uint64_t{1} << k, count,
+                body.side.seen_x(), body.side.seen_y(), body.side.heights(), body.beyond.data());
+  }
+}
+
 void OverlapSolid::look_at_vertex(const Body &body, std::int32_t vertex, Body &other, Corner &corner) {
   const Vec3 at = body.in_axes(body.geometry().vertices()[index(vertex)]);
   corner.at.x = at.x, corner.at.y = at.y, corner.at.z = at.z;
@@ -176,6 +202,19 @@ void OverlapSolid::look_at_vertex(const Body &body, std::int32_t vertex, Body &o
   corner.beyond = beyond;
 }
 
+void OverlapSolid::start_seen_polygon(const Body &body, const convex::Polytope::Face &face) {
+  const std::int32_t *const vertices = body.geometry().face_vertices().data() + face.first;
+  const double *const x = body.side.seen_x(), *const y = body.side.seen_y(), *const z = body.side.heights();
+  const std::uint64_t *const beyond = body.beyond.data();
+  Vec3 *const polygon = points_.data() + first_;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const std::size_t v = index(vertices[i]);
+    polygon[i].x = x[v], polygon[i].y = y[v], polygon[i].z = body.sense * z[v];
+    beyond_any_ |= beyond[v];
+    beyond_all_ &= beyond[v];
+  }
+}
+
 void OverlapSolid::start_polygon(Body &body, const Plane &face, Body &other) {
   const convex::Polytope::Face &corners = body.geometry().faces()[index(face.face)];
   const std::int32_t *const vertices = body.geometry().face_vertices().data() + corners.first;
@@ -185,6 +224,10 @@ void OverlapSolid::start_polygon(Body &body, const Plane &face, Body &other) {
   done_faces_.clear();
   beyond_any_ = 0;
   beyond_all_ = ~std::uint64_t{0};
+  if (body.is_seen) {
+    start_seen_polygon(body, corners);
+    return;
+  }
   Vec3 *const polygon = points_.data() + first_;
   for (std::size_t i = 0; i < count_; ++i) {
     Body::Mark &mark = body.marks[index(vertices[i])];

@@ -64,7 +64,10 @@ class OverlapSolid {
     ContactSide side;
     Pose in_axes;
     std::vector<Plane> planes;
-    std::vector<Vec3> outline;  // corners of the convex body that is left of it between both bodies' reaches
+    // Corners of the convex body that is left of it between both bodies' reaches; the first ones count.
+    std::vector<Vec3> outline;
+    std::size_t outline_count = 0;
+    double sense = 1.0;         // of the side's z
     bool few_planes = true;     // few enough to look at all of them
     bool may_fade = true;       // one into the other body's
     std::int32_t last_plane = 0;
@@ -75,6 +78,9 @@ class OverlapSolid {
     };
     std::vector<Corner> corners;
     std::vector<Mark> marks;
+    // Where the body has sets and the other one few planes: by vertex those planes that it lies beyond.
+    bool is_seen = false;
+    std::vector<std::uint64_t> beyond;
 
     const convex::Polytope &geometry() const { return side.body().geometry(); }
     Plane plane_of(std::int32_t face) const;
@@ -86,13 +92,15 @@ class OverlapSolid {
     bool flush;  // one plane
   };
 
-  void look_at(Body &body, double sense);
+  void look_at(Body &body, double limit);
+  void see_vertices(Body &body, const Body &other) const;
   bool keep_cutting(Body &body, const Body &other) const;
   void cut_faces_of_a();
   void cut_faces_of_b();
   void find_alike();
   void look_at_vertex(const Body &body, std::int32_t vertex, Body &other, Corner &corner);
   void start_polygon(Body &body, const Plane &face, Body &other);
+  void start_seen_polygon(const Body &body, const convex::Polytope::Face &face);
   void make_room();
   static void find_farthest_plane(const Body &body, const Vec3 &where, std::int32_t start, std::int32_t &plane, double &below);
   void leave_out(const Body &other, std::size_t plane);
