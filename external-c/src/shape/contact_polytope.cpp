@@ -27,7 +27,7 @@ struct Neighbourhood {
 
 }  // namespace
 
-ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : geometry_(std::move(geometry)) {
+ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : geometry_(std::move(geometry)), clusters_(geometry_) {
   const std::size_t vertex_count = geometry_.vertices().size();
   std::vector<std::vector<Neighbourhood>> around(vertex_count);
   for (std::size_t f = 0; f < geometry_.faces().size(); ++f) {
@@ -87,10 +87,6 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : g
     }
   }
   build_polar();
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const convex::Polytope::Face &face : geometry_.faces()) normal_coordinates_.push_back(face.normal[axis]);
-  }
-  for (const convex::Polytope::Face &face : geometry_.faces()) normal_coordinates_.push_back(face.offset);
   if (geometry_.edges().size() <= most_in_set) {
     build_sets();
   } else {
@@ -116,6 +112,7 @@ void ContactPolytope::build_sets() {
   }
   for (int axis = 0; axis < 3; ++axis) {
     for (const Vec3 &vertex : geometry_.vertices()) coordinates_.push_back(vertex[axis]);
+    for (const convex::Polytope::Face &face : geometry_.faces()) normal_coordinates_.push_back(face.normal[axis]);
   }
 }
 
@@ -139,7 +136,7 @@ double ContactPolytope::share_in(std::int32_t v, std::int32_t face) const {
 double ContactPolytope::greatest_face_cosine(const Vec3 &direction) const {
   if (has_sets()) {
     const std::size_t count = geometry_.faces().size();
-    const double *const x = face_normals(0), *const y = face_normals(1), *const z = face_normals(2);
+    const double *const x = normal_coordinates_.data(), *const y = x + count, *const z = y + count;
     double cosine[most_in_set];
     for (std::size_t k = 0; k < count; ++k) cosine[k] = direction.x * x[k] + direction.y * y[k] + direction.z * z[k];
     return convex::greatest_of(cosine, count);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "shape/face_clusters.hpp"
 #include "shape/polytope.hpp"
 
 namespace cmb {
@@ -88,9 +89,8 @@ class ContactPolytope {
   const double *coordinates(std::size_t axis) const { return coordinates_.data() + axis * geometry_.vertices().size(); }
   const Incidence &incidence(std::int32_t v) const { return incidence_[static_cast<std::size_t>(v)]; }
 
-  // The faces' normals' coordinates along an axis (0 to 2), and their offsets.
-  const double *face_normals(std::size_t axis) const { return normal_coordinates_.data() + axis * geometry_.faces().size(); }
-  const double *face_offsets() const { return face_normals(3); }
+  // Its planes.
+  const FaceClusters &clusters() const { return clusters_; }
 
   // The solid angle of vertex v's whole normal cone.
   double normal_cone(std::int32_t v) const { return normal_cone_[static_cast<std::size_t>(v)]; }
@@ -101,6 +101,7 @@ class ContactPolytope {
   double share_in(std::int32_t v, std::int32_t face) const;
 
   convex::Polytope geometry_;
+  FaceClusters clusters_;
   std::vector<FaceCorner> corners_;
   std::vector<std::int32_t> corner_begin_;  // vertex -> first corner
   std::vector<double> constant_;            // share where it does not depend on the direction, else -1
@@ -109,7 +110,7 @@ class ContactPolytope {
   std::vector<double> normal_cone_;         // solid angle of the whole cone
   std::vector<EdgeStiffness> edge_stiffness_;
   std::vector<Incidence> incidence_;
-  std::vector<double> coordinates_, normal_coordinates_;  // of vertices and of faces, axis by axis; then the offsets
+  std::vector<double> coordinates_, normal_coordinates_;  // of vertices and of faces, axis by axis
   // Of others: the hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without
   // vertices where it could not be made.
   convex::Polytope normals_;

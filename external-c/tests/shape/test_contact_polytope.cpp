@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "scene/descriptor.hpp"
 #include "shape/contact_polytope.hpp"
@@ -98,6 +99,46 @@ TEST(ContactPolytope, KnowsEdgesAndFacesAtAVertexAsSets) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         EXPECT_EQ(polytope.coordinates(axis)[v], geometry.vertices()[v][static_cast<int>(axis)]);
       }
+    }
+  });
+}
+
+// Every face is in one group, and no place is less far below a group's planes than the group's bound says.
+TEST(ContactPolytope, GroupsOfFacesHaveBounds) {
+  for_hulls([](const ContactPolytope &polytope, Random &random) {
+    const std::vector<convex::Polytope::Face> &faces = polytope.geometry().faces();
+    const FaceClusters &clusters = polytope.clusters();
+    const std::size_t planes = FaceClusters::size * clusters.count();
+    const double radius = polytope.geometry().radius();
+    std::vector<double> bounds(clusters.count());
+    const auto plane = [&](std::size_t k) {
+      return convex::Polytope::Face{{clusters.normals(0)[k], clusters.normals(1)[k], clusters.normals(2)[k]}, clusters.offsets()[k]};
+    };
+    for (const convex::Polytope::Face &face : faces) {
+      std::size_t found = 0;
+      for (std::size_t k = 0; k < planes; ++k) {
+        found += plane(k).offset == face.offset && norm(plane(k).normal - face.normal) == 0.0 ? 1 : 0;
+      }
+      EXPECT_EQ(found, 1u);
+    }
+    std::size_t exact = 0, far = 0;
+    for (int sample = 0; sample < 300; ++sample) {
+      const Vec3 place = random.uniform(0.0, 1.2 * radius) * random.direction();
+      clusters.find_bounds(place, bounds.data());
+      for (std::size_t g = 0; g < clusters.count(); ++g) {
+        double least = HUGE_VAL;
+        for (std::size_t k = g * FaceClusters::size; k < (g + 1) * FaceClusters::size; ++k) {
+          least = std::min(least, plane(k).offset - dot(plane(k).normal, place));
+        }
+        ASSERT_LE(bounds[g], least + 1e-14 * radius);
+        exact += bounds[g] > least - 0.5 * radius ? 1 : 0;
+        far += bounds[g] > 0.1 * radius ? 1 : 0;
+      }
+    }
+    // Bounds that are of use: not far from the truth, and above nothing where there are many groups.
+    EXPECT_GT(exact, 30 * clusters.count());
+    if (clusters.count() > 20) {
+      EXPECT_GT(far, 30u);
     }
   });
 }

@@ -1,7 +1,9 @@
 #include "manifold/polytope/overlap_energy.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "math/branchless.hpp"
-#include "math/index.hpp"
 
 namespace cmb {
 
@@ -29,7 +31,7 @@ Vec3 sum_of_crosses(const SymmetricMatrix &left, const SymmetricMatrix &right) {
   return cross(left_row[0], right_row[0]) + cross(left_row[1], right_row[1]) + cross(left_row[2], right_row[2]);
 }
 
-// Of all planes: how far the middle is below them, and the mean square of that over what has this spread about the middle. Arrays
+// Of planes: how far the middle is below them, and the mean square of that over what has this spread about the middle. Arrays
 // that do not overlap, so that compilers make vectors of them.
 void find_mean_squares(std::size_t count, const double *__restrict x, const double *__restrict y, const double *__restrict z,
                        const double *__restrict offset, const Vec3 &middle, const SymmetricMatrix &spread,
@@ -121,24 +123,54 @@ class SurfaceIntegral {
 
 // In the body's frame, where its planes stand still.
 void OverlapEnergy::weigh(const OverlapSolid &solid, const ContactPolytope &body, const Pose &in_axes, Depth &depth) {
-  const std::size_t count = body.geometry().faces().size();
-  const double *const x = body.face_normals(0), *const y = body.face_normals(1), *const z = body.face_normals(2);
-  if (below_.size() <= count) {
-    for (std::vector<double> *const room : {&below_, &mean_square_, &part_}) room->resize(count + 1);
-    near_.resize(count + 1);
+  constexpr std::size_t size = FaceClusters::size;
+  // Faces with a greater mean square, by the least, change the energy by less than 1e-14 of it.
+  constexpr double farthest = 100.0;
+  const FaceClusters &clusters = body.clusters();
+  const std::size_t count = clusters.count();
+  if (bounds_.size() < count) {
+    for (std::vector<double> *const room : {&below_, &mean_square_, &part_}) room->resize(size * count + 1);
+    bounds_.resize(count);
+    groups_.resize(count);
+    near_.resize(size * count + 1);
   }
   const Vec3 middle = transposed_times(in_axes.rotation, solid.middle() - in_axes.translation);
   const SymmetricMatrix spread = turned(transposed(in_axes.rotation), solid.spread());
+  const double *const x = clusters.normals(0), *const y = clusters.normals(1), *const z = clusters.normals(2);
+  const double *const offset = clusters.offsets();
   double *const below = below_.data(), *const mean_square = mean_square_.data(), *const part = part_.data();
-  find_mean_squares(count, x, y, z, body.face_offsets(), middle, spread, below, mean_square);
-  const double least = convex::least_of(mean_square, count);
-  // Faces with a greater mean square change the energy by less than 1e-15 of it.
-  constexpr double farthest = 150.0;
-  std::int32_t *const near = near_.data();
+  // Few groups are looked at as one.
+  constexpr std::size_t few = 8;
+  const std::size_t width = count <= few ? size * count : size;
+  double least = HUGE_VAL;
+  std::size_t looked_at = 0;
+  const auto look_at = [&](std::size_t at) {
+    find_mean_squares(width, x + at, y + at, z + at, offset + at, middle, spread, below + at, mean_square + at);
+    const double here = convex::least_of(mean_square + at, width);
+    least = here < least ? here : least;
+    groups_[looked_at++] = at;
+  };
+  if (count <= few) {
+    look_at(0);
+  } else {
+    // First the group that may be nearest: others mostly turn out to be farther than counts.
+    double *const bounds = bounds_.data();
+    clusters.find_bounds(middle, bounds);
+    const auto first = static_cast<std::size_t>(std::min_element(bounds, bounds + count) - bounds);
+    look_at(size * first);
+    for (std::size_t g = 0; g < count; ++g) {
+      if (g != first && !(bounds[g] > 0.0 && bounds[g] * bounds[g] > farthest * least)) look_at(size * g);
+    }
+  }
+  std::size_t *const near = near_.data();
   std::size_t near_count = 0;
-  for (std::size_t f = 0; f < count; ++f) {  // which count is unpredictable: no branch
-    near[near_count] = static_cast<std::int32_t>(f);
-    near_count += mean_square[f] <= farthest * least ? 1 : 0;
+  const double limit = farthest * least;
+  for (std::size_t k = 0; k < looked_at; ++k) {
+    const std::size_t begin = groups_[k];
+    for (std::size_t f = begin; f < begin + width; ++f) {  // which count is unpredictable: no branch
+      near[near_count] = f;
+      near_count += mean_square[f] <= limit ? 1 : 0;
+    }
   }
   double sum = 0.0, raised = 0.0;  // of e^-8 and of e^-7, in units of the least
   for (std::size_t k = 0; k < near_count; ++k) {
@@ -153,7 +185,7 @@ void OverlapEnergy::weigh(const OverlapSolid &solid, const ContactPolytope &body
   SymmetricMatrix squares;
   Vec3 linear;
   for (std::size_t k = 0; k < near_count; ++k) {
-    const auto f = index(near[k]);
+    const std::size_t f = near[k];
     const double square = part[k] * part[k], fourth = square * square;
     const double weight = fourth * fourth * (8.0 * mean * part[k] - 7.0) * inverse_sum;
     const Vec3 n{x[f], y[f], z[f]}, scaled = weight * n;

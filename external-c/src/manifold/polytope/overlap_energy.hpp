@@ -44,8 +44,10 @@ class OverlapEnergy {
   };
   void weigh(const OverlapSolid &solid, const ContactPolytope &body, const Pose &in_axes, Depth &depth);
 
+  std::vector<double> bounds_;               // by group of faces
   std::vector<double> below_, mean_square_;  // by face: of the overlap's middle, over the overlap
-  std::vector<std::int32_t> near_;           // faces that count
+  std::vector<std::size_t> groups_;          // that were looked at: their first faces
+  std::vector<std::size_t> near_;            // faces that count
   std::vector<double> part_;                 // in step: least mean square by the face's
   double energy_ = 0.0;
   Vec3 force_, torque_;
