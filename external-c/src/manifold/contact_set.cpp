@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+
+#include "math/branchless.hpp"
 
 namespace cmb {
 
@@ -57,63 +58,62 @@ void keep_heaviest(std::vector<ContactPoint> &points, std::size_t capacity) {
   points.resize(capacity);
 }
 
-// The pairs of up to `points_for_all_pairs` points, those of the first n points first, for every n.
-struct PairTable {
-  static constexpr std::size_t count = points_for_all_pairs * (points_for_all_pairs - 1) / 2;
-  std::uint8_t first[count] = {}, second[count] = {};
-
-  constexpr PairTable() {
-    std::size_t pair = 0;
-    for (std::size_t j = 1; j < points_for_all_pairs; ++j) {
-      for (std::size_t i = 0; i < j; ++i, ++pair) {
-        first[pair] = static_cast<std::uint8_t>(i);
-        second[pair] = static_cast<std::uint8_t>(j);
-      }
-    }
-  }
-};
-
-// Finds the cheapest pair again and again, in one loop without a branch: which pair it is, is unpredictable.
+// Finds the cheapest pair again and again. What uniting costs is kept for all pairs, and the least of each point with those before it.
 class CheapestPair {
  public:
   explicit CheapestPair(std::vector<ContactPoint> &points) : points_(points) {
-    for (std::size_t i = 0; i < points.size(); ++i) note(i);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      note(i);
+      find_costs(i, i, cost_[i]);
+      least_[i] = convex::least_of(cost_[i], i);
+    }
   }
 
-  void unite_cheapest() {
-    static constexpr PairTable pairs;
-    const std::size_t count = points_.size() * (points_.size() - 1) / 2;
-    double least = HUGE_VAL;
-    std::size_t cheapest = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double cost = cost_of(pairs.first[k], pairs.second[k]);
-      cheapest = cost < least ? k : cheapest;
-      least = cost < least ? cost : least;
+  // Unites pairs until `capacity` points are left.
+  void unite_cheapest(std::size_t capacity) {
+    for (;;) {
+      const std::size_t second = least_place(least_, points_.size()), first = least_place(cost_[second], second);
+      unite(points_[first], points_[second]);
+      points_[second] = points_.back();
+      points_.pop_back();
+      if (points_.size() <= capacity) return;
+      renew(first);
+      if (second < points_.size()) renew(second);
+      for (std::size_t i = first; i < points_.size(); ++i) least_[i] = convex::least_of(cost_[i], i);
     }
-    const std::size_t first = pairs.first[cheapest], second = pairs.second[cheapest];
-    unite(points_[first], points_[second]);
-    note(first);
-    points_[second] = points_.back();
-    points_.pop_back();
-    if (second < points_.size()) note(second);
   }
 
  private:
+  static std::size_t least_place(const double *values, std::size_t count) {
+    const double least = convex::least_of(values, count);
+    std::size_t place = 0;
+    while (place + 1 < count && values[place] != least) ++place;
+    return place;
+  }
   void note(std::size_t i) {
     const ContactPoint &point = points_[i];
-    noted_[i] = {load_of(point), point.position.x, point.position.y, point.position.z};
+    load_[i] = load_of(point);
+    x_[i] = point.position.x, y_[i] = point.position.y, z_[i] = point.position.z;
   }
-  double cost_of(std::size_t i, std::size_t j) const {
-    const Noted &p = noted_[i], &q = noted_[j];
-    const double x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;
-    return union_cost(p.load, q.load, x * x + y * y + z * z);
+  // Of point i with each of the first ones. Of arrays that do not overlap compilers make vectors.
+  void find_costs(std::size_t i, std::size_t count, double *__restrict cost) const {
+    const double load = load_[i], x = x_[i], y = y_[i], z = z_[i];
+    for (std::size_t k = 0; k < count; ++k) {
+      const double dx = x - x_[k], dy = y - y_[k], dz = z - z_[k];
+      cost[k] = union_cost(load, load_[k], dx * dx + dy * dy + dz * dz);
+    }
+  }
+  void renew(std::size_t i) {
+    double costs[points_for_all_pairs];
+    note(i);
+    find_costs(i, points_.size(), costs);
+    for (std::size_t k = 0; k < i; ++k) cost_[i][k] = costs[k];
+    for (std::size_t k = i + 1; k < points_.size(); ++k) cost_[k][i] = costs[k];
   }
 
-  struct Noted {
-    double load, x, y, z;
-  };
   std::vector<ContactPoint> &points_;
-  Noted noted_[points_for_all_pairs];
+  double load_[points_for_all_pairs], x_[points_for_all_pairs], y_[points_for_all_pairs], z_[points_for_all_pairs];
+  double cost_[points_for_all_pairs][points_for_all_pairs], least_[points_for_all_pairs];
 };
 
 }  // namespace
@@ -123,8 +123,7 @@ void merge_points(std::vector<ContactPoint> &points, std::size_t capacity) {
   const std::size_t most = std::max(capacity, points_for_all_pairs);
   if (points.size() > most) keep_heaviest(points, most);
   if (points.size() <= capacity) return;
-  CheapestPair pair(points);
-  while (points.size() > capacity) pair.unite_cheapest();
+  CheapestPair(points).unite_cheapest(capacity);
 }
 
 }  // namespace cmb

@@ -26,12 +26,18 @@ class Collector {
 
   // Height above the plane of a point of the shape.
   double height(const Vec3 &p) const { return offset_ - dot(down_, p); }
+  // Of many, by coordinates. Arrays that do not overlap, so that compilers make vectors of them.
+  void heights(std::size_t count, const double *__restrict x, const double *__restrict y, const double *__restrict z,
+               double *__restrict result) const {
+    const double offset = offset_, down_x = down_.x, down_y = down_.y, down_z = down_.z;
+    for (std::size_t k = 0; k < count; ++k) result[k] = offset - (down_x * x[k] + down_y * y[k] + down_z * z[k]);
+  }
 
   // A point of the shape that carries `weight`, and that weight's derivative by the direction `down`.
   void add(const Vec3 &p, double weight, const Vec3 &weight_gradient = {}) {
     const double depth = -height(p);
     if (!(depth > 0.0) || !(weight > 0.0)) return;
-    result_.points.push_back({depth, weight, plane_.normal, pose_(p) + 0.5 * depth * plane_.normal});
+    put(p, depth, weight);
     deepest_ = std::fmax(deepest_, depth);
     load_ += weight * depth;
     missing_ = missing_ + 0.5 * depth * depth * weight_gradient;
@@ -48,7 +54,7 @@ class Collector {
     load_ += force;
     squares_ += force * depth;
     missing_ = missing_ + term.value * share.gradient;
-    result_.points.push_back({depth, force, plane_.normal, pose_(p) + 0.5 * depth * plane_.normal});
+    put(p, depth, force);
   }
   // Points get the depth that stores the energy.
   void share_energy(const TessellationEnergy &energy) {
@@ -82,6 +88,14 @@ class Collector {
   }
 
  private:
+  void put(const Vec3 &p, double depth, double weight) {
+    const Vec3 at = pose_(p) + 0.5 * depth * plane_.normal;
+    ContactPoint &point = result_.points.emplace_back();  // written member by member, which does not wait for a copy
+    point.depth = depth, point.weight = weight;
+    point.normal.x = plane_.normal.x, point.normal.y = plane_.normal.y, point.normal.z = plane_.normal.z;
+    point.position.x = at.x, point.position.y = at.y, point.position.z = at.z;
+  }
+
   const Pose &pose_;
   const Plane &plane_;
   ContactSet &result_;
@@ -95,15 +109,15 @@ class Collector {
 
 // Calls visit(vertex) for all vertices that lie deeper than `level` below the plane, from `lowest` along the edges.
 template <typename Visit>
-void visit_deeper(const convex::Polytope &polytope, std::int32_t lowest, double level, const Collector &collector,
-                  const Visit &visit) {
-  const auto deeper = [&](std::int32_t v) {
-    return -collector.height(polytope.vertices()[static_cast<std::size_t>(v)]) > level;
-  };
+void visit_deeper(const ContactPolytope &body, std::int32_t lowest, double level, const Collector &collector, const Visit &visit) {
+  const convex::Polytope &polytope = body.geometry();
+  const Vec3 *const places = polytope.vertices().data();
+  const auto deeper = [&](std::int32_t v) { return -collector.height(places[v]) > level; };
   if (!deeper(lowest)) return;
   // Vertices beyond a plane hang together. A few are noted in a list; of more, all vertices are looked at.
-  constexpr std::size_t few = 24;
-  std::array<std::int32_t, few> found;
+  constexpr std::size_t most_noted = 24;
+  const std::size_t few = std::min(most_noted, std::max<std::size_t>(8, polytope.vertices().size() / 32));
+  std::array<std::int32_t, most_noted> found;
   std::size_t count = 1;
   found[0] = lowest;
   for (std::size_t k = 0; k < count && count < few; ++k) {
@@ -119,8 +133,18 @@ void visit_deeper(const convex::Polytope &polytope, std::int32_t lowest, double 
     for (std::size_t k = 0; k < count; ++k) visit(found[k]);
     return;
   }
-  for (std::int32_t v = 0; v < static_cast<std::int32_t>(polytope.vertices().size()); ++v) {
-    if (deeper(v)) visit(v);
+  constexpr std::size_t at_once = 64;
+  double heights[at_once];
+  std::int32_t kept[at_once];
+  for (std::size_t first = 0; first < polytope.vertices().size(); first += at_once) {
+    const std::size_t here = std::min(at_once, polytope.vertices().size() - first);
+    collector.heights(here, body.coordinates(0) + first, body.coordinates(1) + first, body.coordinates(2) + first, heights);
+    std::size_t kept_count = 0;
+    for (std::size_t k = 0; k < here; ++k) {  // which are deeper is unpredictable: no branch
+      kept[kept_count] = static_cast<std::int32_t>(first + k);
+      kept_count += -heights[k] > level ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < kept_count; ++k) visit(kept[k]);
   }
 }
 
@@ -132,7 +156,7 @@ void polytope_contact(const ContactPolytope &polytope, Collector &collector) {
   if (deepest > 0.0) {
     const TessellationEnergy energy(deepest, polytope.fineness());
     const bool springs = energy.are_springs();
-    visit_deeper(geometry, lowest, energy.level(), collector, [&](std::int32_t v) {
+    visit_deeper(polytope, lowest, energy.level(), collector, [&](std::int32_t v) {
       const ContactPolytope::Share share = polytope.share(v, collector.down());
       if (springs) {
         collector.add(place(v), share.value, share.gradient);

@@ -87,6 +87,9 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : g
     }
   }
   build_polar();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const Vec3 &vertex : geometry_.vertices()) coordinates_.push_back(vertex[axis]);
+  }
   if (geometry_.edges().size() <= most_in_set) {
     build_sets();
   } else {
@@ -111,7 +114,6 @@ void ContactPolytope::build_sets() {
     }
   }
   for (int axis = 0; axis < 3; ++axis) {
-    for (const Vec3 &vertex : geometry_.vertices()) coordinates_.push_back(vertex[axis]);
     for (const convex::Polytope::Face &face : geometry_.faces()) normal_coordinates_.push_back(face.normal[axis]);
   }
 }
