@@ -86,11 +86,19 @@ void ContactSide::find_seen() {
   perturb_all(perturbation_, vertex_count_, x_.data(), y_.data(), z_.data(), perturbed_x_.data(), perturbed_y_.data());
 }
 
-// And the faces at them.
-ContactSide::Sets ContactSide::find_inside(double limit) {
+void ContactSide::gather_inside(double limit) {
+  faces_gathered_ = false;
+  limit_ = limit;
+  if (body_->has_sets()) {
+    find_inside(limit);
+  } else {
+    find_inside_from_summit(limit);
+  }
+}
+
+void ContactSide::find_inside(double limit) {
   // Which are beyond the limit is unpredictable: no branch.
-  Sets sets;
-  std::uint64_t face_set = 0;
+  std::uint64_t inside = 0, edge_set = 0, face_set = 0;
   std::size_t inside_count = 0;
   const double *const z = z_.data();
   const ContactPolytope::Incidence *const incidence = &body_->incidence(0);
@@ -99,49 +107,96 @@ ContactSide::Sets ContactSide::find_inside(double limit) {
     const auto is_inside = static_cast<std::uint64_t>(z[v] > limit);
     inside_list[inside_count] = static_cast<std::int32_t>(v);
     inside_count += is_inside;
-    sets.inside |= is_inside << v;
-    sets.edges |= incidence[v].edges & (0 - is_inside);
+    inside |= is_inside << v;
+    edge_set |= incidence[v].edges & (0 - is_inside);
     face_set |= incidence[v].faces & (0 - is_inside);
   }
   inside_count_ = inside_count;
+  inside_set_ = inside;
+  edge_set_ = edge_set;
   face_set_ = face_set;
-  return sets;
 }
 
-std::size_t ContactSide::gather_outline(double limit, double sense, std::vector<Vec3> &outline) {
-  faces_gathered_ = false;
-  limit_ = limit;
-  const Sets sets = find_inside(limit);
+void ContactSide::find_inside_from_summit(double limit) {
+  const convex::Polytope &geometry = body_->geometry();
+  const Vec3 *const places = geometry.vertices().data();
+  const std::int32_t *const neighbours = geometry.neighbours().data();
+  start_gathering();
+  const Pose to_side = to_side_;
+  std::size_t count = 0;
+  const auto look_at = [&](std::int32_t number) {
+    Mark &mark = vertex_mark_[index(number)];
+    if (mark.gathering == gathering_) return;
+    mark.gathering = gathering_;
+    const double height = dot(to_side.rotation.row[2], places[number]) + to_side.translation.z;
+    mark.place = height > limit ? static_cast<std::int32_t>(count) : -1;
+    if (mark.place < 0) return;
+    x_[count] = dot(to_side.rotation.row[0], places[number]) + to_side.translation.x;
+    y_[count] = dot(to_side.rotation.row[1], places[number]) + to_side.translation.y;
+    z_[count] = height;
+    number_[count] = number;
+    inside_[count] = mark.place;
+    ++count;
+  };
+  look_at(summit_);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int32_t last_slot = geometry.neighbour_begin(number_[k] + 1);
+    for (std::int32_t slot = geometry.neighbour_begin(number_[k]); slot < last_slot; ++slot) look_at(neighbours[slot]);
+  }
+  vertex_count_ = inside_count_ = count;
+  edge_count_ = 0;
+}
+
+std::size_t ContactSide::outline(double sense, std::vector<Vec3> &outline) const {
   const convex::Polytope &geometry = body_->geometry();
   const std::size_t most = geometry.vertices().size() + geometry.edges().size();
-  if (outline.size() < most) outline.resize(most);
-  const double *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
+  if (outline.size() <= most) outline.resize(most + 1);
+  const double *const x = x_.data(), *const y = y_.data(), *const z = z_.data(), level = sense * limit_;
   Vec3 *place = outline.data();
   for (std::size_t k = 0; k < inside_count_; ++k, ++place) {
     const std::size_t v = index(inside_[k]);
     place->x = x[v], place->y = y[v], place->z = sense * z[v];
   }
-  const double level = sense * limit;
-  const convex::Polytope::Edge *const edges = geometry.edges().data();
-  for (std::uint64_t left = sets.edges; left != 0;) {
-    const std::int32_t *const ends = edges[take_lowest(left)].vertex;
-    const std::size_t from = index(ends[0]), to = index(ends[1]);
-    const double part = (z[from] - limit) / (z[from] - z[to]);
-    place->x = x[from] + part * (x[to] - x[from]), place->y = y[from] + part * (y[to] - y[from]), place->z = level;
-    place += 1 - (sets.inside >> from & sets.inside >> to & 1);  // unless both ends are beyond
+  const auto put_crossing = [&](const Vec3 &from, const Vec3 &to) {
+    const double part = (from.z - limit_) / (from.z - to.z);
+    place->x = from.x + part * (to.x - from.x), place->y = from.y + part * (to.y - from.y), place->z = level;
+  };
+  if (body_->has_sets()) {
+    const convex::Polytope::Edge *const edges = geometry.edges().data();
+    for (std::uint64_t left = edge_set_; left != 0;) {
+      const std::int32_t *const ends = edges[take_lowest(left)].vertex;
+      put_crossing(at(index(ends[0])), at(index(ends[1])));
+      place += 1 - (inside_set_ >> ends[0] & inside_set_ >> ends[1] & 1);  // unless both ends are beyond
+    }
+    return static_cast<std::size_t>(place - outline.data());
+  }
+  for (std::size_t k = 0; k < inside_count_; ++k) {
+    const std::int32_t last_slot = geometry.neighbour_begin(number_[k] + 1);
+    for (std::int32_t slot = geometry.neighbour_begin(number_[k]); slot < last_slot; ++slot) {
+      const std::size_t other = index(geometry.neighbours()[index(slot)]);
+      if (vertex_mark_[other].place >= 0) continue;
+      put_crossing(at(k), to_side_(geometry.vertices()[other]));
+      ++place;
+    }
   }
   return static_cast<std::size_t>(place - outline.data());
 }
 
+void ContactSide::start_gathering() {
+  if (++gathering_ != 0) return;
+  std::fill(vertex_mark_.begin(), vertex_mark_.end(), Mark{});
+  gathering_ = 1;
+}
+
 void ContactSide::gather_by_sets(double limit) {
   const convex::Polytope &geometry = body_->geometry();
-  const Sets sets = find_inside(limit);
-  const std::uint64_t inside = sets.inside;
+  find_inside(limit);
+  const std::uint64_t inside = inside_set_;
   const double *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
   const convex::Polytope::Edge *const all_edges = geometry.edges().data();
   Edge *edge = edges_.data();
   Extent extent;
-  for (std::uint64_t left = sets.edges; left != 0;) {
+  for (std::uint64_t left = edge_set_; left != 0;) {
     const std::int32_t number = take_lowest(left);
     const std::int32_t *const ends = all_edges[number].vertex;
     const std::size_t to_first = 1 - (inside >> ends[0] & 1);  // from an end beyond the limit
@@ -176,10 +231,7 @@ void ContactSide::gather_from_summit(double limit) {
   const convex::Polytope &geometry = body_->geometry();
   const Vec3 *const places = geometry.vertices().data();
   const std::int32_t *const neighbours = geometry.neighbours().data(), *const numbers = geometry.neighbour_edges().data();
-  if (++gathering_ == 0) {
-    std::fill(vertex_mark_.begin(), vertex_mark_.end(), Mark{});
-    gathering_ = 1;
-  }
+  start_gathering();
   const Pose to_side = to_side_;
   const std::uint32_t gathering = gathering_;
   Mark *const marks = vertex_mark_.data();

@@ -64,9 +64,11 @@ class ContactSide {
   void place(const ContactPolytope &body, const Pose &to_side, const Perturbation &perturbation);
   // Gathers what lies beyond `limit`: z > limit.
   void gather(double limit);
-  // Gathers vertices and faces alone; the first ones of `outline`, so many as are returned, become the corners of the part beyond
-  // the limit, z times `sense` (1 or -1). For bodies that have sets and are not perturbed.
-  std::size_t gather_outline(double limit, double sense, std::vector<Vec3> &outline);
+  // The same but for edges, and but for vertices at the limit or before it; of bodies that are not perturbed.
+  void gather_inside(double limit);
+  // After that: the first ones of `outline`, so many as are returned, become the corners of the part beyond the limit, z times `sense`
+  // (1 or -1).
+  std::size_t outline(double sense, std::vector<Vec3> &outline) const;
 
   double limit() const { return limit_; }
   // The faces that reach beyond the limit.
@@ -103,13 +105,12 @@ class ContactSide {
 
  private:
   void make_room();
+  void start_gathering();
   // Of polytopes that have sets: by looking at all vertices.
-  struct Sets {
-    std::uint64_t inside = 0, edges = 0;
-  };
-  Sets find_inside(double limit);
+  void find_inside(double limit);
   void gather_by_sets(double limit);
   // The vertices beyond a plane hang together: they are found from the farthest one along the edges.
+  void find_inside_from_summit(double limit);
   void gather_from_summit(double limit);
   void find_seen();
 
@@ -144,7 +145,8 @@ class ContactSide {
   std::vector<UpFace> up_faces_;
   std::vector<Wall> walls_;
   std::size_t up_face_count_ = 0, wall_count_ = 0;
-  std::uint64_t face_set_ = 0;  // of polytopes that have sets
+  // Of polytopes that have sets: the vertices beyond the limit, and edges and faces at them.
+  std::uint64_t inside_set_ = 0, edge_set_ = 0, face_set_ = 0;
   // For each vertex and face of the polytope the last gathering, of its kind, that met it, and where the vertex is kept.
   struct Mark {
     std::uint32_t gathering = 0;

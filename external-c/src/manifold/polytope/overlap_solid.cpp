@@ -79,13 +79,8 @@ void OverlapSolid::start_search() {
 
 void OverlapSolid::look_at(Body &body, double limit) {
   ContactSide &side = body.side;
-  const bool has_sets = side.body().has_sets();
-  if (has_sets) {
-    body.outline_count = side.gather_outline(limit, body.sense, body.outline);
-  } else {
-    side.gather(limit);
-  }
-  body.side.near_faces(faces_);
+  side.gather_inside(limit);
+  side.near_faces(faces_);
   body.planes.resize(faces_.size());
   for (std::size_t k = 0; k < faces_.size(); ++k) {
     const Plane own = body.plane_of(faces_[k]);
@@ -96,20 +91,7 @@ void OverlapSolid::look_at(Body &body, double limit) {
   body.few_planes = faces_.size() <= few_planes;
   body.may_fade = faces_.size() <= most_that_fade;
   body.last_plane = faces_.front();
-  if (!body.few_planes || has_sets) return;
-  if (body.outline.size() < side.inside_count() + side.edge_count()) body.outline.resize(side.inside_count() + side.edge_count());
-  Vec3 *place = body.outline.data();
-  for (std::size_t k = 0; k < side.inside_count(); ++k, ++place) {
-    const Vec3 at = side.at(index(side.inside(k)));
-    place->x = at.x, place->y = at.y, place->z = body.sense * at.z;
-  }
-  for (std::size_t k = 0; k < side.edge_count(); ++k) {
-    const Vec3 from = side.at(index(side.edge(k).vertex[0])), to = side.at(index(side.edge(k).vertex[1]));
-    const double part = (from.z - limit) / (from.z - to.z);
-    place->x = from.x + part * (to.x - from.x), place->y = from.y + part * (to.y - from.y), place->z = body.sense * limit;
-    place += to.z > limit ? 0 : 1;
-  }
-  body.outline_count = static_cast<std::size_t>(place - body.outline.data());
+  if (body.few_planes) body.outline_count = side.outline(body.sense, body.outline);
 }
 
 // Drops the planes that have all of the other body's part before them. False where a plane has none of it.
@@ -284,27 +266,58 @@ void OverlapSolid::cut_by_few(const Body &other) {
   }
 }
 
-// By the plane beyond which a corner is farthest, again and again.
+// Corner by corner, each by the plane beyond which it is farthest.
 void OverlapSolid::cut_by_many(const Body &other) {
-  std::int32_t worst = other.last_plane;
-  for (;;) {
-    const std::int32_t start = worst;
-    worst = -1;
-    double least = -tolerance_;
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (farthest_[i] < 0) {
-        find_farthest_plane(other, points_[first_ + i], start, farthest_[i], below_[i]);
-        // What is at the border may be beyond it by rounding.
-        if (std::find(done_faces_.begin(), done_faces_.end(), farthest_[i]) != done_faces_.end()) below_[i] = HUGE_VAL;
-      }
-      const bool worse = below_[i] < least;
-      worst = worse ? farthest_[i] : worst;
-      least = worse ? below_[i] : least;
+  std::int32_t start = other.last_plane;
+  for (std::size_t i = 0; i < count_;) {
+    if (farthest_[i] < 0) {
+      find_farthest_plane(other, points_[first_ + i], start, farthest_[i], below_[i]);
+      // What is at the border may be beyond it by rounding.
+      const bool beyond = below_[i] < -tolerance_;
+      if (beyond && std::find(done_faces_.begin(), done_faces_.end(), farthest_[i]) != done_faces_.end()) below_[i] = HUGE_VAL;
     }
-    if (worst < 0) return;
-    done_faces_.push_back(worst);
-    cut(other.plane_of(worst));
+    if (!(below_[i] < -tolerance_)) {
+      ++i;
+      continue;
+    }
+    start = farthest_[i];
+    done_faces_.push_back(start);
+    i = cut_corner(other.plane_of(start), i);
   }
+}
+
+// Leaves of the polygon what lies below the plane, beyond which the corner is, and returns the first corner that is new. Others beyond
+// the plane are next to that corner.
+std::size_t OverlapSolid::cut_corner(const Plane &plane, std::size_t corner) {
+  make_room();
+  const Vec3 *const polygon = points_.data() + first_;
+  const std::size_t end = count_ - 1;
+  double of_first = plane.below(polygon[corner]), of_last = of_first, before = 0.0, after = 0.0;
+  if (!(of_first < 0.0)) {  // by rounding it is not beyond
+    below_[corner] = HUGE_VAL;
+    return corner;
+  }
+  std::size_t first = corner, last = corner, previous = corner, next = corner;
+  for (std::size_t left = end;; --left) {
+    next = last == end ? 0 : last + 1;
+    after = plane.below(polygon[next]);
+    if (after >= 0.0) break;
+    if (left == 0) {
+      count_ = 0;
+      return 0;
+    }
+    last = next, of_last = after;
+  }
+  for (;;) {
+    previous = first == 0 ? end : first - 1;
+    before = plane.below(polygon[previous]);
+    if (before >= 0.0) break;
+    first = previous, of_first = before;
+  }
+  const Vec3 &p = polygon[previous], &q = polygon[first], &r = polygon[last], &s = polygon[next];
+  const Vec3 leaves = p + (before / (before - of_first)) * (q - p), enters = r + (of_last / (of_last - after)) * (s - r);
+  cut_out(first, last, leaves, enters);
+  return first > last ? 0 : first;
 }
 
 // Leaves of the polygon what lies below the plane. New corners have no farthest plane yet.

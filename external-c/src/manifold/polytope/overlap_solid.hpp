@@ -108,6 +108,7 @@ class OverlapSolid {
   void cut_by(const Body &other);
   void cut_by_few(const Body &other);
   void cut_by_many(const Body &other);
+  std::size_t cut_corner(const Plane &plane, std::size_t corner);
   void cut(const Plane &plane);
   void cut_out(std::size_t first, std::size_t last, const Vec3 &enters, const Vec3 &leaves);
   void cut_ragged();
