@@ -30,7 +30,7 @@ void HierarchicalGrid::prepare(const std::vector<Bounds> &boxes) {
     while (cells < 2 * size) cells *= 2;
     const int exponent = top - static_cast<int>(k);
     levels_.push_back(
-        {exponent, std::ldexp(1.0, exponent), level_begin_[k], level_begin_[k + 1], table, cells - 1});
+        {exponent, std::ldexp(1.0, exponent), std::ldexp(1.0, std::min(-exponent, 1000)), level_begin_[k], level_begin_[k + 1], table, cells - 1});
     table += cells + 1;
   }
   by_level_.resize(count);
@@ -43,7 +43,7 @@ void HierarchicalGrid::prepare(const std::vector<Bounds> &boxes) {
   cells_.resize(count);
   for (const Level &level : levels_) {
     std::uint32_t *starts = starts_.data() + level.table;
-    const auto cell_coordinate = [&](double low, double high) { return cell_of(0.5 * (low + high), level.size); };
+    const auto cell_coordinate = [&](double low, double high) { return cell_of(0.5 * (low + high), level); };
     for (std::size_t k = level.begin; k < level.end; ++k) {
       const Bounds &box = boxes[by_level_[k]];
       const std::uint64_t row =

@@ -44,11 +44,11 @@ class HierarchicalGrid {
   // Comparing with so few boxes is cheaper than looking into cells.
   static constexpr std::size_t few_boxes = 16;
 
-  // The boxes at begin ... end - 1 of sorted_ have cells of length `size`. Cell t of its table holds those from
-  // starts_[table + t] on; the table has mask + 1 cells.
+  // The boxes at begin ... end - 1 of sorted_ have cells of length `size`, a power of two, `cells` to the metre. Cell t of its
+  // table holds those from starts_[table + t] on; the table has mask + 1 cells.
   struct Level {
     int exponent = 0;
-    double size = 0.0;
+    double size = 0.0, cells = 0.0;
     std::size_t begin = 0, end = 0, table = 0, mask = 0;
   };
   // Where a box is sorted to.
@@ -58,9 +58,11 @@ class HierarchicalGrid {
   };
 
   // Monotone, so that a range of coordinates stays a range of cells where it is cut off.
-  static std::int64_t cell_of(double coordinate, double size) {
+  static std::int64_t cell_of(double coordinate, const Level &level) {
     constexpr double farthest = 4.5e15;  // cells; doubles count to twice that
-    return static_cast<std::int64_t>(std::floor(std::clamp(coordinate / size, -farthest, farthest)));
+    const double at = std::clamp(coordinate * level.cells, -farthest, farthest);
+    const auto towards_zero = static_cast<std::int64_t>(at);  // quicker than std::floor, which is a call on some processors
+    return towards_zero - static_cast<std::int64_t>(at < static_cast<double>(towards_zero));
   }
   static std::uint64_t row_of(std::int64_t y, std::int64_t z) {
     std::uint64_t h = static_cast<std::uint64_t>(y) * 0x9e3779b97f4a7c15u;
@@ -91,9 +93,9 @@ class HierarchicalGrid {
   void visit_cells(std::size_t k, std::size_t from, const Level &level, Visit &&visit) {
     const Bounds &box = sorted_[k];
     const double reach = 0.5 * level.size;
-    const std::int64_t x_low = cell_of(box.low.x - reach, level.size), x_high = cell_of(box.high.x + reach, level.size);
-    const std::int64_t y_low = cell_of(box.low.y - reach, level.size), y_high = cell_of(box.high.y + reach, level.size);
-    const std::int64_t z_low = cell_of(box.low.z - reach, level.size), z_high = cell_of(box.high.z + reach, level.size);
+    const std::int64_t x_low = cell_of(box.low.x - reach, level), x_high = cell_of(box.high.x + reach, level);
+    const std::int64_t y_low = cell_of(box.low.y - reach, level), y_high = cell_of(box.high.y + reach, level);
+    const std::int64_t z_low = cell_of(box.low.z - reach, level), z_high = cell_of(box.high.z + reach, level);
     for (std::int64_t z = z_low; z <= z_high; ++z) {
       for (std::int64_t y = y_low; y <= y_high; ++y) {
         // Rows that share cells are told apart, else a pair could be found twice.

@@ -67,10 +67,12 @@ double memoryless_speed_ratio(double approach_speed, double specific_energy, con
 
   double sigma = d > largest_nearby ? sigma_by_bisection(q, damping) : sigma_nearby(q, damping);
   constexpr double converged = 1e-7;  // a correction, by sigma; what is left is of the order of its square
+  double t = 0.0, power = 1.0;
   for (int i = 0; i < 4; ++i) {
     const double p = sigma * sigma, part = 1.0 / (1.0 + p);
-    const double t = logarithm_at(p, part, damping);
-    const double power = std::exp(t), e = power - 1.0;
+    t = logarithm_at(p, part, damping);
+    power = std::exp(t);
+    const double e = power - 1.0;
     const double inverse = 1.0 / std::sqrt(t - power + damping.constant);
     const double residual = e * inverse - q;
     const double slope = 2.0 * p * span * part * part * inverse * (power + 0.5 * e * e * inverse * inverse);
@@ -79,7 +81,8 @@ double memoryless_speed_ratio(double approach_speed, double specific_energy, con
     if (std::fabs(correction) < converged) break;
   }
   const double squared = sigma * sigma;
-  return (std::exp(logarithm_at(squared, 1.0 / (1.0 + squared), damping)) - 1.0) / d;
+  const double moved = logarithm_at(squared, 1.0 / (1.0 + squared), damping) - t;  // by the last correction: no other exp
+  return (power * (1.0 + moved * (1.0 + 0.5 * moved)) - 1.0) / d;
 }
 
 double memoryless_force(double depth, double approach_speed, double stiffness, double exponent,
@@ -90,7 +93,7 @@ double memoryless_force(double depth, double approach_speed, double stiffness, d
 }
 
 double stribeck(double speed, double mu_static, double mu_dynamic, double limit_speed) {
-  if (!(limit_speed > 0.0)) return mu_dynamic;
+  if (!(limit_speed > 0.0) || mu_static == mu_dynamic) return mu_dynamic;
   const double scaled = speed / limit_speed;
   return mu_dynamic + (mu_static - mu_dynamic) * std::exp(-scaled * scaled);
 }

@@ -11,6 +11,9 @@ namespace {
 // I^-1 t by the Cholesky factors of I; nothing where I is 0.
 Vec3 angular_acceleration(const double *tensor, const Vec3 &t) {
   if (!(tensor[0] > 0.0)) return {};
+  if (tensor[3] == 0.0 && tensor[6] == 0.0 && tensor[7] == 0.0) {  // as of most bodies, and a third of the time
+    return {t.x / tensor[0], t.y / tensor[4], t.z / tensor[8]};
+  }
   const double l00 = std::sqrt(tensor[0]);
   const double l10 = tensor[3] / l00, l20 = tensor[6] / l00;
   const double l11 = std::sqrt(tensor[4] - l10 * l10);

@@ -11,7 +11,7 @@ from contact_foundation.errors import Place, UnsupportedModelError
 from modelica2fmu.frontend import ir
 from modelica2fmu.library.source_map import Span
 
-MOST_SCALARS: Final = 100_000
+MOST_SCALARS: Final = 150_000
 """Ten thousand states are built in half a minute, and work grows faster than their number."""
 
 

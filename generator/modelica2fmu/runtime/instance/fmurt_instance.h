@@ -11,6 +11,7 @@
 
 #include "fmurt_interface.h"
 #include "fmurt_model.h"
+#include "fmurt_race.h"
 
 /* Phases of the FMI state machines, one bit each so that a function's permitted phases are a mask. */
 typedef enum fmurt_phase {
@@ -69,6 +70,7 @@ typedef struct fmurt_situation {
   fmurt_settings settings;
   double solver_real[FMURT_SOLVER_REAL_COUNT];
   int solver_integer[FMURT_SOLVER_INTEGER_COUNT];
+  fmurt_race race; /* of the integrators inside a co-simulation instance */
 } fmurt_situation;
 
 typedef struct fmurt_solver fmurt_solver;

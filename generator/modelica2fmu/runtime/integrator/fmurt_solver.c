@@ -15,6 +15,7 @@
 #include "fmurt_dense.h"
 #include "fmurt_evaluate.h"
 #include "fmurt_event.h"
+#include "fmurt_explicit.h"
 #include "fmurt_newton.h"
 #include "fmurt_vector.h"
 #include "fmurt_watch.h"
@@ -31,6 +32,15 @@ enum { KRYLOV_STATES = 500 };
  * dry friction, can go round in a cycle of two points: the error estimate is then always the same, just too large for a
  * longer step. Going on with the iteration breaks the cycle. Always doing so makes bodies at rest tremble (tried). */
 static const double usual_newton_share = 0.1, careful_newton_share = 0.01;
+/* From so many states on, of models without event indicators, explicit steps are tried beside CVODE's. */
+enum { STATES_OF_A_RACE = 100 };
+
+/* How many evaluations a Jacobian, its factors and what is solved with them cost, for each state (dominoes, boxes). */
+enum { EVALUATIONS_OF_A_COLUMN = 2 };
+
+/* What integrate() answers where the other method goes on from here. */
+enum { METHOD_CHANGED = 1000 };
+
 /* So many steps of one length, shorter than this share of the longest, are creeping. */
 enum { STEPS_WATCHED = 200 };
 static const double creeping_share = 0.1;
@@ -49,6 +59,7 @@ struct fmurt_solver {
   SUNLinearSolver linear;
   SUNNonlinearSolver newton;
   fmurt_watch *watch;
+  fmurt_explicit *explicit_steps; /* NULL where CVODE alone integrates */
   N_Vector between; /* states within a step */
   int quotients; /* how many of the next Jacobians are computed by difference quotients */
   double *entry; /* [state_count] states at the start of an advance */
@@ -78,16 +89,19 @@ static int to_cvode(fmurt_solver *solver, fmurt_result result) {
   return result == FMURT_RESULT_OK ? 0 : result == FMURT_RESULT_DISCARD ? 1 : -1;
 }
 
-static int right_hand_side(realtype time, N_Vector state, N_Vector derivative, void *data) {
-  fmurt_solver *solver = data;
+static fmurt_result derivatives_at(void *context, double time, const double *state, double *derivative) {
+  fmurt_solver *solver = context;
   fmurt_instance *instance = solver->instance;
-  double *derivatives = NV_DATA_S(derivative);
-  fmurt_set_point(instance, time, NV_DATA_S(state));
+  fmurt_set_point(instance, time, state);
   const fmurt_result result = fmurt_update_continuous(instance);
-  if (result != FMURT_RESULT_OK) return to_cvode(solver, result);
-  if (solver->state_count == 0) derivatives[0] = 0.0;
-  for (size_t i = 0; i < solver->state_count; ++i) derivatives[i] = instance->values.real[fmurt_model.derivative[i]];
-  return 0;
+  if (result != FMURT_RESULT_OK) return result;
+  if (solver->state_count == 0) derivative[0] = 0.0;
+  for (size_t i = 0; i < solver->state_count; ++i) derivative[i] = instance->values.real[fmurt_model.derivative[i]];
+  return result;
+}
+
+static int right_hand_side(realtype time, N_Vector state, N_Vector derivative, void *data) {
+  return to_cvode(data, derivatives_at(data, time, NV_DATA_S(state), NV_DATA_S(derivative)));
 }
 
 /* CVODE asks for the indicators at the start, and at the end of each accepted step before it looks for roots inside. */
@@ -212,8 +226,11 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
   } else if (solver->state != NULL) {
     solver->linear = SUNLinSol_SPGMR(solver->state, SUN_PREC_NONE, 0, solver->context);
   }
-  if (solver->entry == NULL || solver->state == NULL || solver->tolerance == NULL || solver->between == NULL ||
-      solver->watch == NULL || solver->memory == NULL || solver->linear == NULL || solver->newton == NULL ||
+  const int races = solver->state_count >= STATES_OF_A_RACE && fmurt_model.indicator_count == 0;
+  if (races) solver->explicit_steps = fmurt_explicit_create(solver->state_count);
+  if ((races && solver->explicit_steps == NULL) || solver->entry == NULL || solver->state == NULL ||
+      solver->tolerance == NULL || solver->between == NULL || solver->watch == NULL || solver->memory == NULL ||
+      solver->linear == NULL || solver->newton == NULL ||
       CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
     fmurt_solver_destroy(solver);
     return NULL;
@@ -231,18 +248,22 @@ void fmurt_solver_destroy(fmurt_solver *solver) {
   if (solver->tolerance != NULL) N_VDestroy(solver->tolerance);
   if (solver->between != NULL) N_VDestroy(solver->between);
   fmurt_watch_destroy(solver->watch);
+  fmurt_explicit_destroy(solver->explicit_steps);
   free(solver->entry);
   SUNContext_Free(&solver->context);
   free(solver);
 }
 
-void fmurt_solver_restart(fmurt_solver *solver) {
-  if (solver == NULL) return;
+void fmurt_solver_restart_after_event(fmurt_solver *solver) {
   solver->restart = 1;
-  solver->step_at_root = 0.0;
+  if (solver->explicit_steps != NULL) fmurt_explicit_restart(solver->explicit_steps);
 }
 
-void fmurt_solver_restart_after_event(fmurt_solver *solver) { solver->restart = 1; }
+void fmurt_solver_restart(fmurt_solver *solver) {
+  if (solver == NULL) return;
+  fmurt_solver_restart_after_event(solver);
+  solver->step_at_root = 0.0;
+}
 
 static void load_point(fmurt_solver *solver) {
   double *state = NV_DATA_S(solver->state);
@@ -269,7 +290,7 @@ static double absolute_tolerance(double relative, double option, double nominal)
   return nominal < 1.0 ? fmin(default_absolute(relative), relative * nominal) : default_absolute(relative) * nominal;
 }
 
-static int set_tolerances(fmurt_solver *solver) {
+static double find_tolerances(fmurt_solver *solver) {
   const fmurt_situation *situation = &solver->instance->situation;
   const double relative = relative_tolerance(situation);
   const double option = situation->solver_real[FMURT_SOLVER_ABSOLUTE_TOLERANCE];
@@ -278,7 +299,11 @@ static int set_tolerances(fmurt_solver *solver) {
   for (size_t i = 0; i < solver->state_count; ++i) {
     tolerance[i] = absolute_tolerance(relative, option, solver->instance->values.state_nominal[i]);
   }
-  return CVodeSVtolerances(solver->memory, relative, solver->tolerance);
+  return relative;
+}
+
+static int set_tolerances(fmurt_solver *solver) {
+  return CVodeSVtolerances(solver->memory, find_tolerances(solver), solver->tolerance);
 }
 
 static int first_start(fmurt_solver *solver) {
@@ -401,12 +426,17 @@ static fmurt_result explain(fmurt_solver *solver, int flag, double time, const c
   return result;
 }
 
+static int goes_explicitly(const fmurt_solver *solver) {
+  return solver->explicit_steps != NULL && solver->instance->situation.race.method == FMURT_METHOD_EXPLICIT;
+}
+
 /* After a failure: moves the instance to the latest point of CVODE's last successful step at which the model can be
  * evaluated. The accepted solution need not be one, since Newton's last correction is not evaluated again. Without one,
- * to the point where the advance began. Returns the time. */
+ * to the point where the advance began. Returns the time. Explicit steps leave the instance at such a point. */
 static double move_to_last_good_point(fmurt_solver *solver, double begin) {
   static const double share_back[] = {0.0, 0.125, 0.5, 1.0};
   double last_time = 0.0, last_step = 0.0;
+  if (goes_explicitly(solver)) return solver->instance->values.time;
   if (CVodeGetCurrentTime(solver->memory, &last_time) == CV_SUCCESS &&
       CVodeGetLastStep(solver->memory, &last_step) == CV_SUCCESS) {
     for (size_t i = 0; i < sizeof share_back / sizeof share_back[0]; ++i) {
@@ -451,26 +481,96 @@ static int first_step_after_event(fmurt_solver *solver, double end, double large
   return flag < 0 || reset == CV_SUCCESS ? flag : reset;
 }
 
+/* Says which method goes on, where a trial of the other one ended. */
+static void tell_method(const fmurt_solver *solver, double time) {
+  const int is_explicit = solver->instance->situation.race.method == FMURT_METHOD_EXPLICIT;
+  fmurt_log(solver->instance, FMURT_LOG_DEBUG, FMURT_LOG_SOLVER,
+            "From time %.9g on %s goes on, as it comes farther for its evaluations than %s", time,
+            is_explicit ? "explicit steps" : "CVODE", is_explicit ? "CVODE" : "explicit steps");
+}
+
+static long cost_of_jacobian(const fmurt_solver *solver) {
+  return solver->matrix != NULL ? EVALUATIONS_OF_A_COLUMN * (long)solver->state_count : 0;
+}
+
+/* What CVODE did so far, in evaluations. */
+static long work(const fmurt_solver *solver) {
+  const int *counters = solver->instance->situation.solver_integer;
+  return counters[FMURT_SOLVER_EVALUATIONS] + counters[FMURT_SOLVER_JACOBIANS] * cost_of_jacobian(solver);
+}
+
 /* Lets CVODE go on to `end`, as far as steps are left, and counts what it did; where it creeps, Newton's iteration is
- * carried further until the next start. */
+ * carried further until the next start. METHOD_CHANGED where explicit steps go on from `reached`. */
 static int advance_watched(fmurt_solver *solver, double end, double largest_step, double *reached) {
+  fmurt_race *race = solver->explicit_steps != NULL ? &solver->instance->situation.race : NULL;
+  const long jacobian = cost_of_jacobian(solver);
   for (;;) {
-    double begin = 0.0;
-    int flag =
-        CVodeSetMaxNumSteps(solver->memory, solver->steps_left < STEPS_WATCHED ? solver->steps_left : STEPS_WATCHED);
+    double begin = 0.0, now = 0.0;
+    const long work_before = work(solver);
+    long steps = solver->steps_left < STEPS_WATCHED ? solver->steps_left : STEPS_WATCHED;
+    /* A step takes some four evaluations. */
+    const long left = race != NULL ? fmurt_race_left(race, jacobian) : 0;
+    if (race != NULL && left / 8 + 1 < steps) steps = left / 8 + 1;
+    int flag = CVodeSetMaxNumSteps(solver->memory, steps);
     if (flag == CV_SUCCESS) flag = CVodeGetCurrentTime(solver->memory, &begin);
     if (flag != CV_SUCCESS) return flag;
     flag = CVode(solver->memory, end, solver->state, reached, CV_NORMAL);
     count(solver);
+    if (race != NULL && (flag >= 0 || flag == CV_TOO_MUCH_WORK) &&
+        CVodeGetCurrentTime(solver->memory, &now) == CV_SUCCESS &&
+        fmurt_race_add(race, jacobian, work(solver) - work_before, now - begin)) {
+      tell_method(solver, *reached);
+    }
     if (flag != CV_TOO_MUCH_WORK || solver->steps_left <= 0) return flag;
-    if (creeps(solver, begin, largest_step)) flag = CVodeSetNonlinConvCoef(solver->memory, careful_newton_share);
+    if (race != NULL && race->method == FMURT_METHOD_EXPLICIT) return METHOD_CHANGED;
+    if (steps == STEPS_WATCHED && creeps(solver, begin, largest_step)) flag = CVodeSetNonlinConvCoef(solver->memory, careful_newton_share);
   }
 }
 
-/* Integrates from the instance's time. */
-static int integrate(fmurt_solver *solver, double end, double limit, double largest_step, double *reached) {
-  solver->cause = FMURT_RESULT_OK;
-  solver->instance->message[0] = '\0';
+static void accept_step(void *context) {
+  const fmurt_solver *solver = context;
+  fmurt_accept(solver->instance);
+}
+
+/* Goes on by explicit steps from the instance's time, and moves the instance to where they lead. */
+static int integrate_explicitly(fmurt_solver *solver, double end, double largest_step, double *reached) {
+  fmurt_instance *instance = solver->instance;
+  fmurt_race *race = &instance->situation.race;
+  const int is_told = fmurt_model.followed_count > 0 || fmurt_model.warnings != NULL;
+  const fmurt_explicit_model model = {derivatives_at, is_told ? accept_step : NULL, solver, find_tolerances(solver),
+                                      NV_DATA_S(solver->tolerance)};
+  const long jacobian = cost_of_jacobian(solver);
+  int *counters = instance->situation.solver_integer;
+  double time = instance->values.time;
+  load_point(solver);
+  solver->restart = 1; /* of CVODE, when it is its turn */
+  while (race->method == FMURT_METHOD_EXPLICIT) {
+    const double begin = time;
+    const fmurt_explicit_work allowed = {solver->steps_left, fmurt_race_left(race, jacobian), 0};
+    fmurt_explicit_work done;
+    const fmurt_explicit_outcome outcome = fmurt_explicit_advance(
+        solver->explicit_steps, &model, &time, NV_DATA_S(solver->state), end, largest_step, allowed, &done);
+    counters[FMURT_SOLVER_STEPS] += (int)done.steps;
+    counters[FMURT_SOLVER_EVALUATIONS] += (int)done.evaluations;
+    counters[FMURT_SOLVER_ERROR_TEST_FAILURES] += (int)done.rejected;
+    solver->steps_left -= done.steps;
+    if (fmurt_race_add(race, jacobian, done.evaluations, time - begin)) tell_method(solver, time);
+    if (outcome == FMURT_EXPLICIT_STUCK) fmurt_race_give_up(race);
+    if (race->method != FMURT_METHOD_EXPLICIT) fmurt_explicit_restart(solver->explicit_steps);
+    *reached = time;
+    fmurt_set_point(instance, time, NV_DATA_S(solver->state));
+    if (outcome == FMURT_EXPLICIT_ERROR) {
+      solver->cause = FMURT_RESULT_ERROR;
+      return CV_RHSFUNC_FAIL;
+    }
+    if (outcome == FMURT_EXPLICIT_AT_END) return CV_SUCCESS;
+    if (solver->steps_left <= 0) return CV_TOO_MUCH_WORK;
+  }
+  return METHOD_CHANGED;
+}
+
+/* Goes on by CVODE from the instance's time. */
+static int integrate_implicitly(fmurt_solver *solver, double end, double limit, double largest_step, double *reached) {
   int flag = solver->restart ? start(solver) : CV_SUCCESS;
   /* Smaller steps than the rounding of time lead nowhere: they only creep up to where the model cannot be evaluated. */
   const double smallest_step = 2.0 * DBL_EPSILON * fmax(fabs(solver->instance->values.time), fabs(end));
@@ -480,9 +580,6 @@ static int integrate(fmurt_solver *solver, double end, double limit, double larg
     flag = CVodeSetMinStep(solver->memory, smallest_step);
   }
   if (flag == CV_SUCCESS) flag = CVodeSetStopTime(solver->memory, fmin(limit, DBL_MAX));
-  for (size_t i = 0; i < solver->state_count; ++i) {
-    solver->entry[i] = solver->instance->values.real[fmurt_model.state[i]];
-  }
   if (flag != CV_SUCCESS) return flag;
   if (solver->steps_left <= 0) return CV_TOO_MUCH_WORK;
   if (solver->step_at_root > smallest_step) {
@@ -490,6 +587,24 @@ static int integrate(fmurt_solver *solver, double end, double limit, double larg
     if (flag == CV_ROOT_RETURN || flag < 0) return flag;
   }
   return advance_watched(solver, end, largest_step, reached);
+}
+
+/* Integrates from the instance's time. */
+static int integrate(fmurt_solver *solver, double end, double limit, double largest_step, double *reached) {
+  solver->cause = FMURT_RESULT_OK;
+  solver->instance->message[0] = '\0';
+  for (size_t i = 0; i < solver->state_count; ++i) {
+    solver->entry[i] = solver->instance->values.real[fmurt_model.state[i]];
+  }
+  if (solver->explicit_steps == NULL) return integrate_implicitly(solver, end, limit, largest_step, reached);
+  const fmurt_race *race = &solver->instance->situation.race;
+  for (;;) {
+    const int flag = race->method == FMURT_METHOD_EXPLICIT
+                         ? integrate_explicitly(solver, end, largest_step, reached)
+                         : integrate_implicitly(solver, end, limit, largest_step, reached);
+    if (flag != METHOD_CHANGED) return flag;
+    fmurt_set_point(solver->instance, *reached, NV_DATA_S(solver->state));
+  }
 }
 
 /* Failures after which a fresh start from the last point may help. */
@@ -558,6 +673,7 @@ fmurt_result fmurt_solver_advance(fmurt_solver *solver, double target, double li
       reached = begin;
     }
     instance->situation.continuous_stale = 1;
+    if (is_recoverable(flag) && instance->situation.race.is_trial) fmurt_race_give_up(&instance->situation.race);
 
     if (is_recoverable(flag) && reached > fmax(begin, progress_time) && retries < MAXIMUM_RETRIES) {
       progress_time = reached; /* went some way: on from there */

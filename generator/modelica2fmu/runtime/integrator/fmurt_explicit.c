@@ -1,0 +1,136 @@
+/* fmurt_explicit.c - see fmurt_explicit.h. The pair of orders 3 and 2 of Bogacki and Shampine (Applied Mathematics Letters 2,
+ * 1989): three evaluations a step, as the last one is the first of the next step. Of pairs of orders 3, 5 and 8 and of
+ * stabilised ones of order 2 it needs fewest evaluations where bodies collide. */
+#include "fmurt_explicit.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of the step that the error estimate permits; how much longer and shorter the next one may be. */
+static const double safety = 0.9, largest_growth = 5.0, largest_shrink = 0.2;
+/* A first step in which the states change by this part of their tolerances' scale, as their derivatives say. */
+static const double first_change = 0.01;
+/* A step of fewer roundings of the time leads nowhere. */
+static const double least_roundings = 16.0;
+
+struct fmurt_explicit {
+  size_t state_count;
+  int runs;        /* the first slope and the step are known */
+  double step;     /* that the error estimate permits next */
+  double *numbers; /* all of them */
+  double *slope[4], *next;
+};
+
+fmurt_explicit *fmurt_explicit_create(size_t state_count) {
+  fmurt_explicit *self = calloc(1, sizeof *self);
+  if (self == NULL) return NULL;
+  self->state_count = state_count;
+  self->numbers = calloc(5 * state_count, sizeof(double));
+  if (self->numbers == NULL) {
+    free(self);
+    return NULL;
+  }
+  for (size_t k = 0; k < 4; ++k) self->slope[k] = self->numbers + k * state_count;
+  self->next = self->numbers + 4 * state_count;
+  return self;
+}
+
+void fmurt_explicit_destroy(fmurt_explicit *self) {
+  if (self != NULL) free(self->numbers);
+  free(self);
+}
+
+void fmurt_explicit_restart(fmurt_explicit *self) { self->runs = 0; }
+
+/* Root mean square of the numbers by their tolerances; state and other tell the size of a state. */
+static double norm(const fmurt_explicit *self, const fmurt_explicit_model *model, const double *state,
+                   const double *other, const double *numbers) {
+  double sum = 0.0;
+  for (size_t i = 0; i < self->state_count; ++i) {
+    const double size = fmax(fabs(state[i]), fabs(other[i]));
+    const double part = numbers[i] / (model->relative * size + model->absolute[i]);
+    sum += part * part;
+  }
+  return sqrt(sum / (double)self->state_count);
+}
+
+static double first_step(const fmurt_explicit *self, const fmurt_explicit_model *model, const double *state, double way) {
+  const double size = norm(self, model, state, state, state), rate = norm(self, model, state, state, self->slope[0]);
+  return rate > 0.0 && size > 0.0 ? fmin(way, first_change * size / rate) : 1e-3 * way;
+}
+
+/* The states at the end of the step and the slope there. `error` is the difference of both orders, by the tolerances. */
+static fmurt_result try_step(fmurt_explicit *self, const fmurt_explicit_model *model, double time, const double *state,
+                             double step, double *error, long *evaluations) {
+  double *const *slope = self->slope, *next = self->next;
+  const size_t count = self->state_count;
+  for (size_t i = 0; i < count; ++i) next[i] = state[i] + 0.5 * step * slope[0][i];
+  ++*evaluations;
+  fmurt_result result = model->derivatives(model->context, time + 0.5 * step, next, slope[1]);
+  if (result != FMURT_RESULT_OK) return result;
+  for (size_t i = 0; i < count; ++i) next[i] = state[i] + 0.75 * step * slope[1][i];
+  ++*evaluations;
+  result = model->derivatives(model->context, time + 0.75 * step, next, slope[2]);
+  if (result != FMURT_RESULT_OK) return result;
+  for (size_t i = 0; i < count; ++i) {
+    next[i] = state[i] + step / 9.0 * (2.0 * slope[0][i] + 3.0 * slope[1][i] + 4.0 * slope[2][i]);
+  }
+  ++*evaluations;
+  result = model->derivatives(model->context, time + step, next, slope[3]);
+  if (result != FMURT_RESULT_OK) return result;
+  for (size_t i = 0; i < count; ++i) {
+    slope[1][i] = step / 72.0 * (-5.0 * slope[0][i] + 6.0 * slope[1][i] + 8.0 * slope[2][i] - 9.0 * slope[3][i]);
+  }
+  *error = norm(self, model, state, next, slope[1]);
+  return FMURT_RESULT_OK;
+}
+
+static void take_step(fmurt_explicit *self, double *state) {
+  double *first = self->slope[0];
+  memcpy(state, self->next, self->state_count * sizeof(double));
+  self->slope[0] = self->slope[3];
+  self->slope[3] = first;
+}
+
+fmurt_explicit_outcome fmurt_explicit_advance(fmurt_explicit *self, const fmurt_explicit_model *model, double *time,
+                                              double *state, double end, double largest_step,
+                                              fmurt_explicit_work allowed, fmurt_explicit_work *done) {
+  *done = (fmurt_explicit_work){0};
+  if (!self->runs) {
+    ++done->evaluations;
+    const fmurt_result result = model->derivatives(model->context, *time, state, self->slope[0]);
+    if (result != FMURT_RESULT_OK) return result == FMURT_RESULT_DISCARD ? FMURT_EXPLICIT_STUCK : FMURT_EXPLICIT_ERROR;
+    self->step = first_step(self, model, state, end - *time);
+    self->runs = 1;
+  }
+  const double shortest = least_roundings * DBL_EPSILON * fmax(fabs(*time), fabs(end));
+  double growth = largest_growth;
+  while (*time < end) {
+    if (done->steps >= allowed.steps || done->evaluations >= allowed.evaluations) return FMURT_EXPLICIT_STOPPED;
+    if (largest_step > 0.0) self->step = fmin(self->step, largest_step);
+    if (!(self->step > shortest)) return FMURT_EXPLICIT_STUCK;
+    const double left = end - *time;
+    /* Two steps alike rather than one and a crumb. */
+    const double step = self->step >= left ? left : self->step > 0.5 * left ? 0.5 * left : self->step;
+    double error = HUGE_VAL;
+    const fmurt_result result = try_step(self, model, *time, state, step, &error, &done->evaluations);
+    if (result == FMURT_RESULT_ERROR) return FMURT_EXPLICIT_ERROR;
+    if (result != FMURT_RESULT_OK || !(error <= 1.0)) {
+      ++done->rejected;
+      self->step = step * (isfinite(error) ? fmax(largest_shrink, safety * pow(error, -1.0 / 3.0)) : largest_shrink);
+      growth = 1.0;
+      continue;
+    }
+    take_step(self, state);
+    *time = step == left ? end : *time + step;
+    ++done->steps;
+    const double permitted = step * fmin(growth, safety * pow(fmax(error, DBL_MIN), -1.0 / 3.0));
+    /* A step that the end cut short tells little of how long the next one may be. */
+    self->step = step < self->step ? fmax(self->step, permitted) : permitted;
+    growth = largest_growth;
+    if (model->accepted != NULL) model->accepted(model->context);
+  }
+  return FMURT_EXPLICIT_AT_END;
+}
