@@ -1,8 +1,9 @@
 #include "manifold/halfspace_manifold.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "manifold/polytope/tessellation_energy.hpp"
 #include "manifold/rod_end_share.hpp"
@@ -26,12 +27,6 @@ class Collector {
 
   // Height above the plane of a point of the shape.
   double height(const Vec3 &p) const { return offset_ - dot(down_, p); }
-  // Of many, by coordinates. Arrays that do not overlap, so that compilers make vectors of them.
-  void heights(std::size_t count, const double *__restrict x, const double *__restrict y, const double *__restrict z,
-               double *__restrict result) const {
-    const double offset = offset_, down_x = down_.x, down_y = down_.y, down_z = down_.z;
-    for (std::size_t k = 0; k < count; ++k) result[k] = offset - (down_x * x[k] + down_y * y[k] + down_z * z[k]);
-  }
 
   // A point of the shape that carries `weight`, and that weight's derivative by the direction `down`.
   void add(const Vec3 &p, double weight, const Vec3 &weight_gradient = {}) {
@@ -107,44 +102,53 @@ class Collector {
   Vec3 missing_;
 };
 
-// Calls visit(vertex) for all vertices that lie deeper than `level` below the plane, from `lowest` along the edges.
+// Room to look for vertices: a bit for each that was met, and those that are found.
+struct VertexSearch {
+  std::vector<std::uint64_t> met;
+  std::vector<std::int32_t> found;
+};
+
+VertexSearch &vertex_search() {
+  static thread_local VertexSearch search;
+  return search;
+}
+
+// Calls visit(vertex) for all vertices that lie deeper than `level` below the plane: they hang together, and are found from `lowest`
+// along the edges.
 template <typename Visit>
-void visit_deeper(const ContactPolytope &body, std::int32_t lowest, double level, const Collector &collector, const Visit &visit) {
-  const convex::Polytope &polytope = body.geometry();
+void visit_deeper(const convex::Polytope &polytope, std::int32_t lowest, double level, const Collector &collector, const Visit &visit) {
+  constexpr std::size_t in_word = 64;
+  const std::size_t vertices = polytope.vertices().size(), words = vertices / in_word + 1;
+  // Small bodies need no room but this.
+  std::uint64_t one_word = 0, *met = &one_word;
+  std::int32_t few_found[in_word], *found = few_found;
+  if (vertices >= in_word) {
+    VertexSearch &search = vertex_search();
+    if (search.found.size() <= vertices) {
+      search.met.resize(words);
+      search.found.resize(vertices + 1);
+    }
+    met = search.met.data();
+    found = search.found.data();
+    std::fill_n(met, words, 0);
+  }
+  std::size_t count = 0;
   const Vec3 *const places = polytope.vertices().data();
-  const auto deeper = [&](std::int32_t v) { return -collector.height(places[v]) > level; };
-  if (!deeper(lowest)) return;
-  // Vertices beyond a plane hang together. A few are noted in a list; of more, all vertices are looked at.
-  constexpr std::size_t most_noted = 24;
-  const std::size_t few = std::min(most_noted, std::max<std::size_t>(8, polytope.vertices().size() / 32));
-  std::array<std::int32_t, most_noted> found;
-  std::size_t count = 1;
-  found[0] = lowest;
-  for (std::size_t k = 0; k < count && count < few; ++k) {
-    for (std::int32_t slot = polytope.neighbour_begin(found[k]);
-         slot < polytope.neighbour_begin(found[k] + 1) && count < few; ++slot) {
-      const std::int32_t next = polytope.neighbours()[static_cast<std::size_t>(slot)];
-      if (deeper(next) && std::find(found.begin(), found.begin() + count, next) == found.begin() + count) {
-        found[count++] = next;
-      }
+  const auto look_at = [&](std::int32_t v) {
+    std::uint64_t &word = met[static_cast<std::size_t>(v) / in_word];
+    const std::uint64_t bit = std::uint64_t{1} << (static_cast<std::size_t>(v) % in_word);
+    if ((word & bit) != 0) return;
+    word |= bit;
+    found[count] = v;
+    count += -collector.height(places[v]) > level ? 1 : 0;
+  };
+  look_at(lowest);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int32_t last_slot = polytope.neighbour_begin(found[k] + 1);
+    for (std::int32_t slot = polytope.neighbour_begin(found[k]); slot < last_slot; ++slot) {
+      look_at(polytope.neighbours()[static_cast<std::size_t>(slot)]);
     }
-  }
-  if (count < few) {
-    for (std::size_t k = 0; k < count; ++k) visit(found[k]);
-    return;
-  }
-  constexpr std::size_t at_once = 64;
-  double heights[at_once];
-  std::int32_t kept[at_once];
-  for (std::size_t first = 0; first < polytope.vertices().size(); first += at_once) {
-    const std::size_t here = std::min(at_once, polytope.vertices().size() - first);
-    collector.heights(here, body.coordinates(0) + first, body.coordinates(1) + first, body.coordinates(2) + first, heights);
-    std::size_t kept_count = 0;
-    for (std::size_t k = 0; k < here; ++k) {  // which are deeper is unpredictable: no branch
-      kept[kept_count] = static_cast<std::int32_t>(first + k);
-      kept_count += -heights[k] > level ? 1 : 0;
-    }
-    for (std::size_t k = 0; k < kept_count; ++k) visit(kept[k]);
+    visit(found[k]);
   }
 }
 
@@ -156,7 +160,7 @@ void polytope_contact(const ContactPolytope &polytope, Collector &collector) {
   if (deepest > 0.0) {
     const TessellationEnergy energy(deepest, polytope.fineness());
     const bool springs = energy.are_springs();
-    visit_deeper(polytope, lowest, energy.level(), collector, [&](std::int32_t v) {
+    visit_deeper(geometry, lowest, energy.level(), collector, [&](std::int32_t v) {
       const ContactPolytope::Share share = polytope.share(v, collector.down());
       if (springs) {
         collector.add(place(v), share.value, share.gradient);

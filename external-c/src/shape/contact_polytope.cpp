@@ -87,9 +87,6 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : g
     }
   }
   build_polar();
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const Vec3 &vertex : geometry_.vertices()) coordinates_.push_back(vertex[axis]);
-  }
   if (geometry_.edges().size() <= most_in_set) {
     build_sets();
   } else {
@@ -114,6 +111,7 @@ void ContactPolytope::build_sets() {
     }
   }
   for (int axis = 0; axis < 3; ++axis) {
+    for (const Vec3 &vertex : geometry_.vertices()) coordinates_.push_back(vertex[axis]);
     for (const convex::Polytope::Face &face : geometry_.faces()) normal_coordinates_.push_back(face.normal[axis]);
   }
 }
@@ -121,6 +119,8 @@ void ContactPolytope::build_sets() {
 void ContactPolytope::build_polar() {
   const std::vector<convex::Polytope::Face> &faces = geometry_.faces();
   faces_across_.resize(geometry_.face_edges().size());
+  polar_corners_.reserve(faces.size());
+  polar_corners_across_.reserve(faces_across_.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     polar_corners_.push_back((1.0 / (faces[f].offset - dot(faces[f].normal, geometry_.center()))) * faces[f].normal);
     for (std::int32_t k = faces[f].first; k < faces[f].first + faces[f].count; ++k) {

@@ -85,7 +85,7 @@ class ContactPolytope {
     std::uint64_t edges = 0, faces = 0;
   };
   bool has_sets() const { return !incidence_.empty(); }
-  // The vertices' coordinates along an axis (0 to 2).
+  // Where it has sets: the vertices' coordinates along an axis (0 to 2).
   const double *coordinates(std::size_t axis) const { return coordinates_.data() + axis * geometry_.vertices().size(); }
   const Incidence &incidence(std::int32_t v) const { return incidence_[static_cast<std::size_t>(v)]; }
 
