@@ -10,7 +10,7 @@
 namespace cmb {
 
 BroadPhase::BroadPhase(std::shared_ptr<const Scene> given, CollisionFilter filter)
-    : scene_(std::move(given)), filter_(std::move(filter)) {
+    : scene_(std::move(given)), identity_(std::make_shared<char>()), filter_(std::move(filter)) {
   const Scene &scene = *scene_;
   std::size_t shapes = 0;
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
@@ -54,9 +54,10 @@ void BroadPhase::find_candidates(const double *position, const double *rotation,
   }
 
   scratch.found.clear();
-  scratch.grid.visit_overlaps(scratch.bounds, [&](std::uint32_t i, std::uint32_t j) {
-    emit(bounded_[i], bounded_[j], scratch.found);
-  });
+  scratch.near.visit_overlaps(
+      identity_, scratch.bounds,
+      [&](std::uint32_t i, std::uint32_t j) { return filter_.may_touch(bounded_[i].body, bounded_[j].body); },
+      [&](std::uint32_t i, std::uint32_t j) { emit(bounded_[i], bounded_[j], scratch.found); });
   for (const Proxy &halfspace : halfspaces_) {
     const Pose &plane = scratch.shape_poses[first_shape_[halfspace.body] + halfspace.shape];
     const Vec3 normal = plane.rotation.column(2);

@@ -8,7 +8,7 @@
 
 #include "shape/bounds.hpp"
 #include "broadphase/collision_filter.hpp"
-#include "broadphase/hierarchical_grid.hpp"
+#include "broadphase/near_pairs.hpp"
 #include "scene/scene.hpp"
 
 namespace cmb {
@@ -22,7 +22,7 @@ struct Candidate {
 struct BroadPhaseScratch {
   std::vector<Pose> body_poses, shape_poses;
   std::vector<Bounds> bounds;
-  HierarchicalGrid grid;
+  NearPairs near;
   std::vector<Candidate> found;
   std::vector<std::size_t> row_end;
   std::vector<Candidate> candidates;
@@ -54,6 +54,7 @@ class BroadPhase {
   void sort_candidates(BroadPhaseScratch &scratch) const;
 
   std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const void> identity_;  // unlike that of any other, also one that takes this one's place in memory
   CollisionFilter filter_;
   std::vector<std::size_t> first_shape_;     // of each body, and the number of all shapes
   std::vector<Proxy> bounded_, halfspaces_;  // all shapes

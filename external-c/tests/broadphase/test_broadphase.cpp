@@ -1,13 +1,14 @@
 // The broad phase finds all pairs that touch, and those only that its filter lets touch.
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <random>
 #include <set>
 #include <thread>
 #include <tuple>
 #include <utility>
 
-#include "broadphase/hierarchical_grid.hpp"
+#include "broadphase/near_pairs.hpp"
 #include "support/engine_calls.hpp"
 #include "contact_multibody_scene.h"
 #include "support/scene_query.hpp"
@@ -213,6 +214,44 @@ TEST(HierarchicalGrid, ComparesFewBoxesOfALargeScene) {
   std::size_t visits = 0;
   grid.visit_overlaps(boxes, [&](std::uint32_t, std::uint32_t) { ++visits; });
   EXPECT_EQ(visits, 400u);
+}
+
+// Boxes that creep, fly, jump, grow, become more or fewer, for owners that take turns, end, and take others' places in memory.
+TEST(NearPairs, AreThoseOfTheBoxesAtHand) {
+  cmb::NearPairs near;
+  Random random(5);
+  std::vector<std::shared_ptr<const void>> owners(3);
+  std::vector<std::vector<Bounds>> boxes(owners.size());
+  std::vector<unsigned> left_out(owners.size());
+  std::size_t at_hand = 0;
+  for (int round = 0; round < 3000; ++round) {
+    if (random.index(8) == 0) at_hand = random.index(owners.size());
+    std::vector<Bounds> &own = boxes[at_hand];
+    if (owners[at_hand] == nullptr || random.index(60) == 0) {
+      owners[at_hand] = std::make_shared<char>();
+      own = random_boxes(static_cast<unsigned>(round));
+      own.resize(std::min<std::size_t>(own.size(), 60));
+      left_out[at_hand] = static_cast<unsigned>(1 + random.index(7));
+    }
+    const double step = random.index(20) == 0 ? 1.0 : std::pow(10.0, -random.in(1.5, 4.0));
+    const bool one_flies = random.index(2) == 0;  // beside others that hardly move
+    const std::size_t flying = random.index(own.size());
+    for (Bounds &box : own) {
+      const double way = !one_flies ? step : &box == &own[flying] ? 1.0 : 1e-5;
+      const Vec3 move = random.vector(way * (box.high.z - box.low.z));
+      box = {box.low + move, box.high + move};
+    }
+    const unsigned divisor = left_out[at_hand];
+    const auto wanted = [divisor](std::uint32_t i, std::uint32_t j) { return (i + j) % divisor != 0 || divisor == 1; };
+    Pairs found, expected;
+    near.visit_overlaps(owners[at_hand], own, wanted, [&](std::uint32_t i, std::uint32_t j) {
+      EXPECT_TRUE(found.emplace(static_cast<int>(std::min(i, j)), static_cast<int>(std::max(i, j))).second) << "found twice";
+    });
+    for (const auto &[i, j] : overlapping(own)) {
+      if (wanted(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j))) expected.emplace(i, j);
+    }
+    ASSERT_EQ(found, expected) << "round " << round;
+  }
 }
 
 // Ten spheres at one place.
