@@ -11,6 +11,7 @@ import pytest
 from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.codegen import branch_nodes
+from random_expression import random_expression
 
 STATES = 4
 STOP = 0.2  # s
@@ -24,10 +25,7 @@ TEMPLATES = (
 
 
 def expression(draw: np.random.Generator, leaves: tuple[str, ...], depth: int) -> str:
-    if depth == 0 or draw.random() < 0.1:
-        return str(draw.choice(leaves))
-    template = str(draw.choice(TEMPLATES))
-    return template.format(**{name: expression(draw, leaves, depth - 1) for name in "abc"})
+    return random_expression(draw, TEMPLATES, leaves, depth, 0.1)
 
 
 def random_model(seed: int) -> str:

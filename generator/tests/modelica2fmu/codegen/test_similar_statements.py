@@ -13,6 +13,7 @@ from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu, translate
 from modelica2fmu.codegen import similar_statements
 from modelica2fmu.library.standard_library import StandardLibrary
+from random_expression import random_expression
 
 ELEMENTS = 12
 ARRAYS = 5
@@ -27,10 +28,7 @@ TEMPLATES = (
 
 
 def expression(draw: np.random.Generator, leaves: tuple[str, ...], depth: int) -> str:
-    if depth == 0 or draw.random() < 0.15:
-        return str(draw.choice(leaves))
-    template = str(draw.choice(TEMPLATES))
-    return template.format(**{name: expression(draw, leaves, depth - 1) for name in "abc"})
+    return random_expression(draw, TEMPLATES, leaves, depth, 0.15)
 
 
 def random_model(seed: int) -> str:
