@@ -19,7 +19,7 @@ Builder = Callable[[Case], Path]
 
 
 ALLOWED_RESTITUTION: Final = 1e-3
-"""Error of a free impact's restitution at tolerance 1e-6."""
+"""Error of a free impact's restitution at tolerances from 1e-4 on."""
 
 
 @dataclass(frozen=True)

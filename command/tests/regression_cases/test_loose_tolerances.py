@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from cmb.fmu_provider import FmuProvider
 from fmu_regression.cases.case import load_case
+from fmu_regression.cases.runner import run_case
 from fmu_regression.fmi.binding import Mode
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.simulate.simulation import simulate
@@ -87,6 +89,30 @@ def test_nothing_turns_a_ball_in_flight(tolerance: float, mode: Mode, known_answ
     assert result["spin"][-1] == pytest.approx(rolling, abs=0.2 + SPREAD * tolerance * 20.0)
 
 
+KEPT_AT_LOOSE_TOLERANCE = [
+    "ball_against_wall_020",
+    "bouncing_ball",
+    "off_centre_impact",
+    "off_centre_impact_without_events",
+    "painleve_rod_without_events",
+    "published_laws_9",
+    "second_strike_slower",
+    "volume_impact",
+]
+"""Errors of an impact's steps added up to more than is promised at 1e-6."""
+
+
+@pytest.mark.parametrize("case", KEPT_AT_LOOSE_TOLERANCE)
+def test_what_is_promised_is_kept_at_loose_tolerance(case: str, known_answer: Callable[[str], Path]) -> None:
+    loose = replace(load_case(CASES / "known_answers" / f"{case}.toml"), tolerance=1e-4)
+    result = run_case(loose, known_answer(case), time_limit=60)
+    assert result.runs
+    for one in result.runs:
+        assert not one.error
+        assert one.outcomes
+        assert [outcome.message for outcome in one.outcomes if not outcome.passed] == []
+
+
 @pytest.mark.full
 @pytest.mark.parametrize("mode", ["me", "cs"])
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8])
@@ -122,25 +148,14 @@ FAR_FROM_A_STRIKE = [
 """Rods that are thrown off; none whose fastest approach happens to be just one that counts as a strike of its own."""
 
 
-MAGNIFIED = ("painleve_rod_without_events", 1.4, 1e-2)
-"""A rod that is thrown 0.3 to 0.5 m high instead of 0.98 m: its jam magnifies one part in a hundred by sixty."""
-
-
 @pytest.mark.full
 @pytest.mark.parametrize("mode", ["me", "cs"])
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4, 1e-5])
 @pytest.mark.parametrize(("case", "mu"), FAR_FROM_A_STRIKE)
 def test_a_rod_is_thrown_off_alike_at_every_tolerance(
-    case: str,
-    mu: float,
-    tolerance: float,
-    mode: Mode,
-    known_answer: Callable[[str], Path],
-    request: pytest.FixtureRequest,
+    case: str, mu: float, tolerance: float, mode: Mode, known_answer: Callable[[str], Path]
 ) -> None:
     """A jam multiplies the error that it begins with, some ten times; but it throws the same way."""
-    if (case, mu, tolerance) == MAGNIFIED:
-        request.applymarker(pytest.mark.xfail(strict=True, reason="the jam magnifies the error more than forty times"))
     height = "rod.frame_a.r_0[3]"
     fmu = known_answer(case)
     expected = run(fmu, "cs", 1e-8, height, mu=mu)[height][-1]

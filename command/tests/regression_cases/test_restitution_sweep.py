@@ -8,21 +8,19 @@ from contact_promises.impacts import Impact, all_impacts, delivered, some_impact
 from contact_promises.table import ALLOWED_RESTITUTION
 from fmu_regression.cases.case import load_case
 from fmu_regression.cases.runner import Skip
+from fmu_regression.fmi.binding import Mode
 from program import CASES
 
 
 @pytest.mark.full
-@pytest.mark.parametrize(("tolerance", "allowed"), [(1e-6, ALLOWED_RESTITUTION), (1e-4, 6e-3)])
+@pytest.mark.parametrize("mode", ["me", "cs"])
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-4])
 @pytest.mark.parametrize("case", ["free_impact", "free_impact_without_events"])
-def test_restitution_is_delivered(
-    provide_fmu: FmuProvider, case: str, tolerance: float, allowed: float, request: pytest.FixtureRequest
-) -> None:
-    if (case, tolerance) == ("free_impact", 1e-4):
-        request.applymarker(pytest.mark.xfail(strict=True, reason="one of 28 impacts has 0.8934 instead of 0.9"))
+def test_restitution_is_delivered(provide_fmu: FmuProvider, case: str, tolerance: float, mode: Mode) -> None:
     fmu = provide_fmu(load_case(CASES / "known_answers" / f"{case}.toml"))
     assert not isinstance(fmu, Skip)
-    found = {impact: delivered(fmu, impact, tolerance) for impact in some_impacts()}
-    wrong = {impact: value for impact, value in found.items() if impact.error(value) > allowed}
+    found = {impact: delivered(fmu, impact, tolerance, mode) for impact in some_impacts()}
+    wrong = {impact: value for impact, value in found.items() if impact.error(value) > ALLOWED_RESTITUTION}
     assert not wrong
 
 

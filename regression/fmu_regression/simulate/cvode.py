@@ -22,7 +22,6 @@ from fmpy.sundials.cvode import (
     CVodeRootInit,
     CVodeSetMaxStep,
     CVodeSetNoInactiveRootWarn,
-    CVodeSVtolerances,
     CVRhsFn,
     CVRootFn,
 )
@@ -35,6 +34,7 @@ from fmpy.sundials.sunlinsol_dense import SUNLinSol_Dense
 from fmpy.sundials.sunmatrix_dense import SUNDenseMatrix
 
 from fmu_regression.results.result import FloatArray, SolverCounters
+from fmu_regression.simulate.error_weights import error_weights
 from fmu_regression.simulate.indicator_watch import IndicatorWatch
 from fmu_regression.simulate.newton import Newton
 
@@ -110,6 +110,8 @@ _JacobianFn = ctypes.CFUNCTYPE(
     *[ctypes.c_void_p] * 2,
     *[CVRhsFn._argtypes_[1]] * 3,
 )
+_WeightsFn = ctypes.CFUNCTYPE(ctypes.c_int, CVRhsFn._argtypes_[1], CVRhsFn._argtypes_[1], ctypes.c_void_p)
+_set_weights = _declare(sundials_cvode, "CVodeWFtolerances", ctypes.c_void_p, _WeightsFn)
 _set_jacobian = _declare(sundials_cvode, "CVodeSetJacFn", ctypes.c_void_p, _JacobianFn)
 _matrix_data = _declare(
     sundials_sunmatrixdense, "SUNDenseMatrix_Data", ctypes.c_void_p, result=ctypes.POINTER(ctypes.c_double)
@@ -197,6 +199,7 @@ class Cvode:
         self._rhs = CVRhsFn(self._guard_rhs(derivatives))
         self._root = CVRootFn(self._guard_root(indicators))
         self._jacobian = _JacobianFn(self._difference_quotients)
+        self._weights = _WeightsFn(self._weigh)
         self._handler = SUNErrHandlerFn(self._remember)
         self._check(_clear_handlers(self._context))  # the library's own writes to standard error
         self._check(SUNContext_PushErrHandler(self._context, self._handler, None))
@@ -206,7 +209,7 @@ class Cvode:
         self._between = self._vector(states)
         self._memory = CVodeCreate(CV_BDF, self._context)
         self._check(CVodeInit(self._memory, self._rhs, time, self._x))
-        self._check(CVodeSVtolerances(self._memory, tolerance, self._absolute))
+        self._check(_set_weights(self._memory, self._weights))
         if indicator_count:
             self._check(CVodeRootInit(self._memory, indicator_count, self._root))
         self._matrix = SUNDenseMatrix(states.size, states.size, self._context)
@@ -275,6 +278,17 @@ class Cvode:
         self._root_found = status == CV_ROOT_RETURN
         return reached.value, StepEnd.ROOT if status == CV_ROOT_RETURN else StepEnd.STEP
 
+    def _weigh(self, x: Any, weights: Any, _data: Any) -> int:
+        """For CVODE, before each step."""
+        step = ctypes.c_double(0.0)
+        _get_last_step(self._memory, ctypes.byref(step))
+        size = self._nominal.size
+        states, absolute, result = (
+            np.ctypeslib.as_array(NV_DATA_S(vector), (size,)) for vector in (x, self._absolute, weights)
+        )
+        result[:] = error_weights(states, absolute, self._tolerance, step.value)
+        return 0 if np.all(np.isfinite(result)) else -1
+
     def _watch(self) -> None:
         """Lets Newton's iteration go further, until the next restart, where the integrator creeps."""
         before = self._last_step.value
@@ -313,7 +327,6 @@ class Cvode:
         self._check(CVodeReInit(self._memory, time, self._x))
         self._check(_set_newton_share(self._memory, _USUAL_NEWTON_SHARE))
         self._steps_alike = 0
-        self._check(CVodeSVtolerances(self._memory, self._tolerance, self._absolute))
 
     def counters(self, state_events: int, time_events: int) -> SolverCounters:
         """Work since the object was made."""

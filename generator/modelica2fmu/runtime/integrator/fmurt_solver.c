@@ -19,6 +19,7 @@
 #include "fmurt_newton.h"
 #include "fmurt_vector.h"
 #include "fmurt_watch.h"
+#include "fmurt_weight.h"
 
 enum { MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
 
@@ -54,7 +55,8 @@ struct fmurt_solver {
   fmurt_instance *instance;
   SUNContext context;
   void *memory;
-  N_Vector state, tolerance;
+  N_Vector state, tolerance; /* the absolute one of each state */
+  double relative;           /* tolerance */
   SUNMatrix matrix; /* NULL with GMRES */
   SUNLinearSolver linear;
   SUNNonlinearSolver newton;
@@ -290,7 +292,16 @@ static double absolute_tolerance(double relative, double option, double nominal)
   return nominal < 1.0 ? fmin(default_absolute(relative), relative * nominal) : default_absolute(relative) * nominal;
 }
 
-static double find_tolerances(fmurt_solver *solver) {
+/* For CVODE, before each step. */
+static int weigh(N_Vector state, N_Vector weight, void *data) {
+  fmurt_solver *solver = data;
+  double step = 0.0;
+  if (CVodeGetLastStep(solver->memory, &step) != CV_SUCCESS) return -1;
+  return fmurt_weigh(fmurt_share_of_tolerance(step, solver->relative), solver->relative, NV_DATA_S(solver->tolerance),
+                     NV_DATA_S(state), vector_size(solver), NV_DATA_S(weight));
+}
+
+static void set_tolerances(fmurt_solver *solver) {
   const fmurt_situation *situation = &solver->instance->situation;
   const double relative = relative_tolerance(situation);
   const double option = situation->solver_real[FMURT_SOLVER_ABSOLUTE_TOLERANCE];
@@ -299,16 +310,12 @@ static double find_tolerances(fmurt_solver *solver) {
   for (size_t i = 0; i < solver->state_count; ++i) {
     tolerance[i] = absolute_tolerance(relative, option, solver->instance->values.state_nominal[i]);
   }
-  return relative;
-}
-
-static int set_tolerances(fmurt_solver *solver) {
-  return CVodeSVtolerances(solver->memory, find_tolerances(solver), solver->tolerance);
+  solver->relative = relative;
 }
 
 static int first_start(fmurt_solver *solver) {
   int flag = CVodeInit(solver->memory, right_hand_side, solver->instance->values.time, solver->state);
-  if (flag == CV_SUCCESS) flag = set_tolerances(solver);
+  if (flag == CV_SUCCESS) flag = CVodeWFtolerances(solver->memory, weigh);
   if (flag == CV_SUCCESS) flag = CVodeSetUserData(solver->memory, solver);
   if (flag == CV_SUCCESS) flag = CVodeSetLinearSolver(solver->memory, solver->linear, solver->matrix);
   if (flag == CV_SUCCESS && solver->state_count > 0 && solver->matrix != NULL) {
@@ -329,12 +336,12 @@ static int first_start(fmurt_solver *solver) {
 
 static int start(fmurt_solver *solver) {
   load_point(solver);
+  set_tolerances(solver);
   int flag = CV_SUCCESS;
   if (!solver->initialized) {
     flag = first_start(solver);
   } else {
-    flag = set_tolerances(solver);
-    if (flag == CV_SUCCESS) flag = CVodeReInit(solver->memory, solver->instance->values.time, solver->state);
+    flag = CVodeReInit(solver->memory, solver->instance->values.time, solver->state);
   }
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinConvCoef(solver->memory, usual_newton_share);
   memset(solver->counted, 0, sizeof solver->counted);
@@ -537,7 +544,8 @@ static int integrate_explicitly(fmurt_solver *solver, double end, double largest
   fmurt_instance *instance = solver->instance;
   fmurt_race *race = &instance->situation.race;
   const int is_told = fmurt_model.followed_count > 0 || fmurt_model.warnings != NULL;
-  const fmurt_explicit_model model = {derivatives_at, is_told ? accept_step : NULL, solver, find_tolerances(solver),
+  set_tolerances(solver);
+  const fmurt_explicit_model model = {derivatives_at, is_told ? accept_step : NULL, solver, solver->relative,
                                       NV_DATA_S(solver->tolerance)};
   const long jacobian = cost_of_jacobian(solver);
   int *counters = instance->situation.solver_integer;
