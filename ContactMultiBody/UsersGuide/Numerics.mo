@@ -6,7 +6,7 @@ class Numerics "Solvers, steps and what limits accuracy"
 <table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">
 <tr><th>setting</th><th>value</th><th>why</th></tr>
 <tr><td>solver</td><td>DASSL, IDA, CVODE (BDF), Radau</td><td>contact is stiff; explicit methods take steps of sqrt(m/K)</td></tr>
-<tr><td>tolerance</td><td>1e-6</td><td>restitution is delivered within 0.001, stops and rolling within 0.1 %; at 1e-4 too in co-simulation and by cmb simulate, which hold short steps to a tenth of the tolerance; by other solvers within 0.006, as each of the fifty steps of an impact may err by 1e-4 of the speed</td></tr>
+<tr><td>tolerance</td><td>1e-6</td><td>restitution is delivered within 0.001, stops and rolling within 0.1 %; at 1e-4 too in co-simulation and by cmb simulate, which hold short steps to less than a tenth of the tolerance; by other solvers within 0.006, as each of the fifty steps of an impact may err by 1e-4 of the speed</td></tr>
 <tr><td>longest step</td><td>thickness of the thinnest wall by the greatest speed</td><td>no solver sees what happens within one step; half-spaces need no limit</td></tr>
 <tr><td>output interval</td><td>some rows in a contact time, &pi; sqrt(m/K)</td><td>only for plots of forces; the solver chooses its own steps</td></tr>
 <tr><td>co-simulation</td><td>an FMU with its own implicit solver</td><td>explicit Euler at the communication step diverges</td></tr>

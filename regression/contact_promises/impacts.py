@@ -6,6 +6,7 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from random import Random
 from typing import Final
 
 from fmu_regression.fmi.binding import Mode
@@ -61,6 +62,20 @@ def some_impacts() -> tuple[Impact, ...]:
         Impact(e, v, STIFFNESS[(i + k) % len(STIFFNESS)], EXPONENT[(i + k // 2) % len(EXPONENT)])
         for i, e in enumerate(RESTITUTION)
         for k, v in enumerate(SPEED)
+    )
+
+
+def random_impacts(count: int, seed: int) -> tuple[Impact, ...]:
+    """Impacts between those of the grid: the same ranges, exponents up to 2, speed and stiffness logarithmic."""
+    draw = Random(seed)
+    return tuple(
+        Impact(
+            draw.uniform(RESTITUTION[0], RESTITUTION[-1]),
+            SPEED[0] * (SPEED[-1] / SPEED[0]) ** draw.random(),
+            STIFFNESS[0] * (STIFFNESS[-1] / STIFFNESS[0]) ** draw.random(),
+            draw.uniform(1.0, 2.0),
+        )
+        for _ in range(count)
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from cmb.fmu_provider import FmuProvider
-from contact_promises.impacts import Impact, all_impacts, delivered, some_impacts
+from contact_promises.impacts import Impact, all_impacts, delivered, random_impacts, some_impacts
 from contact_promises.table import ALLOWED_RESTITUTION
 from fmu_regression.cases.case import load_case
 from fmu_regression.cases.runner import Skip
@@ -19,7 +19,8 @@ from program import CASES
 def test_restitution_is_delivered(provide_fmu: FmuProvider, case: str, tolerance: float, mode: Mode) -> None:
     fmu = provide_fmu(load_case(CASES / "known_answers" / f"{case}.toml"))
     assert not isinstance(fmu, Skip)
-    found = {impact: delivered(fmu, impact, tolerance, mode) for impact in some_impacts()}
+    impacts = some_impacts() + random_impacts(60, seed=1126)
+    found = {impact: delivered(fmu, impact, tolerance, mode) for impact in impacts}
     wrong = {impact: value for impact, value in found.items() if impact.error(value) > ALLOWED_RESTITUTION}
     assert not wrong
 

@@ -137,7 +137,7 @@ Fault check_library(const Sample &s, const Pair &library) {
   if (const char *wrong = fault_of_numbers(answer)) return std::string("as a back end: ") + wrong;
   // The engine's bounding spheres are about the bodies' middles, these about their origins.
   const double allowed = 2e-4 * (s.bodies.a.radius + s.bodies.b.radius);
-  if (!is_library_answer(answer.distance, s.answer.distance, allowed)) {
+  if (!is_library_answer(answer.distance, s.answer.distance, allowed, s.rounding)) {
     return too_far("as a back end", answer.distance, s.answer.distance);
   }
   return {};
@@ -178,8 +178,8 @@ Fault check_motion(const Sample &s, Random &random) {
 
 }  // namespace
 
-bool is_library_answer(double found, double truth, double allowed) {
-  return truth < 0.0 ? found < 0.0 && found <= truth + allowed : std::fabs(found - truth) <= allowed;
+bool is_library_answer(double found, double truth, double allowed, double rounding) {
+  return truth < -rounding ? found < 0.0 && found <= truth + allowed : std::fabs(found - truth) <= allowed;
 }
 
 Fault check(Sample &s, Random &random, long sample) {

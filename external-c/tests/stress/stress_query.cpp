@@ -123,7 +123,7 @@ Tally run(const Class &c, long first, long end, std::uint64_t seed, bool replay)
     Random random = random_of_sample(seed, k);
     const Bodies &bodies = *pool[static_cast<std::size_t>(random.integer(0, pairs_in_a_class - 1))];
     Fault fault;
-    Sample s{bodies, {}, {}, 0.0, {}};
+    Sample s{bodies, {}, {}, 0.0, 0.0, {}};
     try {
       const Pose relative = make_pose(bodies, random);
       double far = 0.0;
@@ -133,7 +133,9 @@ Tally run(const Class &c, long first, long end, std::uint64_t seed, bool replay)
       }
       s.a = compose(s.b, relative);
       const bool curved = bodies.a.curved || bodies.b.curved;
-      s.slack = (curved ? 1e-6 : 1e-9) * std::max(size_of(bodies), std::max(bodies.a.extent, bodies.b.extent)) + 1e-14 * far;
+      const double size = std::max(size_of(bodies), std::max(bodies.a.extent, bodies.b.extent));
+      s.rounding = 1e-13 * size + 1e-14 * far;
+      s.slack = (curved ? 1e-6 : 1e-9) * size + 1e-14 * far;
       fault = check(s, random, k);
     } catch (const std::string &error) {
       fault = error;
@@ -191,12 +193,11 @@ Tally run_published(long samples, std::uint64_t seed) {
       if (fault == nullptr && std::fabs(pairs[which]->ask(a, b, true).distance - answer.distance) > 1e-6) {
         fault = "another distance reversed";
       }
-      if (fault == nullptr && k % 8 == 0 && !is_library_answer(fcl[which]->ask(a, b).distance, answer.distance, 5e-4)) {
-        fault = "FCL as a back end";
-      }
-      if (fault == nullptr && !is_library_answer(libccd[which]->ask(a, b).distance, answer.distance, 5e-4)) {
-        fault = "libccd as a back end";
-      }
+      const auto may_say = [&](const Pair &library) {
+        return is_library_answer(library.ask(a, b).distance, answer.distance, 5e-4, 1e-12);
+      };
+      if (fault == nullptr && k % 8 == 0 && !may_say(*fcl[which])) fault = "FCL as a back end";
+      if (fault == nullptr && !may_say(*libccd[which])) fault = "libccd as a back end";
     } catch (...) {
       fault = "an error or exception";
     }

@@ -34,7 +34,7 @@ from fmpy.sundials.sunlinsol_dense import SUNLinSol_Dense
 from fmpy.sundials.sunmatrix_dense import SUNDenseMatrix
 
 from fmu_regression.results.result import FloatArray, SolverCounters
-from fmu_regression.simulate.error_weights import error_weights
+from fmu_regression.simulate.error_weights import error_weights, highest_order
 from fmu_regression.simulate.indicator_watch import IndicatorWatch
 from fmu_regression.simulate.newton import Newton
 
@@ -83,6 +83,7 @@ def _declare(library: Any, name: str, *arguments: Any, result: Any = ctypes.c_in
 
 
 _set_stop_time = _declare(sundials_cvode, "CVodeSetStopTime", ctypes.c_void_p, ctypes.c_double)
+_set_highest_order = _declare(sundials_cvode, "CVodeSetMaxOrd", ctypes.c_void_p, ctypes.c_int)
 _set_newton_share = _declare(sundials_cvode, "CVodeSetNonlinConvCoef", ctypes.c_void_p, ctypes.c_double)
 _set_growth_after_start = _declare(sundials_cvode, "CVodeSetEtaMaxFirstStep", ctypes.c_void_p, ctypes.c_double)
 _set_warnings = _declare(sundials_cvode, "CVodeSetMaxHnilWarns", ctypes.c_void_p, ctypes.c_int)
@@ -210,6 +211,7 @@ class Cvode:
         self._memory = CVodeCreate(CV_BDF, self._context)
         self._check(CVodeInit(self._memory, self._rhs, time, self._x))
         self._check(_set_weights(self._memory, self._weights))
+        self._check(_set_highest_order(self._memory, highest_order(tolerance)))
         if indicator_count:
             self._check(CVodeRootInit(self._memory, indicator_count, self._root))
         self._matrix = SUNDenseMatrix(states.size, states.size, self._context)

@@ -16,10 +16,11 @@
 #include "fmurt_evaluate.h"
 #include "fmurt_event.h"
 #include "fmurt_explicit.h"
+#include "fmurt_failure.h"
 #include "fmurt_newton.h"
+#include "fmurt_tolerance.h"
 #include "fmurt_vector.h"
 #include "fmurt_watch.h"
-#include "fmurt_weight.h"
 
 enum { MAXIMUM_RETRIES = 1000, MAXIMUM_ROOT_RETRIES = 3 };
 
@@ -277,21 +278,6 @@ static double relative_tolerance(const fmurt_situation *situation) {
   return situation->solver_real[FMURT_SOLVER_RELATIVE_TOLERANCE];
 }
 
-/* The absolute tolerance, divided by a state's nominal value, where the importer gives none. Positions have the nominal
- * value 1 m as a rule and penetrations of a micrometre matter, so the usual share 1 of the relative tolerance would
- * leave them undetermined; more than a tenth of a micrometre leaves the springs of static friction so. Below a nanometre
- * the rounding errors of contact geometry, multiplied by the stiffness of the contact, keep Newton from converging
- * (tried on stacks and on a box that lands on its edge). */
-static double default_absolute(double relative) { return fmin(relative, fmin(fmax(1e-3 * relative, 1e-9), 1e-7)); }
-
-/* The absolute tolerance of a state. Nominal values below 1, as of stretches of friction's springs, tell the size that
- * matters themselves: a share of a share would ask for picometres, where steps fail over kinks that nothing depends on. */
-static double absolute_tolerance(double relative, double option, double nominal) {
-  if (!(nominal > 0.0)) nominal = 1.0;
-  if (option > 0.0) return option * nominal;
-  return nominal < 1.0 ? fmin(default_absolute(relative), relative * nominal) : default_absolute(relative) * nominal;
-}
-
 /* For CVODE, before each step. */
 static int weigh(N_Vector state, N_Vector weight, void *data) {
   fmurt_solver *solver = data;
@@ -308,7 +294,7 @@ static void set_tolerances(fmurt_solver *solver) {
   double *tolerance = NV_DATA_S(solver->tolerance);
   if (solver->state_count == 0) tolerance[0] = 1.0;
   for (size_t i = 0; i < solver->state_count; ++i) {
-    tolerance[i] = absolute_tolerance(relative, option, solver->instance->values.state_nominal[i]);
+    tolerance[i] = fmurt_absolute_tolerance(relative, option, solver->instance->values.state_nominal[i]);
   }
   solver->relative = relative;
 }
@@ -343,6 +329,7 @@ static int start(fmurt_solver *solver) {
   } else {
     flag = CVodeReInit(solver->memory, solver->instance->values.time, solver->state);
   }
+  if (flag == CV_SUCCESS) flag = CVodeSetMaxOrd(solver->memory, fmurt_highest_order(solver->relative));
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinConvCoef(solver->memory, usual_newton_share);
   memset(solver->counted, 0, sizeof solver->counted);
   solver->steps_accepted = -1;
@@ -371,42 +358,6 @@ static void count(fmurt_solver *solver) {
   solver->quotient_evaluations = 0;
 }
 
-static const char *failure_name(int flag) {
-  switch (flag) {
-    case CV_TOO_MUCH_ACC: return "the tolerance asks for more accuracy than the numbers have";
-    case CV_ERR_FAILURE: return "the error stays too large down to the shortest step";
-    case CV_CONV_FAILURE: return "Newton's iteration does not converge down to the shortest step";
-    case CV_LSETUP_FAIL:
-    case CV_LSOLVE_FAIL: return "the Jacobian cannot be computed or is singular";
-    case CV_RHSFUNC_FAIL: return "the model cannot be evaluated";
-    case CV_FIRST_RHSFUNC_ERR: return "the model cannot be evaluated where a step begins";
-    case CV_REPTD_RHSFUNC_ERR: return "the model cannot be evaluated in spite of shorter steps";
-    case CV_UNREC_RHSFUNC_ERR: return "the model cannot be evaluated any more";
-    case CV_RTFUNC_FAIL: return "the event indicators cannot be evaluated";
-    case CV_MEM_FAIL: return "no memory";
-    default: return "CVODE refuses to go on";
-  }
-}
-
-/* Names the state whose error was largest in the last step that was tried; leaves the text as it is if it is unknown. */
-static void describe_worst_state(fmurt_solver *solver, char *text, size_t size) {
-  if (solver->state_count == 0) return;
-  N_Vector error = N_VClone(solver->state), weight = N_VClone(solver->state);
-  if (error != NULL && weight != NULL && CVodeGetEstLocalErrors(solver->memory, error) == CV_SUCCESS &&
-      CVodeGetErrWeights(solver->memory, weight) == CV_SUCCESS) {
-    size_t worst = 0;
-    double largest = 0.0;
-    for (size_t i = 0; i < solver->state_count; ++i) {
-      const double size_of_error = fabs(NV_Ith_S(error, i) * NV_Ith_S(weight, i));
-      if (size_of_error > largest) largest = size_of_error, worst = i;
-    }
-    snprintf(text, size, "; %.120s = %.6g has the largest",
-             fmurt_slot_name(&fmurt_interface_tables.real, fmurt_model.state[worst]), NV_Ith_S(solver->state, worst));
-  }
-  if (error != NULL) N_VDestroy(error);
-  if (weight != NULL) N_VDestroy(weight);
-}
-
 static fmurt_result explain(fmurt_solver *solver, int flag, double time, const char *cause) {
   fmurt_instance *instance = solver->instance;
   const fmurt_result result = flag == CV_RHSFUNC_FAIL ||
@@ -414,22 +365,12 @@ static fmurt_result explain(fmurt_solver *solver, int flag, double time, const c
                                       flag == CV_MEM_FAIL || flag == CV_ILL_INPUT
                                   ? FMURT_RESULT_ERROR
                                   : FMURT_RESULT_DISCARD;
-  if (flag == CV_TOO_MUCH_WORK) {
-    snprintf(
-        instance->message, sizeof instance->message,
-        "The integrator gives up at time %.15g: it needs more than %d steps in one communication step. If the model "
-        "is right, raise cmbSolver.maximumSteps or take shorter communication steps",
-        time, instance->situation.solver_integer[FMURT_SOLVER_MAXIMUM_STEPS]);
-    return result;
-  }
   char state[200] = "";
-  if (cause[0] == '\0') describe_worst_state(solver, state, sizeof state);
-  const char *end = cause;
-  if (cause[0] == '\0' && (flag == CV_CONV_FAILURE || flag == CV_ERR_FAILURE)) {
-    end = ". The tolerance may be too coarse for a contact's penetration, or the contact's stiffness too high";
+  if (cause[0] == '\0' && flag != CV_TOO_MUCH_WORK && solver->initialized && solver->state_count > 0) {
+    fmurt_describe_worst_state(solver->memory, solver->state, state, sizeof state);
   }
-  snprintf(instance->message, sizeof instance->message, "The integrator stops at time %.9g: %s%s%.700s", time,
-           failure_name(flag), cause[0] != '\0' ? ": " : state, end);
+  fmurt_describe_failure(flag, time, instance->situation.solver_integer[FMURT_SOLVER_MAXIMUM_STEPS], cause, state,
+                         instance->message, sizeof instance->message);
   return result;
 }
 
