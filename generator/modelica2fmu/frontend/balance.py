@@ -10,6 +10,7 @@ from typing import Any, Final
 from modelica2fmu.frontend.runner import Request
 from modelica2fmu.library.class_text import without_comments_and_strings
 
+_MANAGER: Final = re.compile(r"\bContactManager\s+(?P<name>\w+)\s*[(;\"]")
 _COUNTED: Final = re.compile(r"\bContactManager\s+(?P<name>\w+)\s*\([^;]*?\bn\s*=\s*(?P<count>\d+)\b", re.S)
 _MOST_FRAMES: Final = 1000
 _PARTIAL: Final = "cmb partial model"
@@ -55,9 +56,11 @@ def unbalanced_form(request: Request) -> Request | None:
 def frames_without_connect(text: str) -> list[str]:
     """Elements ``manager.frame[k]`` of components declared with ``n=N`` that no ``connect`` of the text names.
 
-    Only where every connect names its element by a number; for models that cannot even be flattened as they are.
+    Only where every connect names its element by a number; ``manager.frame`` where none names any. For models that
+    cannot even be flattened as they are.
     """
-    found = []
+    names = [declared["name"] for declared in _MANAGER.finditer(text)]
+    found = [f"{name}.frame" for name in names if re.search(rf"\b{name}\.frame\b", text) is None]
     for declared in _COUNTED.finditer(text):
         name, count = declared["name"], int(declared["count"])
         subscripts = re.findall(rf"\b{name}\.frame\[\s*([^\]]*?)\s*\]", text)

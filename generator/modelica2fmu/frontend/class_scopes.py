@@ -7,11 +7,15 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final
 
+from modelica2fmu.frontend.brackets import end_of_bracket, parts_between_commas
+
 _BOUND: Final = re.compile(
     r"\b(?:model|block|class|package|record|connector|function|operator)\s+(?:extends\s+)?(?P<begin>\w+)\b(?!\s*[=(])"
     r"|\bend\s+(?!(?:if|for|when|while)\b)(?P<end>\w+)\s*;"
 )
 _EXTENDS: Final = re.compile(r"\bextends\s+\.?((?:\w+\s*\.\s*)*)(\w+)")
+_BRACKET: Final = re.compile(r"\s*\(")
+_MODIFIER: Final = re.compile(r"\s*(?:final\s+)?(\w+)\s*=(?!=)(.*)", re.DOTALL)
 _WORD: Final = re.compile(r"\b[^\W\d]\w*")
 
 
@@ -88,16 +92,31 @@ def used_classes(model: str, scopes: Iterable[ClassScope]) -> list[ClassScope]:
     return [scope for name in names for scope in known.get(name, ())]
 
 
-def own_classes(model: str, used: Iterable[ClassScope]) -> set[str]:
-    """Names of the model and of the bases whose members are its own: classes that are extended, and nothing else."""
+def own_classes(model: str, used: Iterable[ClassScope]) -> list[str]:
+    """Names of the model and of the bases whose members are its own, each before its bases.
+
+    They are the classes that are extended, and nothing else.
+    """
     used = list(used)
-    own, waiting = set[str](), {model.rpartition(".")[2]}
-    while waiting:
-        name = waiting.pop()
-        own.add(name)
-        bases = {found[2] for scope in used if scope.name == name for found in _EXTENDS.finditer(scope.code)}
-        waiting |= {base for base in bases - own if _is_only_extended(base, used)}
+    own = [model.rpartition(".")[2]]
+    for name in own:
+        bases = [found[2] for scope in used if scope.name == name for found in _EXTENDS.finditer(scope.code)]
+        own += [base for base in dict.fromkeys(bases) if base not in own and _is_only_extended(base, used)]
     return own
+
+
+def extends_modifiers(scope: ClassScope) -> dict[str, str]:
+    """What a class makes of its bases' members: ``{"n": "2*k"}`` of ``extends Base(n=2*k)``."""
+    modifiers: dict[str, str] = {}
+    for found in _EXTENDS.finditer(scope.code):
+        bracket = _BRACKET.match(scope.code, found.end())
+        if bracket is None:
+            continue
+        end = end_of_bracket(scope.code, bracket.end() - 1) - 1
+        for part in parts_between_commas(scope.code, bracket.end(), end):
+            if modifier := _MODIFIER.fullmatch(scope.code, *part):
+                modifiers.setdefault(modifier[1], modifier[2].strip())
+    return modifiers
 
 
 def _is_only_extended(name: str, used: Iterable[ClassScope]) -> bool:

@@ -3,23 +3,31 @@
 rumoca 0.10 refuses ``cat(1, a, b)`` of Strings and records, whose type it takes to be that of the first argument, and
 ``{ball[i].geometry for i in 1:n}``, an array made of members of components. Written out, ``{ball[1].geometry,
 ball[2].geometry, floor.geometry}``, it takes both. ``connect(ball.frame_a, contacts.frame[1:3])`` it takes with
-``ball[1:3].frame_a``. The numbers that ranges and sizes depend on are read from the class that
-uses them, else from those around it and those the model uses; whether they hold in the model is for the caller to
-check.
+``ball[1:3].frame_a``. The numbers that ranges and sizes depend on are read from the class that uses them, else from
+those around it and those the model uses, and from modifiers of ``extends``; whether they hold in the model is for the
+caller to check.
 """
 
 from __future__ import annotations
 
 import ast
+import operator
 import re
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, Final
 
-from modelica2fmu.frontend.class_scopes import ClassScope, class_scopes, own_classes, scope_at, used_classes
+from modelica2fmu.frontend.brackets import end_of_bracket, parts_between_commas
+from modelica2fmu.frontend.class_scopes import (
+    ClassScope,
+    class_scopes,
+    extends_modifiers,
+    own_classes,
+    scope_at,
+    used_classes,
+)
 
-_OPENING: Final = {"(": ")", "{": "}", "[": "]"}
 _MASKED: Final = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _CALL: Final = re.compile(r"(?<![\w.])cat\s*\(")
 _ITERATION: Final = re.compile(r"\bfor\s+(\w+)\s+in\s+(.+)$", re.DOTALL)
@@ -33,6 +41,12 @@ _NUMBER: Final = (
 )
 _DECLARED: Final = r"(?<![\w.]){name}\s*\[([^\[\],:]+)\]\s*[(;\0]"
 _MOST_ELEMENTS: Final = 1000
+_MOST_REFERENCES: Final = 20
+_OPERATIONS: Final[dict[str, Callable[[int, int], int]]] = {
+    "Add": operator.add,
+    "Sub": operator.sub,
+    "Mul": operator.mul,
+}
 
 
 class _UnknownError(Exception):
@@ -58,14 +72,15 @@ class Numbers:
 
     def hold_in(self, flat: Mapping[str, Any]) -> bool:
         """= true, if they are so in a flattened model, those of other classes wherever they occur."""
+        variables = flat["variables"]
         bindings: dict[str, list[Any]] = {}
-        for name, variable in flat["variables"].items():
+        for name, variable in variables.items():
             bindings.setdefault(name.rpartition(".")[2], []).append(variable["binding"])
         return all(
-            name in flat["variables"] and _is_number(flat["variables"][name]["binding"], number)
+            name in variables and _integer(variables[name]["binding"], variables) == number
             for name, number in self.own.items()
         ) and all(
-            name in bindings and all(_is_number(binding, number) for binding in bindings[name])
+            name in bindings and all(_integer(binding, variables) == number for binding in bindings[name])
             for name, number in self.others.items()
         )
 
@@ -97,9 +112,17 @@ def with_arrays_written_out(model: str, texts: Sequence[str]) -> WrittenOut:
     return WrittenOut([writer.written(used, own) for writer in writers], numbers)
 
 
-def _is_number(binding: Any, number: int) -> bool:
-    literal = binding.get("Literal") if isinstance(binding, dict) else None
-    return literal is not None and literal["value"] == {"Integer": number}
+def _integer(expression: Any, variables: Mapping[str, Any], depth: int = 0) -> int | None:
+    """Value of an Integer expression of the flattened model; None of others."""
+    match expression:
+        case {"Literal": {"value": {"Integer": int(number)}}}:
+            return number
+        case {"VarRef": {"name": {"name": name}, "subscripts": []}} if name in variables and depth < _MOST_REFERENCES:
+            return _integer(variables[name]["binding"], variables, depth + 1)
+        case {"Binary": {"op": op, "lhs": left, "rhs": right}} if op in _OPERATIONS:
+            values = [_integer(side, variables, depth) for side in (left, right)]
+            return None if values[0] is None or values[1] is None else _OPERATIONS[op](values[0], values[1])
+    return None
 
 
 def _masked(text: str, letter: str) -> str:
@@ -114,16 +137,16 @@ class _Writer:
         self._code = _MASKED.sub(lambda found: _masked(found[0], "\0"), self._plain)
         self._numbers = numbers
         self._used: Sequence[ClassScope] = ()
-        self._own: Container[str] = ()
+        self._own: Sequence[str] = ()
         self._scope: ClassScope | None = None  # of what is being written out
         self.scopes = class_scopes(self._code)
 
-    def written(self, used: Sequence[ClassScope], own: Container[str]) -> str:
+    def written(self, used: Sequence[ClassScope], own: Sequence[str]) -> str:
         """The text with what can be written out.
 
         Args:
             used: the classes that may be changed.
-            own: names of those whose members are the model's.
+            own: names of those whose members are the model's, each before its bases.
         """
         self._used, self._own = used, own
         result, done = [], 0
@@ -148,7 +171,7 @@ class _Writer:
         for found in _CONNECT.finditer(self._code):
             if not self._enter(found.start()):
                 continue
-            parts = self._parts(found.end(), self._end(found.end() - 1) - 1)
+            parts = parts_between_commas(self._code, found.end(), end_of_bracket(self._code, found.end() - 1) - 1)
             for part, other in (parts, parts[::-1]) if len(parts) == 2 else ():
                 array = _ARRAY_OF_CONNECTORS.fullmatch(self._code, *part)
                 if array is None or not _SLICE.search(self._code[slice(*other)]):
@@ -175,35 +198,9 @@ class _Writer:
     def _places(self) -> Iterator[tuple[int, int]]:
         """Calls of cat, and array constructors with an iterator that subscripts a component, in order."""
         for found in re.finditer(r"(?<![\w.])cat\s*\(|\{", self._code):
-            end = self._end(found.end() - 1)
+            end = end_of_bracket(self._code, found.end() - 1)
             if found[0] != "{" or re.search(r"\]\s*\.\s*\w", self._code[found.start() : end]):
                 yield found.start(), end
-
-    def _end(self, start: int) -> int:
-        """Where the bracket that opens at ``start`` is closed."""
-        depth: list[str] = []
-        for position in range(start, len(self._code)):
-            letter = self._code[position]
-            if letter in _OPENING:
-                depth.append(_OPENING[letter])
-            elif depth and letter == depth[-1]:
-                depth.pop()
-                if not depth:
-                    return position + 1
-        return len(self._code)
-
-    def _parts(self, start: int, end: int) -> list[tuple[int, int]]:
-        """Ranges between commas."""
-        parts, first, position = [], start, start
-        while position < end:
-            if self._code[position] in _OPENING:
-                position = self._end(position)
-                continue
-            if self._code[position] == ",":
-                parts.append((first, position))
-                first = position + 1
-            position += 1
-        return [*parts, (first, end)]
 
     def _elements(self, start: int, end: int) -> list[str]:
         """Elements of an array expression; raises _UnknownError where they are not plain."""
@@ -213,12 +210,12 @@ class _Writer:
             end -= 1
         code = self._code[start:end]
         call = _CALL.match(code)
-        if call and self._end(start + call.end() - 1) == end:
-            dimension, *arrays = self._parts(start + call.end(), end - 1)
+        if call and end_of_bracket(self._code, start + call.end() - 1) == end:
+            dimension, *arrays = parts_between_commas(self._code, start + call.end(), end - 1)
             if self._code[slice(*dimension)].strip() != "1":
                 raise _UnknownError
             elements = [element for array in arrays for element in self._elements(*array)]
-        elif code.startswith("{") and self._end(start) == end:
+        elif code.startswith("{") and end_of_bracket(self._code, start) == end:
             elements = self._constructed(start + 1, end - 1)
         else:
             elements = self._members(code)
@@ -229,7 +226,7 @@ class _Writer:
     def _constructed(self, start: int, end: int) -> list[str]:
         iteration = _ITERATION.search(self._code, start, end)
         if iteration is None:
-            return [self._element(first, last) for first, last in self._parts(start, end)]
+            return [self._element(first, last) for first, last in parts_between_commas(self._code, start, end)]
         name, limits = iteration[1], iteration[2].split(":")
         if len(limits) != 2 or any(letter in iteration[2] for letter in ",[{"):
             raise _UnknownError
@@ -261,6 +258,20 @@ class _Writer:
             raise _UnknownError
         return self._number(declared[0])
 
+    def _modified(self, name: str) -> int | None:
+        """What the model, or the class nearest to it, makes of a member of a class that it extends."""
+        around = self._scope
+        for own in self._own:
+            for scope in self._used:
+                given = extends_modifiers(scope).get(name) if scope.name == own else None
+                if given is not None:
+                    self._scope = scope
+                    try:
+                        return self._number(given)
+                    finally:
+                        self._scope = around
+        return None
+
     def _number(self, text: str) -> int:
         try:
             return self._value(ast.parse(text.strip(), mode="eval").body)
@@ -276,7 +287,8 @@ class _Writer:
                 declared, is_own = self._declarations(_NUMBER.format(name=name))
                 if len(declared) != 1:
                     raise _UnknownError
-                number = self._number(declared[0])
+                modified = self._modified(name) if is_own else None
+                number = self._number(declared[0]) if modified is None else modified
                 self._numbers.take(name, number, is_own)
                 return number
             case ast.UnaryOp(op=ast.USub(), operand=operand):

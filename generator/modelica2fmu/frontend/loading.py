@@ -67,11 +67,13 @@ class _Loaded:
 
     Attributes:
         answer: about the model.
+        request: that it answers.
         file: that holds it, as the front end got it.
         roots: as the front end got them.
     """
 
     answer: Answer
+    request: Request
     file: Path
     roots: tuple[Path, ...]
 
@@ -102,16 +104,12 @@ def load_flat_model(
         library = ClassLibrary(given.file, text, given.roots)
         check_numbers(text, given.file, _places(source_map))
         missing = _check_own_text(model, given.file, source_map, library)
-        loaded = _Loaded(ask(request, remark), given.file, given.roots)
-        unbalanced = None
-        if loaded.answer.flat is None:
-            unbalanced = _unbalanced(loaded.answer.error, request, file, remark)
-            if request.text is None:
-                folder = folders.enter_context(scratch_folder("package"))
-                loaded = _with_package_written_out(loaded, request, folder, source_map, remark)
-            else:
-                answer, request = _with_arrays_written_out(loaded.answer, request, file, source_map, remark)
-                loaded = replace(loaded, answer=answer)
+        loaded = _Loaded(ask(request, remark), request, given.file, given.roots)
+        if loaded.answer.flat is None and request.text is None:
+            folder = folders.enter_context(scratch_folder("package"))
+            loaded = _with_package_written_out(loaded, folder, source_map, remark)
+        elif loaded.answer.flat is None:
+            loaded = _with_arrays_written_out(loaded, file, source_map, remark)
         answer = loaded.answer
         if answer.flat is None:
             words = replace(
@@ -119,10 +117,12 @@ def load_flat_model(
                 error=given.restored(answer.error),
                 diagnostics=tuple(given.restored(each) for each in answer.diagnostics),
             )
+            holder = (library.file_of(model) if file.name == "package.mo" else None) or file
+            unbalanced = _unbalanced(answer.error, loaded.request, holder, remark)
             unread = syntax_error(words, model)
             refusal = unread or missing or front_end_error(words, model, file, library)
             vague = unread is None and missing is None and is_vague(refusal)
-            piece = culprit(answer.error, request, given.file, source_map.text(file)) if vague else None
+            piece = culprit(answer.error, loaded.request, given.file, source_map.text(file)) if vague else None
             if piece is not None:
                 place = replace(_places(source_map)(piece.extent), component=model)
                 refusal = piece_error(piece.said, piece.text, place)
@@ -168,18 +168,19 @@ def _unbalanced(error: str, request: Request, file: Path, remark: Callable[[str]
 
 
 def _with_arrays_written_out(
-    answer: Answer, request: Request, file: Path, source_map: SourceMap, remark: Callable[[str], None]
-) -> tuple[Answer, Request]:
-    """The answer about the same model with arrays written out, and what was asked.
+    loaded: _Loaded, file: Path, source_map: SourceMap, remark: Callable[[str], None]
+) -> _Loaded:
+    """The same about the model with arrays written out.
 
     The error as it was where that tells nothing else.
     """
+    request, answer = loaded.request, loaded.answer
     if request.text is None:
-        return answer, request
+        return loaded
     written = with_arrays_written_out(request.model, [request.text])
     (text,) = written.texts
     if text == request.text:
-        return answer, request
+        return loaded
     about = replace(request, text=text)
     other = ask(about, remark)
     if other.flat is None:
@@ -187,9 +188,9 @@ def _with_arrays_written_out(
     else:
         tells_more = written.numbers.hold_in(other.flat)
     if not tells_more:
-        return answer, request
+        return loaded
     source_map.add_text(file, text)
-    return other, about
+    return replace(loaded, answer=other, request=about)
 
 
 def _check_own_text(model: str, file: Path, source_map: SourceMap, library: ClassLibrary) -> InputError | None:
@@ -210,25 +211,29 @@ def _places(source_map: SourceMap) -> Callable[[Extent], Place]:
 
 
 def _with_package_written_out(
-    loaded: _Loaded, request: Request, folder: Path, source_map: SourceMap, remark: Callable[[str], None]
+    loaded: _Loaded, folder: Path, source_map: SourceMap, remark: Callable[[str], None]
 ) -> _Loaded:
     """The same about a package's model with arrays written out, and with the libraries named that its file does not.
 
-    Where that does not help the error stays as it was, but for that of a library that is not named.
+    Where that does not help the error stays as it was, but for that of a library that is not named. One of a model that
+    is not balanced is asked for in this form, too: classes can be added to it that say why.
     """
-    view = package_view(request.model, loaded.file.parent, folder)
-    is_unnamed = _UNRESOLVED.search(loaded.answer.error) is not None
-    if not (view.texts or is_unnamed):
+    view = package_view(loaded.request.model, loaded.file.parent, folder)
+    error = loaded.answer.error
+    is_told_here = _UNRESOLVED.search(error) is not None or is_unbalanced(error)
+    if not (view.texts or is_told_here):
         return loaded
-    about = about_a_copy(request, view.package, view.root)
+    about = about_a_copy(loaded.request, view.package, view.root)
     other = ask(about, remark)
     if other.flat is None:
-        words = replace(other, error=view.restored(other.error))
-        return replace(loaded, answer=words) if is_unnamed else loaded
+        if not (is_told_here or is_unbalanced(other.error)):
+            return loaded
+        view.register(source_map)
+        return replace(loaded, answer=replace(other, error=view.restored(other.error)), request=about)
     if not view.numbers.hold_in(other.flat):
         return loaded
     view.register(source_map)
-    return _Loaded(other, view.file, tuple(map(Path, about.roots)))
+    return _Loaded(other, about, view.file, tuple(map(Path, about.roots)))
 
 
 def _check(flat: dict[str, Any], model: str, source_map: SourceMap, library: ClassLibrary) -> None:

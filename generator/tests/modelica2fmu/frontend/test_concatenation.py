@@ -169,20 +169,34 @@ def test_the_same_name_elsewhere_does_no_harm(tmp_path, name):
     assert value(translation, "contacts.shape[3]") == "floor"
 
 
-@pytest.mark.parametrize("modified", ["", "(N = 3)"])
-def test_bodies_of_a_base(tmp_path, modified):
-    """The text says 2: what a modifier makes 3 is not taken."""
+@pytest.mark.parametrize(
+    ("classes", "count"),
+    [
+        ("model M\n  extends Base;\n", 2),
+        ("model M\n  extends Base(N = 3);\n", 3),
+        ('model M\n  parameter Integer K = 2;\n  extends Base (floor(shape = "floor"), final N = 2*K - 1);\n', 3),
+        ("model Near\n  extends Base(N = 3);\nend Near;\nmodel M\n  extends Near;\n", 3),
+        ("model Near\n  extends Base(N = 3);\nend Near;\nmodel M\n  extends Near(N = 1);\n", 1),
+        (
+            "model Near\n  parameter Integer K = 3;\n  extends Base(N = K);\nend Near;\n"
+            "model M\n  extends Near(K = 1);\n",
+            1,
+        ),
+        ("model Other\n  extends Base(N = 5);\nend Other;\nmodel M\n  extends Base(N = 3);\n", 3),
+    ],
+)
+@pytest.mark.parametrize("manager_in", ["Base", "M"])
+def test_bodies_of_a_base(tmp_path, classes, count, manager_in):
+    """The text of the base says 2; modifiers of extends say otherwise, the outermost last."""
     text = "cat(1, ball.X, {floor.X})"
     model = MODEL.format(count=2, shape=text.replace("X", "shape"), material=text.replace("X", "material"))
     bodies, manager = model.replace("constant Integer N", "parameter Integer N").split("  Manager contacts")
-    base = bodies.replace("model M\n", "model Base\n") + "end Base;\n"
-    models = f"{base}model M\n  extends Base{modified};\n  Manager contacts{manager}"
-    if modified:
-        with pytest.raises(InputError):
-            translated(tmp_path, f"package P\n{models}end P;\n", "P.M")
-    else:
-        translation = translated(tmp_path, f"package P\n{models}end P;\n", "P.M")
-        assert value(translation, "contacts.shape[3]") == "floor"
+    manager = f"  Manager contacts{manager}".removesuffix("end M;\n")
+    base = bodies.replace("model M\n", "model Base\n") + (manager if manager_in == "Base" else "") + "end Base;\n"
+    models = f"{base}{classes}{manager if manager_in == 'M' else ''}end M;\n"
+    translation = translated(tmp_path, f"package P\n{models}end P;\n", "P.M")
+    shapes = [value(translation, f"contacts.shape[{number}]") for number in range(1, count + 2)]
+    assert shapes == [*["ball"] * count, "floor"]
 
 
 def test_a_package_needs_not_name_the_libraries_its_files_use(tmp_path):

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from contact_data import checkout, core_subset
 from contact_foundation.errors import InputError
+from modelica2fmu.frontend.balance import frames_without_connect
 from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.translation import Translation, translate
 
@@ -124,6 +125,30 @@ def test_what_lacks_or_is_too_much_is_named(tmp_path, declared, equations, said)
     with pytest.raises(InputError) as caught:
         translated(tmp_path, text)
     assert said in str(caught.value)
+
+
+@pytest.mark.parametrize("case", ["hinge", pytest.param("Real", marks=pytest.mark.full)])
+def test_it_is_named_in_a_package_of_several_files_too(tmp_path, case):
+    declared, equations, said = LACKS_OR_TOO_MUCH[case]
+    text = SWING.replace("equation\n", f"  {declared}\nequation\n").replace("end Swing;", f"  {equations}\nend Swing;")
+    package = tmp_path / "P"
+    package.mkdir()
+    (package / "package.mo").write_text("package P\nend P;\n")
+    (package / "package.order").write_text("Swing\n")
+    (package / "Swing.mo").write_text(f"within P;{text}")
+    with pytest.raises(InputError) as caught:
+        translate("P.Swing", [package], StandardLibrary(core_subset(), "", "core subset"))
+    assert said.replace(" Swing:", " P.Swing:") in str(caught.value)
+    assert "unbalanced model" not in str(caught.value)
+
+
+def test_managers_are_named_that_nothing_is_connected_to():
+    """Also where the front end does not flatten the model, as with concatenated colliders."""
+    text = (
+        "model M ContactMultiBody.ContactManager contacts(n=k + 1, collider=cat(1, ball.collider, {floor.collider}));\n"
+    )
+    assert frames_without_connect(text) == ["contacts.frame"]
+    assert frames_without_connect(f"{text}equation connect(ball.frame_a, contacts.frame[1:k]);") == []
 
 
 def test_a_world_without_inner_is_told(tmp_path):
