@@ -6,6 +6,7 @@ that no type has without a word.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,7 +15,7 @@ from typing import Final
 from contact_foundation.errors import InputError, Place
 from contact_foundation.near_names import did_you_mean
 
-from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
+from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Base, ComponentDeclaration, Extent, Modifier
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
@@ -30,6 +31,8 @@ _ATTRIBUTES: Final = {
     "Boolean": _OF_ALL,
     "String": _OF_ALL,
 }
+_ARRAY: Final = re.compile(r"\w+\s*\[([^\[\]]+)\]")
+_ONE_VALUE: Final = re.compile(r'[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|true|false|"[^"]*"')
 _PARTIAL: Final = "only classes that extend it are complete: name one of them"
 
 
@@ -48,7 +51,7 @@ def check_modifiers(
         The error of the first component whose class is not found here; the front end may find it.
 
     Raises:
-        InputError: a modifier names nothing that its class has, or the model is partial.
+        InputError: a modifier names nothing that its class has or gives an array one value, or the model is partial.
     """
     root = model_class(model, library)
     if root is None:
@@ -78,7 +81,7 @@ class _ModifierCheck:
             for base in each.definition.bases:
                 found = found_class(each, base.type_name)
                 if found is not None:
-                    self._arguments(base.arguments, found, ".".join(base.type_name), self.model)
+                    self._arguments(base.arguments, found, ".".join(base.type_name), self.model, "")
             for component in each.definition.components.values():
                 found = found_class(each, component.type_name)
                 if found is None:
@@ -98,16 +101,22 @@ class _ModifierCheck:
         )
 
     def _component(self, component: ComponentDeclaration, found: ClassInstance) -> None:
-        self._arguments(component.arguments, found, ".".join(component.type_name), f"{self.model}.{component.name}")
+        is_array = _ARRAY.match(self.library.text(component.extent)) is not None
+        owner = f"{component.name}[1]." if is_array else f"{component.name}."
+        where = f"{self.model}.{component.name}"
+        self._arguments(component.arguments, found, ".".join(component.type_name), where, owner)
 
-    def _arguments(self, arguments: tuple[Modifier, ...], found: ClassInstance, type_name: str, component: str) -> None:
+    def _arguments(
+        self, arguments: tuple[Modifier, ...], found: ClassInstance, type_name: str, component: str, owner: str
+    ) -> None:
+        """``owner``: what stands before the name of a member of ``found`` in the class that modifies it."""
         for argument in arguments:
             try:
-                self._argument(argument.of_first_name(), found, type_name, component)
+                self._argument(argument.of_first_name(), found, type_name, component, owner)
             except (UnknownError, UnreadableError, RecursionError):
                 continue
 
-    def _argument(self, argument: Modifier, found: ClassInstance, type_name: str, component: str) -> None:
+    def _argument(self, argument: Modifier, found: ClassInstance, type_name: str, component: str, owner: str) -> None:
         name = argument.path[0]
         if argument.removes:
             return
@@ -126,8 +135,28 @@ class _ModifierCheck:
             if not known:  # stands for a class that is yet to be chosen, as the state of a medium
                 return
             raise self._unknown(argument, f"{type_name} has no {name} that could be modified", known, component)
+        if element is not None:
+            self._shape(argument, element, type_name, component, owner)
         if argument.redeclared is None:
-            self._arguments(argument.arguments, inner, f"{type_name}.{name}", f"{component}.{name}")
+            self._arguments(argument.arguments, inner, f"{type_name}.{name}", f"{component}.{name}", f"{owner}{name}.")
+
+    def _shape(self, argument: Modifier, element: Component, type_name: str, component: str, owner: str) -> None:
+        """Raises InputError where an array is given one plain value."""
+        declared = _ARRAY.match(self.library.text(element.declarations[-1]))
+        if declared is None or argument.value is None:
+            return
+        given = " ".join(self.library.text(argument.value).split())
+        if _ONE_VALUE.fullmatch(given) is None:
+            return
+        place = self.place_of(argument.value)
+        sizes = [size.strip() for size in declared[1].split(",")]
+        filled = ", ".join(size if size.isdecimal() else f"{owner}{size}" for size in sizes)
+        is_plain = all(re.fullmatch(r"\w+", size) for size in sizes)
+        raise InputError(
+            f"{argument.path[0]} of {type_name} is an array [{declared[1]}], and {given} is one value",
+            place=Place(file=place.file, line=place.line, component=component),
+            remedy=f"write {f'fill({given}, {filled})' if is_plain else 'an array'}",
+        )
 
     def _unknown(self, argument: Modifier, message: str, known: list[str], component: str) -> InputError:
         place = self.place_of(argument.extent)

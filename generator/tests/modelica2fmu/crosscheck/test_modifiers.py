@@ -155,3 +155,47 @@ def test_what_stays_does_not_depend_on_time(tmp_path: Path, old: str, new: str, 
     assert error.message == f"{what} depends on time, which it cannot"
     assert error.place is not None
     assert (error.place.file, error.place.line) == (tmp_path / "Swing.mo", line)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "said", "remedy"),
+    [
+        (
+            "r_CM = {0, -1, 0}",
+            "r_CM = 0",
+            4,
+            "r_CM of Modelica.Mechanics.MultiBody.Parts.Body is an array [3]",
+            "fill(0, 3)",
+        ),
+        ("r_CM = {0, -1, 0}", "each r_CM = -1e-3", 4, "-1e-3 is one value", "fill(-1e-3, 3)"),
+        ("{1, 2};", "{1, 2}; Part part(weights = 2.);", 5, "is an array [n]", "fill(2., part.n)"),
+        ("{1, 2};", "{1, 2}; Part parts[2](each weights = 2);", 5, "is an array [n]", "fill(2, parts[1].n)"),
+        ("{1, 2};", "{1, 2}; Part part(squares = 2);", 5, "is an array [n, 2*n]", "write an array"),
+    ],
+)
+def test_one_value_for_an_array(tmp_path: Path, old: str, new: str, line: int, said: str, remedy: str) -> None:
+    part = "\n".join(
+        (
+            "  model Part",
+            "    parameter Integer n = 2;",
+            "    parameter Real weights[n] = {1, 2};",
+            "    parameter Real squares[n, 2*n] = fill(1, n, 2*n);",
+            "  end Part;",
+            "equation\n",
+        )
+    )
+    text = MODEL.replace(old, new).replace("equation\n", part)
+    (tmp_path / "Swing.mo").write_text(text)
+    with pytest.raises(InputError) as caught:
+        translate("Swing", [tmp_path / "Swing.mo"], LIBRARY)
+    assert caught.value.place is not None
+    assert caught.value.place.line == line
+    assert said in caught.value.message
+    assert remedy in (caught.value.remedy or "")
+
+
+@pytest.mark.parametrize("given", ["slack", "{0, -1, 0}", "zeros(3)", "fill(0, 3)", "-{0, 1, 0}"])
+def test_arrays_for_arrays_are_taken(tmp_path: Path, given: str) -> None:
+    text = MODEL.replace("slack[2](each min = 0) = {1, 2}", "slack[3] = {1, 0, 2}").replace("{0, -1, 0}", given)
+    (tmp_path / "Swing.mo").write_text(text)
+    assert translate("Swing", [tmp_path / "Swing.mo"], LIBRARY).scalar.variables
