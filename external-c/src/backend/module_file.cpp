@@ -39,7 +39,8 @@ std::string own_folder() {
 
 int flags(ModuleSymbols symbols) {
   int result = RTLD_NOW | RTLD_LOCAL;
-#ifdef RTLD_DEEPBIND
+  // Sanitizers end the program at a library that looks for its own symbols first.
+#if defined(RTLD_DEEPBIND) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   if (symbols == ModuleSymbols::own_first) result |= RTLD_DEEPBIND;
 #else
   (void)symbols;

@@ -32,7 +32,7 @@ _ATTRIBUTES: Final = {
     "String": _OF_ALL,
 }
 _ARRAY: Final = re.compile(r"\w+\s*\[([^\[\]]+)\]")
-_ONE_VALUE: Final = re.compile(r'[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|true|false|"[^"]*"')
+_ONE_VALUE: Final = re.compile(r"[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|true|false")
 _PARTIAL: Final = "only classes that extend it are complete: name one of them"
 
 
