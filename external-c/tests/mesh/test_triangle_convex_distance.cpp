@@ -203,7 +203,7 @@ TEST(ApartFromMesh, NoTriangleIsNearerToPolytopes) {
 TEST(TrianglePolytopeGap, ProvesOnlyWhatItIsOrThatItIsEnough) {
   random_bodies::Random random(31);
   const Polytope body = Polytope::box({1.0, 0.4, 0.8});
-  int proofs = 0;
+  int proofs = 0, parted = 0;
   for (int k = 0; k < 20000; ++k) {
     // A triangle hardly above the box's upper face or, turned, above one of that face's edges.
     const double tilt = random.log_uniform(1e-10, 1e-6), gap = random.log_uniform(1e-10, 1e-7);
@@ -222,16 +222,24 @@ TEST(TrianglePolytopeGap, ProvesOnlyWhatItIsOrThatItIsEnough) {
         triangle_polytope_distance(frame(a), frame(b), frame(c), body, vertices, normals, polygon, room).distance;
     const double enough = exact * random.uniform(0.3, 6.0);
     bool proven;
-    const TriangleGap found = triangle_polytope_gap(frame(a), frame(b), frame(c), body, frame, enough, proven);
+    Vec3 parting;
+    const TriangleGap found = triangle_polytope_gap(frame(a), frame(b), frame(c), body, frame, enough, proven, parting);
     if (!proven) continue;
     ++proofs;
     if (exact <= enough) {
       ASSERT_NEAR(found.distance, exact, 1e-12) << "sample " << k << ", tilt " << tilt << ", gap " << gap;
     } else {
       ASSERT_GT(found.distance, enough - 1e-15) << "sample " << k;
+      // The body is beyond the triangle along the parting direction by what is enough.
+      ASSERT_NEAR(norm(parting), 1.0, 1e-12) << "sample " << k;
+      double lowest = dot(parting, vertices[0]);
+      for (const Vec3 &v : vertices) lowest = std::fmin(lowest, dot(parting, v));
+      for (const Vec3 &p : {a, b, c}) ASSERT_GT(lowest - dot(parting, frame(p)), enough - 1e-14) << "sample " << k;
+      ++parted;
     }
   }
   EXPECT_GT(proofs, 400);
+  EXPECT_GT(parted, 100);
 }
 
 }  // namespace

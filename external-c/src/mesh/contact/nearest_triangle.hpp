@@ -35,9 +35,14 @@ class NearestTriangle {
   // one meets it. Returns whether none does.
   template <typename Offer>
   bool search(const Bounds &box, std::uint32_t first, Offer &&offer) const {
+    return search(box, first, [](const Bounds &) { return false; }, offer);
+  }
+  // The same, but leaves out triangles in boxes that is_farther(box) says are farther than those offered so far.
+  template <typename IsFarther, typename Offer>
+  bool search(const Bounds &box, std::uint32_t first, IsFarther &&is_farther, Offer &&offer) const {
     offer(first);
-    mesh_.hierarchy().visit_near(
-        box, [&] { return distance() > 0.0 ? distance() * distance() : -1.0; },
+    mesh_.hierarchy().visit_near_unless(
+        box, [&] { return distance() > 0.0 ? distance() * distance() : -1.0; }, is_farther,
         [&](std::uint32_t t) {
           if (distance() > 0.0) offer(t);
         });

@@ -50,28 +50,55 @@ class PolytopeQuery {
   }
 
  private:
+  // Where the body begins along a unit direction from the mesh to it; nothing at first.
+  struct Extent {
+    Vec3 direction;
+    double lowest = 0.0;
+
+    // How far at least the body is beyond a triangle or a box; negative where that says nothing.
+    double gap(const Vec3 &a, const Vec3 &b, const Vec3 &c) const {
+      return lowest - std::fmax(dot(direction, a), std::fmax(dot(direction, b), dot(direction, c)));
+    }
+    double gap(const Bounds &box) const {
+      double highest = 0.0;
+      for (int k = 0; k < 3; ++k) highest += direction[k] * (direction[k] > 0.0 ? box.high[k] : box.low[k]);
+      return lowest - highest;
+    }
+  };
+  Extent extent_along(const Vec3 &direction) const {
+    const Vec3 local = transposed_times(place_.rotation, -direction);
+    return {direction, dot(direction, scratch_.body_vertices[static_cast<std::size_t>(body_.support_vertex(local))])};
+  }
+
   // Whether no triangle meets the body; sets distance, normal and witness then. The search begins with triangle `first`.
   bool apart(std::uint32_t first) {
     NearestTriangle nearest(mesh_);
-    // The extents along the best direction so far bound the distance of the others.
-    Vec3 direction;
-    double lowest = 0.0;
+    // Of equally near triangles rounding chooses none.
+    const double slack = 1e-12 * (size_ + norm(box_.low) + norm(box_.high) + mesh_.bound_radius());
+    // Extents along a direction bound distances: along that of the nearest triangle so far, and along that which has
+    // parted the last one, often a neighbour.
+    Extent nearest_extent, last_extent;
+    const auto is_farther = [&](const Bounds &box) {
+      const double enough = nearest.distance() + slack;
+      return nearest_extent.gap(box) > enough || last_extent.gap(box) > enough;
+    };
     const auto offer = [&](std::uint32_t t) {
       const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
-      const double highest = std::fmax(dot(direction, a), std::fmax(dot(direction, b), dot(direction, c)));
-      if (lowest - highest > nearest.distance()) return;
+      if (nearest_extent.gap(a, b, c) > nearest.distance() || last_extent.gap(a, b, c) > nearest.distance()) return;
       bool proven;
-      TriangleGap gap = triangle_polytope_gap(a, b, c, body_, place_, nearest.distance(), proven);
+      Vec3 parting;
+      TriangleGap gap = triangle_polytope_gap(a, b, c, body_, place_, nearest.distance(), proven, parting);
       if (!proven) {
         gap = triangle_polytope_distance(a, b, c, body_, scratch_.body_vertices, scratch_.body_normals,
                                          scratch_.patch.polygon, scratch_.patch.clipped);
       }
-      if (!nearest.offer(gap, t)) return;
-      direction = nearest.direction();
-      const Vec3 local = transposed_times(place_.rotation, -direction);
-      lowest = dot(direction, scratch_.body_vertices[static_cast<std::size_t>(body_.support_vertex(local))]);
+      if (nearest.offer(gap, t)) {
+        nearest_extent = extent_along(nearest.direction());
+      } else if (norm2(parting) > 0.0) {
+        last_extent = extent_along(parting);
+      }
     };
-    const bool none_meets = nearest.search(box_, first, offer);
+    const bool none_meets = nearest.search(box_, first, is_farther, offer);
     nearest.write(pose_, result_);
     return none_meets;
   }

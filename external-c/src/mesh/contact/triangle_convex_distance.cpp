@@ -75,10 +75,11 @@ bool holds_origin(const Difference *s) {
   return true;
 }
 
-// Of the convex hull of some corners; see triangle_convex_gap. `lower` receives a bound that the last direction proves.
+// Of the convex hull of some corners; see triangle_convex_gap. `lower` receives a bound that the last direction proves;
+// `parting` that direction, unit, from the corners to the body, where the bound is greater than `enough`.
 template <std::size_t corner_count>
 TriangleGap hull_convex_gap(const Vec3 (&corner)[corner_count], const convex::ConvexBody &body, const Pose &body_in_mesh,
-                            double enough, double tolerance, double &lower) {
+                            double enough, double tolerance, double &lower, Vec3 &parting) {
   lower = 0.0;
   const auto support = [&](const Vec3 &d) {  // the farthest of the difference along d
     std::size_t farthest = 0;
@@ -110,7 +111,10 @@ TriangleGap hull_convex_gap(const Vec3 (&corner)[corner_count], const convex::Co
     if (distance <= slack) return gap(0.0);
     const Difference next = support(-nearest.point);
     lower = dot(next.w, nearest.point) / distance;
-    if (lower > enough) return {lower, {}, {}};
+    if (lower > enough) {
+      parting = (-1.0 / distance) * nearest.point;
+      return {lower, {}, {}};
+    }
     if (distance - lower <= slack) break;
     std::array<Difference, 3> tried = simplex;
     std::size_t tried_count = count;
@@ -149,22 +153,25 @@ TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, con
                                 const Pose &body_in_mesh, double enough) {
   const Vec3 corner[3] = {a, b, c};
   double lower;
-  return hull_convex_gap(corner, body, body_in_mesh, enough, tolerance, lower);
+  Vec3 parting;
+  return hull_convex_gap(corner, body, body_in_mesh, enough, tolerance, lower, parting);
 }
 
 TriangleGap triangle_polytope_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,
-                                  const Pose &body_in_mesh, double enough, bool &proven) {
+                                  const Pose &body_in_mesh, double enough, bool &proven, Vec3 &parting) {
   const Vec3 corner[3] = {a, b, c};
   const double size = body.radius() + std::fmax(norm(b - a), norm(c - a));
   double lower;
-  const TriangleGap gap = hull_convex_gap(corner, convex::make_polytope(body), body_in_mesh, enough, polyhedral_tolerance, lower);
+  const TriangleGap gap = hull_convex_gap(corner, convex::make_polytope(body), body_in_mesh, enough,
+                                           polyhedral_tolerance, lower, parting);
   proven = lower > enough || gap.distance - lower <= 10.0 * polyhedral_tolerance * size;
   return gap;
 }
 
 bool are_parted(const Vec3 (&corner)[6], const convex::ConvexBody &body, const Pose &body_in_mesh) {
   double lower;
-  hull_convex_gap(corner, body, body_in_mesh, 0.0, tolerance, lower);
+  Vec3 parting;
+  hull_convex_gap(corner, body, body_in_mesh, 0.0, tolerance, lower, parting);
   return lower > 0.0;
 }
 

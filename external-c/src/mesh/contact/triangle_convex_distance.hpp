@@ -13,9 +13,11 @@ namespace cmb::mesh {
 TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::ConvexBody &body,
                                 const Pose &body_in_mesh, double enough);
 
-// The same of a polytope, to rounding where `proven`; where not, rounding ended the search, or the two meet.
+// The same of a polytope, to rounding where `proven`; where not, rounding ended the search, or the two meet. `parting`
+// receives, where such a value is returned, a unit direction from the triangle to the body along which the two are farther
+// apart than `enough`; else it stays as it is.
 TriangleGap triangle_polytope_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,
-                                  const Pose &body_in_mesh, double enough, bool &proven);
+                                  const Pose &body_in_mesh, double enough, bool &proven, Vec3 &parting);
 
 // Whether a plane is found that parts the convex hull of six corners from the body, in the same frames: always one that does,
 // though none may be found where they are hardly apart.

@@ -68,6 +68,12 @@ class TriangleHierarchy {
   // squared distance, is asked anew at each node, and may shrink as triangles are visited: the nearer child comes first.
   template <typename Reach, typename Visit>
   void visit_near(const Bounds &box, Reach &&reach, Visit &&visit) const {
+    visit_near_unless(box, reach, [](const Bounds &) { return false; }, visit);
+  }
+
+  // The same, but for nodes of whose boxes skip(bounds) says, asked anew at each node, that nothing in them matters.
+  template <typename Reach, typename Skip, typename Visit>
+  void visit_near_unless(const Bounds &box, Reach &&reach, Skip &&skip, Visit &&visit) const {
     struct Entry {
       std::uint32_t node;
       double distance2;
@@ -79,6 +85,7 @@ class TriangleHierarchy {
       const Entry entry = stack[--size];
       if (entry.distance2 > reach()) continue;
       const Node &node = nodes_[entry.node];
+      if (skip(node.bounds)) continue;
       if (node.count > 0) {
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) visit(order_[i]);
         continue;

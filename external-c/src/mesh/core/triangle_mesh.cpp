@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesh/core/mesh_topology.hpp"
+#include "mesh/core/triangle_wedge.hpp"
 
 namespace cmb::mesh {
 
@@ -71,11 +72,19 @@ TriangleMesh::TriangleMesh(MeshData data, MeshUse use, const std::string &source
   build_depth_limits();
   faces_ = PlanarFaces(data_, neighbours_, face_normals_, depth_limits_, flat_tolerance * bound_radius_);
   build_clear_depths();
+  build_wedge_sides();
   build_interior_points();
 }
 
 double TriangleMesh::triangle_size() const {
   return std::sqrt(2.0 * area_ / static_cast<double>(triangles().size()));
+}
+
+void TriangleMesh::build_wedge_sides() {
+  wedge_sides_.resize(triangles().size());
+  for (std::uint32_t t = 0; t < triangles().size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) wedge_sides_[t][k] = make_wedge_side(*this, t, k);
+  }
 }
 
 void TriangleMesh::build_vertex_triangles() {

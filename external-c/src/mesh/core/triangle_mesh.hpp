@@ -38,6 +38,12 @@ struct NearestPoint {
   std::uint32_t triangle = 0;
 };
 
+// A plane between what lies behind two neighbours (see make_wedge_side).
+struct WedgeSide {
+  Vec3 normal;  // inward, unit
+  double offset = 0.0;
+};
+
 // Immutable; shared by threads. All in the mesh's frame.
 class TriangleMesh {
  public:
@@ -67,6 +73,9 @@ class TriangleMesh {
   // normal is more than 60 degrees off, but for those that share a corner with it. At most three lengths of a side.
   double clear_depth(std::uint32_t t) const { return clear_depths_[t]; }
 
+  // Of what lies behind triangle t, one for each side.
+  const std::array<WedgeSide, 3> &wedge_sides(std::uint32_t t) const { return wedge_sides_[t]; }
+
   // Flat faces of several triangles.
   const PlanarFaces &faces() const { return faces_; }
 
@@ -93,6 +102,7 @@ class TriangleMesh {
   void build_vertex_triangles();
   void build_depth_limits();
   void build_clear_depths();
+  void build_wedge_sides();
   void build_interior_points();
   bool is_other_side(std::uint32_t t, std::uint32_t other) const;
   void measure();
@@ -104,6 +114,7 @@ class TriangleMesh {
   std::vector<std::uint32_t> vertex_triangles_, vertex_begin_;
   std::vector<Vec3> face_normals_, vertex_normals_;
   std::vector<double> depth_limits_, clear_depths_;
+  std::vector<std::array<WedgeSide, 3>> wedge_sides_;
   std::vector<Vec3> interior_points_;
   MassProperties mass_properties_;
   double area_ = 0.0;

@@ -21,7 +21,7 @@ void clip_polygon(std::vector<Vec3> &polygon, const Vec3 &normal, double offset,
   polygon.swap(room);
 }
 
-WedgeSide wedge_side(const TriangleMesh &mesh, std::uint32_t t, std::size_t k) {
+WedgeSide make_wedge_side(const TriangleMesh &mesh, std::uint32_t t, std::size_t k) {
   const Triangle &corners = mesh.triangles()[t];
   const bool turned = corners[(k + 1) % 3] < corners[k];  // both triangles reckon from the same corner
   const Vec3 &from = mesh.corner(t, turned ? k + 1 : k), &to = mesh.corner(t, turned ? k : k + 1);
@@ -30,7 +30,8 @@ WedgeSide wedge_side(const TriangleMesh &mesh, std::uint32_t t, std::size_t k) {
   Vec3 side = cross(other < 0 ? normal : normal + mesh.face_normal(static_cast<std::uint32_t>(other)), along);
   // Folded back onto itself: no plane halves the angle, the triangle's own border does as well.
   if (!(norm2(side) > 1e-24 * norm2(along))) side = cross(normal, along);
-  const double offset = dot(side, from);
+  const double scale = 1.0 / norm(side), offset = scale * dot(side, from);
+  side = scale * side;
   return turned ? WedgeSide{-side, -offset} : WedgeSide{side, offset};
 }
 

@@ -9,12 +9,9 @@
 namespace cmb::mesh {
 
 // The plane that halves the angle between triangle t and the one beyond its side k; at a border upright on the triangle.
-struct WedgeSide {
-  Vec3 normal;  // inward, not unit
-  double offset = 0.0;
-};
-// The planes of the two triangles beside a side are each other's opposites to the bit.
-WedgeSide wedge_side(const TriangleMesh &mesh, std::uint32_t t, std::size_t k);
+// The mesh keeps them (TriangleMesh::wedge_sides). The planes of the two triangles beside a side are each other's opposites
+// to the bit.
+WedgeSide make_wedge_side(const TriangleMesh &mesh, std::uint32_t t, std::size_t k);
 // What lies in the plane counts for one of the two triangles: whether it is not t.
 bool gives_side_away(const TriangleMesh &mesh, std::uint32_t t, std::size_t k);
 

@@ -99,13 +99,11 @@ bool WedgeOverlap::set_planes(std::uint32_t t) {
   }
   if (!(deepest > 0.0) || !(shallowest < limit)) return false;
   const bool front = shallowest < 0.0;
-  WedgeSide sides[3];
-  double inside[3], length2[3];
+  const std::array<WedgeSide, 3> &sides = mesh_.wedge_sides(t);
+  double inside[3];
   for (std::size_t k = 0; k < 3; ++k) {
-    sides[k] = wedge_side(mesh_, t, k);
     inside[k] = dot(sides[k].normal, center_) - sides[k].offset;
-    length2[k] = radius_ * radius_ * norm2(sides[k].normal);
-    if (inside[k] < 0.0 && inside[k] * inside[k] >= length2[k]) return false;
+    if (inside[k] <= -radius_) return false;
   }
   scratch_.planes.clear();
   scratch_.outside.assign(vertices_.size(), 0);
@@ -115,9 +113,8 @@ bool WedgeOverlap::set_planes(std::uint32_t t) {
     for (std::size_t v = 0; v < vertices_.size(); ++v) scratch_.outside[v] = scratch_.depths[v] < 0.0 ? 1 : 0;
   }
   for (std::size_t k = 0; k < 3; ++k) {
-    if (inside[k] > 0.0 && inside[k] * inside[k] >= length2[k]) continue;
-    const double scale = 1.0 / norm(sides[k].normal);
-    if (!offer({scale * sides[k].normal, scale * sides[k].offset, true, gives_side_away(mesh_, t, k)})) return false;
+    if (inside[k] >= radius_) continue;
+    if (!offer({sides[k].normal, sides[k].offset, true, gives_side_away(mesh_, t, k)})) return false;
   }
   if (limit < deepest && !offer({normal_, offset_ - limit, true, false})) return false;
   const PlanarFaces::Roof roof = mesh_.faces().roof(t);

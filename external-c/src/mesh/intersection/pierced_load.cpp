@@ -55,10 +55,12 @@ template <typename Act>
 void visit_sections(const SectionedBody &body, const Bounds &box, const TriangleMesh &mesh, const bool &stop, Act &&act) {
   mesh.hierarchy().visit_near(box, [&] { return stop ? -1.0 : 0.0; }, [&](std::uint32_t t) {
     const Vec3 corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+    if (stop || distance2(bounds_of(corner), box) > 0.0) return;
     const Vec3 &normal = mesh.face_normal(t);
     const double offset = dot(normal, corner[0]), below = body.reach(-normal) + offset;
+    if (!(below > 0.0)) return;
     const double above = body.reach(normal) - offset;
-    if (stop || !(below > 0.0) || !(above > 0.0) || distance2(bounds_of(corner), box) > 0.0) return;
+    if (!(above > 0.0)) return;
     act(corner, normal, below, above);
   });
 }
