@@ -65,17 +65,6 @@ class ClassLibrary:
                 definition.classes[name] = found
         return found
 
-    def file_of(self, name: str) -> Path | None:
-        """The file in which a class stands that has this full name; None where it is not found or not readable."""
-        first, *inner = name.split(".")
-        try:
-            found = self.top(first)
-            for each in inner:
-                found = None if found is None else self.member(found, each)
-        except UnreadableError:
-            return None
-        return None if found is None else Path(found.extent.file)
-
     def members(self, definition: ClassDefinition) -> set[str]:
         """Names of the classes that are declared in another one, or lie in its folder."""
         names = set(definition.classes)

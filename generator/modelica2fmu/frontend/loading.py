@@ -21,6 +21,7 @@ from modelica2fmu.crosscheck.flat_check import added_components, check_flat_mode
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.crosscheck.number_check import check_numbers
+from modelica2fmu.crosscheck.own_classes import model_class
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.balance import (
     frames_without_connect,
@@ -117,12 +118,14 @@ def load_flat_model(
                 error=given.restored(answer.error),
                 diagnostics=tuple(given.restored(each) for each in answer.diagnostics),
             )
-            holder = (library.file_of(model) if file.name == "package.mo" else None) or file
-            unbalanced = _unbalanced(answer.error, loaded.request, holder, remark)
+            found = model_class(model, library) if request.text is None else None
+            holder = file if found is None else Path(found.definition.extent.file)
+            unbalanced = _unbalanced(answer.error, loaded.request, holder, source_map.text(holder), remark)
             unread = syntax_error(words, model)
             refusal = unread or missing or front_end_error(words, model, file, library)
+            about = request if request.text is None else loaded.request  # a package stays one of files
             vague = unread is None and missing is None and is_vague(refusal)
-            piece = culprit(answer.error, loaded.request, given.file, source_map.text(file)) if vague else None
+            piece = culprit(answer.error, about, given.file, source_map.text(file)) if vague else None
             if piece is not None:
                 place = replace(_places(source_map)(piece.extent), component=model)
                 refusal = piece_error(piece.said, piece.text, place)
@@ -145,8 +148,12 @@ def load_flat_model(
         return replace(flat, warnings=warnings)
 
 
-def _unbalanced(error: str, request: Request, file: Path, remark: Callable[[str], None]) -> dict[str, Any] | None:
+def _unbalanced(
+    error: str, request: Request, file: Path, written: bytes, remark: Callable[[str], None]
+) -> dict[str, Any] | None:
     """The flattened form of a model that has more or fewer equations than unknowns; None if there is none.
+
+    ``file`` holds the model, ``written`` is its text.
 
     Raises:
         InputError: connections, or their lack, or a world that is not ``inner`` are why.
@@ -158,10 +165,11 @@ def _unbalanced(error: str, request: Request, file: Path, remark: Callable[[str]
     if form is None:
         return None
     flat = ask(form, remark).flat
-    world = world_without_inner(request.text or "")
+    text = written.decode("utf-8", errors="replace")
+    world = world_without_inner(text)
     if world is not None:
         raise not_inner_error(world, request.model, file)
-    frames = frames_without_connect(request.text or "") if flat is None else unplaced_frames(flat)
+    frames = frames_without_connect(text) if flat is None else unplaced_frames(flat)
     if frames and lacks_equations(error):
         raise unconnected_error(frames, request.model, file)
     return flat

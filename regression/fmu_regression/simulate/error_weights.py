@@ -1,6 +1,6 @@
 """How large an error of a step is beside the tolerance, and of which order steps are at most.
 
-The FMU does the same in co-simulation (fmurt_weight.c).
+The FMU does the same in co-simulation (fmurt_tolerance.c).
 """
 
 from __future__ import annotations

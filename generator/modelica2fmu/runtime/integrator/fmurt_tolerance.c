@@ -10,8 +10,8 @@
  * (tried on stacks and on a box that lands on its edge). */
 static double default_absolute(double relative) { return fmin(relative, fmin(fmax(1e-3 * relative, 1e-9), 1e-7)); }
 
-/* Nominal values below 1, as of stretches of friction's springs, tell the size that
- * matters themselves: a share of a share would ask for picometres, where steps fail over kinks that nothing depends on. */
+/* Nominal values below 1, as of stretches of friction's springs, tell the size that matters themselves: a share of a share
+ * would ask for picometres, where steps fail over kinks that nothing depends on. */
 double fmurt_absolute_tolerance(double relative, double option, double nominal) {
   if (!(nominal > 0.0)) nominal = 1.0;
   if (option > 0.0) return option * nominal;
@@ -24,8 +24,8 @@ double fmurt_absolute_tolerance(double relative, double option, double nominal) 
  * may err by less, in proportion to their length, down to a share of 0.08. Single impacts pay for that with a tenth more
  * evaluations or less, rest with nothing, machines that walk or many bodies that collide without end with half as many more.
  *
- * Errors of 8e-6 a step keep what is promised of impacts, and more is not done than that. From
- * `long_step` seconds on steps may err by the tolerance: slow impacts of soft contacts last 150 ms. */
+ * Errors of 8e-6 a step keep what is promised of impacts, and more is not done than that. From `long_step`
+ * seconds on steps may err by the tolerance: slow impacts of soft contacts last 150 ms. */
 static const double long_step = 0.2, least_share = 0.08, finest_tolerance = 8e-6;
 
 /* Below this relative tolerance order 5 saves evaluations. At it, order 4 would save some; but with difference quotients, as

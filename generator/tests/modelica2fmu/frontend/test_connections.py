@@ -127,10 +127,14 @@ def test_what_lacks_or_is_too_much_is_named(tmp_path, declared, equations, said)
     assert said in str(caught.value)
 
 
-@pytest.mark.parametrize("case", ["hinge", pytest.param("Real", marks=pytest.mark.full)])
+NO_INNER = ("", "", "Swing.mo:2: Swing: world is declared without inner")
+
+
+@pytest.mark.parametrize("case", ["hinge", "inner", pytest.param("Real", marks=pytest.mark.full)])
 def test_it_is_named_in_a_package_of_several_files_too(tmp_path, case):
-    declared, equations, said = LACKS_OR_TOO_MUCH[case]
-    text = SWING.replace("equation\n", f"  {declared}\nequation\n").replace("end Swing;", f"  {equations}\nend Swing;")
+    declared, equations, said = LACKS_OR_TOO_MUCH.get(case, NO_INNER)
+    swing = SWING.replace("  inner ", "  ") if case == "inner" else SWING
+    text = swing.replace("equation\n", f"  {declared}\nequation\n").replace("end Swing;", f"  {equations}\nend Swing;")
     package = tmp_path / "P"
     package.mkdir()
     (package / "package.mo").write_text("package P\nend P;\n")
