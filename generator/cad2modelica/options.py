@@ -9,6 +9,7 @@ from typing import Final
 from contact_foundation.errors import InputError, Place
 
 from cad2modelica.collision.collision_shapes import MAXIMUM_PIECES
+from cad2modelica.collision.manager_choice import ManagerChoice
 from cad2modelica.mechanism.model import Decomposer
 from cad2modelica.regenerate.regeneration import Edited
 from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
@@ -39,6 +40,7 @@ class GenerateOptions:
         up: the source's axis that points up ("x", "-x", "y", ...), against gravity; None: as the source has it.
         contacts: whether parts touch each other at all, beside the pairs of ``include``.
         clearances: whether the distances of parts that are apart are exact, instead of lower bounds, which cost less.
+        manager: whether contacts are shown for each pair, or for each body by a CompiledContactManager.
     """
 
     package: str | None = None
@@ -59,6 +61,7 @@ class GenerateOptions:
     up: str | None = None
     contacts: bool = True
     clearances: bool = False
+    manager: ManagerChoice = ManagerChoice.AUTOMATIC
 
 
 DEFAULT_OPTIONS: Final = GenerateOptions()

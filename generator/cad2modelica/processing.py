@@ -9,6 +9,7 @@ from contact_foundation.progress import Progress
 
 from cad2modelica.collision.collision_shapes import CollisionGeometry
 from cad2modelica.collision.contact_pairs import contact_pairs, within_reach
+from cad2modelica.collision.manager_choice import takes_compiled_manager
 from cad2modelica.collision.part_geometries import part_geometries
 from cad2modelica.collision.start_overlaps import StartCheck, start_overlaps, without_start_overlaps
 from cad2modelica.emit.mechanism_building import mechanism_view
@@ -77,6 +78,9 @@ def process(assembly: Assembly, options: GenerateOptions, progress: Progress) ->
     geometries = part_geometries(assembly.parts, _decomposition(assembly, options), progress)
     progress("start configuration", 0.0, assembly.name)
     pairs, start, pair_notes = _pairs(assembly, tree, geometries)
+    compiled, manager_notes = takes_compiled_manager(
+        assembly, len(pairs), options.manager, clearances=options.clearances
+    )
     notes = (
         *assembly.notes,
         *unit_notes(assembly),
@@ -85,8 +89,9 @@ def process(assembly: Assembly, options: GenerateOptions, progress: Progress) ->
         *loops.notes,
         *(note for item in geometries.values() for note in item.notes),
         *pair_notes,
+        *manager_notes,
     )
-    view = mechanism_view(assembly, tree, loops, geometries, pairs, clearances=options.clearances)
+    view = mechanism_view(assembly, tree, loops, geometries, pairs, clearances=options.clearances, compiled=compiled)
     return Mechanism(assembly, tree, loops, geometries, start, view, notes)
 
 

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from cmb.main import main
 from contact_data import checkout
+from fmu_regression.results.result import read_csv
+from fmu_regression.scene.body_loads import body_loads
 from fmu_regression.scene.fmu_scene import scene_of_fmu
 
 pytestmark = pytest.mark.usefixtures("tests_cache")
@@ -88,13 +90,31 @@ def test_an_fmu_without_contacts_has_no_scene(tmp_path: Path, capsys: pytest.Cap
     assert "has no contact manager" in capsys.readouterr().err
 
 
-def test_a_manager_that_tells_no_pairs_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A report of it would deny the contacts."""
+def test_a_manager_that_tells_no_pairs_shows_the_force_on_each_body(tmp_path: Path) -> None:
+    """The box comes to rest on the floor, which then carries its weight."""
     fmu = built(tmp_path, "Two", TWO.replace("ContactManager contacts(", "CompiledContactManager contacts(n=2, "))
+    scene = scene_of_fmu(fmu)
+    assert (scene.colliders, scene.pairs) == (("box", "floor"), ())
+    csv, html = tmp_path / "d.csv", tmp_path / "d.html"
+    assert main(["simulate", str(fmu), "--output", str(csv), "--stop", "3", "--scene", str(fmu)]) == 0
+    box, floor = body_loads(scene, read_csv(csv))
+    weight = scene.bodies[0].mass * 9.80665
+    assert box.strength[-1] == pytest.approx(weight, rel=1e-3)
+    assert floor.strength == pytest.approx(box.strength)
+    assert main(["report", str(csv), "--scene", str(fmu), "--output", str(html)]) == 0
+    page = html.read_text()
+    for word in ("Bodies touched", "the sum of all contact forces on each body", "elastic, in the contacts", "viewer"):
+        assert word in page
+
+
+def test_bodies_inside_a_component_are_no_scene(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A report would deny their contacts."""
+    balls = "model Balls\n  ContactMultiBody.Parts.FreeBodies balls(bodyCount=2);\nend Balls;\n"
+    fmu = built(tmp_path, "Balls", balls)
     assert main(["simulate", str(fmu), "--output", str(tmp_path / "d.csv"), "--scene", str(fmu)]) == 2
     message = capsys.readouterr().err
-    assert "contacts" in message
-    assert "not in which pairs they touch" in message
+    assert "balls" in message
+    assert "holds its bodies itself" in message
     assert not (tmp_path / "d.csv").exists()
 
 

@@ -29,6 +29,7 @@ def mechanism_view(
     pairs: list[tuple[str, str]],
     *,
     clearances: bool = False,
+    compiled: bool = False,
 ) -> MechanismView:
     """Builds the components and connections of the mechanical model.
 
@@ -39,8 +40,10 @@ def mechanism_view(
         geometries: collision shapes by part.
         pairs: pairs of part and plane names that may touch.
         clearances: whether distances of bodies apart are exact.
+        compiled: whether contacts are those of a CompiledContactManager, which has no distances.
     """
-    return _Builder(assembly, tree, loops, geometries, pairs, None if clearances else _exact_within(geometries)).build()
+    exact_within = None if clearances or compiled else _exact_within(geometries)
+    return _Builder(assembly, tree, loops, geometries, pairs, exact_within, compiled).build()
 
 
 class _Builder:
@@ -52,6 +55,7 @@ class _Builder:
         geometries: dict[str, CollisionGeometry],
         pairs: list[tuple[str, str]],
         exact_within: float | None,
+        compiled: bool,
     ) -> None:
         self._assembly = assembly
         self._tree = tree
@@ -59,6 +63,7 @@ class _Builder:
         self._geometries = geometries
         self._pairs = pairs
         self._exact_within = exact_within
+        self._compiled = compiled
         strength = float(np.linalg.norm(assembly.gravity))
         view = MechanismView(
             gravity=strength,
@@ -172,6 +177,8 @@ class _Builder:
             friction=self._assembly.contacts.friction,
             friction_rule=self._assembly.contacts.friction_rule,
             exact_within=self._exact_within,
+            compiled=self._compiled,
+            held=frozenset(names[name] for name in bodies if name in self._tree.fixed),
         )
         for name in bodies:
             self._draft.connect(f"{names[name]}.frame_a", f"contacts.frame[{index[name]}]")

@@ -76,7 +76,7 @@ def package_texts(
         gravity_direction=view.gravity_direction,
         materials=[_material(material, view.material_names[material.name]) for material in assembly.materials],
         components=view.components,
-        contacts={"modifiers": _contact_modifiers(view.contacts)} if view.contacts is not None else None,
+        contacts=None if view.contacts is None else _contacts(view.contacts),
         connections=[
             {"first": connection.first, "second": connection.second, "points": _points(line)}
             for connection, line in zip(view.connections, diagram.lines, strict=True)
@@ -144,23 +144,52 @@ def _material(material: Material, name: str) -> dict[str, Any]:
     return {"name": name, "label": material.name, "modifiers": modifiers}
 
 
-def _contact_modifiers(contacts: ContactView) -> list[str]:
-    count = len(contacts.bodies)
-    modifiers = [
-        f"n={count}",
-        f"geometry={array(f'{body}.geometry' for body in contacts.bodies)}",
-        f"material={array(f'{body}.material' for body in contacts.bodies)}",
-        f"pairs={array(f'{{{first},{second}}}' for first, second in contacts.pairs)}",
-    ]
+def _contacts(contacts: ContactView) -> dict[str, Any]:
+    modifiers = _modifiers_of_bodies(contacts) if contacts.compiled else _modifiers_of_pairs(contacts)
+    return {"class_name": contacts.class_name, "modifiers": [f"n={len(contacts.bodies)}", *modifiers]}
+
+
+def _modifiers_of_bodies(contacts: ContactView) -> list[str]:
+    # A part that is held has a mass, but moves as little as one of none.
+    inertia = ("ContactMultiBody.Parts.Inertia()" if b in contacts.held else f"{b}.inertia" for b in contacts.bodies)
+    modifiers = [*_surfaces(contacts), f"inertia={array(inertia)}"]
+    if contacts.apart:
+        modifiers.append(f"excluded={_pairs(contacts.apart)}")
+    if contacts.stiffness is not None:  # two bodies act in series
+        modifiers += _given_stiffness(2 * contacts.stiffness, len(contacts.bodies))
+    if contacts.friction == "none":
+        modifiers.append("useFriction=false")
+    return modifiers + _friction_rule(contacts)
+
+
+def _modifiers_of_pairs(contacts: ContactView) -> list[str]:
+    modifiers = [*_surfaces(contacts), f"pairs={_pairs(contacts.pairs)}"]
     if contacts.stiffness is not None:
-        modifiers += [
-            "stiffnessChoice=ContactMultiBody.Types.StiffnessChoice.Given",
-            f"stiffness=fill({number(contacts.stiffness)}, {len(contacts.pairs)})",
-        ]
+        modifiers += _given_stiffness(contacts.stiffness, len(contacts.pairs))
     if contacts.friction is not None:
         modifiers.append(f"friction=ContactMultiBody.Types.Friction.{_FRICTION[contacts.friction]}")
-    if contacts.friction_rule is not None:
-        modifiers.append(f"frictionRule=ContactMultiBody.Types.CombinationRule.{_RULES[contacts.friction_rule]}")
+    modifiers += _friction_rule(contacts)
     if contacts.exact_within is not None:
         modifiers.append(f"exactWithin={number(contacts.exact_within)}")
     return modifiers
+
+
+def _surfaces(contacts: ContactView) -> list[str]:
+    return [f"{what}={array(f'{body}.{what}' for body in contacts.bodies)}" for what in ("geometry", "material")]
+
+
+def _pairs(pairs: tuple[tuple[int, int], ...]) -> str:
+    return array(f"{{{first},{second}}}" for first, second in pairs)
+
+
+def _given_stiffness(stiffness: float, count: int) -> list[str]:
+    return [
+        "stiffnessChoice=ContactMultiBody.Types.StiffnessChoice.Given",
+        f"stiffness=fill({number(stiffness)}, {count})",
+    ]
+
+
+def _friction_rule(contacts: ContactView) -> list[str]:
+    if contacts.friction_rule is None:
+        return []
+    return [f"frictionRule=ContactMultiBody.Types.CombinationRule.{_RULES[contacts.friction_rule]}"]

@@ -92,6 +92,8 @@ def _contacts(assembly: Assembly, view: MechanismView) -> dict[str, Any]:
     """The entry ``contacts``; none where nothing can touch."""
     if view.contacts is None:
         return {}
+    if view.contacts.compiled:
+        return {"contacts": {"manager": "contacts", "bodies": list(view.contacts.bodies)}}
     material_of = {view.part_names[part.name]: part.material for part in assembly.parts}
     material_of |= {view.plane_names[plane.name]: plane.material for plane in assembly.planes}
     materials = {material.name: material for material in assembly.materials}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import combinations
 
 from cad2modelica.geometry.spatial import Array
 
@@ -38,7 +39,9 @@ class Connection:
 class ContactView:
     """What the contact manager is given: bodies in their order, and pairs as 1-based indices.
 
-    ``exact_within`` is the manager's parameter, m; None: distances are exact everywhere.
+    ``exact_within`` is the manager's parameter, m; None: distances are exact everywhere. ``compiled``: the manager
+    is one that tells the forces of bodies, and is given the pairs that never touch. ``held``: those of the bodies that
+    never move.
     """
 
     bodies: tuple[str, ...]
@@ -47,6 +50,19 @@ class ContactView:
     friction: str | None
     friction_rule: str | None
     exact_within: float | None
+    compiled: bool = False
+    held: frozenset[str] = frozenset()
+
+    @property
+    def class_name(self) -> str:
+        """The manager's class."""
+        return f"ContactMultiBody.{'Compiled' if self.compiled else ''}ContactManager"
+
+    @property
+    def apart(self) -> tuple[tuple[int, int], ...]:
+        """Pairs of its bodies that never touch, as 1-based indices."""
+        touching = {tuple(sorted(pair)) for pair in self.pairs}
+        return tuple(pair for pair in combinations(range(1, len(self.bodies) + 1), 2) if pair not in touching)
 
 
 @dataclass

@@ -24,10 +24,16 @@ def differences(before: Structure, after: Structure, renames: Renames) -> tuple[
         if name in old:
             lines += _changes_of_joint(old[name], joint, renames)
     if before.contacts != after.contacts:
-        lines.append(f"there is {'now a' if after.contacts else 'no'} contact manager")
+        lines.append(_change_of_contacts(before, after))
     if not lines and before != after:
         lines.append("the order of parts or joints has changed")
     return tuple(lines)
+
+
+def _change_of_contacts(before: Structure, after: Structure) -> str:
+    if bool(before.contacts) != bool(after.contacts):
+        return f"there is {'now a' if after.contacts else 'no'} contact manager"
+    return f"contacts is a {'CompiledContactManager' if after.contacts == 'compiled' else 'ContactManager'} now"
 
 
 def _gone(kind: str, names: list[str], renamed: Mapping[str, Renamed]) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, Literal
 
 from cad2modelica.kinematics.loops import LoopAnalysis
 from cad2modelica.mechanism.model import Assembly
@@ -34,11 +34,15 @@ class JointEntry:
 
 @dataclass(frozen=True)
 class Structure:
-    """Bodies and joints of a mechanics; numbers of any kind are no part of it."""
+    """Bodies and joints of a mechanics; numbers of any kind are no part of it.
+
+    Attributes:
+        contacts: whether there is a contact manager; "compiled" if it is one that shows no pairs.
+    """
 
     bodies: tuple[BodyEntry, ...]
     joints: tuple[JointEntry, ...]
-    contacts: bool
+    contacts: bool | Literal["compiled"]
 
     @property
     def signature(self) -> str:
@@ -67,7 +71,10 @@ def structure_of(assembly: Assembly, loops: LoopAnalysis, view: MechanismView) -
         for joint in assembly.joints
         if joint.name in view.joint_names
     ]
-    return Structure(tuple(bodies), tuple(joints), view.contacts is not None)
+    contacts = view.contacts
+    return Structure(
+        tuple(bodies), tuple(joints), "compiled" if contacts is not None and contacts.compiled else contacts is not None
+    )
 
 
 def structure_from(data: dict[str, Any]) -> Structure:
@@ -79,7 +86,7 @@ def structure_from(data: dict[str, Any]) -> Structure:
     return Structure(
         tuple(BodyEntry(**item) for item in data["bodies"]),
         tuple(JointEntry(**item) for item in data["joints"]),
-        bool(data["contacts"]),
+        "compiled" if data["contacts"] == "compiled" else bool(data["contacts"]),
     )
 
 

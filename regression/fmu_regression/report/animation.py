@@ -16,9 +16,9 @@ from scipy.spatial import ConvexHull, QhullError
 from fmu_regression.report.page import Animation, ColorKey
 from fmu_regression.report.plots import encode_array
 from fmu_regression.results.result import FloatArray, SimulationResult
-from fmu_regression.scene.motion import BodyMotion, body_motions
+from fmu_regression.scene.motion import BodyMotion, body_motions, center_of_mass
 from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody, drawn_force_sign
-from fmu_regression.scene.signals import force_names, pair_signal, point_force_names, point_names
+from fmu_regression.scene.signals import body_force_names, force_names, pair_signal, point_force_names, point_names
 
 _MAX_FRAMES = 3000
 _FEATURE_SHARE = 2e-3
@@ -248,7 +248,20 @@ def _forces(scene: Scene, result: SimulationResult, motions: Sequence[BodyMotion
             slots = [np.hstack([_likely_points(by_name, pair, force, rows), force])]
         sign = np.array([1.0, 1.0, 1.0, *[drawn_force_sign(scene, pair)] * 3])
         tracks += [sign * track for track in slots if np.abs(track[:, 3:]).max(initial=0.0) > 0]
-    return tracks
+    return tracks + _body_tracks(scene, result, by_name, rows)
+
+
+def _body_tracks(
+    scene: Scene, result: SimulationResult, motions: dict[str, BodyMotion], rows: IntArray
+) -> list[FloatArray]:
+    """Centre of mass and contact force of bodies that move, where the manager tells no pairs."""
+    moving = [(k, motions[body]) for k, body in enumerate(scene.colliders, start=1) if not motions[body].body.fixed]
+    tracks = [
+        np.hstack([center_of_mass(motion)[rows], result.vector(body_force_names(scene, k))[rows]])
+        for k, motion in moving
+        if all(name in result for name in body_force_names(scene, k))
+    ]
+    return [track for track in tracks if track[:, 3:].any()]
 
 
 def _point_tracks(scene: Scene, pair: ContactPair, result: SimulationResult, rows: IntArray) -> list[FloatArray]:

@@ -10,6 +10,7 @@ from contact_foundation.errors import Place
 from contact_foundation.output import whole_file
 
 from fmu_regression.report.animation import make_animation
+from fmu_regression.report.body_contacts import body_contact_section, body_contact_tiles
 from fmu_regression.report.contacts import contact_section, impact_section
 from fmu_regression.report.figures import NO_FIGURES, Figures, rows_within
 from fmu_regression.report.page import Section, Tile, render_page
@@ -72,6 +73,7 @@ def report_html(result: SimulationResult, scene: Scene | None, figures: Figures 
             chosen,
             impact_section(scene, impacts),
             contact_section(scene, result),
+            body_contact_section(scene, result),
             _joint_section(scene, result),
             _energy_section(energy, joint_power(scene, result)),
         ]
@@ -89,6 +91,7 @@ def _overview(
         tiles.append(_mechanism_tile(scene))
         if scene.pairs:
             tiles += _contact_tiles(scene, impacts)
+        tiles += body_contact_tiles(scene, result)
     if energy is not None:
         tiles.append(Tile("Energy change", f"{energy.change:+.3g}", "J", f"from {energy.total[0]:.5g} J at the start"))
         tiles.append(Tile("Largest energy rise", f"{energy.largest_rise:.2g}", "J", "above an earlier total"))

@@ -57,7 +57,7 @@ def energy_balance(scene: Scene, result: SimulationResult) -> EnergyBalance:
         potential -= motion.body.mass * (center_of_mass(motion) @ scene.gravity)
     notes = [note for motion in motions for note in motion.notes]
     elastic = None
-    if scene.pairs:
+    if scene.pairs or scene.colliders:
         name = elastic_energy_name(scene)
         if name in result:
             elastic = result[name]

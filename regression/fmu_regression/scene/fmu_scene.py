@@ -18,7 +18,8 @@ from fmu_regression.scene.descriptor_mesh import descriptor_meshes
 from fmu_regression.scene.scene_file import ContactPair, Scene, SceneBody, load_scene
 
 _MANAGER: Final = re.compile(r"(.+)\.pairDistance\[1\]")
-_WITHOUT_PAIRS: Final = re.compile(r"(.+)\.contactCount")
+_BODY_MANAGER: Final = re.compile(r"(.+)\.force\[1,1\]")
+_WITHOUT_FRAMES: Final = re.compile(r"(.+)\.contactCount")
 _FRAME: Final = re.compile(r"(.+)\.(frame_[ab])\.r_0\[1\]")
 _AXES: Final = (1, 2, 3)
 _MOVES: Final = ("continuous", "discrete")
@@ -40,11 +41,11 @@ def scene_of_fmu(path: Path) -> Scene:
     mass of its own counts as fixed where it does not move.
 
     Raises:
-        InputError: there is no contact manager that tells its pairs, or a body of it is not found.
+        InputError: there is no contact manager that tells its bodies, or a body of it is not found.
     """
     with open_fmu(path) as opened:
         description = opened.description
-        found = next((match[1] for name in description.variables if (match := _MANAGER.fullmatch(name))), None)
+        found = _manager(description)
         if found is None:
             raise _no_scene(description, path)
         mode = "me" if "me" in description.identifiers else "cs"
@@ -60,15 +61,24 @@ def scene_of_fmu(path: Path) -> Scene:
     return _Reading(path, description, found, values).scene()
 
 
+def _manager(description: ModelDescription) -> str | None:
+    """The first manager that shows pairs, or else the first that shows the forces on its frames."""
+    names = description.variables
+    pairs = (match[1] for name in names if (match := _MANAGER.fullmatch(name)))
+    bodies = (match[1] for name in names if (match := _BODY_MANAGER.fullmatch(name)))
+    of_frames = (name for name in bodies if f"{name}.contactCount" in names and f"{name}.frame[1].r_0[1]" in names)
+    return next(pairs, None) or next(of_frames, None)
+
+
 def _no_scene(description: ModelDescription, path: Path) -> InputError:
-    name = next((match[1] for name in description.variables if (match := _WITHOUT_PAIRS.fullmatch(name))), None)
+    name = next((match[1] for name in description.variables if (match := _WITHOUT_FRAMES.fullmatch(name))), None)
     if name is None:
         said = "the FMU has no contact manager, so there is no scene to report on"
         return InputError(said, place=Place(file=path), remedy="Leave --scene out, or name a scene.json.")
     return InputError(
-        f"{name} tells what forces act on bodies, but not in which pairs they touch: a report would say that none do",
+        f"{name} holds its bodies itself, and a report shows bodies that are components of their own",
         place=Place(file=path, component=name),
-        remedy=f"Leave --scene out, and plot {name}.contactCount and others; or take a ContactManager.",
+        remedy=f"Leave --scene out, and plot {name}.contactCount and others; or take a contact manager.",
     )
 
 
@@ -108,7 +118,9 @@ class _Reading:
         direction = self._numbers([f"world.n[{i}]" for i in _AXES])
         gravity = np.zeros(3) if direction is None else direction * self._values.get("world.g", 0.0)
         name = self._description.name
-        return Scene(name, gravity, tuple(bodies), (), tuple(pairs), self._manager)
+        by_body = f"{self._manager}.pairDistance[1]" not in self._variables
+        colliders = tuple(body.name for body in bodies) if by_body else ()
+        return Scene(name, gravity, tuple(bodies), (), tuple(pairs), self._manager, colliders)
 
     def _count(self, pattern: str) -> int:
         count = 0

@@ -12,6 +12,7 @@ from fmu_regression.results.result import FloatArray, SimulationResult
 from fmu_regression.scene.motion import body_motions
 from fmu_regression.scene.scene_file import Scene, SceneBody
 from fmu_regression.scene.signals import (
+    body_force_names,
     elastic_energy_name,
     first_present,
     force_names,
@@ -54,6 +55,9 @@ def require_possible_motion(scene: Scene, result: SimulationResult, place: Place
                 )
     for pair in scene.pairs:
         for name in (pair_signal(scene, pair, "normalForce"), *force_names(scene, pair)):
+            _require(np.isfinite, name, result, place)
+    for number in range(1, len(scene.colliders) + 1):
+        for name in body_force_names(scene, number):
             _require(np.isfinite, name, result, place)
     _require(np.isfinite, elastic_energy_name(scene), result, place)
 

@@ -111,6 +111,8 @@ class Scene:
         gravity: shape (3,), m/s2.
         bodies, joints, pairs: in the file's order.
         manager: prefix of the contact manager's variables, or "" without contacts.
+        colliders: names of the manager's bodies in its order, where it tells forces of bodies instead of pairs; there
+            are no pairs then.
     """
 
     name: str
@@ -119,6 +121,7 @@ class Scene:
     joints: tuple[SceneJoint, ...] = ()
     pairs: tuple[ContactPair, ...] = ()
     manager: str = ""
+    colliders: tuple[str, ...] = ()
 
     def label(self, body: str) -> str:
         """The label of the body of a name; the name itself if there is none."""
@@ -170,10 +173,17 @@ class _Reader:
             if names.count(name) > 1:
                 self._wrong("bodies", f"has the name {name!r} twice")
         contacts = self._object(top.get("contacts") or {}, "contacts")
+        by_body = "bodies" in contacts
         pairs = tuple(
             self._pair(item, f"contacts.pairs[{k}]", names)
-            for k, item in enumerate(self._list(contacts, "pairs", "contacts.") if contacts else [])
+            for k, item in enumerate(self._list(contacts, "pairs", "contacts.") if contacts and not by_body else [])
         )
+        colliders = self._list(contacts, "bodies", "contacts.", _MAX_BODIES) if by_body else []
+        if by_body and "pairs" in contacts:
+            self._wrong("contacts", "has pairs and bodies: a manager tells the forces of one or the other")
+        for k, collider in enumerate(colliders):
+            if collider not in names:
+                self._wrong(f"contacts.bodies[{k}]", "does not name a body of the scene")
         return Scene(
             name=self._text(top, "name", ""),
             gravity=self._array(top.get("gravity"), (3,), "gravity"),
@@ -184,6 +194,7 @@ class _Reader:
             ),
             pairs=pairs,
             manager=self._text(contacts, "manager", "contacts.") if contacts else "",
+            colliders=tuple(str(collider) for collider in colliders),
         )
 
     def _body(self, raw: Any, where: str) -> SceneBody:

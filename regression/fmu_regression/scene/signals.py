@@ -51,6 +51,16 @@ def force_names(scene: Scene, pair: ContactPair) -> list[str]:
     return [f"{scene.manager}.force[{pair.index},{i}]" for i in _AXES]
 
 
+def body_force_names(scene: Scene, number: int) -> list[str]:
+    """Names of the contact force on the manager's body of this number (from 1), world axes; of scenes without pairs."""
+    return [f"{scene.manager}.force[{number},{i}]" for i in _AXES]
+
+
+def touch_names(scene: Scene) -> list[str]:
+    """What a manager that tells forces of bodies tells of all contacts: their number, the largest depth."""
+    return [f"{scene.manager}.{quantity}" for quantity in ("contactCount", "largestDepth", "relativeDepth")]
+
+
 def point_names(scene: Scene, pair: ContactPair, slot: int) -> list[str]:
     """Names of a contact point of the pair (slots from 1), world axes; not every FMU shows them."""
     return [f"{scene.manager}.point[{pair.index},{slot},{i}]" for i in _AXES]
@@ -72,7 +82,7 @@ def elastic_energy_name(scene: Scene) -> str:
 
 
 def missing_signals(scene: Scene, known: Container[str]) -> list[str]:
-    """What a report cannot do without: the poses of bodies that move, and force or distance of each pair.
+    """What a report cannot do without: the poses of bodies that move, and force or distance of each pair or body.
 
     Args:
         scene: the scene.
@@ -85,6 +95,8 @@ def missing_signals(scene: Scene, known: Container[str]) -> list[str]:
     for pair in scene.pairs:
         names = [pair_signal(scene, pair, quantity) for quantity in ("normalForce", "distance")]
         missing += names[:1] if not any(name in known for name in names) else []
+    for number in range(1, len(scene.colliders) + 1):
+        missing += [name for name in body_force_names(scene, number) if name not in known]
     return missing
 
 
@@ -111,10 +123,12 @@ def require_signals(scene: Scene, known: Container[str], place: Place, remedy: s
             place=place,
             remedy=f"{remedy} If they are there, the scene belongs to another model.",
         )
-    beyond = f"{scene.manager}.normalForce[{max((pair.index for pair in scene.pairs), default=0) + 1}]"
-    if scene.pairs and beyond in known:
+    what, beyond = "contact pair", f"{scene.manager}.normalForce[{max((p.index for p in scene.pairs), default=0) + 1}]"
+    if scene.colliders:
+        what, beyond = "colliding body", body_force_names(scene, len(scene.colliders) + 1)[0]
+    if scene.manager and beyond in known:
         raise InputError(
-            f"has {beyond}, a contact pair that the scene {scene.name!r} does not have: it belongs to another model",
+            f"has {beyond}, a {what} that the scene {scene.name!r} does not have: it belongs to another model",
             place=place,
             remedy="Name the scene.json beside the package that the FMU was built from.",
         )
@@ -146,6 +160,10 @@ def signals_for(scene: Scene, description: ModelDescription) -> list[str]:
         while all(name in known for name in point_names(scene, pair, slot) + point_force_names(scene, pair, slot)):
             wanted += point_names(scene, pair, slot) + point_force_names(scene, pair, slot)
             slot += 1
-    if scene.pairs:
+    for number in range(1, len(scene.colliders) + 1):
+        wanted += body_force_names(scene, number)
+    if scene.colliders:
+        wanted += touch_names(scene)
+    if scene.pairs or scene.colliders:
         wanted.append(elastic_energy_name(scene))
     return [name for name in dict.fromkeys(wanted) if name in known]
