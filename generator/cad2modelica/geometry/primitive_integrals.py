@@ -1,4 +1,4 @@
-"""Volume and moments of inertia of primitives in closed form."""
+"""Volume, surface and moments of inertia of primitives in closed form."""
 
 from __future__ import annotations
 
@@ -34,3 +34,41 @@ def solid_moments(kind: str, size: Array) -> tuple[float, Array]:
     # Two half balls, whose centres lie 3/8 of the radius beyond the cylinder's ends.
     across += ball * (0.4 * a * a + 0.75 * a * b + b * b)
     return float(tube + ball), np.array([across, across, along + 0.4 * ball * a * a])
+
+
+def shell_moments(kind: str, size: Array) -> tuple[float, Array]:
+    """Surface and principal moments about the centre of a thin shell at 1 kg/m2.
+
+    An ellipsoid's surface is Thomsen's approximation (within 1.1 %), and its shell lies between it and one whose
+    semi-axes are all longer by the same: as MuJoCo has it.
+
+    Args:
+        kind: box, ellipsoid, sphere, cylinder, or capsule, as ``solid_moments``.
+        size: likewise.
+    """
+    a, b, c = size
+    if kind == "box":
+        faces = np.array([b * c, a * c, a * b])  # a quarter of one, and each is there twice
+        squares = np.array([a * a, b * b, c * c])
+        # About the centre: those at a right angle lie a half length away, all others are spread along it.
+        spread = 8.0 * np.array([faces[k] * squares[k] + (faces.sum() - faces[k]) * squares[k] / 3 for k in range(3)])
+        return float(8.0 * faces.sum()), spread.sum() - spread
+    if kind == "ellipsoid":
+        power = 1.6075
+        products = np.array([a * b, a * c, b * c])
+        area = 4.0 * np.pi * float(np.mean(products**power)) ** (1.0 / power)
+        sums = np.array([b * b + c * c, a * a + c * c, a * a + b * b])
+        growth = 2.0 * a * b * c / products.sum() * np.array([b + c, a + c, a + b])
+        return area, area / 5.0 * (sums + growth)
+    ball = 4.0 * np.pi * a * a
+    if kind == "sphere":
+        return float(ball), np.full(3, ball * a * a / 1.5)
+    tube = 4.0 * np.pi * a * b
+    across, along = tube * (a * a / 2.0 + b * b / 3.0), tube * a * a
+    if kind == "cylinder":
+        caps = 2.0 * np.pi * a * a
+        across += caps * (a * a / 4.0 + b * b)
+        return float(tube + caps), np.array([across, across, along + caps * a * a / 2.0])
+    # Two half spheres, whose centres lie half the radius beyond the tube's ends.
+    across += ball * (a * a / 1.5 + b * b + a * b)
+    return float(tube + ball), np.array([across, across, along + ball * a * a / 1.5])

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+import numpy as np
 from lxml import etree
 
-from cad2modelica.geometry.spatial import IDENTITY, Pose
+from cad2modelica.geometry.spatial import IDENTITY, Array, Pose
 from cad2modelica.mechanism.model import GROUND
 from cad2modelica.mjcf.document import ACTUATORS, COPY, MAIN, MjcfDocument
 from cad2modelica.mjcf.elements import Item, MjcfElements
@@ -94,7 +95,7 @@ class _BodyReader:
     ) -> list[tuple[etree._Element, Pose, str]]:
         """Takes what stands in a body; returns the bodies in it with their frames and default classes."""
         inside: list[tuple[etree._Element, Pose, str]] = []
-        copies = IDENTITY
+        copies = np.zeros(3)
         for child in self._document.children(element):
             tag = str(child.tag)
             if tag == "body":
@@ -108,16 +109,18 @@ class _BodyReader:
                 self._take(body, self._document.item(child, child_class), frame)
         return inside
 
-    def _frame(self, element: etree._Element, copies: Pose) -> tuple[Pose, Pose]:
+    def _frame(self, element: etree._Element, copies: Array) -> tuple[Pose, Array]:
         """The pose of a frame; and of a copy of a replication, where the next copy stands."""
-        if element.get(COPY) is None:
-            return self._elements.pose(Item(element, {str(k): str(v) for k, v in element.items()})), copies
         item = Item(element, {str(k): str(v) for k, v in element.items()})
-        if element.get(COPY) == "0":
-            copies = IDENTITY
-        angles = self._elements.numbers(item, "turn", (0.0, 0.0, 0.0))
-        step = Pose(self._elements.numbers(item, "offset", (0.0, 0.0, 0.0)), self._elements.euler(angles))
-        return copies, copies @ step
+        copy = element.get(COPY)
+        if copy is None:
+            return self._elements.pose(item), copies
+        number = int(copy)
+        position = copies if number else np.zeros(3)
+        # Multiples of the angles, not powers of the rotation: so the compiler does, which matters for several axes.
+        turn = self._elements.euler(number * self._elements.numbers(item, "turn", (0.0, 0.0, 0.0)))
+        step = turn @ self._elements.numbers(item, "offset", (0.0, 0.0, 0.0))
+        return Pose(position, turn), position + step
 
     def _take(self, body: Body, item: Item, frame: Pose) -> None:
         inner = body.inner @ frame
@@ -162,7 +165,7 @@ class _BodyReader:
 
     def _joints(self, element: etree._Element, frame: Pose, child_class: str) -> list[PlacedItem]:
         found = []
-        copies = IDENTITY
+        copies = np.zeros(3)
         for child in self._document.children(element):
             if child.tag in _JOINTS:
                 found.append(PlacedItem(self._document.item(child, child_class), frame))

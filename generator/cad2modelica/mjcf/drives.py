@@ -102,7 +102,7 @@ class _DriveReader:
             bias = self._elements.numbers(item, "biasprm", (0.0,) * 10)
             damper = self._elements.number(item, "kv", -float(bias[2]))
             if item.has("dampratio"):
-                inertia = self._inertias.get(joint.name, 0.0) * gear**2
+                inertia = self._inertias.get(joint.name, 0.0) / gear**2  # seen from the actuator's side
                 damper = 2.0 * self._elements.number(item, "dampratio") * float(np.sqrt(max(spring, 0.0) * inertia))
             return self._checked(joint, (0.0, spring, damper))
         return self._general(item, joint, gains)

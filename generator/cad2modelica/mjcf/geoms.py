@@ -9,7 +9,7 @@ from contact_foundation.errors import InputError
 
 from cad2modelica.geometry.convex_hull import hull_surface
 from cad2modelica.geometry.mesh import Mesh
-from cad2modelica.geometry.primitive_integrals import solid_moments
+from cad2modelica.geometry.primitive_integrals import shell_moments, solid_moments
 from cad2modelica.geometry.primitive_meshes import (
     Surface,
     along_z,
@@ -166,7 +166,7 @@ def _surface(kind: str, size: Array) -> Surface:
 
 
 def _mass(item: Item, kind: str, size: Array, assets: MjcfAssets, elements: MjcfElements) -> MassProperties:
-    """Mass properties in the geom's own axes: its mass, or that of its volume by its density."""
+    """Mass properties in the geom's own axes: its mass, or that of its volume (a shell's surface) by its density."""
     given = elements.number(item, "mass") if item.has("mass") else None
     density = elements.number(item, "density", DENSITY)
     if (given or 0.0) < 0 or density < 0:
@@ -177,9 +177,7 @@ def _mass(item: Item, kind: str, size: Array, assets: MjcfAssets, elements: Mjcf
         found = assets.integrals(item.text("mesh"), item)
         volume, center, inertia = found.volume, found.center, found.inertia
     else:
-        if item.text("shellinertia") == "true":
-            elements.notes.append(f"{elements.place(item.element)}: shellinertia was read as a solid's")
-        volume, moments = solid_moments(kind, size)
+        volume, moments = (shell_moments if item.text("shellinertia") == "true" else solid_moments)(kind, size)
         center, inertia = np.zeros(3), np.diag(moments)
     factor = given / volume if given is not None else density
     return MassProperties(factor * volume, center, factor * inertia)

@@ -67,6 +67,7 @@ class PartReader:
         self._unreadable: list[UnreadableMesh] = []
         self._found = MjcfParts()
         self._height_fields = 0
+        self._standing_mass = 0.0  # of bodies that stand in the world, where a total mass is asked for
 
     def read(self, progress: Progress) -> MjcfParts:
         """All parts of the tree."""
@@ -97,22 +98,29 @@ class PartReader:
         geoms: list[Geom] = []
         lightest = NO_MASS
         for entry in body.geoms:
-            geom = self._geom(body, entry, from_geoms and not body.is_static)
+            geom = self._geom(body, entry, from_geoms and self._weighs(body))
             if geom is not None:
                 geoms.append(geom)
         if from_geoms:
             lightest = together(geom.mass for geom in geoms)
-        elif body.inertial is not None:
+        if body.inertial is not None and not lightest.mass > 0:  # it also counts where no geom weighs anything
             lightest = self._inertial(body.inertial)
+        mass = self._bounded(lightest) if self._weighs(body) else NO_MASS
+        if body.is_static:
+            self._standing_mass += mass.mass
         return (
             Member(
                 body.name,
                 [geom.shown for geom in geoms if geom.visible],
                 [geom.colliding for geom in geoms if geom.colliding is not None],
-                self._bounded(lightest) if not body.is_static else NO_MASS,
+                mass if not body.is_static else NO_MASS,
             ),
             geoms,
         )
+
+    def _weighs(self, body: Body) -> bool:
+        """Whether the mass of a body counts: it moves, or has a share in the total mass that is asked for."""
+        return not body.is_static or (self._elements.compiler.total_mass > 0 and body.parent is not None)
 
     def _geom(self, body: Body, entry: PlacedItem, with_mass: bool) -> Geom | None:
         item = entry.item
@@ -210,7 +218,7 @@ class PartReader:
     def _scaled(self, members: dict[str, list[Member]]) -> dict[str, list[Member]]:
         """Masses by the total mass that the compiler asks for."""
         wanted = self._elements.compiler.total_mass
-        total = sum(member.mass.mass for group in members.values() for member in group)
+        total = self._standing_mass + sum(member.mass.mass for group in members.values() for member in group)
         if wanted <= 0 or total <= 0:
             return members
         factor = wanted / total

@@ -24,6 +24,7 @@ from cad2modelica.mjcf.bodies import BodyTree, read_bodies
 from cad2modelica.mjcf.contacts import contact_settings, pair_geoms
 from cad2modelica.mjcf.document import MAIN, MjcfDocument
 from cad2modelica.mjcf.drives import read_drives
+from cad2modelica.mjcf.effective_inertia import effective_inertias
 from cad2modelica.mjcf.elements import Compiler, Item, MjcfElements
 from cad2modelica.mjcf.equalities import held, read_equalities
 from cad2modelica.mjcf.joints import MjcfJoints, read_joints
@@ -82,7 +83,7 @@ def _assembly(
 ) -> Assembly:
     all_parts = {**parts.parts, **{part.name: part for part in joints.between}}
     inertias = {joint.name: _moved_inertia(joint, joints.joints, all_parts) for joint in joints.joints.values()}
-    timed = _with_time_springs(joints, inertias)
+    timed = _with_time_springs(joints, all_parts)
     equalities = read_equalities(document, elements, tree, parts.hosts, timed)
     final = held(timed, equalities.held)
     drives = read_drives(document, elements, final, inertias)
@@ -172,9 +173,10 @@ def _moved_inertia(joint: Joint, joints: dict[str, Joint], parts: dict[str, Part
     return joint.rotor_inertia + sum(inertia_about(joint, part) for part in moved)
 
 
-def _with_time_springs(joints: MjcfJoints, inertias: dict[str, float]) -> dict[str, Joint]:
+def _with_time_springs(joints: MjcfJoints, parts: dict[str, Part]) -> dict[str, Joint]:
     """Joints with springs and dampers that were given by time constant and damping ratio (``springdamper``)."""
     result = dict(joints.joints)
+    inertias = effective_inertias(result, parts) if joints.time_springs else {}
     for name, (constant, ratio) in joints.time_springs.items():
         joint = result[name]
         rest = joint.spring.rest if joint.spring is not None else 0.0

@@ -8,10 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cad2modelica import GenerateOptions, generate, read_assembly
-from cad2modelica.geometry.primitive_meshes import box_surface
+from cad2modelica.geometry.primitive_meshes import Surface, box_surface
 from cad2modelica.mechanism.model import Assembly, JointType
 from contact_foundation.errors import CmbError, InputError
 from mechanics_simulation import ROOT, simulate
+from scipy.spatial.transform import Rotation
 
 PENDULUM = """<mujoco model="double pendulum">
   <compiler angle="radian"/>
@@ -174,6 +175,117 @@ def test_spring_and_rotor_make_an_oscillator(tmp_path: Path) -> None:
     found = simulate(tmp_path / "out", package.mechanics, 1.0, 0.05)
     expected = np.radians(10) * (1 - np.cos(np.sqrt(5 / 0.05) * found.time))
     np.testing.assert_allclose(found.columns["shaft.phi"], expected, atol=1e-7)
+
+
+def test_time_spring_counts_what_the_joint_moves_while_the_others_are_free(tmp_path: Path) -> None:
+    """By the inverse mass matrix: of two slides in a row the second one sees both masses in series."""
+    text = """<mujoco><worldbody><body><joint name="first" type="slide" axis="1 0 0"/>
+      <inertial pos="0 0 0" mass="2" diaginertia="1 1 1"/>
+      <body><joint name="second" type="slide" axis="1 0 0" springdamper="0.5 0.2" stiffness="9" damping="9"/>
+      <inertial pos="0 0 0" mass="6" diaginertia="1 1 1"/></body></body></worldbody></mujoco>"""
+    joint = {joint.name: joint for joint in read(tmp_path, text).joints}["second"]
+    assert joint.spring is not None
+    assert joint.friction is not None
+    reduced = 2 * 6 / (2 + 6)
+    assert joint.spring.stiffness == pytest.approx(reduced / (0.5 * 0.2) ** 2)
+    assert joint.friction.viscous == pytest.approx(2 * reduced / 0.5)
+
+
+def test_damping_ratio_of_a_position_actuator_is_that_of_the_joint(tmp_path: Path) -> None:
+    text = body(
+        "<joint name='j'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 5'/>",
+        sections="<actuator><position joint='j' kp='40' dampratio='0.7' gear='3'/></actuator>",
+    )
+    (drive,) = read(tmp_path, text).drives
+    stiffness, damping = drive.parameters["c"], drive.parameters["d"]
+    assert stiffness == pytest.approx(40 * 3**2)
+    assert damping == pytest.approx(2 * 0.7 * np.sqrt(stiffness * 5))
+
+
+def test_copies_turn_by_multiples_of_their_angles(tmp_path: Path) -> None:
+    text = """<mujoco><compiler angle="radian"/><worldbody>
+      <replicate count="3" offset="0.1 0.2 0.3" euler="0.3 0.4 0.5">
+      <body name="b"><joint/><geom size="0.1"/></body></replicate></worldbody></mujoco>"""
+    assembly = read(tmp_path, text)
+
+    def turn(number: int) -> np.ndarray:
+        return Rotation.from_euler("XYZ", number * np.array([0.3, 0.4, 0.5])).as_matrix()
+
+    offset = np.array([0.1, 0.2, 0.3])
+    place = np.zeros(3)
+    for number in range(3):
+        pose = assembly.part(f"b{number}").pose
+        np.testing.assert_allclose(pose.rotation, turn(number), atol=1e-15)
+        np.testing.assert_allclose(pose.position, place, atol=1e-15)
+        place = place + turn(number) @ offset
+
+
+def test_bodies_that_stand_have_their_share_in_the_total_mass(tmp_path: Path) -> None:
+    text = """<mujoco><compiler settotalmass="7"/><worldbody><geom size="0.3"/><body><geom size="0.2"/></body>
+      <body name="b"><joint/><geom size="0.2"/></body></worldbody></mujoco>"""
+    assert read(tmp_path, text).part("b").mass_properties.mass == pytest.approx(3.5)
+
+
+@pytest.mark.parametrize("geom", ["", "<geom size='1' group='4'/>", "<geom size='1' mass='0'/>"])
+def test_inertial_counts_where_no_geom_weighs_anything(tmp_path: Path, geom: str) -> None:
+    sections = "<compiler inertiafromgeom='true' inertiagrouprange='0 3'/>"
+    inertial = "<inertial pos='0.1 0 0' mass='2' diaginertia='1 1 1'/>"
+    found = read(tmp_path, body(f"<joint/>{geom}{inertial}", sections=sections)).part("b").mass_properties
+    assert found.mass == 2.0
+    np.testing.assert_allclose(found.center_of_mass, [0.1, 0, 0])
+
+
+@pytest.mark.parametrize(
+    ("geom", "size"),
+    [
+        ("sphere", (0.2, 0, 0)),
+        ("box", (0.1, 0.2, 0.3)),
+        ("cylinder", (0.1, 0.2, 0)),
+        ("capsule", (0.1, 0.2, 0)),
+        ("ellipsoid", (0.2, 0.2, 0.2)),
+    ],
+)
+def test_shells_weigh_by_their_surface(tmp_path: Path, geom: str, size: tuple[float, float, float]) -> None:
+    """Against sums over a fine triangulation; general ellipsoids are an approximation, as in MuJoCo."""
+    words = " ".join(str(value) for value in size if value)
+    text = body(f"<joint/><geom type='{geom}' size='{words}' shellinertia='true' density='100'/>")
+    found = read(tmp_path, text).part("b").mass_properties
+    vertices, triangles = surface_of(geom, size)
+    corners = vertices[triangles]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    assert found.mass == pytest.approx(100 * areas.sum(), rel=2e-3)
+    sums = corners.sum(axis=1)
+    products = np.einsum("t,tci,tcj->ij", areas, corners, corners) + np.einsum("t,ti,tj->ij", areas, sums, sums)
+    expected = 100 * (np.trace(products) * np.eye(3) - products) / 12
+    np.testing.assert_allclose(found.inertia, expected, rtol=4e-3, atol=1e-9)
+
+
+def surface_of(geom: str, size: tuple[float, float, float]) -> Surface:
+    if geom == "box":
+        return box_surface(2 * np.array(size))
+    if geom in ("sphere", "ellipsoid"):
+        return fine_surface(size[0], 0.0, caps=False)
+    return fine_surface(size[0], size[1], caps=geom == "cylinder")
+
+
+def fine_surface(radius: float, half: float, *, caps: bool) -> Surface:
+    """A sphere pulled apart along z by twice ``half``; with caps a tube with two disks in place of half spheres."""
+    polar = np.linspace(0, np.pi / 2, 65)
+    profile = [(radius * np.sin(angle), 0.0 if caps else radius * np.cos(angle)) for angle in polar]
+    upper = [(r, z + half) for r, z in profile]
+    lower = [(r, -z - half) for r, z in reversed(profile)]
+    rings = np.array(upper + lower)
+    turn = np.linspace(0, 2 * np.pi, 129)[:-1]
+    points = np.array([[(r * np.cos(t), r * np.sin(t), z) for t in turn] for r, z in rings]).reshape(-1, 3)
+    count = len(turn)
+    triangles = [
+        corner
+        for ring in range(len(rings) - 1)
+        for k in range(count)
+        for a, b in [(ring * count + k, ring * count + (k + 1) % count)]
+        for corner in ((a, a + count, b), (b, a + count, b + count))
+    ]
+    return points, np.array(triangles)
 
 
 def test_a_connect_closes_a_loop(tmp_path: Path) -> None:
