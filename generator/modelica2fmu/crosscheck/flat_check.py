@@ -15,6 +15,7 @@ from typing import Any, Final
 
 from contact_foundation.errors import UnsupportedModelError
 
+from modelica2fmu.crosscheck.array_pieces import is_piece, remedy_of_pieces
 from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, Names, Role, UnknownError, Value
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent, Modifier
@@ -185,9 +186,25 @@ class _FlatCheck:
         if node.has_value:
             self._constructed(path, variable)
         elif node.is_certain and node.instance.predefined is not None:
+            self._pieces(node.component, node.instance.predefined, variable)
             self._binding(path, node.component, variable)
             if node.component.binding is None:
                 self._attributes(node.component, node.instance.predefined, variable)
+
+    def _pieces(self, component: Component, predefined: ClassInstance, variable: Mapping[str, Any]) -> None:
+        """An element of an array of components has its own piece of an array that modifies all of them."""
+        if not any(part["subs"] for part in variable["component_ref"]["parts"][:-1]):
+            return
+        for value, given in (
+            (component.binding, "binding"),
+            *((each, "start") for each in predefined.attribute("start")[:1]),
+        ):
+            if value is None:
+                continue
+            remedy = remedy_of_pieces(self._reading.text(value.extent))
+            places = (self._reading.extent(span) for span in spans(variable[given]))
+            if remedy is not None and is_piece((each for each in places if each is not None), value.extent):
+                raise self._reading.misread_array(variable["name"], value.extent, remedy)
 
     def _binding(self, path: _Path, component: Component, variable: Mapping[str, Any]) -> None:
         value, given = component.binding, variable["binding"]

@@ -150,6 +150,14 @@ class FlatReading:
             remedy=_REDECLARE,
         )
 
+    def misread_array(self, name: str, extent: Extent, remedy: str) -> UnsupportedModelError:
+        """Elements of an array of components got wrong pieces of an array."""
+        return UnsupportedModelError(
+            f"the front end does not take {self.shown(extent)} apart rightly: {name} would have a wrong value",
+            place=self.place_of(extent),
+            remedy=remedy,
+        )
+
     def lost_right_side(self, span: RawSpan) -> UnsupportedModelError:
         """A derivative of an element in a for-loop was taken for 0."""
         extent = self.extent(span)
