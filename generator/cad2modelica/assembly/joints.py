@@ -61,11 +61,8 @@ class _JointReader:
             second_axis=second,
             position=to_si(float(start.get("position", "0")), unit),
             speed=to_si(float(start.get("speed", "0")), unit),
-            velocity=to_si(
-                self._item.outer.direction(numbers(start.get("velocity", "0 0 0"))), self._read.units.length
-            ),
-            angular_velocity=self._item.outer.direction(numbers(start.get("angularVelocity", "0 0 0")))
-            * self._read.units.angle,
+            velocity=to_si(self._started("velocity", start, frames), self._read.units.length),
+            angular_velocity=self._started("angularVelocity", start, frames) * self._read.units.angle,
             place=self._place,
             pitch=self._pitch(),
             limits=self._limits(),
@@ -98,11 +95,13 @@ class _JointReader:
         """Coordinate systems by the names the format gives them.
 
         Where an instance has put the joint's parent elsewhere, what the definition says in its own coordinates has
-        moved with the parent.
+        moved with the parent. What lists the instance itself knows the place, and means its own coordinates.
         """
         outer = self._item.outer
-        if parent != GROUND and self._parts[parent].pose is not self._parts[parent].nominal:
-            outer = self._parts[parent].pose @ (self._parts[parent].nominal.inverse() @ outer)
+        if parent != GROUND:
+            known, placed = self._parts[parent].seen_from(self._item.prefix), self._parts[parent].pose
+            if known is not placed and self._parts[parent].placements:
+                outer = placed @ (known.inverse() @ outer)
         return {
             "assembly": outer,
             "parent": IDENTITY if parent == GROUND else self._parts[parent].pose,
@@ -140,6 +139,11 @@ class _JointReader:
                     "Remove it." if self._kind is JointType.FIXED else f"Possible: {', '.join(allowed)}.",
                 )
         return given
+
+    def _started(self, key: str, start: dict[str, str], frames: dict[str, Pose]) -> Array:
+        """A start velocity in world axes; the instance's own is not moved by where it places the parent."""
+        frame = self._item.outer if key in (self._item.start or {}) else frames["assembly"]
+        return frame.direction(numbers(start.get(key, "0 0 0")))
 
     def _coordinate_unit(self) -> float:
         turns = self._kind in (JointType.REVOLUTE, JointType.SCREW)

@@ -261,7 +261,6 @@ class _Reader:
 
     def _meshes(self, item: PartDescription) -> tuple[Mesh, ...]:
         meshes: list[Mesh] = []
-        inner = item.outer.inverse() @ item.pose
         for element in item.element.iterfind(f"{{{NAMESPACE}}}geometry"):
             reference = GeometryReference(
                 file=element.get("file", ""),
@@ -276,7 +275,7 @@ class _Reader:
                     place=reference.place,
                     remedy="Add the attribute node, or use coordinates='file'.",
                 )
-            meshes += self._geometry.meshes(reference, inner)
+            meshes += self._geometry.meshes(reference, item.local)
         return tuple(meshes)
 
     def _mass_properties(self, element: etree._Element, item: PartDescription) -> MassProperties:
@@ -294,7 +293,7 @@ class _Reader:
         )
         tensor = to_si(to_si(to_si(tensor, self._units.length), self._units.length), self._units.mass) + 0.0
         if inertia.get("axes") == "assembly":
-            rotation = (item.outer.inverse() @ item.pose).rotation
+            rotation = item.local.rotation
             tensor = rotation.T @ tensor @ rotation
             tensor = (tensor + tensor.T) / 2
         if inertia.get("about") == "origin":

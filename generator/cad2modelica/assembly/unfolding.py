@@ -21,16 +21,31 @@ class PartDescription:
 
     Attributes:
         outer: pose of the assembly or instance that lists the part.
-        pose: of the part in the world.
-        nominal: the pose it would have without the instance's own placements; the same object as ``pose`` if there
-            is none for it.
+        local: of the part in what lists it, before any instance places it elsewhere.
+        placements: poses in the world that instances around it give it, the outermost first, each with the path of
+            the instance ("leg/foot/").
     """
 
     name: str
     element: etree._Element
     outer: Pose
-    pose: Pose
-    nominal: Pose
+    local: Pose
+    placements: tuple[tuple[str, Pose], ...] = ()
+
+    @property
+    def pose(self) -> Pose:
+        """The pose in the world, at the start."""
+        return self.seen_from("")
+
+    def seen_from(self, prefix: str) -> Pose:
+        """The pose in the world as what stands at a path knows it: by the placements of instances that it lists.
+
+        A definition knows nothing of where instances of it place its parts.
+        """
+        for instance, pose in self.placements:
+            if not prefix.startswith(instance):
+                return pose
+        return self.outer @ self.local
 
 
 @dataclass(frozen=True)
@@ -55,9 +70,12 @@ class Unfolded:
 
 @dataclass
 class _Own:
-    """What instances say about what is inside them, by path from the outermost assembly; the outermost wins."""
+    """What instances say about what is inside them, by path from the outermost assembly; the outermost wins.
 
-    placements: dict[str, tuple[etree._Element, Pose]] = field(default_factory=dict)
+    Placements are elements, paths of instances, and poses in the world.
+    """
+
+    placements: dict[str, list[tuple[etree._Element, str, Pose]]] = field(default_factory=dict)
     starts: dict[str, etree._Element] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
 
@@ -84,8 +102,8 @@ class Unfolder:
         """
         definitions = self._definitions()
         self._unfold(self._root, IDENTITY, "", definitions)
-        for path, (element, _) in self._own.placements.items():
-            self._refuse_unused(path, element, "part")
+        for path, placements in self._own.placements.items():
+            self._refuse_unused(path, placements[0][0], "part")
         for path, element in self._own.starts.items():
             self._refuse_unused(path, element, "joint")
         return self._result
@@ -141,12 +159,10 @@ class Unfolder:
             path = prefix + self._own_name("part", element, names)
             if len(result.parts) >= MAXIMUM_PARTS:
                 raise self._too_many("parts", element)
-            nominal = outer @ self._read.pose(element.find(f"{{{NAMESPACE}}}pose"))
-            pose = nominal
-            if path in self._own.placements:
-                pose = self._own.placements[path][1]
-                self._own.used.add(f"part:{path}")
-            result.parts.append(PartDescription(path, element, outer, pose, nominal))
+            local = self._read.pose(element.find(f"{{{NAMESPACE}}}pose"))
+            placements = tuple((instance, pose) for _, instance, pose in self._own.placements.get(path, []))
+            self._own.used |= {f"part:{path}"} if placements else set()
+            result.parts.append(PartDescription(path, element, outer, local, placements))
         for element in content.iterfind(f"{{{NAMESPACE}}}instances/{{{NAMESPACE}}}instance"):
             name = self._own_name("instance", element, names)
             definition = element.get("of", "")
@@ -170,7 +186,7 @@ class Unfolder:
     def _note_own(self, instance: etree._Element, pose: Pose, prefix: str) -> None:
         for element in instance.iterfind(f"{{{NAMESPACE}}}placement"):
             placed = pose @ self._read.pose(element.find(f"{{{NAMESPACE}}}pose"))
-            self._own.placements.setdefault(prefix + element.get("part", ""), (element, placed))
+            self._own.placements.setdefault(prefix + element.get("part", ""), []).append((element, prefix, placed))
         for element in instance.iterfind(f"{{{NAMESPACE}}}jointStart"):
             self._own.starts.setdefault(prefix + element.get("joint", ""), element)
 

@@ -93,25 +93,19 @@ class ConstrainedBodies:
             free: parts that start with the speed of their own that the assembly gives them.
             tolerance: of the integration.
         """
+        return self.integrate(self._speeds(speeds, free), times, tolerance)
+
+    def integrate(self, speed: np.ndarray, times: Sequence[float], tolerance: float = 1e-10) -> Motion:
+        """Motion from the start, with the velocities of all centres of mass and angular velocities, (6 bodies,)."""
         rows, _ = self._equations(self._begin, np.zeros(6 * len(self._parts)))
-        wanted = [self._rate(joint) for joint in self._assembly.joints if joint.name in speeds]
-        given = [speeds[joint.name] for joint in self._assembly.joints if joint.name in speeds]
-        for name in free:
-            k, part = self._index[name], self._assembly.part(name)
-            wanted += list(np.eye(6 * len(self._parts))[6 * k : 6 * k + 6])
-            arm = part.pose.direction(part.mass_properties.center_of_mass)
-            given += [*(part.velocity + np.cross(part.angular_velocity, arm)), *part.angular_velocity]
-        matrix = np.vstack([rows, *wanted])
-        begin, _, rank, _ = np.linalg.lstsq(matrix, np.append(np.zeros(len(rows)), given), rcond=RANK)
-        assert not wanted or rank == matrix.shape[1], f"{matrix.shape[1] - rank} speeds are not given"
-        assert np.abs(matrix @ begin - np.append(np.zeros(len(rows)), given)).max() < 1e-9
+        assert np.abs(rows @ speed).max(initial=0.0) < 1e-7
         count = len(self._begin)
         solution = solve_ivp(
             lambda _t, state: np.concatenate(
                 [self._kinematics(state[:count], state[count:]), self._accelerations(state[:count], state[count:])]
             ),
             (times[0], times[-1]),
-            np.append(self._begin, begin),
+            np.append(self._begin, speed),
             method="DOP853",
             t_eval=times,
             rtol=tolerance,
@@ -125,6 +119,21 @@ class ConstrainedBodies:
         quaternions = poses[:, 3 * bodies :].reshape(len(times), bodies, 4)
         rotation = {part.name: Rotation.from_quat(quaternions[:, k]).as_matrix() for k, part in enumerate(self._parts)}
         return Motion(position, rotation, gap)
+
+    def _speeds(self, speeds: Mapping[str, float], free: Sequence[str]) -> np.ndarray:
+        rows, _ = self._equations(self._begin, np.zeros(6 * len(self._parts)))
+        wanted = [self._rate(joint) for joint in self._assembly.joints if joint.name in speeds]
+        given = [speeds[joint.name] for joint in self._assembly.joints if joint.name in speeds]
+        for name in free:
+            k, part = self._index[name], self._assembly.part(name)
+            wanted += list(np.eye(6 * len(self._parts))[6 * k : 6 * k + 6])
+            arm = part.pose.direction(part.mass_properties.center_of_mass)
+            given += [*(part.velocity + np.cross(part.angular_velocity, arm)), *part.angular_velocity]
+        matrix = np.vstack([rows, *wanted])
+        begin, _, rank, _ = np.linalg.lstsq(matrix, np.append(np.zeros(len(rows)), given), rcond=RANK)
+        assert not wanted or rank == matrix.shape[1], f"{matrix.shape[1] - rank} speeds are not given"
+        assert np.abs(matrix @ begin - np.append(np.zeros(len(rows)), given)).max() < 1e-9
+        return np.asarray(begin)
 
     # ----- what a joint holds -----
 

@@ -155,6 +155,56 @@ def test_same_definition_stiff_and_flexible(tmp_path: Path) -> None:
     np.testing.assert_allclose(assembly.joints[1].origin - assembly.joints[0].origin, [0, 5, 0], atol=1e-12)
 
 
+def test_joint_beside_a_flexible_instance_stays_where_it_is_said_to_be(tmp_path: Path) -> None:
+    """What lists the instance knows where it has placed the part; its own coordinates do not move."""
+    instance = f"""<instance name="a" of="chain">
+        <placement part="upper"><pose><position>0 0 2</position>{QUARTER}</pose></placement></instance>"""
+    file = flexible(tmp_path, instance)
+    outside = joint("pin", "revolute", "a/upper", "a/lower", origin=(0.1, 0.2, 2), axis=(1, 0, 0))
+    file.write_text(
+        file.read_text().replace("</instances></assembly>", f"</instances><joints>{outside}</joints></assembly>")
+    )
+    pin = next(item for item in read_assembly(file).joints if item.name == "pin")
+    np.testing.assert_allclose(pin.origin, [0.1, 0.2, 2], atol=1e-12)
+    assert pin.axis is not None
+    np.testing.assert_allclose(pin.axis, [1, 0, 0], atol=1e-12)
+
+
+def test_joint_knows_the_placements_of_its_own_definition_only(tmp_path: Path) -> None:
+    """The outer assembly places the upper link again; the middle one's joint is where that one had put the link."""
+    placement = '<placement part="a/upper"><pose><position>0 0 9</position></pose></placement>'
+    instance = f'<instance name="outer" of="middle">{placement}</instance>'
+    file = flexible(tmp_path, instance)
+    bolt = joint("bolt", "revolute", "a/upper", "a/lower", origin=(0.1, 0, 2.5), axis=(1, 0, 0))
+    middle = f"""<definition name="middle"><instances><instance name="a" of="chain"><placement part="upper">
+        <pose><position>0 0 2</position></pose></placement></instance></instances>
+        <joints>{bolt}</joints></definition>"""
+    file.write_text(file.read_text().replace("</definitions>", f"{middle}</definitions>"))
+    origins = {item.name: item.origin for item in read_assembly(file).joints}
+    np.testing.assert_allclose(origins["outer/bolt"], [0.1, 0, 9.5], atol=1e-12)
+    np.testing.assert_allclose(origins["outer/a/hinge"], [0.4, 0, 9], atol=1e-12)
+
+
+def test_placed_part_stays_the_body_that_it_is(tmp_path: Path) -> None:
+    """Its inertia in the definition's axes is meant with the definition's pose, and so is a spin at a joint."""
+    instances = f"""<instance name="a" of="chain"/><instance name="b" of="chain">
+        <placement part="upper"><pose>{QUARTER}</pose></placement>
+        <placement part="lower"><pose><position>0 0.4 0</position>{QUARTER}</pose></placement></instance>"""
+    file = flexible(tmp_path, instances)
+    text = file.read_text().replace('axes="part"', 'axes="assembly"').replace('xx="0.01"', 'xx="0.015"')
+    file.write_text(
+        text.replace('type="revolute"', 'type="spherical"')
+        .replace("<axis>0.0 0.0 1.0</axis>", '<start angularVelocity="30 0 0"/>')
+    )  # fmt: skip
+    assembly = read_assembly(file)
+    for name in ("a/lower", "b/lower"):
+        np.testing.assert_allclose(
+            assembly.part(name).mass_properties.inertia, np.diag([0.015, 0.01, 0.01]), atol=1e-15
+        )
+    spins = [item.angular_velocity for item in assembly.joints]
+    np.testing.assert_allclose(spins, np.radians([[30, 0, 0], [0, 30, 0]]), atol=1e-12)
+
+
 @pytest.mark.parametrize(
     ("inside", "words"),
     [
