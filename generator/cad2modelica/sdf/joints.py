@@ -89,19 +89,24 @@ class JointReader:
         parent, child = (self._hosts[link.name] if link is not None else self._ground for link in ends)
         if parent == child or word == "fixed":
             return
-        if child == self._ground:
+        turned = child == self._ground
+        if turned:
             parent, child = child, parent
             self._notes.append(f"joint {name!r} has the world as its child: it is read from the other side")
         axes = [item for item in ("axis", "axis2") if element.find(item) is not None]
         if word in TWO_AXES:
             middle = f"{name} between"
             self.found.between.append(part_between(middle, pose, place))
-            self._add(scope, element, (name, parent, middle), pose, "axis", JointType.REVOLUTE)
-            self._add(scope, element, (f"{name} second axis", middle, child), pose, "axis2", JointType.REVOLUTE)
+            ends_of = {"axis": (parent, middle), "axis2": (middle, child)}
+            if turned:  # the first axis stays fixed in the parent, which now comes last
+                ends_of = {"axis": (middle, child), "axis2": (parent, middle)}
+            self._add(scope, element, (name, *ends_of["axis"]), pose, "axis", JointType.REVOLUTE, turned)
+            second = (f"{name} second axis", *ends_of["axis2"])
+            self._add(scope, element, second, pose, "axis2", JointType.REVOLUTE, turned)
             return
         if len(axes) > 1:
             self._notes.append(Lost(f"joint {name!r}: its second axis is left out, which a {word} joint has not"))
-        self._add(scope, element, (name, parent, child), pose, "axis", TYPES[word])
+        self._add(scope, element, (name, parent, child), pose, "axis", TYPES[word], turned)
 
     def _add(
         self,
@@ -111,14 +116,16 @@ class JointReader:
         pose: Pose,
         key: str,
         kind: JointType,
+        turned: bool,
     ) -> None:
+        """Adds a joint; of one whose sides were exchanged the axis points the other way, so that coordinates stay."""
         name, parent, child = ends
         elements = scope.elements
         axis = element.find(key)
         place = elements.place(element)
         direction: Array | None = None
         if kind.needs_axis:
-            direction = self._direction(scope, element, axis, pose)
+            direction = self._direction(scope, element, axis, pose) * (-1.0 if turned else 1.0)
         scalar = kind.is_scalar and axis is not None
         self.found.joints.append(
             Joint(

@@ -12,7 +12,7 @@ import networkx as nx
 from contact_foundation.progress import Progress, silent
 from lxml import etree
 
-from cad2modelica.geometry.spatial import IDENTITY, Pose
+from cad2modelica.geometry.spatial import IDENTITY, Array, Pose
 from cad2modelica.mechanism.description_defaults import DECOMPOSED_TRIANGLES, GRAVITY
 from cad2modelica.mechanism.model import GROUND, Assembly, ContactSettings, DecompositionLimits
 from cad2modelica.sdf.document import SdfDocument
@@ -20,8 +20,11 @@ from cad2modelica.sdf.joints import JointReader, joint_name
 from cad2modelica.sdf.parts import Host, PartReader, SdfParts
 from cad2modelica.sdf.scopes import Link, Scope, UnknownFrame
 from cad2modelica.source.choices import DEFAULT_CHOICES, SourceChoices
+from cad2modelica.source.lost import Lost
 from cad2modelica.source.problems import Problems
 
+WORLD_GRAVITY = (0.0, 0.0, -9.8)
+"""Of a world that says nothing, m/s2: the format's default."""
 FRICTION_RULE = "minimum"
 """Gazebo takes the smaller of two coefficients of friction."""
 
@@ -63,7 +66,7 @@ def read_sdf(
         name=_name(root, scope, path),
         source="SDFormat",
         file=path,
-        gravity=scope.elements.numbers(scope.element, "gravity", GRAVITY),
+        gravity=_gravity(scope, notes),
         materials=tuple(parts.materials.values()),
         planes=tuple(parts.planes),
         parts=(*parts.parts.values(), *joints.between),
@@ -78,6 +81,20 @@ def read_sdf(
         couplings=tuple(joints.couplings),
         aliases={name: parts.names[host.part] for name, host in hosts.items() if name not in parts.parts},
     )
+
+
+def _gravity(scope: Scope, notes: list[str]) -> Array:
+    """Of the world: the format's default if it says nothing. Before 1.6 it stood among the settings of the physics.
+
+    Models that stand in no world have the gravity of all descriptions without one.
+    """
+    elements, world = scope.elements, scope.element
+    inside = world.find("physics/gravity") is not None
+    if world.find("gravity") is None and inside and elements.version < (1, 6):
+        return elements.numbers(world, "physics/gravity", WORLD_GRAVITY)
+    if inside:
+        notes.append(Lost("the gravity in the element physics is left out: since 1.6 that of the world counts"))
+    return elements.numbers(world, "gravity", GRAVITY if world.getparent() is None else WORLD_GRAVITY)
 
 
 def _name(root: etree._Element, scope: Scope, path: Path) -> str:

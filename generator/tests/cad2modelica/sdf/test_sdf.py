@@ -212,6 +212,44 @@ def test_contacts_by_model_bits_and_friction(tmp_path: Path) -> None:
     assert "g=1.6" in mechanics
 
 
+@pytest.mark.parametrize(
+    ("version", "inside", "expected"),
+    [
+        ("1.4", "<physics type='ode'><gravity>0 0 -1.62</gravity></physics>", [0, 0, -1.62]),
+        ("1.5", "<physics><gravity>0 0 -1.62</gravity></physics><gravity>0 0 -3</gravity>", [0, 0, -3]),
+        ("1.6", "<physics><gravity>0 0 -1.62</gravity></physics>", [0, 0, -9.8]),
+        ("1.9", "", [0, 0, -9.8]),
+    ],
+)
+def test_gravity_of_a_world(tmp_path: Path, version: str, inside: str, expected: list[float]) -> None:
+    inner = (
+        f"<world name='w'>{inside}<model name='m'>{link('a', INERTIAL.format(at=0, mass=1, inertia=1))}</model></world>"
+    )
+    assembly = read(tmp_path, f"<sdf version='{version}'>{inner}</sdf>")
+    np.testing.assert_allclose(assembly.gravity, expected)
+    told = any("gravity in the element physics" in note for note in assembly.notes)
+    assert told == (inside != "" and version != "1.4")
+
+
+def test_joint_to_a_standing_child_keeps_its_coordinates(tmp_path: Path) -> None:
+    """Limits belong to the child against the parent; seen from the other side the axis points the other way."""
+    limits = "<limit><lower>-0.2</lower><upper>1.5</upper></limit>"
+    held = "<joint name='f' type='fixed'><parent>world</parent><child>b</child></joint>"
+    links = link("a", INERTIAL.format(at=0, mass=1, inertia=1), "1 0 0 0 0 0") + link("b")
+    hinge = joint("revolute", f"<axis><xyz>0 1 0</xyz>{limits}</axis>")
+    (found,) = read(tmp_path, model(links + held + hinge)).joints
+    assert (found.parent, found.child) == (GROUND, "a")
+    assert found.axis is not None
+    np.testing.assert_allclose(found.axis, [0, -1, 0], atol=1e-15)
+    cross = joint("universal", f"<axis><xyz>0 1 0</xyz>{limits}</axis><axis2><xyz>1 0 0</xyz></axis2>")
+    joints = {item.name: item for item in read(tmp_path, model(links + held + cross)).joints}
+    first, second = joints["j"], joints["j second axis"]
+    assert (second.parent, second.child, first.parent, first.child) == (GROUND, "j between", "j between", "a")
+    assert first.axis is not None
+    assert second.axis is not None
+    np.testing.assert_allclose([first.axis, second.axis], [[0, -1, 0], [-1, 0, 0]], atol=1e-15)
+
+
 def test_a_world_includes_models(tmp_path: Path) -> None:
     store = tmp_path / "store"
     (store / "ball").mkdir(parents=True)
