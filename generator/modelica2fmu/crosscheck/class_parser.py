@@ -195,6 +195,7 @@ class _Parser(SectionReader):
             if isinstance(element, ClassDefinition):
                 element.redeclares = "redeclare" in prefixes or element.extends_inherited
                 element.constraint = constraint
+                element.is_outer = "outer" in prefixes
                 result.append(element)
             else:
                 result.append(

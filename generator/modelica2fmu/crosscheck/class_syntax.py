@@ -113,6 +113,7 @@ class ClassDefinition:
         is_short: = true, if it is ``class Name = Base(...)``.
         extends_inherited: = true, if it is ``redeclare class extends Name``; the first of ``bases`` has its modifiers.
         is_enumeration: = true, if it is an enumeration.
+        is_outer: = true, if another class stands for it.
         behaviour: sections with equations and algorithms.
         equations: equations, assignments and when-clauses that stand in these directly, in no if or for.
         blocks: if and for with what is in them, but for those within others.
@@ -134,6 +135,7 @@ class ClassDefinition:
     is_short: bool = False
     extends_inherited: bool = False
     is_enumeration: bool = False
+    is_outer: bool = False
     is_encapsulated: bool = False
     is_partial: bool = False
     redeclares: bool = False

@@ -21,6 +21,7 @@ from modelica2fmu.crosscheck.flat_check import added_components, check_flat_mode
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.crosscheck.number_check import check_numbers
+from modelica2fmu.crosscheck.outer_class_check import check_outer_classes
 from modelica2fmu.crosscheck.own_classes import model_class
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.balance import (
@@ -205,11 +206,13 @@ def _check_own_text(model: str, file: Path, source_map: SourceMap, library: Clas
     """The error of a class that is not found.
 
     Raises:
-        InputError: the user modifies or names what is not there, or connects connectors of different kinds.
+        InputError: the user modifies or names what is not there, connects connectors of different kinds, or declares
+            an outer class.
     """
     own = file.parent if file.name == "package.mo" else file
     missing = check_modifiers(model, library, own, _places(source_map))
     check_constructors(model, library, own, _places(source_map))
+    check_outer_classes(model, library, own, _places(source_map))
     check_connects(model, library, own, _places(source_map))
     return missing
 
