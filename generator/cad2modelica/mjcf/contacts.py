@@ -29,6 +29,8 @@ def contact_settings(
         parts: parts, planes and geoms.
         lossy: whether bodies were left out, so that names of theirs are no mistakes.
     """
+    if "contact" in document.disabled:
+        return ContactSettings(all_pairs=False, friction_rule=FRICTION_RULE)
     excluded: list[tuple[str, str]] = []
     included: list[tuple[str, str]] = []
     for item in document.section_items("contact"):
@@ -72,11 +74,7 @@ def _names(item: Item, elements: MjcfElements, parts: MjcfParts, *, lossy: bool)
 
 def _are_all_wanted(document: MjcfDocument) -> bool:
     """Whether contacts other than explicit pairs are wanted."""
-    for option in document.sections("option"):
-        flag = option.find("flag")
-        if option.get("collision") == "predefined" or (flag is not None and flag.get("contact") == "disable"):
-            return False
-    return True
+    return not any(option.get("collision") == "predefined" for option in document.sections("option"))
 
 
 def _kept_apart(parts: MjcfParts) -> list[tuple[str, str]]:

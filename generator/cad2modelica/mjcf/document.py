@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from copy import deepcopy
+from functools import cached_property
 from pathlib import Path
 
 from contact_foundation.errors import CmbError, Place
@@ -38,6 +39,11 @@ KIND = "cmb-kind"
 """Attribute of these defaults: the kind of actuator that they were written for."""
 _PARTIAL = frozenset(("size", "friction", "range", "ctrlrange", "forcerange", "gainprm", "biasprm"))
 """Lists of which a shorter one replaces the first numbers only."""
+_GROUPS = {
+    "constraint": frozenset(("equality", "frictionloss", "limit", "contact")),
+    "passive": frozenset(("spring", "damper")),
+}
+"""Flags that stand for several others."""
 
 Attributes = dict[str, str]
 
@@ -71,6 +77,16 @@ class MjcfDocument:
         for element in self.sections(section):
             for child in element.iterchildren():
                 yield self.item(child, MAIN)
+
+    @cached_property
+    def disabled(self) -> frozenset[str]:
+        """Flags that the options switch off, as "gravity", "contact", "limit", or "spring"."""
+        flags: dict[str, str] = {}
+        for option in self.sections("option"):
+            for flag in option.iterchildren("flag"):
+                flags |= {str(key): str(value) for key, value in flag.items()}
+        off = {key for key, value in flags.items() if value == "disable"}
+        return frozenset(off.union(*(_GROUPS[key] for key in off & _GROUPS.keys())))
 
     def item(self, element: etree._Element, child_class: str) -> Item:
         """An element with its attributes.

@@ -25,7 +25,9 @@ def read_drives(
         joints: by name.
         inertias: that joints move at the start, kg.m2 or kg.
     """
-    reader = _DriveReader(elements, joints, inertias)
+    if "actuation" in document.disabled:
+        return ()
+    reader = _DriveReader(elements, joints, inertias, clamps="clampctrl" not in document.disabled)
     found = []
     for item in document.section_items("actuator"):
         try:
@@ -42,7 +44,10 @@ class _NotKept(Exception):  # a finding, not an error: it becomes a note
 
 
 class _DriveReader:
-    def __init__(self, elements: MjcfElements, joints: Mapping[str, Joint], inertias: Mapping[str, float]) -> None:
+    def __init__(
+        self, elements: MjcfElements, joints: Mapping[str, Joint], inertias: Mapping[str, float], *, clamps: bool
+    ) -> None:
+        self._clamps = clamps
         self._elements = elements
         self._joints = joints
         self._inertias = inertias
@@ -131,7 +136,7 @@ class _DriveReader:
         found = []
         if self._is_limited(item, "forcelimited", "forcerange"):
             found.append(abs(gear) * self._largest(item, "forcerange"))
-        if gain is not None and self._is_limited(item, "ctrllimited", "ctrlrange"):
+        if gain is not None and self._clamps and self._is_limited(item, "ctrllimited", "ctrlrange"):
             found.append(abs(gear * gain) * self._largest(item, "ctrlrange"))
         if joint.rating is not None and joint.rating.effort is not None:
             found.append(joint.rating.effort)

@@ -32,7 +32,7 @@ def read_equalities(
 ) -> Equalities:
     """Reads the sections ``equality``; a note on each that cannot be kept."""
     reader = _EqualityReader(elements, tree, hosts, joints)
-    for item in document.section_items("equality"):
+    for item in document.section_items("equality") if "equality" not in document.disabled else ():
         if item.text("active", "true") != "false":
             reader.read(item)
     return reader.found

@@ -6,6 +6,7 @@ default classes, and the rules by which masses follow from geometry are those of
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
@@ -83,7 +84,7 @@ def _assembly(
 ) -> Assembly:
     all_parts = {**parts.parts, **{part.name: part for part in joints.between}}
     inertias = {joint.name: _moved_inertia(joint, joints.joints, all_parts) for joint in joints.joints.values()}
-    timed = _with_time_springs(joints, all_parts)
+    timed = _without(document.disabled, _with_time_springs(joints, all_parts))
     equalities = read_equalities(document, elements, tree, parts.hosts, timed)
     final = held(timed, equalities.held)
     drives = read_drives(document, elements, final, inertias)
@@ -152,10 +153,7 @@ def _gravity(document: MjcfDocument, elements: MjcfElements) -> Array:
     gravity = np.array(GRAVITY)
     for section in document.sections("option"):
         gravity = elements.numbers(document.item(section, MAIN), "gravity", tuple(gravity))
-        flag = section.find("flag")
-        if flag is not None and flag.get("gravity") == "disable":
-            return np.zeros(3)
-    return gravity
+    return np.zeros(3) if "gravity" in document.disabled else gravity
 
 
 def _moved_inertia(joint: Joint, joints: dict[str, Joint], parts: dict[str, Part]) -> float:
@@ -187,6 +185,20 @@ def _with_time_springs(joints: MjcfJoints, parts: dict[str, Part]) -> dict[str, 
             friction=JointFriction(2.0 * inertias[name] / constant, dry),
         )
     return result
+
+
+def _without(disabled: Collection[str], joints: dict[str, Joint]) -> dict[str, Joint]:
+    """The joints without what the model's options switch off."""
+
+    def changed(joint: Joint) -> Joint:
+        spring = joint.spring if "spring" not in disabled else None
+        limits = joint.limits if "limit" not in disabled else None
+        viscous, dry = (joint.friction.viscous, joint.friction.dry) if joint.friction is not None else (0.0, 0.0)
+        friction = JointFriction(viscous * ("damper" not in disabled), dry * ("frictionloss" not in disabled))
+        kept = friction if max(friction.viscous, friction.dry) > 0.0 else None
+        return replace(joint, spring=spring, limits=limits, friction=kept)
+
+    return {name: changed(joint) for name, joint in joints.items()} if disabled else joints
 
 
 def _note_losses(document: MjcfDocument, elements: MjcfElements, tree: BodyTree) -> None:

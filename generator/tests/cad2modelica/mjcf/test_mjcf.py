@@ -408,6 +408,52 @@ def test_files_are_included_from_the_folder_only(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("flag", "lost"),
+    [
+        ("gravity", {"gravity"}),
+        ("spring", {"spring"}),
+        ("damper", {"damper"}),
+        ("frictionloss", {"dry"}),
+        ("limit", {"limits"}),
+        ("equality", {"equality"}),
+        ("actuation", {"drives"}),
+        ("clampctrl", {"clamped"}),
+        ("contact", {"contact"}),
+        ("constraint", {"equality", "dry", "limits", "contact"}),
+        ("passive", {"spring", "damper"}),
+        ("warmstart", set()),
+    ],
+)
+def test_flags_switch_off(tmp_path: Path, flag: str, lost: set[str]) -> None:
+    text = """<mujoco><option><flag warmstart="enable"/></option><worldbody>
+      <body name="b"><joint name="j" stiffness="1" damping="2" frictionloss="3" range="-30 30"/>
+      <geom name="g" size="0.1"/></body><body name="c"><joint name="k"/><geom name="h" size="0.1"/></body></worldbody>
+      <contact><pair geom1="g" geom2="h"/></contact><equality><joint joint1="k" joint2="j"/></equality>
+      <actuator><motor joint="j" ctrlrange="-1 1"/></actuator></mujoco>"""
+    everything = {"gravity", "spring", "damper", "dry", "limits", "equality", "drives", "clamped", "contact"}
+    assert _what_counts(read(tmp_path, text)) == everything
+    found = _what_counts(read(tmp_path, text.replace('warmstart="enable"', f'{flag}="disable"')))
+    assert found == everything - lost - ({"clamped"} if flag == "actuation" else set())
+
+
+def _what_counts(assembly: Assembly) -> set[str]:
+    joint = next(joint for joint in assembly.joints if joint.name == "j")
+    contacts = assembly.contacts
+    counts = {
+        "gravity": assembly.gravity.any(),
+        "spring": joint.spring is not None,
+        "damper": joint.friction is not None and joint.friction.viscous > 0,
+        "dry": joint.friction is not None and joint.friction.dry > 0,
+        "limits": joint.limits is not None,
+        "equality": bool(assembly.couplings),
+        "drives": bool(assembly.drives),
+        "clamped": any(drive.parameters for drive in assembly.drives),
+        "contact": contacts.all_pairs or bool(contacts.included),
+    }
+    return {key for key, value in counts.items() if value}
+
+
+@pytest.mark.parametrize(
     ("text", "message"),
     [
         (body("<joint/><geom size='0.1' class='none'/>"), "default class 'none' does not exist"),
