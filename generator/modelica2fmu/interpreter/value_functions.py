@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import partial
 from typing import Final
@@ -57,12 +58,12 @@ def concatenated(left: Value, right: Value) -> Value:
 
 
 def dynamic_element(value: arrays.Array, index: Node, dimension: int) -> Value:
-    """An element whose index changes at run time."""
+    """An element whose index changes at run time; no number where the index is out of bounds."""
     size = value.shape[dimension]
     if size == 0:
         raise ShapeError("an element of an empty array")
-    result: Value = np.take(value, size - 1, axis=dimension)
-    for number in range(size - 1, 0, -1):
+    result: Value = arrays.elementwise(lambda _: math.nan, np.take(value, 0, axis=dimension))
+    for number in range(size, 0, -1):
         item = np.take(value, number - 1, axis=dimension)
         result = arrays.elementwise(partial(ex.select, ex.equal(index, number)), item, result)
     return result
