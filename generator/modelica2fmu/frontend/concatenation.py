@@ -2,10 +2,10 @@
 
 rumoca 0.10 refuses ``cat(1, a, b)`` of Strings and records, whose type it takes to be that of the first argument, and
 ``{ball[i].geometry for i in 1:n}``, an array made of members of components. Written out, ``{ball[1].geometry,
-ball[2].geometry, floor.geometry}``, it takes both. ``connect(ball.frame_a, contacts.frame[1:3])`` it takes with
-``ball[1:3].frame_a``. The numbers that ranges and sizes depend on are read from the class that uses them, else from
-those around it and those the model uses, and from modifiers of ``extends``; whether they hold in the model is for the
-caller to check.
+ball[2].geometry, floor.geometry}``, it takes both; so it does with ``sum(ball[i].r_0[3] for i in 1:n)``.
+``connect(ball.frame_a, contacts.frame[1:3])`` it takes with ``ball[1:3].frame_a``. The numbers that ranges and sizes
+depend on are read from the class that uses them, else from those around it and those the model uses, and from modifiers
+of ``extends``; whether they hold in the model is for the caller to check.
 """
 
 from __future__ import annotations
@@ -30,6 +30,8 @@ from modelica2fmu.frontend.class_scopes import (
 
 _MASKED: Final = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _CALL: Final = re.compile(r"(?<![\w.])cat\s*\(")
+_PLACE: Final = re.compile(r"(?<![\w.])cat\s*\(|(?<![\w.])(?P<reduction>sum|product|min|max)\s*\(|\{")
+_MEMBER_OF_ELEMENT: Final = re.compile(r"\]\s*\.\s*\w")
 _ITERATION: Final = re.compile(r"\bfor\s+(\w+)\s+in\s+(.+)$", re.DOTALL)
 _REFERENCE: Final = re.compile(r"(\w+)((?:\.\w+)*)")
 _CONNECT: Final = re.compile(r"\bconnect\s*\(")
@@ -158,11 +160,11 @@ class _Writer:
 
     def _arrays(self) -> Iterator[tuple[int, int, str]]:
         """Ranges of the text that are arrays, each with what they are written out."""
-        for start, end in self._places():
+        for start, end, is_reduction in self._places():
             if not self._enter(start):
                 continue
             with suppress(_UnknownError):
-                if elements := self._elements(start, end):
+                if elements := (self._constructed if is_reduction else self._elements)(start, end):
                     lines = "\n" * self._text.count("\n", start, end)
                     yield start, end, f"{{{', '.join(elements)}}}{lines}"
 
@@ -195,12 +197,19 @@ class _Writer:
         ]
         return [text for text, _ in elsewhere], all(is_own for _, is_own in elsewhere)
 
-    def _places(self) -> Iterator[tuple[int, int]]:
-        """Calls of cat, and array constructors with an iterator that subscripts a component, in order."""
-        for found in re.finditer(r"(?<![\w.])cat\s*\(|\{", self._code):
+    def _places(self) -> Iterator[tuple[int, int, bool]]:
+        """Calls of cat, and array constructors with an iterator that subscripts a component, in order.
+
+        So are what reductions such as ``sum(ball[i].m for i in 1:n)`` have in their parentheses; true for these.
+        """
+        for found in _PLACE.finditer(self._code):
             end = end_of_bracket(self._code, found.end() - 1)
-            if found[0] != "{" or re.search(r"\]\s*\.\s*\w", self._code[found.start() : end]):
-                yield found.start(), end
+            has_members = _MEMBER_OF_ELEMENT.search(self._code, found.end(), end) is not None
+            if found["reduction"]:
+                if has_members and _ITERATION.search(self._code, found.end(), end - 1):
+                    yield found.end(), end - 1, True
+            elif has_members or found[0] != "{":
+                yield found.start(), end, False
 
     def _elements(self, start: int, end: int) -> list[str]:
         """Elements of an array expression; raises _UnknownError where they are not plain."""

@@ -142,7 +142,13 @@ class ExpressionReader:
         return ir.Indexed(self.expression(body["base"]), subscripts, span)
 
     def _field(self, body: Any, span: Span | None) -> ir.Expression:
-        return ir.FieldAccess(self.expression(body["base"]), body["field"], span)
+        base = self.expression(body["base"])
+        owner = _as_reference(base)
+        if owner is None:
+            return ir.FieldAccess(base, body["field"], span)
+        # o[i].x may be a member of a component, which is no value of its own.
+        parts = (*owner.parts[:-1], (owner.parts[-1][0], owner.subscripts), (body["field"], ()))
+        return ir.Reference(f"{owner.name}{_shown(owner.subscripts)}.{body['field']}", parts, (), span)
 
     def _comprehension(self, body: Any, span: Span | None) -> ir.Expression:
         if body.get("filter"):
@@ -192,6 +198,25 @@ def name_of(item: Any) -> str:
 def plain_parts(name: str) -> tuple[tuple[str, tuple[ir.Subscript, ...]], ...]:
     """A name as a single part of a component reference."""
     return ((name, ()),)
+
+
+def _as_reference(expression: ir.Expression) -> ir.Reference | None:
+    """``o[i]`` as one reference with trailing subscripts; None for anything else."""
+    if isinstance(expression, ir.Indexed) and isinstance(expression.base, ir.Reference):
+        base = expression.base
+        if not base.subscripts:
+            return ir.Reference(base.name, base.parts, expression.subscripts, expression.span)
+    is_plain = isinstance(expression, ir.Reference) and not expression.parts[-1][1]
+    return expression if is_plain and isinstance(expression, ir.Reference) else None
+
+
+def _shown(subscripts: Sequence[ir.Subscript]) -> str:
+    """Subscripts in a name for messages."""
+    texts = [
+        str(item.value) if isinstance(item, ir.Literal) else item.name if isinstance(item, ir.Reference) else "..."
+        for item in subscripts
+    ]
+    return f"[{','.join(texts)}]" if texts else ""
 
 
 def _joined(parts: Sequence[tuple[str, tuple[ir.Subscript, ...]]]) -> str:
