@@ -143,6 +143,8 @@ class JointReader:
                 rating=self._rating(scope, axis) if scalar and axis is not None else None,
             )
         )
+        if axis is not None and elements.number(axis, "initial_position", 0.0):
+            self._notes.append(Lost(f"joint {name!r}: initial_position is left out: it starts at zero"))
         mimic = axis.find("mimic") if axis is not None else None
         if mimic is not None:
             self._mimics.append((name, scope.name, mimic, scope))

@@ -29,7 +29,7 @@ from cad2modelica.sdf.shapes import (
 )
 from cad2modelica.source.choices import SourceChoices
 from cad2modelica.source.lost import Lost
-from cad2modelica.source.number_limits import SMALLEST
+from cad2modelica.source.number_limits import SMALLEST, plain_number
 from cad2modelica.source.problems import Problems
 from cad2modelica.source.shape_lengths import ImpossibleShape
 
@@ -157,6 +157,11 @@ class PartReader:
             if elements.flag(link.element, flag, flag == "gravity") != (flag == "gravity"):
                 text = "gravity is switched off for it" if flag == "gravity" else "it is kinematic"
                 self._notes.append(Lost(f"link {link.name!r}: {text}, which is left out: it moves by its mass"))
+        lost = {"velocity_decay": "its velocity_decay", "inertial/fluid_added_mass": "the mass that a fluid adds to it"}
+        for path, text in lost.items():
+            found = link.element.find(path)
+            if found is not None and any(any(_numbers_of(item)) for item in found):
+                self._notes.append(Lost(f"link {link.name!r}: {text} is left out"))
         if by_density:
             if not masses:
                 message = "its mass is to come from its collisions, and there are none"
@@ -265,3 +270,14 @@ class PartReader:
             return
         reason = ". ".join(line.strip().rstrip(".") for line in str(error).splitlines())
         self._notes.append(Lost(f"link {link.name!r}: geometry left out: {reason}"))
+
+
+def _numbers_of(element: etree._Element) -> list[float]:
+    """The numbers in an element's text that are some."""
+    found = []
+    for word in (element.text or "").split():
+        try:
+            found.append(plain_number(word))
+        except ValueError:
+            continue
+    return found

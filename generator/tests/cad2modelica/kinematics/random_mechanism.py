@@ -185,6 +185,8 @@ class _Draw:
             parent = self._anywhere() if self._draw.random() < 0.5 or not self._parts else self._parts[-1].name
             child = self._part().name
             kind = self._draw.choice(TREE)
+            if parent != GROUND and self._draw.random() < 0.3:  # told from the other side
+                parent, child = child, parent
             self._joint(kind, parent, child)
 
     def _loop(self) -> None:
@@ -211,22 +213,27 @@ class _Draw:
     # ----- start -----
 
     def _motion(self) -> dict[str, tuple[np.ndarray, np.ndarray]]:
-        """Of trees, whose joints come from the ground outwards; loops start at rest."""
+        """Of trees, whose joints come from the ground outwards, with the parent on any side; loops start at rest."""
         motion = {part.name: (np.zeros(3), np.zeros(3)) for part in self._parts}
         if self._loops:
             return motion
         places = {part.name: part.pose.point(part.mass_properties.center_of_mass) for part in self._parts}
+        reached = {GROUND}
         for joint in self._joints:
-            velocity, spin = motion.get(joint.parent, (np.zeros(3), np.zeros(3)))
-            at_joint = velocity + np.cross(spin, joint.origin - places.get(joint.parent, joint.origin))
+            known, new, sign = joint.parent, joint.child, 1.0
+            if known not in reached:
+                known, new, sign = new, known, -1.0
+            reached.add(new)
+            velocity, spin = motion.get(known, (np.zeros(3), np.zeros(3)))
+            at_joint = velocity + np.cross(spin, joint.origin - places.get(known, joint.origin))
             turn, shift = joint.angular_velocity, joint.velocity
             if joint.axis is not None and joint.type is JointType.PRISMATIC:
                 shift = joint.axis * joint.speed
             elif joint.axis is not None and joint.type in SCALARS:
                 turn = joint.axis * joint.speed
                 shift = turn * joint.pitch / (2 * np.pi)
-            own = spin + turn
-            motion[joint.child] = (at_joint + shift + np.cross(own, places[joint.child] - joint.origin), own)
+            own = spin + sign * turn
+            motion[new] = (at_joint + sign * shift + np.cross(own, places[new] - joint.origin), own)
         return motion
 
 

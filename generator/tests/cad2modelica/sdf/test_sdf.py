@@ -88,6 +88,17 @@ def test_frames_follow_what_they_stand_in(tmp_path: Path) -> None:
     np.testing.assert_allclose(assembly.part("inner::x").pose.position, [0.5, 0, 5], atol=1e-12)
 
 
+def test_what_would_change_the_motion_is_told(tmp_path: Path) -> None:
+    decay = "<velocity_decay><linear>{}</linear><angular>0</angular></velocity_decay>"
+    fluid = "<inertial><mass>1</mass><fluid_added_mass><xx>2</xx></fluid_added_mass></inertial>"
+    axis = "<axis><xyz>0 0 1</xyz><initial_position>0.5</initial_position></axis>"
+    links = link("a", decay.format("0.1") + fluid) + link("b", decay.format("0.0"))
+    notes = read(tmp_path, model(links + joint("revolute", axis))).notes
+    for words in ("'a': its velocity_decay", "'a': the mass that a fluid adds", "'j': initial_position is left out"):
+        assert any(words in note for note in notes), words
+    assert not any("'b': its velocity_decay" in note for note in notes)
+
+
 @pytest.mark.parametrize(
     ("version", "inside", "expected"),
     [
