@@ -9,7 +9,9 @@ from contact_foundation.errors import InputError, Place
 
 ENDINGS: Final = ((".xml", ".urdf"), (".step", ".stp"))
 """Of assembly files, in groups: a later group counts only in folders that hold nothing of the groups before."""
-ASSEMBLY_HELP: Final = "the assembly's file (XML, URDF, STEP, Simscape Multibody import XML), or its folder"
+ASSEMBLY_HELP: Final = (
+    "the assembly's file (XML, URDF, MJCF, SDFormat, STEP, Simscape Multibody import XML), or its folder"
+)
 
 
 def find_assembly(argument: Path) -> Path:

@@ -53,7 +53,8 @@ def read_assembly_xml(root: etree._Element, path: Path, progress: Progress = sil
         raise InputError(
             f"is not an assembly: the root element is {root.tag!r}",
             place=Place(file=path, line=line_of(root)),
-            remedy=f"The root element must be 'assembly' in the namespace {NAMESPACE!r}, or URDF's 'robot'.",
+            remedy=f"The root element must be 'assembly' in the namespace {NAMESPACE!r}, URDF's 'robot', MJCF's "
+            "'mujoco', SDFormat's 'sdf', or 'SimscapeMultibodyImportXML'.",
         )
     validate(root, assembly_schema(), path)
     return _Reader(path, root, progress).read()
