@@ -7,7 +7,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from cad2modelica.geometry.spatial import Array
-from cad2modelica.kinematics.joint_twists import joint_twists
 from cad2modelica.mechanism.model import Joint, JointType, Part
 
 
@@ -41,12 +40,15 @@ def effective_inertias(joints: Mapping[str, Joint], parts: Mapping[str, Part]) -
 
 
 def _twists(joint: Joint, parts: Mapping[str, Part]) -> list[Array]:
-    if joint.type is not JointType.FREE:
-        return joint_twists(joint)
-    # About the child's own origin, so that far bodies stay well conditioned.
-    origin = parts[joint.child].pose.position
+    """Angular velocity and velocity at the world's origin of each of a joint's rates, shape (6,)."""
+    if joint.type is JointType.PRISMATIC and joint.axis is not None:
+        return [np.concatenate([np.zeros(3), joint.axis])]
+    if joint.axis is not None:
+        return [np.concatenate([joint.axis, np.cross(joint.origin, joint.axis)])]
+    free = joint.type is JointType.FREE
+    origin = parts[joint.child].pose.position if free else joint.origin
     turns = [np.concatenate([axis, np.cross(origin, axis)]) for axis in np.eye(3)]
-    return [*turns, *(np.concatenate([np.zeros(3), axis]) for axis in np.eye(3))]
+    return [*turns, *(np.concatenate([np.zeros(3), axis]) for axis in np.eye(3) if free)]
 
 
 def _part_inertia(part: Part, twists: Array) -> Array:
