@@ -60,6 +60,7 @@ def run(arguments: Namespace) -> int:
     parameters = parse_assignments(arguments.set)
     from fmu_regression.fmi.description import read_description
     from fmu_regression.results.result import write_csv
+    from fmu_regression.results.undefined import undefined_remarks
     from fmu_regression.scene.fmu_scene import load_scene_of
     from fmu_regression.scene.signals import require_signals, signals_for
     from fmu_regression.simulate.simulation import default_signals, simulate
@@ -91,6 +92,8 @@ def run(arguments: Namespace) -> int:
     if result.counters is not None:
         counters = ", ".join(f"{value} {name.replace('_', ' ')}" for name, value in asdict(result.counters).items())
         print(f"  {counters}")
+    for line in undefined_remarks(result):
+        print(f"cmb: {arguments.output.name}: {line}", file=sys.stderr)
     for line in result.log:
         print(f"cmb: {arguments.fmu.name} says: {line}", file=sys.stderr)
     return 0

@@ -16,6 +16,7 @@ from fmu_regression.report.figures import NO_FIGURES, Figures, rows_within
 from fmu_regression.report.page import Section, Tile, render_page
 from fmu_regression.report.plots import TIME_LABEL, Plot, Series, plots_over_time
 from fmu_regression.results.result import SimulationResult
+from fmu_regression.results.undefined import undefined_remarks
 from fmu_regression.scene.energy import EnergyBalance, energy_balance
 from fmu_regression.scene.fmu_scene import load_scene_of
 from fmu_regression.scene.impacts import Impact, find_impacts
@@ -105,7 +106,9 @@ def _overview(
         events = counters.state_events + counters.time_events
         tiles.append(Tile("Evaluations", f"{counters.evaluations}", "", f"{events} events"))
     jumps = jump_notes(scene, result) if scene is not None else ()
-    return Section("summary", "Summary", tiles=tuple(tiles), notes=(*jumps, *result.log[:20]))
+    return Section(
+        "summary", "Summary", tiles=tuple(tiles), notes=(*jumps, *undefined_remarks(result), *result.log[:20])
+    )
 
 
 def _mechanism_tile(scene: Scene) -> Tile:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fmu_regression.results.result import SimulationResult
+from fmu_regression.results.undefined import undefined_remarks
 from fmu_regression.scene.energy import energy_balance
 from fmu_regression.scene.impacts import find_impacts
 from fmu_regression.scene.scene_file import Scene
@@ -26,7 +27,7 @@ def summarise(result: SimulationResult, scene: Scene | None = None) -> str:
         )
     if scene is not None:
         lines += _impact_lines(result, scene) + _energy_lines(result, scene)
-    lines += [f"  {line}" for line in result.log[:5]]
+    lines += [f"  {line}" for line in (*undefined_remarks(result), *result.log[:5])]
     return "\n".join(lines)
 
 
