@@ -114,7 +114,9 @@ VertexSearch &vertex_search() {
 }
 
 // Calls visit(vertex) for all vertices that lie deeper than `level` below the plane: they hang together, and are found from `lowest`
-// along the edges.
+// along the edges. They come in the body's order, not in that in which they are found: so each of the contact points is a
+// differentiable function of the pose, also where a body lies flat and another vertex becomes the lowest one. Who
+// differentiates the list of points, as integrators do, would else see points that change places.
 template <typename Visit>
 void visit_deeper(const convex::Polytope &polytope, std::int32_t lowest, double level, const Collector &collector, const Visit &visit) {
   constexpr std::size_t in_word = 64;
@@ -148,8 +150,9 @@ void visit_deeper(const convex::Polytope &polytope, std::int32_t lowest, double 
     for (std::int32_t slot = polytope.neighbour_begin(found[k]); slot < last_slot; ++slot) {
       look_at(polytope.neighbours()[static_cast<std::size_t>(slot)]);
     }
-    visit(found[k]);
   }
+  std::sort(found, found + count);
+  for (std::size_t k = 0; k < count; ++k) visit(found[k]);
 }
 
 void polytope_contact(const ContactPolytope &polytope, Collector &collector) {

@@ -19,11 +19,12 @@ from modelica2fmu.crosscheck.class_syntax import Base, ClassDefinition, Componen
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.frontend.assignments import neutral_assignments
 from modelica2fmu.frontend.balance import unbalanced_form
-from modelica2fmu.frontend.errors import SHAPES
+from modelica2fmu.frontend.errors import COMPREHENSION, SHAPES
 from modelica2fmu.frontend.library_names import about_a_copy
 from modelica2fmu.frontend.runner import Request, ask
 
 _STAGE: Final = re.compile(r" failed in ToDae: (.*)", re.DOTALL)
+_BROKEN_OFF: Final = re.compile(rf"^({COMPREHENSION}.*)", re.DOTALL)
 _GAP: Final = 200
 _MOST_SUSPECTS: Final = 4
 _GIVES: Final = re.compile(rb"(?::?=)\s*\Z")
@@ -110,7 +111,7 @@ def _statement(
 
 def _said(error: str) -> str | None:
     """What an error says that the front end has no place for; None for other errors."""
-    found = _STAGE.search(error)
+    found = _STAGE.search(error) or _BROKEN_OFF.search(error)
     return None if found is None else found[1].split("\nRelated failures")[0].strip()
 
 

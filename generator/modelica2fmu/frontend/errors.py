@@ -55,6 +55,9 @@ _SHOWN: Final = 80
 SHAPES: Final = "shape proof"
 """rumoca's words where sizes of arrays do not fit in arguments of functions."""
 
+COMPREHENSION: Final = "analysis proves the exact comprehension occurrence"
+"""Its words where a reduction over an iterator stands in a for-equation."""
+
 # Its words about arguments and about expressions.
 _ARGUMENT: Final = re.compile(
     rf"{SHAPES}`: `(?P<name>\w+)`: axis (?P<dimension>\d+) requires extent (?P<wanted>\d+) but .* (?P<given>\d+)$"
@@ -169,6 +172,12 @@ def piece_error(said: str, text: str, place: Place) -> InputError:
             f"an argument has the wrong number of dimensions in: {shown}",
             place=place,
             remedy=f"{rank['name']} wants {_of_rank(rank['wanted'])}, not {_of_rank(rank['given'])}",
+        )
+    if said.startswith(COMPREHENSION):
+        return InputError(
+            f"sum, product, min or max over an iterator in a for-equation is not covered: {shown}",
+            place=place,
+            remedy="Write the loop as one equation: y = {sum(x[j]*i for j in 1:n) for i in 1:n}.",
         )
     if _MISSHAPEN not in said and _SHAPE_ASSIGNED not in said:
         return InputError(f"{shown}: {said}", place=place)

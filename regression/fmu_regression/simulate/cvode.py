@@ -51,6 +51,9 @@ _CREEPING_SHARE = 0.1
 # out of one of a microsecond, at order one: between its ends the interpolated distance of bodies that part slowly leads
 # back into contact, and the events found there go on and on.
 _GROWTH_AFTER_START = 10.0
+# So many steps and seconds in which the states move by less than the error test permits are rest. (Slow impacts of soft
+# contacts last 150 ms, and the longest step may be microseconds.)
+_STEPS_OF_REST, _TIME_OF_REST = 10, 0.1
 _ROOT_OF_ROUNDING = float(np.sqrt(np.finfo(float).eps))
 # Increments of difference quotients after such a Jacobian was wrong, by the errors that the tolerance permits, and how
 # many Jacobians in a row are made so.
@@ -87,6 +90,7 @@ _set_highest_order = _declare(sundials_cvode, "CVodeSetMaxOrd", ctypes.c_void_p,
 _set_newton_share = _declare(sundials_cvode, "CVodeSetNonlinConvCoef", ctypes.c_void_p, ctypes.c_double)
 _set_growth_after_start = _declare(sundials_cvode, "CVodeSetEtaMaxFirstStep", ctypes.c_void_p, ctypes.c_double)
 _set_warnings = _declare(sundials_cvode, "CVodeSetMaxHnilWarns", ctypes.c_void_p, ctypes.c_int)
+_set_first_step = _declare(sundials_cvode, "CVodeSetInitStep", ctypes.c_void_p, ctypes.c_double)
 _get_last_step = _declare(sundials_cvode, "CVodeGetLastStep", ctypes.c_void_p, ctypes.POINTER(ctypes.c_double))
 _get_dky = _declare(
     sundials_cvode, "CVodeGetDky", ctypes.c_void_p, ctypes.c_double, ctypes.c_int, CVRhsFn._argtypes_[1]
@@ -186,6 +190,10 @@ class Cvode:
         self._max_step = max_step
         self._last_step = ctypes.c_double(0.0)
         self._steps_alike = 0
+        self._time = self._place_time = time
+        self._place = states.copy()
+        self._steps_of_rest = 0
+        self._rests = False
         self._root_found = False
         self._first_step_limited = False
         self._totals = np.zeros(len(_counter), dtype=np.int64)
@@ -266,6 +274,9 @@ class Cvode:
         Raises:
             IntegrationError: the step could not be made.
         """
+        still = self._time - self._place_time
+        if not self._rests and self._steps_of_rest >= _STEPS_OF_REST and still >= _TIME_OF_REST:
+            self._rest()
         self._check(_set_stop_time(self._memory, limit))
         reached = ctypes.c_double(0.0)
         status = CVode(self._memory, limit, self._x, ctypes.byref(reached), _CV_ONE_STEP)
@@ -278,6 +289,8 @@ class Cvode:
             self._check(CVodeSetMaxStep(self._memory, self._max_step))
         self._watch()
         self._root_found = status == CV_ROOT_RETURN
+        self._time = reached.value
+        self._watch_rest()
         return reached.value, StepEnd.ROOT if status == CV_ROOT_RETURN else StepEnd.STEP
 
     def _weigh(self, x: Any, weights: Any, _data: Any) -> int:
@@ -299,6 +312,37 @@ class Cvode:
         self._steps_alike = self._steps_alike + 1 if step == before and step < _CREEPING_SHARE * self._max_step else 0
         if self._steps_alike == _STEPS_WATCHED:
             self._check(_set_newton_share(self._memory, _CAREFUL_NEWTON_SHARE))
+
+    def _watch_rest(self) -> None:
+        """Counts the steps in which nothing moves away from a place; lets go of order one where something does."""
+        size = self._nominal.size
+        states, absolute = (np.ctypeslib.as_array(NV_DATA_S(each), (size,)) for each in (self._x, self._absolute))
+        change = (states - self._place) * error_weights(states, absolute, self._tolerance, self._last_step.value)
+        self._steps_of_rest += 1
+        if self._root_found or not np.mean(change**2) < 1.0:
+            self._move_to(states)
+
+    def _move_to(self, states: FloatArray) -> None:
+        self._place[:] = states
+        self._place_time = self._time
+        self._steps_of_rest = 0
+        if self._rests:
+            self._rests = False
+            self._check(_set_first_step(self._memory, 0.0))
+            self._check(_set_highest_order(self._memory, highest_order(self._tolerance)))
+
+    def _rest(self) -> None:
+        """Goes on by steps of order one.
+
+        Where nothing moves the error test has nothing to choose the order by. Formulas of higher order extrapolate what
+        Newton's iteration leaves of the residual, and bodies at rest tremble within the tolerance.
+        """
+        self._rests = True
+        self._collect()
+        self._check(CVodeReInit(self._memory, self._time, self._x))
+        self._check(_set_first_step(self._memory, self._last_step.value))
+        self._check(_set_highest_order(self._memory, 1))
+        self._indicator_watch.restart()
 
     def interpolate(self, time: float) -> Any:
         """Pointer to the states at a time within the last step, to the order of the method."""
@@ -327,6 +371,8 @@ class Cvode:
             self._first_step_limited = True
         self._indicator_watch.restart()
         self._check(CVodeReInit(self._memory, time, self._x))
+        self._time = time
+        self._move_to(states)
         self._check(_set_newton_share(self._memory, _USUAL_NEWTON_SHARE))
         self._steps_alike = 0
 

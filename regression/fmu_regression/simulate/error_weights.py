@@ -16,8 +16,8 @@ LONG_STEP: Final = 0.2
 LEAST_SHARE: Final = 0.08
 FINEST_TOLERANCE: Final = 8e-6
 """Not below this: what is promised of impacts is kept with it."""
-FINE_TOLERANCE: Final = 1e-6
-"""Below this, order 5 saves evaluations; at it, a block that friction holds trembles more with order 4."""
+FINE_TOLERANCE: Final = 3e-7
+"""From this relative tolerance down order 5 saves evaluations."""
 
 
 def share_of_tolerance(last_step: float, tolerance: float) -> float:

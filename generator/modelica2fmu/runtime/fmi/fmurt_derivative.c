@@ -71,8 +71,9 @@ static fmurt_result differentiate(const perturbation *known, const unsigned *unk
   return FMURT_RESULT_OK;
 }
 
-/* Position of a slot in a table of the model, the table's size if it is not there. */
-static size_t position(const unsigned *table, unsigned slot) {
+/* Position of a slot in a table of the model, the table's size if it is not there; looked for at `likely` first. */
+static size_t position(const unsigned *table, unsigned slot, size_t likely) {
+  if (likely < fmurt_model.state_count && table[likely] == slot) return likely;
   size_t i = 0;
   while (i < fmurt_model.state_count && table[i] != slot) ++i;
   return i;
@@ -80,7 +81,7 @@ static size_t position(const unsigned *table, unsigned slot) {
 
 static int all_in(const unsigned *table, const unsigned *slots, size_t count) {
   for (size_t i = 0; i < count; ++i) {
-    if (position(table, slots[i]) == fmurt_model.state_count) return 0;
+    if (position(table, slots[i], i) == fmurt_model.state_count) return 0;
   }
   return 1;
 }
@@ -90,20 +91,32 @@ static fmurt_result no_memory(fmurt_instance *instance) {
   return FMURT_RESULT_ERROR;
 }
 
+/* Who wants the whole Jacobian asks for one direction after the other: it is computed once for all of them. */
+static fmurt_result update_jacobian(fmurt_instance *instance) {
+  if (instance->jacobian_is_current) return FMURT_RESULT_OK;
+  const size_t count = fmurt_model.state_count * fmurt_model.state_count;
+  if (instance->jacobian == NULL) instance->jacobian = malloc(count * sizeof(double));
+  if (instance->jacobian == NULL) return no_memory(instance);
+  memset(instance->jacobian, 0, count * sizeof(double));
+  const fmurt_result result = fmurt_call_model(instance, FMURT_CALL_JACOBIAN, instance->jacobian);
+  instance->jacobian_is_current = result == FMURT_RESULT_OK;
+  return result;
+}
+
 static fmurt_result multiply_jacobian(fmurt_instance *instance, const unsigned *unknown, size_t unknown_count,
                                       const unsigned *known, size_t known_count, const double *seed,
                                       double *sensitivity) {
   const size_t n = fmurt_model.state_count;
-  double *jacobian = calloc(n * n, sizeof *jacobian);
-  if (jacobian == NULL) return no_memory(instance);
-  const fmurt_result result = fmurt_call_model(instance, FMURT_CALL_JACOBIAN, jacobian);
-  for (size_t i = 0; result == FMURT_RESULT_OK && i < unknown_count; ++i) {
-    const double *row = jacobian + position(fmurt_model.derivative, unknown[i]);
-    sensitivity[i] = 0.0;
-    for (size_t j = 0; j < known_count; ++j) sensitivity[i] += row[position(fmurt_model.state, known[j]) * n] * seed[j];
+  const fmurt_result result = update_jacobian(instance);
+  if (result != FMURT_RESULT_OK) return result;
+  for (size_t i = 0; i < unknown_count; ++i) sensitivity[i] = 0.0;
+  for (size_t j = 0; j < known_count; ++j) {
+    const double *column = instance->jacobian + position(fmurt_model.state, known[j], j) * n;
+    for (size_t i = 0; i < unknown_count; ++i) {
+      sensitivity[i] += column[position(fmurt_model.derivative, unknown[i], i)] * seed[j];
+    }
   }
-  free(jacobian);
-  return result;
+  return FMURT_RESULT_OK;
 }
 
 static int all_finite(const double *numbers, size_t count) {

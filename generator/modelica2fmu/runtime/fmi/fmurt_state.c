@@ -142,6 +142,7 @@ fmurt_result fmurt_state_restore(fmurt_instance *instance, const fmurt_state *st
   instance->values.initial = situation->initial;
   instance->values.terminal = situation->terminal;
   instance->values.terminate = situation->terminate_requested;
+  instance->jacobian_is_current = 0;
   fmurt_solver_restart(instance->solver);
   return FMURT_RESULT_OK;
 }

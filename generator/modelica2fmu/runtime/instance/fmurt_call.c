@@ -91,6 +91,7 @@ fmurt_result fmurt_call_model(fmurt_instance *instance, fmurt_model_function fun
   frame.allocations = NULL;
   current_frame = &frame;
   instance->message[0] = '\0';
+  if (function != FMURT_CALL_JACOBIAN) instance->jacobian_is_current = 0;
   instance->values.following = following(instance, function);
   fmurt_offer_solved(instance);
   fmurt_result result = call_in_frame(&frame, function, argument);

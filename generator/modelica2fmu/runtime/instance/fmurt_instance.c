@@ -113,6 +113,7 @@ void fmurt_instance_destroy(fmurt_instance *instance) {
   free((void *)instance->values.string);
   free(instance->double_block);
   free(instance->int_block);
+  free(instance->jacobian);
   free(instance->indicator);
   free(instance->scratch);
   free(instance->chatter.changes);
@@ -168,6 +169,7 @@ fmurt_result fmurt_instance_reset(fmurt_instance *instance) {
   instance->values.terminate = 0;
   instance->chatter.events = 0;
   instance->at_event = 0;
+  instance->jacobian_is_current = 0;
   instance->message[0] = '\0';
   return FMURT_RESULT_OK;
 }

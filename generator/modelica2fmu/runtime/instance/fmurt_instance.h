@@ -111,6 +111,8 @@ typedef struct fmurt_instance {
   fmurt_chatter chatter;
   int at_event;   /* 1 during an event iteration */
   double *solved; /* [fmurt_solved_size()], see fmurt_solved.h */
+  double *jacobian;        /* [state_count * state_count] of the last point that was asked for, see fmurt_derivative.h */
+  int jacobian_is_current; /* = 1, if the model has computed nothing else since */
 
   fmurt_solver *solver; /* co-simulation; NULL until the first step */
   void (*destroy_solver)(fmurt_solver *solver); /* set with it: the instance owns what a layer above has made */

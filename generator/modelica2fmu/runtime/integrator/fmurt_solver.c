@@ -3,6 +3,7 @@
 
 #include <cvode/cvode.h>
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
 #include <stdio.h>
@@ -18,6 +19,7 @@
 #include "fmurt_explicit.h"
 #include "fmurt_failure.h"
 #include "fmurt_newton.h"
+#include "fmurt_rest.h"
 #include "fmurt_tolerance.h"
 #include "fmurt_vector.h"
 #include "fmurt_watch.h"
@@ -66,6 +68,8 @@ struct fmurt_solver {
   N_Vector between; /* states within a step */
   int quotients; /* how many of the next Jacobians are computed by difference quotients */
   double *entry; /* [state_count] states at the start of an advance */
+  fmurt_rest rest;
+  double step_of_rest; /* with which it begins */
   size_t state_count;
   int initialized, restart;
   double step_at_root; /* in which the latest root was found, if that is why the next start is; else 0 */
@@ -207,6 +211,7 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
     return NULL;
   }
   solver->entry = calloc(vector_size(solver), sizeof(double));
+  solver->rest.place = calloc(vector_size(solver), sizeof(double));
   solver->state = N_VNew_Serial(size, solver->context);
   solver->tolerance = N_VNew_Serial(size, solver->context);
   solver->between = N_VNew_Serial(size, solver->context);
@@ -231,7 +236,8 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
   }
   const int races = solver->state_count >= STATES_OF_A_RACE && fmurt_model.indicator_count == 0;
   if (races) solver->explicit_steps = fmurt_explicit_create(solver->state_count);
-  if ((races && solver->explicit_steps == NULL) || solver->entry == NULL || solver->state == NULL ||
+  if ((races && solver->explicit_steps == NULL) || solver->entry == NULL ||
+      solver->rest.place == NULL || solver->state == NULL ||
       solver->tolerance == NULL || solver->between == NULL || solver->watch == NULL || solver->memory == NULL ||
       solver->linear == NULL || solver->newton == NULL ||
       CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
@@ -252,6 +258,7 @@ void fmurt_solver_destroy(fmurt_solver *solver) {
   if (solver->between != NULL) N_VDestroy(solver->between);
   fmurt_watch_destroy(solver->watch);
   fmurt_explicit_destroy(solver->explicit_steps);
+  free(solver->rest.place);
   free(solver->entry);
   SUNContext_Free(&solver->context);
   free(solver);
@@ -259,6 +266,7 @@ void fmurt_solver_destroy(fmurt_solver *solver) {
 
 void fmurt_solver_restart_after_event(fmurt_solver *solver) {
   solver->restart = 1;
+  solver->rest.intervals = solver->rest.rests = 0;
   if (solver->explicit_steps != NULL) fmurt_explicit_restart(solver->explicit_steps);
 }
 
@@ -320,6 +328,14 @@ static int first_start(fmurt_solver *solver) {
   return flag;
 }
 
+/* Order, Jacobians and the first step by whether something moves. */
+static int choose_order(fmurt_solver *solver) {
+  const int rests = solver->rest.rests;
+  solver->quotients = rests ? INT_MAX : 0;
+  const int flag = CVodeSetInitStep(solver->memory, rests ? solver->step_of_rest : 0.0);
+  return flag == CV_SUCCESS ? CVodeSetMaxOrd(solver->memory, rests ? 1 : fmurt_highest_order(solver->relative)) : flag;
+}
+
 static int start(fmurt_solver *solver) {
   load_point(solver);
   set_tolerances(solver);
@@ -329,12 +345,11 @@ static int start(fmurt_solver *solver) {
   } else {
     flag = CVodeReInit(solver->memory, solver->instance->values.time, solver->state);
   }
-  if (flag == CV_SUCCESS) flag = CVodeSetMaxOrd(solver->memory, fmurt_highest_order(solver->relative));
+  if (flag == CV_SUCCESS) flag = choose_order(solver);
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinConvCoef(solver->memory, usual_newton_share);
   memset(solver->counted, 0, sizeof solver->counted);
   solver->steps_accepted = -1;
   fmurt_watch_restart(solver->watch);
-  solver->quotients = 0;
   solver->restart = flag != CV_SUCCESS;
   return flag;
 }
@@ -556,6 +571,18 @@ static int integrate(fmurt_solver *solver, double end, double limit, double larg
   }
 }
 
+/* After an interval that ended at `time`, where nothing stopped it: begins or ends rest. */
+static int watch_rest(fmurt_solver *solver, double time) {
+  if (solver->restart || solver->state_count == 0 || goes_explicitly(solver)) return CV_SUCCESS;
+  const int flag = CVodeGetErrWeights(solver->memory, solver->between);
+  if (flag != CV_SUCCESS) return flag;
+  if (!fmurt_rest_watch(&solver->rest, time, NV_DATA_S(solver->state), NV_DATA_S(solver->between), solver->state_count)) {
+    return CV_SUCCESS;
+  }
+  solver->restart = solver->rest.rests; /* only a start lowers the order */
+  return solver->rest.rests ? CVodeGetLastStep(solver->memory, &solver->step_of_rest) : choose_order(solver);
+}
+
 /* Failures after which a fresh start from the last point may help. */
 static int is_recoverable(int flag) {
   return flag == CV_ERR_FAILURE || flag == CV_CONV_FAILURE || flag == CV_REPTD_RHSFUNC_ERR ||
@@ -602,6 +629,8 @@ fmurt_result fmurt_solver_advance(fmurt_solver *solver, double target, double li
       fmurt_set_point(instance, found_root ? reached : end, NV_DATA_S(solver->state));
       instance->situation.continuous_stale = 1;
       if (found_root) *stop = FMURT_STOP_ROOT;
+      const int rest_flag = found_root || shortened ? CV_SUCCESS : watch_rest(solver, end);
+      if (rest_flag != CV_SUCCESS) return explain(solver, rest_flag, end, "");
       if (!found_root || CVodeGetLastStep(solver->memory, &solver->step_at_root) != CV_SUCCESS) {
         solver->step_at_root = 0.0;
       }

@@ -136,3 +136,18 @@ end Balls;
     assert caught.value.remedy == "write {ball[i].collider for i in 1:n}"
     assert caught.value.place is not None
     assert caught.value.place.line == 7
+
+
+def test_a_reduction_in_a_for_equation_is_named_with_its_line_and_the_way_round(tmp_path: Path) -> None:
+    """The front end breaks off with words about its own parts."""
+    head = "model Sums\n  Real x[3](start={1, 2, 3}, each fixed=true);\nequation\n"
+    source = tmp_path / "Sums.mo"
+    source.write_text(
+        f"{head}  for i in 1:3 loop\n    der(x[i]) = -x[i]*sum(x[j]*i for j in 1:3);\n  end for;\nend Sums;\n"
+    )
+    with pytest.raises(InputError, match="sum, product, min or max over an iterator in a for-equation") as caught:
+        translate("Sums", [source], LIBRARY)
+    assert caught.value.place is not None
+    assert caught.value.place.line == 4
+    source.write_text(f"{head}  der(x) = {{-x[i]*sum(x[j]*i for j in 1:3) for i in 1:3}};\nend Sums;\n")
+    translate("Sums", [source], LIBRARY)
