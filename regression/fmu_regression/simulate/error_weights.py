@@ -16,8 +16,8 @@ LONG_STEP: Final = 0.2
 LEAST_SHARE: Final = 0.08
 FINEST_TOLERANCE: Final = 8e-6
 """Not below this: what is promised of impacts is kept with it."""
-FINE_TOLERANCE: Final = 3e-7
-"""From this relative tolerance down order 5 saves evaluations."""
+FINE_TOLERANCE: Final = 1e-6
+"""From it down steps may be of order 5; at it small balls that bounce without events come out worse with order 4."""
 
 
 def share_of_tolerance(last_step: float, tolerance: float) -> float:
