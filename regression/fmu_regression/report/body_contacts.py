@@ -7,9 +7,10 @@ from fmu_regression.report.plots import Plot, Series, plots_over_time
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.scene.body_loads import BodyLoad, body_loads
 from fmu_regression.scene.scene_file import Scene
+from fmu_regression.scene.signals import touch_names
 
 _PLOTTED = 24  # bodies, those of the largest forces: eight in a plot
-_COUNTS = (("contactCount", "Pairs that touch", "number"), ("largestDepth", "Largest penetration depth", "depth in m"))
+_COUNTS = {"contactCount": ("Pairs that touch", "number"), "largestDepth": ("Largest penetration depth", "depth in m")}
 
 
 def body_contact_section(scene: Scene, result: SimulationResult) -> Section | None:
@@ -23,9 +24,10 @@ def body_contact_section(scene: Scene, result: SimulationResult) -> Section | No
     strongest = sorted(loads, key=lambda load: -load.peak_force)[:_PLOTTED]
     series = [Series(scene.label(load.body), result.time, load.strength) for load in strongest]
     plots: list[Plot] = plots_over_time("contact-force", "Contact force on bodies", "force in N", series)
-    for quantity, title, label in _COUNTS:
-        name = f"{scene.manager}.{quantity}"
-        if name in result:
+    for name in touch_names(scene):
+        quantity = name.rpartition(".")[2]
+        if name in result and quantity in _COUNTS:
+            title, label = _COUNTS[quantity]
             curve = Series(title.lower(), result.time, result[name])
             plots += plots_over_time(f"contact-{quantity}", title, label, [curve])
     left_out = len(loads) - len(strongest)
