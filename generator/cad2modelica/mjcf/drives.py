@@ -36,6 +36,13 @@ def read_drives(
             elements.notes.append(Lost(f"{elements.place(item.element)}: {reason}"))
             continue
         found += [drive] if drive is not None else []
+    if reader.unclamped:
+        listed = ", ".join(reader.unclamped)
+        elements.notes.append(
+            Lost(
+                f"the wanted positions and speeds of drives are not clamped to their ctrlrange; keep them in it: {listed}"
+            )
+        )
     return tuple(found)
 
 
@@ -52,6 +59,7 @@ class _DriveReader:
         self._joints = joints
         self._inertias = inertias
         self._names: set[str] = set()
+        self.unclamped: list[str] = []  # controllers whose signal has a range
 
     def read(self, item: Item) -> Assignment | None:
         name = item.text("joint") or item.text("jointinparent")
@@ -134,17 +142,36 @@ class _DriveReader:
     def _limit(self, item: Item, joint: Joint, gear: float, gain: float | None) -> float | None:
         """Largest torque or force at the joint; None if there is none."""
         found = []
-        if self._is_limited(item, "forcelimited", "forcerange"):
-            found.append(abs(gear) * self._largest(item, "forcerange"))
-        if gain is not None and self._clamps and self._is_limited(item, "ctrllimited", "ctrlrange"):
-            found.append(abs(gear * gain) * self._largest(item, "ctrlrange"))
+        force = self._elements.limits(item, "forcelimited", "forcerange")
+        control = self._control(item, joint)
+        if force is not None:
+            found.append(abs(gear) * self._largest(item, "forcerange", force))
+        if control is not None and gain is not None:
+            found.append(abs(gear * gain) * self._largest(item, "ctrlrange", control))
+        elif control is not None:
+            self.unclamped.append(f"{item.name or joint.name} {control[0]:g} to {control[1]:g}")
         if joint.rating is not None and joint.rating.effort is not None:
             found.append(joint.rating.effort)
         return min(found) if found else None
 
-    def _largest(self, item: Item, key: str) -> float:
-        return float(np.abs(self._elements.numbers(item, key, (0.0, 0.0))).max())
+    def _control(self, item: Item, joint: Joint) -> tuple[float, float] | None:
+        """The range that the signal is clamped to: its own, or the joint's where it inherits this one."""
+        limits = self._elements.limits(item, "ctrllimited", "ctrlrange")
+        share = self._elements.number(item, "inheritrange")
+        if share > 0.0 and joint.limits is not None and item.tag == "position":
+            lower, upper = joint.limits.lower or 0.0, joint.limits.upper or 0.0
+            middle, half = (lower + upper) / 2, share * (upper - lower) / 2
+            limits = middle - half, middle + half
+        return limits if self._clamps else None
 
-    def _is_limited(self, item: Item, flag: str, values: str) -> bool:
-        word = item.text(flag, "auto")
-        return word == "true" or (word == "auto" and self._elements.compiler.autolimits and item.has(values))
+    def _largest(self, item: Item, key: str, limits: tuple[float, float]) -> float:
+        lower, upper = limits
+        largest = max(abs(lower), abs(upper))
+        if lower != -upper:
+            self._elements.notes.append(
+                Lost(
+                    f"{self._elements.place(item.element)}: the {key} {lower:g} to {upper:g} is taken as "
+                    f"{-largest:g} to {largest:g}"
+                )
+            )
+        return largest

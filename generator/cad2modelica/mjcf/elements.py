@@ -123,6 +123,35 @@ class MjcfElements:
             self.problems.add(f"{key} must be a whole number", self.place(item.element), "Correct the value.")
         return round(value)
 
+    def limits(self, item: Item, flag: str, key: str) -> tuple[float, float] | None:
+        """The range that an attribute gives, if it counts: by its flag, or because it is given where the compiler says so.
+
+        Args:
+            item: the element.
+            flag: its attribute ``true``, ``false`` or ``auto``.
+            key: its attribute with the lower and the upper limit.
+        """
+        word = item.text(flag, "auto")
+        lower, upper = (float(value) for value in self.numbers(item, key, (0.0, 0.0)))
+        is_given = lower != 0.0 or upper != 0.0  # "0 0" takes back what a default class gives
+        if word == "false" or (word == "auto" and not is_given):
+            return None
+        if word == "auto" and not self.compiler.autolimits:
+            self.problems.add(
+                f"has {key}, but not {flag}, and autolimits is false",
+                self.place(item.element),
+                f'Say {flag}="true" or {flag}="false" beside it, or leave autolimits out of the compiler.',
+            )
+            return None
+        if not lower < upper:
+            self.problems.add(
+                f"the {key} is {lower:g} to {upper:g}: the lower must be smaller",
+                self.place(item.element),
+                f"Correct the {key}.",
+            )
+            return None
+        return lower, upper
+
     def pose(self, item: Item) -> Pose:
         """Position and orientation of an element in its parent."""
         return Pose(self.numbers(item, "pos", (0.0, 0.0, 0.0)), self.rotation(item))

@@ -127,7 +127,7 @@ class _JointReader:
                 self._elements.problems.add(f"{key} must not be negative", joint.place, "Correct the value.")
             if self._elements.numbers(item, key, (0.0, 0.0, 0.0))[1:].any():
                 self._elements.notes.append(Lost(f"joint {joint.name!r}: of {key} the first number counts"))
-        limited = self._is_limited(item, "limited", "range")
+        limits = self._elements.limits(item, "limited", "range")
         if joint.type is JointType.FREE:
             return joint
         if not joint.type.is_scalar:
@@ -136,19 +136,13 @@ class _JointReader:
                 "damping": viscous,
                 "frictionloss": dry,
                 "armature": rotor,
-                "range": limited,
+                "range": limits is not None,
             }
             left_out = [key for key, value in given.items() if value]
             if left_out:
                 note = f"joint {joint.name!r}: {', '.join(left_out)} left out, which a ball joint cannot have here"
                 self._elements.notes.append(Lost(note))
             return joint
-        lower, upper = unit * self._elements.numbers(item, "range", (0.0, 0.0))
-        if limited and not lower < upper:
-            self._elements.problems.add(
-                f"the range is {lower:g} to {upper:g}: the lower must be smaller", joint.place, "Correct the range."
-            )
-            limited = False
         if item.has("springdamper"):
             constant, ratio = self._elements.numbers(item, "springdamper", (0.0, 0.0))
             if constant > 0 and ratio > 0:
@@ -157,7 +151,7 @@ class _JointReader:
         effort = self._effort(item)
         return replace(
             joint,
-            limits=JointLimits(float(lower), float(upper)) if limited else None,
+            limits=JointLimits(unit * limits[0], unit * limits[1]) if limits is not None else None,
             friction=JointFriction(viscous, dry) if max(viscous, dry) > 0 else None,
             spring=JointSpring(stiffness, rest) if stiffness > 0 or joint.name in self._found.time_springs else None,
             rotor_inertia=max(rotor, 0.0),
@@ -166,13 +160,8 @@ class _JointReader:
 
     def _effort(self, item: Item) -> float | None:
         """Largest torque or force of all actuators together at a joint."""
-        if not self._is_limited(item, "actuatorfrclimited", "actuatorfrcrange"):
-            return None
-        return float(np.abs(self._elements.numbers(item, "actuatorfrcrange", (0.0, 0.0))).max()) or None
-
-    def _is_limited(self, item: Item, flag: str, values: str) -> bool:
-        word = item.text(flag, "auto")
-        return word == "true" or (word == "auto" and self._elements.compiler.autolimits and item.has(values))
+        limits = self._elements.limits(item, "actuatorfrclimited", "actuatorfrcrange")
+        return max(map(abs, limits)) if limits is not None else None
 
     def _name(self, item: Item, body: Body) -> str:
         if item.name:

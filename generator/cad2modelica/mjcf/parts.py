@@ -17,7 +17,7 @@ from cad2modelica.meshio.mesh_library import UnreadableMesh, report_unreadable
 from cad2modelica.mjcf.assets import MjcfAssets
 from cad2modelica.mjcf.bodies import Body, BodyTree, PlacedItem
 from cad2modelica.mjcf.document import place_of
-from cad2modelica.mjcf.elements import Compiler, MjcfElements
+from cad2modelica.mjcf.elements import Compiler, Item, MjcfElements
 from cad2modelica.mjcf.geoms import Geom, friction_of, masks_of, read_geom
 from cad2modelica.source.choices import SourceChoices
 from cad2modelica.source.lost import Lost
@@ -106,6 +106,8 @@ class PartReader:
         if body.inertial is not None and not lightest.mass > 0:  # it also counts where no geom weighs anything
             lightest = self._inertial(body.inertial)
         mass = self._bounded(lightest) if self._weighs(body) else NO_MASS
+        if mass.mass > 0 and not lightest.mass > 0 and body.inertial is None:
+            mass = self._without_geoms(body, mass)
         if body.is_static:
             self._standing_mass += mass.mass
         return (
@@ -214,6 +216,18 @@ class PartReader:
             moments = np.full(3, moments.mean())
         mass = max(properties.mass, compiler.least_mass)
         return MassProperties(mass, properties.center_of_mass, (axes * moments) @ axes.T)
+
+    def _without_geoms(self, body: Body, properties: MassProperties) -> MassProperties:
+        """The least mass of a body that nothing else gives one, where MuJoCo puts it: at ``pos`` and ``quat`` again."""
+        item = Item(body.element, {str(k): str(v) for k, v in body.element.items()})
+        pose = self._elements.pose(item)
+        if pose.position.any():
+            x, y, z = pose.position
+            self._elements.notes.append(
+                f"body {body.name!r}: no geom gives it a mass; that of boundmass stands at its pos once more, "
+                f"({x:g}, {y:g}, {z:g}) in its own axes, as in MuJoCo; an inertial would say where it is meant to be"
+            )
+        return placed(properties, body.inner @ pose)
 
     def _scaled(self, members: dict[str, list[Member]]) -> dict[str, list[Member]]:
         """Masses by the total mass that the compiler asks for."""
