@@ -39,9 +39,7 @@ def read_drives(
     if reader.unclamped:
         listed = ", ".join(reader.unclamped)
         elements.notes.append(
-            Lost(
-                f"the wanted positions and speeds of drives are not clamped to their ctrlrange; keep them in it: {listed}"
-            )
+            Lost(f"wanted positions and speeds of drives are not clamped to their ctrlrange; keep them in it: {listed}")
         )
     return tuple(found)
 

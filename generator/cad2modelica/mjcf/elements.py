@@ -124,7 +124,7 @@ class MjcfElements:
         return round(value)
 
     def limits(self, item: Item, flag: str, key: str) -> tuple[float, float] | None:
-        """The range that an attribute gives, if it counts: by its flag, or because it is given where the compiler says so.
+        """The range that an attribute gives, if it counts: by its flag, or where it is given and the compiler says so.
 
         Args:
             item: the element.
