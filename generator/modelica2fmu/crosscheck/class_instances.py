@@ -79,6 +79,7 @@ class Component:
         redeclaration: the modifier that redeclares it.
         is_outer: = true, if another component stands for it.
         may_be_absent: = true, if it is constant, an array or conditional.
+        sizes_of_type: subscripts behind its type, as in ``Real[3] x``.
     """
 
     type: ClassInstance
@@ -89,6 +90,7 @@ class Component:
     redeclaration: Modifier | None
     is_outer: bool
     may_be_absent: bool
+    sizes_of_type: Extent | None
 
 
 _Modifiers = Sequence[tuple[Modifier, Layer]]
@@ -399,6 +401,7 @@ class ClassInstance:
             redeclaration,
             declared.is_outer,
             declared.may_be_absent,
+            element.sizes_of_type,
         )
 
 

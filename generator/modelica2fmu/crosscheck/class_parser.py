@@ -183,7 +183,7 @@ class _Parser(SectionReader):
         if self._is_class() and not (self.text() == "operator" and self.text(1) == "."):
             elements = [self._class()]
         else:
-            elements = list(self._components("outer" in prefixes))
+            elements = list(self._components(prefixes))
         constraint = None
         first = self.at
         if self.accept("constrainedby"):
@@ -207,8 +207,8 @@ class _Parser(SectionReader):
                 )
         return result
 
-    def _components(self, is_outer: bool) -> Iterator[ComponentDeclaration]:
-        """component-clause."""
+    def _components(self, around: set[str]) -> Iterator[ComponentDeclaration]:
+        """component-clause, behind the prefixes of an element."""
         prefixes = set()
         while self.text() in _COMPONENT_PREFIXES:
             prefixes.add(self.text())
@@ -216,7 +216,8 @@ class _Parser(SectionReader):
         type_name = self.name()
         start = self.at
         self.skip_subscripts()
-        may_all_be_absent = "constant" in prefixes or self.at > start
+        sizes = self.extent(start) if self.at > start else None
+        may_all_be_absent = "constant" in prefixes or sizes is not None
         while True:
             first = self.at
             name = self.identifier()
@@ -235,8 +236,11 @@ class _Parser(SectionReader):
                 extent,
                 arguments,
                 value,
-                is_outer,
+                is_inner="inner" in around,
+                is_outer="outer" in around,
                 is_input="input" in prefixes,
+                is_parameter=not prefixes.isdisjoint(("parameter", "constant")),
+                sizes_of_type=sizes,
                 may_be_absent=may_be_absent,
             )
             # In a modification a comma ends the argument.

@@ -71,7 +71,11 @@ class ComponentDeclaration:
         value: its binding.
         constraint: its constraining clause, where it is replaceable.
         redeclares: = true, if an element redeclares an inherited component.
+        is_inner: = true, if it stands for outer ones.
+        is_outer: = true, if another component stands for it.
         is_input: = true, if it is declared as an input.
+        is_parameter: = true, if it is declared as a parameter or constant.
+        sizes_of_type: subscripts behind its type, as in ``Real[3] x``.
         may_be_absent: = true, if it is constant, an array or conditional.
     """
 
@@ -80,8 +84,11 @@ class ComponentDeclaration:
     extent: Extent
     arguments: tuple[Modifier, ...] = ()
     value: Extent | None = None
+    is_inner: bool = False
     is_outer: bool = False
     is_input: bool = False
+    is_parameter: bool = False
+    sizes_of_type: Extent | None = None
     redeclares: bool = False
     may_be_absent: bool = False
     constraint: Constraint | None = None

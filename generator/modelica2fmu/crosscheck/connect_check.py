@@ -26,8 +26,14 @@ _EXPANDABLE: Final = re.compile(r"\bexpandable\s+connector\b")
 
 
 @dataclass(frozen=True)
-class _Connect:
-    """A connect equation with the names of its ends, and the class in which it stands."""
+class Connect:
+    """A connect equation.
+
+    Attributes:
+        ends: as written.
+        scope: the class in which it stands.
+        extent: where.
+    """
 
     ends: tuple[str, str]
     scope: ClassInstance
@@ -50,7 +56,7 @@ def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Calla
     if root is None:
         return
     for scope in own_classes(root, own):
-        for connect in _connects(scope, library):
+        for connect in connects(scope, library):
             try:
                 first, second = (_described(_class_of(scope, end), library) for end in connect.ends)
             except (UnknownError, UnreadableError, RecursionError):
@@ -81,7 +87,7 @@ def check_connect_sizes(
     """
     root = model_class(model, library)
     arrays = _arrays(names)
-    for connect in _connects(root, library) if root is not None and arrays else ():
+    for connect in connects(root, library) if root is not None and arrays else ():
         first, second = (_sizes(end, arrays) for end in connect.ends)
         if first is None or second is None or first == second:
             continue
@@ -127,13 +133,19 @@ def _counted(sizes: list[int]) -> str:
     return " x ".join(map(str, sizes)) + " elements" if sizes else "one element"
 
 
-def _connects(scope: ClassInstance, library: ClassLibrary) -> Iterator[_Connect]:
+def parts_of(end: str) -> list[tuple[str, str]]:
+    """Names of an end of a connection with their subscripts, which are empty where there are none."""
+    return _PART.findall(end)
+
+
+def connects(scope: ClassInstance, library: ClassLibrary) -> Iterator[Connect]:
+    """The connections that stand in a class itself."""
     for section in scope.definition.behaviour:
         # One character a byte, so that places in the text are places in the file.
         text = without_comments_and_strings(library.text(section).encode().decode("latin-1"))
         for match in _CONNECT.finditer(text):
             extent = Extent(section.file, section.start + match.start(), section.start + match.end())
-            yield _Connect((match[1], match[2]), scope, extent)
+            yield Connect((match[1], match[2]), scope, extent)
 
 
 def _class_of(scope: ClassInstance, end: str) -> ClassInstance:

@@ -8,7 +8,7 @@ sources independently (``class_instances``). Where the two name different places
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Final
@@ -87,6 +87,50 @@ def added_components(flat: Mapping[str, Any], model: str, library: ClassLibrary)
         return []
     heads = (variable["component_ref"]["parts"][0]["ident"] for variable in flat["variables"].values())
     return [head for head in dict.fromkeys(heads) if head not in declared]
+
+
+def copies_of_inner(flat: Mapping[str, Any], model: str, library: ClassLibrary) -> list[str]:
+    """Variables that the front end makes of outer parameters beside the inner ones, and that nothing names.
+
+    Args:
+        flat: the flattened model.
+        model: full name.
+        library: the sources.
+    """
+    try:
+        root = Names(library).find(tuple(model.split(".")))
+    except (UnknownError, UnreadableError):
+        return []
+    outer = [name for name, variable in flat["variables"].items() if _is_outer(root, variable)]
+    named = {_SUBSCRIPTS.sub("", name) for name in _named(flat)} if outer else set()
+    return [name for name in outer if _SUBSCRIPTS.sub("", name) not in named]
+
+
+def _is_outer(root: ClassInstance, variable: Mapping[str, Any]) -> bool:
+    """= true, if a variable is an outer component itself, no part of one."""
+    instance, component = root, None
+    try:
+        for part in variable["component_ref"]["parts"]:
+            component = instance.component(part["ident"])
+            if component is None:
+                return False
+            instance = component.type
+        return component is not None and component.is_outer and instance.predefined is not None
+    except (UnknownError, UnreadableError, RecursionError):
+        return False
+
+
+def _named(tree: Any) -> Iterator[str]:
+    """Names of all variables that expressions name."""
+    stack = [tree]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, dict):
+            if "VarRef" in item:
+                yield item["VarRef"]["name"]["name"]
+            stack.extend(item.values())
+        elif isinstance(item, list):
+            stack.extend(item)
 
 
 class _FlatCheck:

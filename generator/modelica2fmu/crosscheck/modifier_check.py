@@ -33,6 +33,9 @@ _ATTRIBUTES: Final = {
 }
 _ARRAY: Final = re.compile(r"\w+\s*\[([^\[\]]+)\]")
 _ONE_VALUE: Final = re.compile(r"[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|true|false")
+_PLAIN: Final = re.compile(r"[+-]?\s*[\w.]+(?:\s*[-+*/^]\s*[\w.]+)*")
+_WORD: Final = re.compile(r"[\w.]+")
+_SIZED: Final = re.compile(r"=\s*[\w.]+\s*\[")
 _PARTIAL: Final = "only classes that extend it are complete: name one of them"
 
 
@@ -81,7 +84,7 @@ class _ModifierCheck:
             for base in each.definition.bases:
                 found = found_class(each, base.type_name)
                 if found is not None:
-                    self._arguments(base.arguments, found, ".".join(base.type_name), self.model, "")
+                    self._arguments(base.arguments, found, ".".join(base.type_name), self.model, "", each)
             for component in each.definition.components.values():
                 found = found_class(each, component.type_name)
                 if found is None:
@@ -89,7 +92,7 @@ class _ModifierCheck:
                         self._missing(component.type_name, component.extent, f"{self.model}.{component.name}")
                     )
                 else:
-                    self._component(component, found)
+                    self._component(component, found, each)
         return missing[0] if missing else None
 
     def _missing(self, name: tuple[str, ...], extent: Extent, component: str) -> InputError:
@@ -100,23 +103,37 @@ class _ModifierCheck:
             remedy=near_names(name, self.model, self.library),
         )
 
-    def _component(self, component: ComponentDeclaration, found: ClassInstance) -> None:
-        is_array = _ARRAY.match(self.library.text(component.extent)) is not None
+    def _component(self, component: ComponentDeclaration, found: ClassInstance, scope: ClassInstance) -> None:
+        is_array = component.sizes_of_type is not None or _ARRAY.match(self.library.text(component.extent)) is not None
         owner = f"{component.name}[1]." if is_array else f"{component.name}."
         where = f"{self.model}.{component.name}"
-        self._arguments(component.arguments, found, ".".join(component.type_name), where, owner)
+        self._arguments(component.arguments, found, ".".join(component.type_name), where, owner, scope)
 
     def _arguments(
-        self, arguments: tuple[Modifier, ...], found: ClassInstance, type_name: str, component: str, owner: str
+        self,
+        arguments: tuple[Modifier, ...],
+        found: ClassInstance,
+        type_name: str,
+        component: str,
+        owner: str,
+        scope: ClassInstance,
     ) -> None:
-        """``owner``: what stands before the name of a member of ``found`` in the class that modifies it."""
+        """``owner``: what stands before the name of a member of ``found`` in the class ``scope`` that modifies it."""
         for argument in arguments:
             try:
-                self._argument(argument.of_first_name(), found, type_name, component, owner)
+                self._argument(argument.of_first_name(), found, type_name, component, owner, scope)
             except (UnknownError, UnreadableError, RecursionError):
                 continue
 
-    def _argument(self, argument: Modifier, found: ClassInstance, type_name: str, component: str, owner: str) -> None:
+    def _argument(
+        self,
+        argument: Modifier,
+        found: ClassInstance,
+        type_name: str,
+        component: str,
+        owner: str,
+        scope: ClassInstance,
+    ) -> None:
         name = argument.path[0]
         if argument.removes:
             return
@@ -136,27 +153,60 @@ class _ModifierCheck:
                 return
             raise self._unknown(argument, f"{type_name} has no {name} that could be modified", known, component)
         if element is not None:
-            self._shape(argument, element, type_name, component, owner)
+            self._shape(argument, element, type_name, component, owner, scope)
         if argument.redeclared is None:
-            self._arguments(argument.arguments, inner, f"{type_name}.{name}", f"{component}.{name}", f"{owner}{name}.")
+            inside = f"{component}.{name}"
+            self._arguments(argument.arguments, inner, f"{type_name}.{name}", inside, f"{owner}{name}.", scope)
 
-    def _shape(self, argument: Modifier, element: Component, type_name: str, component: str, owner: str) -> None:
-        """Raises InputError where an array is given one plain value."""
+    def _shape(
+        self,
+        argument: Modifier,
+        element: Component,
+        type_name: str,
+        component: str,
+        owner: str,
+        scope: ClassInstance,
+    ) -> None:
+        """Raises InputError where an array is given one value."""
         declared = _ARRAY.match(self.library.text(element.declarations[-1]))
-        if declared is None or argument.value is None:
+        of_type = element.sizes_of_type
+        # Of arrays of arrays, Real[2] x[3], the text is left to the front end.
+        if (declared is None) == (of_type is None) or argument.value is None:
             return
         given = " ".join(self.library.text(argument.value).split())
-        if _ONE_VALUE.fullmatch(given) is None:
+        if not self._is_one_value(given, scope):
             return
         place = self.place_of(argument.value)
-        sizes = [size.strip() for size in declared[1].split(",")]
+        shape = declared[1] if declared is not None else self.library.text(of_type)[1:-1] if of_type else ""
+        sizes = [size.strip() for size in shape.split(",")]
         filled = ", ".join(size if size.isdecimal() else f"{owner}{size}" for size in sizes)
         is_plain = all(re.fullmatch(r"\w+", size) for size in sizes)
         raise InputError(
-            f"{argument.path[0]} of {type_name} is an array [{declared[1]}], and {given} is one value",
+            f"{argument.path[0]} of {type_name} is an array [{shape.strip()}], and {given} is one value",
             place=Place(file=place.file, line=place.line, component=component),
             remedy=f"write {f'fill({given}, {filled})' if is_plain else 'an array'}",
         )
+
+    def _is_one_value(self, given: str, scope: ClassInstance) -> bool:
+        """= true, if a text is a number, or a sum or product of numbers and of variables that are no arrays."""
+        if _ONE_VALUE.fullmatch(given) is not None:
+            return True
+        words = _WORD.findall(given) if _PLAIN.fullmatch(given) is not None else []
+        return bool(words) and all(_ONE_VALUE.fullmatch(word) or self._is_scalar(word, scope) for word in words)
+
+    def _is_scalar(self, name: str, scope: ClassInstance) -> bool:
+        """= true, if a name is that of a variable of a predefined type, and of no array."""
+        component = scope.component(name)
+        if component is None:
+            return name == "time"
+        classes = [] if component.type.predefined is None else [component.type]
+        while classes:  # a type may be one of arrays: type Vector = Real[3]
+            found = classes.pop()
+            if found.definition.is_short and _SIZED.search(self.library.text(found.definition.extent)):
+                return False
+            classes += found.bases
+        is_array = component.sizes_of_type is not None or _ARRAY.match(self.library.text(component.declarations[-1]))
+        return component.type.predefined is not None and not is_array
 
     def _unknown(self, argument: Modifier, message: str, known: list[str], component: str) -> InputError:
         place = self.place_of(argument.extent)

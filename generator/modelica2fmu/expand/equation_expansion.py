@@ -93,8 +93,7 @@ class EquationExpansion:
         self, targets: ir.TupleExpression, call: ir.Expression, events: bool, span: Span | None
     ) -> tuple[list[Any], list[Any]]:
         """Scalars of the outputs of a call and of what they are equal to; outputs may be left out."""
-        outputs = self._interpreter.evaluate(call, events=events)
-        values = outputs if isinstance(outputs, tuple) else (outputs,)
+        values = self._interpreter.outputs(call, events=events)
         if len(targets.elements) > len(values):
             raise InputError(
                 f"a call with {len(values)} outputs is given {len(targets.elements)} targets",

@@ -125,8 +125,9 @@ class WhenExpansion:
                     items = arrays.scalars(self._evaluate_local(expression, update, values))
                     self._update(update, names, items, statement.span)
                 case ir.CallAssignment(targets=targets, call=call):
-                    outputs = self._evaluate_local(call, update, values)
-                    outputs = outputs if isinstance(outputs, tuple) else (outputs,)
+                    outputs = [
+                        self._local(output, update, values) for output in self._interpreter.outputs(call, events=False)
+                    ]
                     for reference, output in zip(targets, outputs, strict=False):
                         if reference is not None:
                             self._update(update, self._target_names(reference), arrays.scalars(output), statement.span)
@@ -175,7 +176,10 @@ class WhenExpansion:
     def _evaluate_local(
         self, expression: ir.Expression, update: dict[str, float | Node], values: dict[str, Value | None] | None
     ) -> Value:
-        value = self._interpreter.evaluate(expression, events=False)
+        return self._local(self._interpreter.evaluate(expression, events=False), update, values)
+
+    @staticmethod
+    def _local(value: Value, update: dict[str, float | Node], values: dict[str, Value | None] | None) -> Value:
         if values is None:
             return value  # equations: what stands on the right is the solution, not the last assignment
         local: dict[str, float | Node] = {

@@ -12,16 +12,17 @@ from typing import Any, Final
 from contact_foundation.errors import InputError, Place
 from contact_foundation.scratch import scratch_folder
 
+from modelica2fmu.crosscheck.cardinality import check_counted_arrays, drop_miscounted_assertions
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.collider_order import misplaced_row
 from modelica2fmu.crosscheck.connect_check import check_connect_sizes, check_connects
 from modelica2fmu.crosscheck.constructor_check import check_constructors
-from modelica2fmu.crosscheck.flat_check import added_components, check_flat_model
+from modelica2fmu.crosscheck.flat_check import added_components, check_flat_model, copies_of_inner
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.crosscheck.number_check import check_numbers
-from modelica2fmu.crosscheck.outer_class_check import check_outer_classes
+from modelica2fmu.crosscheck.outer_class_check import check_outer_elements
 from modelica2fmu.crosscheck.own_classes import model_class
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.balance import (
@@ -145,6 +146,8 @@ def load_flat_model(
             f"no component {name} is declared as inner, so one with its default values is added: declare it in {model}"
             for name in added_components(answer.flat, model, library)
         )
+        for name in copies_of_inner(answer.flat, model, library):
+            del answer.flat["variables"][name]
         flat = with_references(read_flat_model(answer.flat, model, source_map), source_map)
         return replace(flat, warnings=warnings)
 
@@ -207,13 +210,14 @@ def _check_own_text(model: str, file: Path, source_map: SourceMap, library: Clas
 
     Raises:
         InputError: the user modifies or names what is not there, connects connectors of different kinds, or declares
-            an outer class.
+            an outer class or variable.
     """
     own = file.parent if file.name == "package.mo" else file
     missing = check_modifiers(model, library, own, _places(source_map))
     check_constructors(model, library, own, _places(source_map))
-    check_outer_classes(model, library, own, _places(source_map))
+    check_outer_elements(model, library, own, _places(source_map))
     check_connects(model, library, own, _places(source_map))
+    check_counted_arrays(model, library, own, _places(source_map))
     return missing
 
 
@@ -249,8 +253,10 @@ def _with_package_written_out(
 
 def _check(flat: dict[str, Any], model: str, source_map: SourceMap, library: ClassLibrary) -> None:
     """Restores what is fixed; raises UnsupportedModelError if the front end left out anything else."""
-    for name in check_flat_model(flat, model, FlatReading(library, _places(source_map))):
+    reading = FlatReading(library, _places(source_map))
+    for name in check_flat_model(flat, model, reading):
         flat["variables"][name]["fixed"] = [True]
+    drop_miscounted_assertions(flat, reading)
 
 
 def _request(model: str, file: Path, given: LoneFiles) -> Request:

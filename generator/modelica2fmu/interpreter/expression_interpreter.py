@@ -62,6 +62,25 @@ class ExpressionInterpreter(TranslationValues, ABC):
         finally:
             self.events = before
 
+    def outputs(self, call: ir.Expression, scope: Scope | None = None, events: bool = True) -> tuple[Value, ...]:
+        """All outputs of a call, whose value is the first (Modelica 3.6, section 12.4.3).
+
+        Args:
+            call: what to evaluate.
+            scope: local variables, if any.
+            events: = false, if its relations generate no events.
+        """
+        if not isinstance(call, ir.Call):
+            return (self.evaluate(call, scope, events),)
+        before = self.events
+        self.events = events and before
+        try:
+            return self.call(call, scope or Scope())
+        except ShapeError as error:
+            raise self.wrong(str(error), call.span) from error
+        finally:
+            self.events = before
+
     def value(self, expression: ir.Expression, scope: Scope) -> Value:
         """The value of an expression with local variables; errors name its place."""
         try:
@@ -83,7 +102,7 @@ class ExpressionInterpreter(TranslationValues, ABC):
                 return self._builtin(expression, scope)
             case ir.Call():
                 outputs = self.call(expression, scope)
-                return outputs[0] if len(outputs) == 1 else outputs
+                return outputs[0] if outputs else ()
             case ir.If():
                 return self._if(expression, scope)
             case ir.ArrayConstructor():
@@ -94,8 +113,6 @@ class ExpressionInterpreter(TranslationValues, ABC):
                 return self._references.indexed(self.value(base, scope), subscripts, scope, expression.span)
             case ir.FieldAccess(base=base, name=name):
                 record = self.value(base, scope)
-                if isinstance(record, tuple):
-                    record = record[0]
                 if isinstance(record, Record) and name in record.fields:
                     return self.known(record.fields[name])
                 raise self.wrong(f"there is no field {name}", expression.span)

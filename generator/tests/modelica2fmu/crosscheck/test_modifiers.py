@@ -168,6 +168,8 @@ def test_what_stays_does_not_depend_on_time(tmp_path: Path, old: str, new: str, 
             "fill(0, 3)",
         ),
         ("r_CM = {0, -1, 0}", "each r_CM = -1e-3", 4, "-1e-3 is one value", "fill(-1e-3, 3)"),
+        ("{1, 2};", "{1, 2}; Part part(typed = 2);", 5, "typed of Part is an array [3]", "fill(2, 3)"),
+        ("{1, 2};", "{1, 2}; Part part(typed = 2*count - 1);", 5, "2*count - 1 is one value", "fill(2*count - 1, 3)"),
         ("{1, 2};", "{1, 2}; Part part(weights = 2.);", 5, "is an array [n]", "fill(2., part.n)"),
         ("{1, 2};", "{1, 2}; Part parts[2](each weights = 2);", 5, "is an array [n]", "fill(2, parts[1].n)"),
         ("{1, 2};", "{1, 2}; Part part(squares = 2);", 5, "is an array [n, 2*n]", "write an array"),
@@ -180,6 +182,7 @@ def test_one_value_for_an_array(tmp_path: Path, old: str, new: str, line: int, s
             "    parameter Integer n = 2;",
             "    parameter Real weights[n] = {1, 2};",
             "    parameter Real squares[n, 2*n] = fill(1, n, 2*n);",
+            "    parameter Real[3] typed = {1, 2, 3};",
             "  end Part;",
             "equation\n",
         )
@@ -194,7 +197,9 @@ def test_one_value_for_an_array(tmp_path: Path, old: str, new: str, line: int, s
     assert remedy in (caught.value.remedy or "")
 
 
-@pytest.mark.parametrize("given", ["slack", "{0, -1, 0}", "zeros(3)", "fill(0, 3)", "-{0, 1, 0}"])
+@pytest.mark.parametrize(
+    "given", ["slack", "{0, -1, 0}", "zeros(3)", "fill(0, 3)", "-{0, 1, 0}", "2*slack - slack", "slack*1"]
+)
 def test_arrays_for_arrays_are_taken(tmp_path: Path, given: str) -> None:
     text = MODEL.replace("slack[2](each min = 0) = {1, 2}", "slack[3] = {1, 0, 2}").replace("{0, -1, 0}", given)
     (tmp_path / "Swing.mo").write_text(text)
