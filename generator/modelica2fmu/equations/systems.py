@@ -138,7 +138,7 @@ class _Builder:
         for number, equation in enumerate(rest):
             for side, other in ((equation.left, equation.right), (equation.right, equation.left)):
                 name, value = _explicit(side, other)
-                if name in candidates and name not in ex.symbols(value):
+                if name in candidates and name not in ex.symbols(value) and not self._is_real(name, value):
                     candidates[name].setdefault(number, value)
         matching = Matching(
             {position: [str(number) for number in candidates[name]] for position, name in enumerate(discrete)}
@@ -157,6 +157,14 @@ class _Builder:
             used.add(number)
             assignments[name] = Assignment(name, candidates[name][number], is_discrete=True, span=rest[number].span)
         return list(assignments.values()), [item for number, item in enumerate(rest) if number not in used]
+
+    def _is_real(self, name: str, value: float | Node) -> bool:
+        """= true, if an equation of an Integer or the like gives a continuous variable: ``y = i`` is none for ``i``."""
+        while isinstance(value, Node) and value.op == "neg":
+            value = value.args[0]
+        other = self._model.variables.get(value.name) if isinstance(value, Node) and value.op == "symbol" else None
+        is_continuous = other is not None and other.kind is Kind.CONTINUOUS
+        return is_continuous and self._model.variables[name].type != "Real"
 
     # --- simulation ---
 

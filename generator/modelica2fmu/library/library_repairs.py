@@ -68,7 +68,7 @@ REPAIRS: Final = (
     ),
     Repair(
         ("Modelica/Blocks/Sources.mo", "Modelica/Blocks/Tables.mo"),
-        re.compile(r"(\bparameter\s+Real\s+\w+(?:\[\d+\])?\s*=)((?:Internal\.)?getT\w+\(tableID\))"),
+        re.compile(r"(\bparameter\s+Real\s+\w+\s*=)((?:Internal\.)?getT\w+\(tableID\))"),
         r"\1 1*\2",
     ),
     # A base class that is declared in the class itself and has bases of its own.

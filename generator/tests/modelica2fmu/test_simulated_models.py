@@ -477,3 +477,18 @@ def test_an_event_within_rounding_of_the_end_does_not_stop_a_run(build, mode, re
             last = stop - units * math.ulp(stop)
             result = run(fmu, signals=["x"], stop=stop, interval=stop / 4, mode=mode, parameters={"last": last})
             assert result.signals["x"][-1] == pytest.approx(stop, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "declared",
+    [
+        "Real y = i;\nequation\n  i = if u > 0 then integer(floor(u + 0.5)) else integer(ceil(u - 0.5));\n",
+        "Real y;\nequation\n  y = i;\n  i = integer(u + 0.5);\n",
+        "Real y;\nequation\n  -y = -i;\n  i = integer(u + 0.5);\n",
+    ],
+)
+def test_a_real_that_is_an_integer_does_not_determine_it(simulate, declared):
+    text = f"model Rounded\n  Real u = 4*time - 2;\n  Integer i;\n  {declared}end Rounded;\n"
+    result = simulate(text, ["y", "u"])
+    beside = np.abs(result["u"] % 1 - 0.5) > 1e-3
+    np.testing.assert_allclose(result["y"][beside], np.floor(result["u"][beside] + 0.5), atol=1e-12)
