@@ -7,20 +7,21 @@ It is asked again about the model without some of its equations and bindings, un
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
 from contact_foundation.scratch import scratch_folder
 
 from modelica2fmu.crosscheck.class_parser import parse
-from modelica2fmu.crosscheck.class_syntax import Base, ClassDefinition, ComponentDeclaration, Extent
+from modelica2fmu.crosscheck.class_syntax import Base, ClassDefinition, ComponentDeclaration, Extent, Modifier
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.frontend.assignments import neutral_assignments
 from modelica2fmu.frontend.balance import unbalanced_form
 from modelica2fmu.frontend.errors import COMPREHENSION, SHAPES
 from modelica2fmu.frontend.library_names import about_a_copy
+from modelica2fmu.frontend.piece import Piece
 from modelica2fmu.frontend.runner import Request, ask
 
 _STAGE: Final = re.compile(r" failed in ToDae: (.*)", re.DOTALL)
@@ -28,23 +29,12 @@ _BROKEN_OFF: Final = re.compile(rf"^({COMPREHENSION}.*)", re.DOTALL)
 _GAP: Final = 200
 _MOST_SUSPECTS: Final = 4
 _GIVES: Final = re.compile(rb"(?::?=)\s*\Z")
-# Sizes and branches depend on their values, which are left as they are.
+_LEFT: Final = re.compile(r"\s*(\w+)\s*=")
+_SIZED: Final = re.compile(r"\w+\s*\[")
+# More than a name or a number, on which sizes may depend.
+_NOT_PLAIN: Final = re.compile(rb"[\[{(*/+^:]|\w\s*-|-\s*[A-Za-z]")
+# Sizes and branches depend on the values of such parameters, which are left as they are.
 _COUNTS: Final = frozenset({"Integer", "Boolean", "String"})
-
-
-@dataclass(frozen=True)
-class Piece:
-    """An equation, a block of them, a binding or the modifiers of a component.
-
-    Attributes:
-        extent: where it stands.
-        text: of it.
-        said: what the front end says of it.
-    """
-
-    extent: Extent
-    text: str
-    said: str
 
 
 def culprit(error: str, request: Request, file: Path, text: bytes) -> Piece | None:
@@ -76,8 +66,48 @@ def culprit(error: str, request: Request, file: Path, text: bytes) -> Piece | No
     if len(suspects) > _MOST_SUSPECTS or not is_refused(suspects):
         return None
     statement = None if SHAPES in said else _statement(classes, texts, request, file, said)
-    found = statement or suspects[0]
-    return Piece(found, texts[found.file][found.start : found.end].decode(errors="replace"), said)
+    return _piece(statement or suspects[0], said, classes, texts)
+
+
+def _piece(found: Extent, said: str, classes: Sequence[ClassDefinition], texts: Mapping[Path, bytes]) -> Piece:
+    """What is found, with what it is given to."""
+
+    def text(extent: Extent) -> str:
+        return texts[extent.file][extent.start : extent.end].decode(errors="replace")
+
+    for each in _all(classes):
+        elements: tuple[Base | ComponentDeclaration, ...] = (*each.bases, *each.components.values())
+        for element in elements:
+            argument = next((item for item in _values(element.arguments) if item.value == found), None)
+            if argument is not None:
+                is_array = isinstance(element, ComponentDeclaration) and _is_array(element, text(element.extent))
+                array = element.name if isinstance(element, ComponentDeclaration) and is_array else ""
+                return Piece(argument.extent, text(argument.extent), said, array)
+        for name, component in each.components.items():
+            of_equation = _LEFT.match(text(found)) if found in each.equations else None
+            is_given = component.value == found or (of_equation is not None and of_equation[1] == name)
+            kind = component.type_name[-1]
+            if is_given and kind in _COUNTS and not _is_array(component, text(component.extent)):
+                return Piece(found, text(found), said, counted=(name, kind))
+    return Piece(found, text(found), said)
+
+
+def _is_array(component: ComponentDeclaration, text: str) -> bool:
+    return component.sizes_of_type is not None or _SIZED.match(text) is not None
+
+
+def _all(classes: Iterable[ClassDefinition]) -> Iterator[ClassDefinition]:
+    for each in classes:
+        yield each
+        yield from _all(each.classes.values())
+
+
+def _values(arguments: Iterable[Modifier]) -> Iterator[Modifier]:
+    """Modifiers with values, also those within others."""
+    for argument in arguments:
+        if argument.value is not None:
+            yield argument
+        yield from _values(argument.arguments)
 
 
 def _conflict(
@@ -119,12 +149,13 @@ def _pieces(definition: ClassDefinition, texts: Mapping[Path, bytes]) -> Iterato
     """Equations, blocks of them, bindings and modifiers of a class and those in it, which it is a class without."""
     if definition.kind not in ("function", "package"):  # constants of packages belong to their users' sizes
         elements: tuple[Base | ComponentDeclaration, ...] = (*definition.bases, *definition.components.values())
-        for element in elements:
-            arguments = element.arguments
-            if any(b"{" in texts[each.extent.file][each.extent.start : each.extent.end] for each in arguments):
-                yield Extent(element.extent.file, arguments[0].extent.start, arguments[-1].extent.end)
+        for argument in (each for element in elements for each in _values(element.arguments)):
+            value = argument.value
+            if value is not None and _NOT_PLAIN.search(texts[value.file][value.start : value.end]) is not None:
+                yield value
         for component in definition.components.values():
-            if component.value is not None and component.type_name[-1] not in _COUNTS:
+            is_known = component.is_parameter and component.type_name[-1] in _COUNTS
+            if component.value is not None and not is_known:
                 yield component.value
         yield from definition.equations
         yield from definition.blocks

@@ -14,6 +14,7 @@ from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.collider_order import MisplacedRow
 from modelica2fmu.crosscheck.near_names import near_names
 from modelica2fmu.frontend.call_errors import call_error
+from modelica2fmu.frontend.piece import Piece
 from modelica2fmu.frontend.runner import LAYOUT, Answer
 from modelica2fmu.frontend.source_lines import (
     code_of,
@@ -73,6 +74,13 @@ _SIZES: Final = (
     "give both sides, and what is added, subtracted or chosen by if, the same sizes; a number is added to each element "
     "of an array by .+, and vectors are multiplied element by element by .*"
 )
+
+_KINDS: Final = {"Integer": "an Integer", "Boolean": "a Boolean", "String": "a String"}
+_CONVERSIONS: Final = {
+    "Integer": "write integer(...), which rounds down, or declare it as Real",
+    "Boolean": "write a relation, as in x > 0",
+    "String": "write String(...)",
+}
 
 
 class FrontEndError(Exception):
@@ -150,14 +158,14 @@ def in_plain_words(error: InputError) -> InputError:
     return InputError(_OWN_TERMS.sub("", error.message), place=error.place, remedy=error.remedy)
 
 
-def piece_error(said: str, text: str, place: Place) -> InputError:
-    """An equation or a binding is refused.
+def piece_error(piece: Piece, place: Place) -> InputError:
+    """An equation, a binding or a modifier is refused.
 
     Args:
-        said: the front end's words.
-        text: of the equation or binding.
+        piece: it, with the front end's words.
         place: where it stands.
     """
+    said, text = piece.said, piece.text
     shown = " ".join(text.removesuffix(";").split())
     shown = f"{shown[:_SHOWN]} ..." if len(shown) > _SHOWN else shown
     argument = _ARGUMENT.search(said)
@@ -181,6 +189,21 @@ def piece_error(said: str, text: str, place: Place) -> InputError:
         )
     if _MISSHAPEN not in said and _SHAPE_ASSIGNED not in said:
         return InputError(f"{shown}: {said}", place=place)
+    if piece.array:
+        name, _, value = text.partition("=")
+        return InputError(
+            f"of {shown} the front end does not give each element of the array {piece.array} its own",
+            place=place,
+            remedy=f"give the array a name, as in parameter Real values[:] = {' '.join(value.split())}; and write"
+            f" {piece.array}({name.strip()} = values); or each {name.strip()} = ... where it is the same for all",
+        )
+    if piece.counted is not None:
+        name, kind = piece.counted
+        return InputError(
+            f"{name} is {_KINDS[kind]}, and what it is given is of another type or size: {shown}",
+            place=place,
+            remedy=_CONVERSIONS[kind],
+        )
     return InputError(f"sizes of arrays do not fit each other in: {shown}", place=place, remedy=_SIZES)
 
 

@@ -52,6 +52,7 @@ from modelica2fmu.frontend.flat_reader import read_flat_model
 from modelica2fmu.frontend.library_names import about_a_copy, naming, packages
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
 from modelica2fmu.frontend.package_view import package_view
+from modelica2fmu.frontend.remedies import with_remedy
 from modelica2fmu.frontend.runner import Answer, Request, ask
 from modelica2fmu.frontend.syntax import syntax_error
 from modelica2fmu.library.source_map import SourceMap, Span, source_number
@@ -130,8 +131,8 @@ def load_flat_model(
             piece = culprit(answer.error, about, given.file, source_map.text(file)) if vague else None
             if piece is not None:
                 place = replace(_places(source_map)(piece.extent), component=model)
-                refusal = piece_error(piece.said, piece.text, place)
-            refusal = in_plain_words(refusal)
+                refusal = piece_error(piece, place)
+            refusal = with_remedy(in_plain_words(refusal), holder)
             if unbalanced is not None:
                 return replace(read_flat_model(unbalanced, model, source_map), refusal=refusal)
             raise refusal from FrontEndError(words.error)

@@ -389,6 +389,25 @@ REFUSED = (
   end two;
 """,
     ),
+    Refused(
+        "loops in algorithm sections of models that add up",
+        "Real s;\nalgorithm\n  s := 0;\n  for i in 1:3 loop\n    s := s + i*time;\n  end for;",
+        "algorithm section",
+        "front end",
+    ),
+    Refused("`der` of an expression", "Real x = time, v = der(x^2);", "der of an expression", "front end"),
+    Refused(
+        "outer variables (records that hold them are taken)",
+        "S s;\n  inner Real g = time;",
+        "inner variable",
+        "builder",
+        classes="""
+  model S
+    outer Real g;
+    Real y = g;
+  end S;
+""",
+    ),
     Refused("derivatives of inputs", "input Real u;\n  Real x = der(u);", "", "front end"),
     Refused(
         "algebraic loops over discrete variables", "Boolean a = b and time > 0.5, b = not a;", "cycle", "front end"

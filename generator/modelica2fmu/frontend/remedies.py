@@ -1,0 +1,150 @@
+"""What to write in place of legal constructs that the front end does not take, by its words about them."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Final, NamedTuple
+
+from contact_foundation.errors import InputError
+
+from modelica2fmu.frontend.source_lines import line_of
+
+
+class _Known(NamedTuple):
+    """A refusal of rumoca 0.10.
+
+    Attributes:
+        words: its own.
+        message: in place of them, with groups of ``words``.
+        remedy: what to write, with groups of ``words``.
+        mentions: finds the line where the message has none that can be relied on.
+    """
+
+    words: re.Pattern[str]
+    message: str
+    remedy: str
+    mentions: re.Pattern[str] | None = None
+
+
+_FUNCTION: Final = "put the loop into a function and call that: y = f(x)"
+_SHOWN: Final = r"^(?:(?P<shown>.*): )?"  # the statement, where it is told
+
+_KNOWN: Final = tuple(
+    _Known(re.compile(_SHOWN + words, re.DOTALL), message, remedy, mentions)
+    for words, message, remedy, mentions in (
+        (
+            r"der\(\.\.\.\) must have exactly one resolved variable-reference operand",
+            "der of an expression is not taken, only of a variable",
+            "give the expression a variable, Real e = ...; and write der(e)",
+            None,
+        ),
+        (
+            r"unsupported model algorithm in canonical DAE: (?:declarative algorithm requires scalar assignments and "
+            r"conditionals|statement must be an assignment.*)",
+            "a loop with such a body is not taken in an algorithm section of a model",
+            _FUNCTION,
+            None,
+        ),
+        (
+            r"event-generating expressions are not allowed in while-statement.*",
+            "a while-loop whose condition depends on variables is not taken in an algorithm section of a model",
+            _FUNCTION,
+            re.compile(r"\bwhile\b"),
+        ),
+        (
+            r"unsupported model algorithm in canonical DAE: function-call output `\w+` is not a whole discrete .*",
+            "a call with several outputs is not taken in an algorithm section",
+            "write it as an equation: (y, z) = f(x)",
+            None,
+        ),
+        (
+            r"unsupported model algorithm in canonical DAE: sequential read of `(?P<name>\w+)`.*",
+            "{name} is set in several when-statements of an algorithm, one of which reads it",
+            "write one when-equation: when ... then {name} = ...; elsewhen ... then {name} = ...; end when;",
+            None,
+        ),
+        (
+            r"multi-output event calls require a checked function-action owner",
+            "a call with several outputs is not taken in a when-equation",
+            "write it in an algorithm section: when ... then (y, z) := f(x); end when;",
+            None,
+        ),
+        (
+            r"receiving variable `\w+` is not a coordinate owned by this continuous equation",
+            "a record among several outputs of a function is not taken in an equation",
+            "write a function for each output: r = f(x)",
+            None,
+        ),
+        (
+            r"a receiving tuple slot must receive one whole function result",
+            "elements are not taken as targets of several outputs of a function",
+            "give the outputs variables, (a, b) = f(x), and set the elements equal to these",
+            None,
+        ),
+        (
+            r"(?:variable identity \d+ is already owned by clock identity.*|duplicate condition clock owner key.*)",
+            "several sample(...) that set the same variables are not taken",
+            "take one sample at the interval that they share and count: k = pre(k) + 1; a = if mod(k, 2) == 1 then ..."
+            " else ...",
+            None,
+        ),
+        (
+            r"unsupported equation form: for-equation range must be a constant range expression or parameter .*",
+            "a loop over values that are no range of whole numbers is not taken",
+            "give the values an array, constant E all[2] = {{E.a, E.b}}, and loop over its indices: for i in 1:2 loop"
+            " ... all[i] ...",
+            re.compile(r"\bfor\b[^;]*?\bin\s+(?!\s*[\w.+\-*/() ]+:)"),
+        ),
+        (
+            r"expandable connector connection between `(?P<first>[^`]+)` and `(?P<second>[^`]+)` requires unsupported "
+            r"member augmentation",
+            "an expandable connector is connected as {first} and {second}, and does not declare that variable",
+            "declare it there, without input or output, as in: expandable connector Bus Real speed; end Bus;",
+            None,
+        ),
+        (
+            r".*\bunsupported type `(?:Modelica\.Blocks\.Types\.)?ExternalCombiTable2D`",
+            "tables of two inputs (CombiTable2Ds, CombiTable2Dv) are not taken",
+            "write a function that interpolates in constant arrays, or tables of one input whose outputs are weighted"
+            " by the other",
+            re.compile(r"\bCombiTable2D[sv]\b"),
+        ),
+        (
+            r"missing source context: .* for component binding type compatibility was not found",
+            "a Boolean is given a number",
+            "write true or false, or a relation",
+            re.compile(r"\bBoolean\b[^;]*=\s*[-+.\d]"),
+        ),
+        (
+            r"delay\(\) (?P<which>.*) argument must have type `Real`, found `Integer`",
+            "delay takes no Integer as its {which} argument",
+            "write it as a Real: 1.0 in place of 1",
+            None,
+        ),
+    )
+)
+
+
+def with_remedy(error: InputError, file: Path) -> InputError:
+    """The same error in the user's words, with what to write, where it is one that is known; else as it is.
+
+    Args:
+        error: with the front end's words.
+        file: that holds the model.
+    """
+    if error.remedy is not None:
+        return error
+    for known in _KNOWN:
+        found = known.words.search(error.message)
+        if found is None:
+            continue
+        groups = {name: text or "" for name, text in found.groupdict().items()}
+        message = known.message.format(**groups) + (f": {groups['shown']}" if groups["shown"] else "")
+        place = error.place
+        line = line_of(known.mentions, file) if known.mentions is not None else None
+        if place is not None and line is not None:
+            place = replace(place, line=line)
+        return InputError(message, place=place, remedy=known.remedy.format(**groups))
+    return error

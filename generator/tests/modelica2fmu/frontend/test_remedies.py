@@ -1,0 +1,192 @@
+"""Legal constructs that the front end does not take are refused with what to write instead, and that is taken."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from contact_data import core_subset
+from contact_foundation.errors import InputError, Place
+from modelica2fmu.frontend.remedies import with_remedy
+from modelica2fmu.library.standard_library import StandardLibrary
+from modelica2fmu.translation import translate
+
+LIBRARY = StandardLibrary(core_subset(), "", "core subset")
+POWERS = """
+  function powers
+    input Real x;
+    output Real a;
+    output Real b;
+  algorithm
+    a := x^2;
+    b := x^3;
+  end powers;
+"""
+PARTS = """
+  model Part
+    parameter Real m = 7;
+    parameter Real r[3] = {1, 1, 1};
+    input Real u = 0;
+    Real y = m*time;
+  end Part;
+"""
+CHOICE = "\n  type E = enumeration(a, b, c);"
+BUS = """
+  expandable connector Bus%s
+  end Bus;
+  Bus bus;
+  Modelica.Blocks.Sources.RealExpression e(y = time);
+  Modelica.Blocks.Math.Gain g(k = 1);
+"""
+
+
+def refusal(text: str, folder: Path) -> InputError:
+    (folder / "M.mo").write_text(text)
+    with pytest.raises(InputError) as caught:
+        translate("M", [folder / "M.mo"], LIBRARY)
+    return caught.value
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "said", "remedy"),
+    [
+        ("\n  Real x = time, y = der(x^2);", 2, "der of an expression", "Real e = ...; and write der(e)"),
+        (f"{CHOICE}\n  Real v[3] = {{Integer(e)*time for e in E}};", 3, "a loop over values", "constant E all[2]"),
+        (f"{CHOICE}\n  Real v[E];\nequation\n  for e in E loop\n    v[e] = 1;\n  end for;", 5, "a loop", "for i in"),
+        ("\n  Real s;\nalgorithm\n  s := 0;\n  for i in 1:3 loop\n    s := s + i;\n  end for;", 5, "loop", "function"),
+        (
+            "\n  Integer a(start = 0, fixed = true);\nequation\n  when sample(0.5, 1) then\n    a = pre(a) + 1;\n"
+            "  elsewhen sample(1, 1) then\n    a = pre(a) + 2;\n  end when;",
+            4,
+            "several sample(...)",
+            "count: k = pre(k) + 1",
+        ),
+        (
+            "\n  Integer y(start = 1, fixed = true);\nalgorithm\n  when time > 0.5 then\n    y := 2;\n  end when;\n"
+            "  when time > 1 then\n    y := pre(y) + 3;\n  end when;",
+            2,
+            "y is set in several when-statements",
+            "elsewhen",
+        ),
+        ("\n  Real y = delay(sin(time), 1);", 2, "no Integer as its time argument", "1.0 in place of 1"),
+        ("\n  parameter Boolean b = 1;", 2, "a Boolean is given a number", "true or false"),
+        ("\n  Integer i = time;", 2, "i is an Integer", "integer(...)"),
+        ("\n  Integer i;\nequation\n  i = if time > 1 then 1.5 else 2;", 4, "i is an Integer", "integer(...)"),
+        ("\n  Boolean b = time;", 2, "b is a Boolean", "a relation"),
+        ("\n  String s = time;", 2, "s is a String", "String(...)"),
+    ],
+)
+def test_what_to_write_is_told(tmp_path: Path, text: str, line: int, said: str, remedy: str) -> None:
+    error = refusal(f"model M{text}\nend M;\n", tmp_path)
+    assert said in error.message
+    assert remedy in (error.remedy or "")
+    assert error.place is not None
+    assert (error.place.file, error.place.line) == (tmp_path / "M.mo", line)
+
+
+@pytest.mark.parametrize(
+    ("text", "said", "remedy"),
+    [
+        ("Real y, z;\nalgorithm\n  (y, z) := powers(time);", "algorithm section", "as an equation"),
+        (
+            "discrete Real y, z;\nequation\n  when time > 0.5 then\n    (y, z) = powers(time);\n  end when;",
+            "when-equation",
+            "algorithm section",
+        ),
+        ("Real v[2];\nequation\n  (v[1], v[2]) = powers(time);", "elements", "(a, b) = f(x)"),
+    ],
+)
+def test_calls_with_several_outputs(tmp_path: Path, text: str, said: str, remedy: str) -> None:
+    error = refusal(f"model M{POWERS}  {text}\nend M;\n", tmp_path)
+    assert said in error.message
+    assert remedy in (error.remedy or "")
+    assert error.place is not None
+    assert error.place.line is not None
+    assert error.place.line > POWERS.count("\n")
+
+
+@pytest.mark.parametrize(
+    "given",
+    ["m = 2*ones(3)", "m = 2*{1, 2, 3}", "m = 1:3", "m = 2*v", "m = -v", "m = v + v", "r = identity(3)", "u = 2*v"],
+)
+@pytest.mark.parametrize("array", ["b[3]({})", "b[3](each y(min = 0), {})"])
+def test_arrays_that_modify_arrays_of_components(tmp_path: Path, given: str, array: str) -> None:
+    text = f"model M{PARTS}  parameter Real v[3] = {{1, 2, 3}};\n  Part {array.format(given)};\nend M;\n"
+    error = refusal(text, tmp_path)
+    assert given in error.message
+    assert "the array b" in error.message
+    assert f"write b({given[0]} = values)" in (error.remedy or "")
+    assert error.place is not None
+    assert error.place.line == PARTS.count("\n") + 2
+
+
+def test_buses_that_do_not_declare_a_variable(tmp_path: Path) -> None:
+    text = f"model M{BUS % ''}equation\n  connect(e.y, bus.speed);\n  connect(bus.speed, g.u);\nend M;\n"
+    error = refusal(text, tmp_path)
+    assert "e.y and bus.speed" in error.message
+    assert "expandable connector Bus Real speed" in (error.remedy or "")
+    assert error.place is not None
+    assert error.place.line in (8, 9)
+
+
+def test_tables_of_two_inputs(tmp_path: Path) -> None:
+    file = tmp_path / "M.mo"
+    file.write_text("model M\n  Modelica.Blocks.Tables.CombiTable2Ds t(table = [0, 1; 1, 2]);\nend M;\n")
+    words = "the function `f.tableID` has unsupported type `Modelica.Blocks.Types.ExternalCombiTable2D`"
+    error = with_remedy(InputError(words, place=Place(file=file)), file)
+    assert "CombiTable2Ds" in error.message
+    assert error.remedy
+    assert error.place is not None
+    assert error.place.line == 2
+
+
+def test_what_the_messages_say_is_taken(simulate) -> None:
+    text = f"""model Remedies{POWERS}{PARTS}{BUS % " Real speed;"}
+  type E = enumeration(a, b, c);
+  constant E all[3] = {{E.a, E.b, E.c}};
+  function total
+    input Real x;
+    output Real s = 0;
+  algorithm
+    for i in 1:3 loop
+      s := s + i*x;
+    end for;
+  end total;
+  Real square = time^2, rate = der(square);
+  Real v[E], looped = v[E.c];
+  Real summed = total(time);
+  parameter Real values[:] = 2*{{1, 2, 3}};
+  Part b[3](m = values);
+  Real modified = b[3].y;
+  Real late = delay(sin(time), 0.5);
+  Integer k(start = 0, fixed = true), a(start = 0, fixed = true);
+  Real y, z, counted = a, bussed = g.y;
+equation
+  (y, z) = powers(time);
+  for i in 1:3 loop
+    v[all[i]] = Integer(all[i])*time;
+  end for;
+  when sample(0.26, 0.25) then
+    k = pre(k) + 1;
+    a = if mod(k, 2) == 1 then pre(a) + 1 else pre(a) + 2;
+  end when;
+  connect(e.y, bus.speed);
+  connect(bus.speed, g.u);
+end Remedies;
+"""
+    expected = {
+        "rate": lambda t: 2 * t,
+        "looped": lambda t: 3 * t,
+        "summed": lambda t: 6 * t,
+        "modified": lambda t: 6 * t,
+        "z": lambda t: t**3,
+        "late": lambda t: np.where(t < 0.5, 0, np.sin(t - 0.5)),
+        "counted": lambda t: np.select([t < 0.26, t < 0.51, t < 0.76], [0, 1, 3], 4),
+        "bussed": lambda t: t,
+    }
+    result = simulate(text, list(expected))
+    time = result["time"]
+    beside = np.abs((time - 0.01) % 0.25) > 1e-3
+    for name, form in expected.items():
+        np.testing.assert_allclose(result[name][beside], form(time[beside]), atol=1e-6, err_msg=name)
