@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from contact_foundation.errors import InputError, Place
 
@@ -22,6 +22,7 @@ _CONNECT: Final = re.compile(rf"\bconnect\s*\(\s*{_END}\s*,\s*{_END}\s*\)")
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]|\s")
 _PART: Final = re.compile(r"([A-Za-z_]\w*)(\[[^\[\]]*\])?")
 _SLICE: Final = re.compile(r"\[\s*(\d+)\s*:\s*(\d+)\s*\]")
+_NUMBER: Final = re.compile(r"\[\s*\d+\s*\]")
 _EXPANDABLE: Final = re.compile(r"\bexpandable\s+connector\b")
 
 
@@ -72,13 +73,16 @@ def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Calla
 
 
 def check_connect_sizes(
-    model: str, names: Iterable[str], library: ClassLibrary, place_of: Callable[[Extent], Place]
+    model: str,
+    variables: Mapping[str, Mapping[str, Any]],
+    library: ClassLibrary,
+    place_of: Callable[[Extent], Place],
 ) -> None:
     """Holds sizes of arrays of connectors against each other that the model itself connects.
 
     Args:
         model: full name.
-        names: of all variables of the flattened model.
+        variables: of the flattened model, with their dimensions.
         library: the sources.
         place_of: the place of a range of a file.
 
@@ -86,7 +90,7 @@ def check_connect_sizes(
         InputError: two arrays of connectors have different sizes.
     """
     root = model_class(model, library)
-    arrays = _arrays(names)
+    arrays = _arrays(variables)
     for connect in connects(root, library) if root is not None and arrays else ():
         first, second = (_sizes(end, arrays) for end in connect.ends)
         if first is None or second is None or first == second:
@@ -99,10 +103,10 @@ def check_connect_sizes(
         )
 
 
-def _arrays(names: Iterable[str]) -> dict[str, int | None]:
-    """Sizes of all arrays of components that have components, by their names without subscripts; None: matrices."""
+def _arrays(variables: Mapping[str, Mapping[str, Any]]) -> dict[str, int | None]:
+    """Sizes of all arrays of components and of variables, by their names without subscripts; None: matrices."""
     sizes: dict[str, int | None] = {}
-    for name in names:
+    for name, variable in variables.items():
         path = ""
         for element, subscripts in _PART.findall(name.rpartition(".")[0]):
             path += f".{element}"
@@ -110,6 +114,11 @@ def _arrays(names: Iterable[str]) -> dict[str, int | None]:
                 number = None if "," in subscripts else int(subscripts[1:-1])
                 known = sizes.get(path, 0)
                 sizes[path] = None if number is None or known is None else max(number, known)
+        lengths = variable["dims"]
+        if lengths:
+            sizes["".join(f".{element}" for element, _ in _PART.findall(name))] = (
+                lengths[0] if len(lengths) == 1 else None
+            )
     return sizes
 
 
@@ -120,7 +129,8 @@ def _sizes(end: str, arrays: Mapping[str, int | None]) -> list[int] | None:
         path += f".{element}"
         limits = _SLICE.fullmatch(subscripts)
         size = arrays.get(path, 0)
-        if size is None or ("[" in subscripts and not size) or (":" in subscripts and limits is None):
+        is_plain = not subscripts or limits is not None or _NUMBER.fullmatch(subscripts) is not None
+        if size is None or ("[" in subscripts and not size) or not is_plain:
             return None
         if limits is not None:
             sizes.append(int(limits[2]) - int(limits[1]) + 1)

@@ -191,10 +191,11 @@ def piece_error(piece: Piece, place: Place) -> InputError:
         return InputError(f"{shown}: {said}", place=place)
     if piece.array:
         name, _, value = text.partition("=")
+        prefix = "" if re.search(r"\btime\b", value) else "parameter "
         return InputError(
             f"of {shown} the front end does not give each element of the array {piece.array} its own",
             place=place,
-            remedy=f"give the array a name, as in parameter Real values[:] = {' '.join(value.split())}; and write"
+            remedy=f"give the array a name, as in {prefix}Real values[:] = {' '.join(value.split())}; and write"
             f" {piece.array}({name.strip()} = values); or each {name.strip()} = ... where it is the same for all",
         )
     if piece.counted is not None:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 from contact_data import checkout, core_subset
 from contact_foundation.errors import InputError
@@ -251,3 +254,42 @@ def test_arrays_of_different_sizes_are_refused(tmp_path, written, said):
     assert caught.value.place is not None
     assert caught.value.place.line == 11
     assert said in caught.value.message
+
+
+VECTORS = """model Vectors
+  Modelica.Blocks.Sources.RealExpression source[3](y = {2*time, 3*time, 4*time});
+  Modelica.Blocks.Math.Gain gain[2](each k = 1);
+  Modelica.Blocks.Interfaces.RealOutput vector[2];
+  inner Modelica.Mechanics.MultiBody.World world(
+    gravityType = Modelica.Mechanics.MultiBody.Types.GravityTypes.NoGravity);
+  Modelica.Mechanics.MultiBody.Forces.WorldForce force(
+    resolveInFrame = Modelica.Mechanics.MultiBody.Types.ResolveInFrameB.world);
+  Modelica.Mechanics.MultiBody.Parts.Body body(
+    m = 2, r_CM = {0, 0, 0}, r_0(each fixed = true), v_0(each fixed = true), angles_fixed = true, w_0_fixed = true);
+  Real second = gain[2].y, far = body.r_0[3];
+equation
+  connect(source[2:3].y, vector);
+  connect(vector, gain.u);
+  connect(source.y, force.force);
+  connect(force.frame_b, body.frame_a);
+end Vectors;
+"""
+
+
+def test_scalars_of_arrays_of_blocks_are_connected_with_vectors(simulate: Callable[..., Any]) -> None:
+    result = simulate(VECTORS, ["second", "far"])
+    time = result["time"]
+    np.testing.assert_allclose(result["second"], 4 * time, atol=1e-9)
+    np.testing.assert_allclose(result["far"], 4 / 2 * time**3 / 6, atol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("source[2:3].y", "source[1:1].y"), ("source.y", "source[2:3].y"), ("source.y", "source[1].y")],
+)
+def test_vectors_of_other_sizes_are_refused(tmp_path: Path, old: str, new: str) -> None:
+    assert VECTORS.count(old) == 1
+    with pytest.raises(InputError) as caught:
+        translated(tmp_path, VECTORS.replace(old, new))
+    assert caught.value.place is not None
+    assert caught.value.place.line is not None
