@@ -134,6 +134,7 @@ def load_flat_model(
                 refusal = piece_error(piece, place)
             refusal = with_remedy(in_plain_words(refusal), holder)
             if unbalanced is not None:
+                check_connect_sizes(model, unbalanced["variables"], library, _places(source_map))
                 return replace(read_flat_model(unbalanced, model, source_map), refusal=refusal)
             raise refusal from FrontEndError(words.error)
         if loaded.file != given.file or source_map.text(file) != text:  # arrays were written out

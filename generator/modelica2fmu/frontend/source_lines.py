@@ -10,7 +10,9 @@ from modelica2fmu.library.class_text import without_comments_and_strings
 
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
 _QUOTED: Final = re.compile(r"['`]([A-Za-z_]\w*(?:\[[^\]]*\])?(?:\.\w+(?:\[[^\]]*\])?)*)['`]")
-_CONNECTION: Final = re.compile(r"incompatible connector types in connection: (\S+) and (\S+)")
+_CONNECTION: Final = re.compile(
+    r"incompatible connector types in connection: (\S+)(?: \(dims: \[[\d, ]*\]\))? and (\S+)"
+)
 
 
 def code_of(file: Path) -> str:
