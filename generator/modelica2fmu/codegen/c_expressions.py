@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from typing import Final
 
@@ -16,6 +17,10 @@ _INFIX: Final = {
     "add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<=", "eq": "==", "ne": "!=", "and": "&&",
     "or": "||",
 }  # fmt: skip
+
+_ARITHMETIC: Final = frozenset({"add", "sub", "mul", "div", "neg"})
+# Places of Integers (symbol_places), of which C's quotient would be a whole number.
+_WHOLE: Final = re.compile(r"(?:i|v->pre_integer)\[")
 
 
 def number(value: float) -> str:
@@ -51,6 +56,10 @@ def bare(text: str) -> str:
 
 def operation(op: str, args: Sequence[str]) -> str:
     """C text of an operation on numbers; ``select`` and infix operators in parentheses."""
+    if op in _ARITHMETIC:
+        args = [_real(arg) for arg in args]
+    elif op == "select":
+        args = [args[0], *(_real(arg) for arg in args[1:])]
     infix = _INFIX.get(op)
     if infix is not None:
         return f"({args[0]} {infix} {args[1]})"
@@ -61,3 +70,8 @@ def operation(op: str, args: Sequence[str]) -> str:
     if op == "select":
         return f"({args[0]} ? {args[1]} : {args[2]})"
     return f"{_CALLS[op]}({', '.join(args)})"
+
+
+def _real(text: str) -> str:
+    """The text of an operand as a double."""
+    return f"(double){text}" if _WHOLE.match(text) else text
