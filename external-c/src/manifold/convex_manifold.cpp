@@ -7,6 +7,8 @@ namespace cmb {
 
 namespace {
 
+bool is_revolved(const Shape &shape) { return shape.kind == ShapeKind::cylinder || shape.kind == ShapeKind::cone; }
+
 // What a ball touches in one point alone: another ball, or any body with no second separating direction nearly as short.
 bool touches_at_its_witness(const Shape &a, const Shape &b, const SignedDistance &answer) {
   const bool ball_a = a.kind == ShapeKind::sphere, ball_b = b.kind == ShapeKind::sphere;
@@ -32,6 +34,15 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     point.weight = 1.0;
     point.normal = answer.normal;
     point.position = result.witness;
+    return;
+  }
+  const bool revolved_a = is_revolved(a), revolved_b = is_revolved(b);
+  if (revolved_a && b.polytope &&
+      revolved_contact(a, pose_a, *b.polytope, pose_b, result.witness, 1.0, scratch.revolved, result.points)) {
+    return;
+  }
+  if (revolved_b && a.polytope &&
+      revolved_contact(b, pose_b, *a.polytope, pose_a, result.witness, -1.0, scratch.revolved, result.points)) {
     return;
   }
   if (pair_entry(a, b).method != PairMethod::polytope_polytope) {

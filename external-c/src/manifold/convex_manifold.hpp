@@ -5,12 +5,14 @@
 #include "manifold/contact_set.hpp"
 #include "manifold/curved_manifold.hpp"
 #include "manifold/polytope/elastic_contact.hpp"
+#include "manifold/revolved/revolved_contact.hpp"
 
 namespace cmb {
 
 // Room that manifolds are made in; one for each thread.
 struct ManifoldScratch {
   ElasticScratch polytopes;
+  RevolvedScratch revolved;
   CurvedManifoldScratch curved;
 };
 

@@ -46,4 +46,9 @@ struct SymmetricMatrix {
   }
 };
 
+inline Vec3 times(const SymmetricMatrix &matrix, const Vec3 &p) {
+  const double(&m)[6] = matrix.m;
+  return {m[0] * p.x + m[5] * p.y + m[4] * p.z, m[5] * p.x + m[1] * p.y + m[3] * p.z, m[4] * p.x + m[3] * p.y + m[2] * p.z};
+}
+
 }  // namespace cmb::convex

@@ -22,12 +22,9 @@ const Mat3 lying = rotation_about({0, 1, 0}, pi / 2), yaw = rotation_about({0, 0
 
 
 const Case cases[] = {
-    {"cylinder on a box", cylinder, "cmb/1 box size=4,4,1", {{0.2, 0.1, 0.75 - depth}, yaw}},
     {"cylinder on a cylinder", cylinder, "cmb/1 cylinder radius=1 length=1", {{0.2, 0.1, 0.75 - depth}, yaw}},
     {"cylinder on a cone's base", cylinder, "cmb/1 cone radius=1 length=1 rotation=1,0,0,0,-1,0,0,0,-1",
      {{0.2, 0.1, 0.75 - depth}, yaw}},
-    {"cone on a box", cone, "cmb/1 box size=4,4,1", {{0.2, 0.1, 0.75 - depth}, yaw}},
-    {"lying cylinder on a box", cylinder, "cmb/1 box size=4,4,1", {{0.2, 0.1, 0.8 - depth}, product(yaw, lying)}},
     {"lying cylinder on a cylinder", cylinder, "cmb/1 cylinder radius=1 length=1",
      {{0.2, 0.1, 0.8 - depth}, product(yaw, lying)}},
     {"capsule on a cylinder", "cmb/1 capsule radius=0.3 length=0.5", "cmb/1 cylinder radius=1 length=1",
@@ -75,18 +72,6 @@ TEST(RimContacts, DiscOnAHullCarriesAsOnABox) {
   }
 }
 
-// What rests wholly carries wholly: the moment of a tilt is that of a rim, half of radius^2 times tilt.
-TEST(RimContacts, TiltedDiscIsRightedByTheRimsSecondMoment) {
-  const PairScene scene(cylinder, "cmb/1 box size=4,4,1");
-  const double tilt = 1e-6;
-  const BodyPose pose{{0, 0, 0.75 - depth}, rotation_about({0, 1, 0}, tilt)};
-  const Contact contact = scene.query(pose, {}, 64);
-  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-5);
-  // About the disc's middle; the disc leans by tilt, the load comes from its centre.
-  const Vec3 middle = pose.position + 0.25 * (pose.rotation * Vec3{0, 0, -1});
-  EXPECT_NEAR(contact.moment(middle).y / (-0.5 * 0.09 * tilt), 1.0, 0.02);
-}
-
 // The depth's mean over the outline of what two flat faces have in common, by the angle it turns through; here
 // summed.
 struct OutlineSums {
@@ -115,25 +100,6 @@ void expect_outline(const Contact &contact, const OutlineSums &sums, double boun
   EXPECT_NEAR(contact.load().z, sums.load, bound);
   EXPECT_NEAR(first.x, sums.first.x, bound);
   EXPECT_NEAR(first.y, sums.first.y, bound);
-}
-
-TEST(RimContacts, DiscOverAFacesCornerCarriesByItsOutline) {
-  // A disc of radius 0.3 about (1.9, 1.95) on a face that ends at 2 and 2: the corner is under the disc.
-  const PairScene scene(cylinder, "cmb/1 box size=4,4,1");
-  const Contact contact = scene.query({{1.9, 1.95, 0.75 - depth}, yaw}, {}, 64);
-  std::vector<Turn> turns;
-  constexpr int count = 200000;
-  for (int k = 0; k < count; ++k) {
-    const double angle = 2 * pi * (k + 0.5) / count, x = 1.9 + 0.3 * std::cos(angle), y = 1.95 + 0.3 * std::sin(angle);
-    if (x < 2 && y < 2) turns.push_back({x, y, 2 * pi / count});
-  }
-  // The rim leaves through x = 2 below the corner, and through y = 2 beside it.
-  const double across_x = std::sqrt(0.09 - 0.01), across_y = std::sqrt(0.09 - 0.0025);
-  turns.push_back({2.0, 1.95 - across_x, std::acos(0.1 / 0.3)});
-  turns.push_back({1.9 - across_y, 2.0, std::acos(0.05 / 0.3)});
-  turns.push_back({2.0, 2.0, pi / 2});
-  expect_outline(contact, sum_outline(turns), 1e-7);
-  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-12);
 }
 
 // Whether the corner is under the disc is lost in rounding; what the outline carries is not.

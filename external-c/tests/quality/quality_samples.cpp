@@ -248,6 +248,15 @@ FrameError sample_frames(const KindPair &kinds, int poses, std::uint64_t seed) {
     const double moment = norm(frame.rotation * here.moment(pose->position) - there.moment(moved.position)) / sample.size;
     const double error = (force + moment) / std::fmax(load, 1e-3 * deep);
     if (error > result.worst) result.worst = error, result.worst_seed = path_seed(seed, k);
+    double rounding = 0.0;
+    for (const test::Vec3 &way : {test::Vec3{1, 0, 0}, test::Vec3{0, 1, 0}, test::Vec3{0, 0, 1}}) {
+      const BodyPose beside{pose->position + 1e-15 * way, pose->rotation};
+      const Contact there_too = sample.scene->query(beside, {}, capacity);
+      rounding = std::fmax(rounding, norm(there_too.load() - here.load()) +
+                                         norm(there_too.moment(pose->position) - here.moment(pose->position)) / sample.size);
+    }
+    const double known = rounding / std::fmax(load, 1e-3 * deep);
+    result.worst_by_rounding = std::fmax(result.worst_by_rounding, error / std::fmax(1e-9, known));
   }
   return result;
 }

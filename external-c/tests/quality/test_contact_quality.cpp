@@ -36,9 +36,8 @@ class InFrames : public testing::TestWithParam<Pair> {};
 TEST_P(InFrames, ForcesMoveWithTheBodies) {
   const FrameError frames = sample_frames(GetParam().kinds(), 12, 11);
   EXPECT_GT(frames.poses, 6);
-  // The base and the side of a blunt cone are as little as 1e-3 rad apart: rounding of the normal counts that much more.
-  const auto blunt = [](const char *kind) { return std::string(kind) == "flat-cone"; };
-  EXPECT_LT(frames.worst, blunt(GetParam().a) || blunt(GetParam().b) ? 1e-7 : 1e-9) << "pose " << frames.worst_seed;
+  // What two surfaces as little as 1e-3 rad apart cut out of each other is a sliver, which poses tell no better than they are rounded.
+  EXPECT_LT(frames.worst_by_rounding, 30.0) << "by " << frames.worst << " at pose " << frames.worst_seed;
 }
 
 INSTANTIATE_TEST_SUITE_P(AllPairs, InFrames, testing::ValuesIn(pairs()));
@@ -87,6 +86,8 @@ TEST_P(Elastic, DoesNoWorkAroundClosedPaths) {
 INSTANTIATE_TEST_SUITE_P(Gradients, Elastic,
                          testing::Values(Pair{"box", "halfspace"}, Pair{"prism", "halfspace"}, Pair{"cylinder", "halfspace"},
                                          Pair{"sphere", "box"}, Pair{"ellipsoid", "box"}, Pair{"sphere", "cylinder"},
+                                         Pair{"cylinder", "box"}, Pair{"cylinder", "hull-20"}, Pair{"cone", "box"}, Pair{"cone", "hull-100"},
+                                         Pair{"flat-cone", "prism"}, Pair{"slender-cone", "hull-20"}, Pair{"cylinder", "box-mesh"},
                                          Pair{"box", "box"}, Pair{"prism", "prism"}, Pair{"hull-20", "hull-20"},
                                          Pair{"box", "box-mesh"}, Pair{"hull-20", "divided-box-mesh"}, Pair{"box", "sphere-mesh"},
                                          Pair{"hull-20", "torus-mesh"}, Pair{"box", "heightfield"}, Pair{"hull-20", "angle-mesh"},

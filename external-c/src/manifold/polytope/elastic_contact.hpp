@@ -15,9 +15,7 @@ struct ElasticScratch {
   OverlapEnergy energy;
 };
 
-// Appends four points of equal depth, so that a law of another exponent than 1 keeps their shares of the load: all forces together
-// are scaled. They spread along the surface as the corners of a rectangle that is as wide, a box's face that lies on another at its
-// corners; their weights and normals follow from what torque the load has about them.
+// Appends the points of what the overlap does (load_points.hpp).
 // `normal` (unit, from B to A): the direction across the overlap, `witness` a place in it, both in world axes. False where the
 // bodies overlap by rounding alone.
 bool elastic_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,

@@ -1,19 +1,10 @@
 // The elastic energy of two convex polytopes that overlap.
 #pragma once
 
-#include <vector>
-
+#include "manifold/polytope/depth_below_faces.hpp"
 #include "manifold/polytope/overlap_solid.hpp"
-#include "math/symmetric_matrix.hpp"
 
 namespace cmb {
-
-// A quadratic polynomial of a place x: x . (squares x) - 2 linear . x + constant.
-struct Quadric {
-  convex::SymmetricMatrix squares;
-  Vec3 linear;
-  double constant = 0.0;
-};
 
 // With the depth s_f of a place below face f, each body stores
 //
@@ -36,19 +27,7 @@ class OverlapEnergy {
   const Vec3 &torque() const { return torque_; }
 
  private:
-  // A body's soft least mean square, as a sum of weighted squares of depths.
-  struct Depth {
-    double least = 0.0;
-    Quadric squares;  // of places from the overlap's middle
-    Vec3 moment;      // the mean over the overlap of place x the squares' gradient
-  };
-  void weigh(const OverlapSolid &solid, const ContactPolytope &body, const Pose &in_axes, Depth &depth);
-
-  std::vector<double> bounds_;               // by group of faces
-  std::vector<double> below_, mean_square_;  // by face: of the overlap's middle, over the overlap
-  std::vector<std::size_t> groups_;          // that were looked at: their first faces
-  std::vector<std::size_t> near_;            // faces that count
-  std::vector<double> part_;                 // in step: least mean square by the face's
+  DepthBelowFaces of_a_, of_b_;
   double energy_ = 0.0;
   Vec3 force_, torque_;
 };

@@ -1,0 +1,50 @@
+// The surface of what two convex bodies have in common, as places and areas that integrals are summed over.
+#pragma once
+
+#include <vector>
+
+#include "math/symmetric_matrix.hpp"
+
+namespace cmb {
+
+using convex::Vec3;
+
+// Of body A within B, and of B within A. The rules are exact, or as good as, for polynomials of the fifth degree.
+class OverlapSurface {
+ public:
+  struct Node {
+    Vec3 at;    // from place()
+    Vec3 area;  // outward
+  };
+
+  // `place`: near the overlap.
+  void start(const Vec3 &place) { a_.clear(), b_.clear(), place_ = place; }
+  const Vec3 &place() const { return place_; }
+  std::vector<Node> &of_a() { return a_; }
+  std::vector<Node> &of_b() { return b_; }
+  const std::vector<Node> &of_a() const { return a_; }
+  const std::vector<Node> &of_b() const { return b_; }
+
+  // Finds what follows, and moves the place to the overlap's middle, as good as; false where the surface is not closed, or the bodies
+  // overlap by rounding alone.
+  bool sum();
+  double volume() const { return volume_; }
+  // As good as: negative parts of what cancels count as positive.
+  double area_a() const { return area_[0]; }
+  double area_b() const { return area_[1]; }
+  // Of the overlap, from the place.
+  const Vec3 &middle() const { return middle_; }
+  // The mean of the products of coordinates, from the middle.
+  const convex::SymmetricMatrix &spread() const { return spread_; }
+
+ private:
+  bool find_middle();
+
+  std::vector<Node> a_, b_;
+  Vec3 place_;
+  double volume_ = 0.0, area_[2] = {};
+  Vec3 middle_;
+  convex::SymmetricMatrix spread_;
+};
+
+}  // namespace cmb

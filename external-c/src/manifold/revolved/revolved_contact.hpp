@@ -1,0 +1,25 @@
+// Contact of a cylinder or cone and a polytope: points that carry the force, the torque and the energy of their overlap.
+#pragma once
+
+#include <vector>
+
+#include "manifold/contact_set.hpp"
+#include "manifold/polytope/depth_below_faces.hpp"
+#include "manifold/revolved/revolved_on_polytope.hpp"
+#include "shape/shape.hpp"
+
+namespace cmb {
+
+// Room for one contact.
+struct RevolvedScratch {
+  OverlapSurface surface;
+  RevolvedOnPolytope on_polytope;
+  DepthBelowFaces faces;
+};
+
+// Appends the points (load_points.hpp) by which the body of revolution is pushed, or the polytope where `sense` is -1. `witness`: a place
+// in the overlap, in world axes. False where the bodies overlap by rounding alone.
+bool revolved_contact(const Shape &revolved, const Pose &revolved_pose, const ContactPolytope &polytope, const Pose &polytope_pose,
+                      const Vec3 &witness, double sense, RevolvedScratch &scratch, std::vector<ContactPoint> &points);
+
+}  // namespace cmb

@@ -1,0 +1,115 @@
+// Cylinders and cones on boxes and hulls: the surface of their overlap, and closed forms of what it stores.
+#include "manifold/revolved/revolved_on_polytope.hpp"
+#include "support/overlap_of.hpp"
+#include "support/random_bodies.hpp"
+#include "support/scene_query.hpp"
+
+namespace {
+
+using namespace cmb::test;
+using random_bodies::Random;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double depth = 1e-3, radius = 0.3, length = 0.5;
+const char *const cylinder = "cmb/1 cylinder radius=0.3 length=0.5";
+const char *const cone = "cmb/1 cone radius=0.3 length=0.5";
+const char *const table = "cmb/1 box size=4,4,1";
+const char *const same_as_hull = "cmb/1 hull vertices=2,2,0.5,2,2,-0.5,2,-2,0.5,2,-2,-0.5,-2,2,0.5,-2,2,-0.5,-2,-2,0.5,-2,-2,-0.5";
+const Mat3 lying = rotation_about({0, 1, 0}, pi / 2), yaw = rotation_about({0, 0, 1}, 0.7);
+
+// Flat, a face carries its depth and rights itself by three times the second moment of its area: of a disc, 3/4 radius^2.
+TEST(RevolvedContacts, StandingOnABox) {
+  for (const char *body : {cylinder, cone}) {
+    for (const char *support : {table, same_as_hull}) {
+      const PairScene scene(body, support);
+      EXPECT_NEAR(scene.query({{0.2, 0.1, 0.75 - depth}, yaw}, {}, 64).load().z, depth, 2e-7 * depth);
+      const double tilt = 1e-6;
+      const BodyPose pose{{0, 0, 0.75 - depth}, rotation_about({0, 1, 0}, tilt)};
+      const Contact contact = scene.query(pose, {}, 64);
+      const Vec3 middle = pose.position + 0.5 * length * (pose.rotation * Vec3{0, 0, -1});
+      // A cone's area is less, the deeper in.
+      EXPECT_NEAR(contact.moment(middle).y / (-0.75 * radius * radius * tilt), 1.0, 3.0 * depth / length) << body;
+    }
+  }
+}
+
+// The overlap is a segment h = d - x^2/(2 r) high: the mean of h^2 is 16/35 by 2/3 of d^2. Tilted along its axis, d grows linearly.
+TEST(RevolvedContacts, LyingOnABox) {
+  for (const char *support : {table, same_as_hull}) {
+    const PairScene scene(cylinder, support);
+    for (const double deep : {1e-3, 1e-5, 1e-7}) {
+      const BodyPose level{{0.2, 0.1, 0.5 + radius - deep}, product(yaw, lying)};
+      EXPECT_NEAR(scene.query(level, {}, 64).load().z, 24.0 / 35.0 * deep, 2.0 * deep / radius * deep + 1e-15);
+    }
+    const double tilt = 1e-3 * depth / length;
+    const BodyPose tilted{{0, 0, 0.5 + radius - depth}, product(rotation_about({0, 1, 0}, tilt), lying)};
+    const double righting = 24.0 / 35.0 * length * length / 3.0 * tilt;
+    EXPECT_NEAR(scene.query(tilted, {}, 64).moment(tilted.position).y, -righting, 0.02 * righting);
+  }
+}
+
+// Level, a disc over a face's corner is carried at the middle of the area that both have in common.
+TEST(RevolvedContacts, DiscOverAFacesCornerIsCarriedAtTheAreasMiddle) {
+  const PairScene scene(cylinder, table);
+  const Contact contact = scene.query({{1.9, 1.95, 0.75 - depth}, yaw}, {}, 64);
+  double area = 0.0;
+  Vec3 first;
+  constexpr int count = 200000;
+  for (int k = 0; k < count; ++k) {  // strips along x
+    const double y = 1.65 + 0.35 * (k + 0.5) / count, half = std::sqrt(radius * radius - (y - 1.95) * (y - 1.95));
+    const double from = 1.9 - half, to = std::min(2.0, 1.9 + half);
+    area += to - from;
+    first = first + (to - from) * Vec3{0.5 * (from + to), y, 0};
+  }
+  Vec3 carried;
+  for (const Point &p : contact.points) carried = carried + p.weight * p.depth * p.position;
+  EXPECT_NEAR(contact.load().z, depth, 1e-6 * depth);
+  EXPECT_NEAR(carried.x / depth, first.x / area, 2e-5);
+  EXPECT_NEAR(carried.y / depth, first.y / area, 2e-5);
+}
+
+class OverlapSurfaces : public testing::TestWithParam<const char *> {};
+
+// Closed: its area vectors and their moments sum to nothing. The volume is that of slices (src/volume/), which share no code with it.
+TEST_P(OverlapSurfaces, AreClosedAndHoldTheVolume) {
+  const bool is_cone = std::string(GetParam()) == "cone";
+  Random random(7);
+  for (int k = 0; k < 400; ++k) {
+    const double r = random.uniform(0.2, 0.5), l = random.uniform(0.02, 1.5);
+    const Vec3 size{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)};
+    const cmb::RevolvedBody body(is_cone ? cmb::convex::make_cone(r, l) : cmb::convex::make_cylinder(r, l));
+    const cmb::ContactPolytope box(cmb::convex::Polytope::box(size));
+    Vec3 place;  // in both
+    do {
+      place = {random.uniform(-r, r), random.uniform(-r, r), random.uniform(-0.5, 0.5) * l};
+    } while (body.beyond_mantle(place) >= 0.0);
+    const Vec3 in_box{random.uniform(-0.5, 0.5) * size.x, random.uniform(-0.5, 0.5) * size.y, random.uniform(-0.5, 0.5) * size.z};
+    const Vec3 axis = normalized(Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    const Mat3 rotation = rotation_about(axis, k % 8 == 0 ? 0.0 : random.uniform(0, pi));
+    const BodyPose pose{place - rotation * in_box, rotation};
+    cmb::RevolvedOnPolytope finder;
+    cmb::OverlapSurface surface;
+    ASSERT_TRUE(finder.find(body, box, {rotation, pose.position}, place, surface)) << k;
+    Vec3 areas, moments;
+    double whole = 0.0;
+    for (const auto *side : {&surface.of_a(), &surface.of_b()}) {
+      for (const cmb::OverlapSurface::Node &node : *side) {
+        areas = areas + node.area;
+        moments = moments + cross(node.at, node.area);
+        whole += norm(node.area);
+      }
+    }
+    EXPECT_LT(norm(areas), 1e-7 * whole) << k;
+    EXPECT_LT(norm(moments), 1e-7 * whole) << k;
+    if (k >= 40) continue;
+    const std::string text = "cmb/1 " + std::string(GetParam()) + " radius=" + digits(r) + " length=" + digits(l);
+    const PairScene scene(text, "cmb/1 box size=" + digits(size.x) + "," + digits(size.y) + "," + digits(size.z));
+    const cmb_overlap sliced = overlap_of(scene, {}, pose);
+    EXPECT_NEAR(surface.volume(), sliced.volume, 1e-6 * sliced.volume) << k;
+    EXPECT_LT(norm(surface.place() + surface.middle() - cmb::test::vector_of(sliced.centroid)), 1e-6) << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OverlapSurfaces, testing::Values("cylinder", "cone"));
+
+}  // namespace
