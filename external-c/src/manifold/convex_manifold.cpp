@@ -38,11 +38,15 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   }
   const bool revolved_a = is_revolved(a), revolved_b = is_revolved(b);
   if (revolved_a && b.polytope &&
-      revolved_contact(a, pose_a, *b.polytope, pose_b, result.witness, 1.0, scratch.revolved, result.points)) {
+      revolved_on_polytope_contact(a, pose_a, *b.polytope, pose_b, result.witness, 1.0, scratch.revolved, result.points)) {
     return;
   }
   if (revolved_b && a.polytope &&
-      revolved_contact(b, pose_b, *a.polytope, pose_a, result.witness, -1.0, scratch.revolved, result.points)) {
+      revolved_on_polytope_contact(b, pose_b, *a.polytope, pose_a, result.witness, -1.0, scratch.revolved, result.points)) {
+    return;
+  }
+  if (revolved_a && revolved_b &&
+      revolved_pair_contact(a, pose_a, b, pose_b, answer.point_a, answer.point_b, scratch.revolved, result.points)) {
     return;
   }
   if (pair_entry(a, b).method != PairMethod::polytope_polytope) {

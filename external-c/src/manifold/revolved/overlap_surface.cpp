@@ -22,14 +22,24 @@ bool OverlapSurface::find_middle() {
   return true;
 }
 
-bool OverlapSurface::sum() {
+bool OverlapSurface::is_closed() const {
   constexpr double gap = 1e-5;  // by all of the surface
-  if (!find_middle()) return false;
   Vec3 open;
+  double whole = 0.0;
+  for (const std::vector<Node> *const side : {&a_, &b_}) {
+    for (const Node &node : *side) {
+      open = open + node.area;
+      whole += norm(node.area);
+    }
+  }
+  return whole > 0.0 && norm(open) <= gap * whole;
+}
+
+bool OverlapSurface::sum() {
+  if (!is_closed() || !find_middle()) return false;
   const auto shift = [&](std::vector<Node> &side) {
     double whole = 0.0;
     for (Node &node : side) {
-      open = open + node.area;
       whole += norm(node.area);
       node.at = node.at - middle_;
     }
@@ -37,7 +47,7 @@ bool OverlapSurface::sum() {
   };
   area_[0] = shift(a_), area_[1] = shift(b_);
   place_ = place_ + middle_;
-  if (!(norm(open) <= gap * (area_[0] + area_[1])) || !find_middle()) return false;
+  if (!find_middle()) return false;
   convex::SymmetricMatrix second;
   for (const std::vector<Node> *const side : {&a_, &b_}) {
     for (const Node &node : *side) second.add_square(dot(node.at, node.area), node.at);

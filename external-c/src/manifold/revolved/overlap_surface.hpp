@@ -25,6 +25,8 @@ class OverlapSurface {
   const std::vector<Node> &of_a() const { return a_; }
   const std::vector<Node> &of_b() const { return b_; }
 
+  // Whether its area vectors sum to nothing, as good as; false where there are none.
+  bool is_closed() const;
   // Finds what follows, and moves the place to the overlap's middle, as good as; false where the surface is not closed, or the bodies
   // overlap by rounding alone.
   bool sum();

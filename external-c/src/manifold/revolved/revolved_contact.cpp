@@ -6,44 +6,79 @@
 
 namespace cmb {
 
+namespace {
+
+// A body's part of the energy, by what a side's place adds to its soft least mean square, and the means of how that changes by the place.
+class PolytopePart {
+ public:
+  PolytopePart(DepthBelowFaces &depth, const ContactPolytope &polytope, const Pose &in_axes, const OverlapSurface &surface)
+      : depth_(depth), middle_(surface.middle()) {
+    depth_.find(surface.place() + surface.middle(), surface.spread(), polytope, in_axes);
+  }
+  double least() const { return depth_.least(); }
+  double excess(const Vec3 &p) const { return depth_.squares().at(p - middle_) - depth_.least(); }
+  void find_mean_slope(const OverlapSurface &, Vec3 &slope, Vec3 &moment) const {
+    slope = -2.0 * depth_.squares().linear;
+    moment = depth_.moment();
+  }
+
+ private:
+  DepthBelowFaces &depth_;
+  const Vec3 middle_;
+};
+
 // The energy of polytopes (polytope/overlap_energy.hpp): the mean of what both bodies store, 3/2 of the soft least mean square of the
-// depths below their sides. As the depths in a body move with that body, its part changes by the other one's surface alone.
-bool revolved_contact(const Shape &revolved, const Pose &revolved_pose, const ContactPolytope &polytope, const Pose &polytope_pose,
-                      const Vec3 &witness, double sense, RevolvedScratch &scratch, std::vector<ContactPoint> &points) {
+// depths below their sides. As the depths in a body move with that body, its part changes by the other one's surface alone; over all of the
+// overlap's surface the integral is one over its inside. Of a thin edge both sides nearly cancel: rather the surface that cuts it off.
+template <typename PartA, typename PartB>
+OverlapLoad load_of(const OverlapSurface &surface, const PartA &a, const PartB &b) {
+  const Vec3 middle = surface.middle();
+  Vec3 force, torque;
+  const auto push = [&](const std::vector<OverlapSurface::Node> &side, const auto &excess) {
+    for (const OverlapSurface::Node &node : side) {
+      const double pressure = excess(node.at);
+      force = force + pressure * node.area;
+      torque = torque + pressure * cross(node.at - middle, node.area);
+    }
+  };
+  const auto both = [&](const Vec3 &p) { return a.excess(p) + b.excess(p); };
+  const bool over_b = surface.area_b() < surface.area_a();
+  push(over_b ? surface.of_b() : surface.of_a(), both);
+  Vec3 slope, moment;
+  if (over_b) {
+    b.find_mean_slope(surface, slope, moment);
+  } else {
+    a.find_mean_slope(surface, slope, moment);
+  }
+  const double part = over_b ? 0.75 / surface.volume() : -0.75 / surface.volume(), inside = over_b ? -0.75 : 0.75;
+  return {0.75 * (a.least() + b.least()), part * force + inside * slope, part * torque + inside * moment, surface.place() + middle,
+          surface.spread()};
+}
+
+}  // namespace
+
+bool revolved_on_polytope_contact(const Shape &revolved, const Pose &revolved_pose, const ContactPolytope &polytope,
+                                  const Pose &polytope_pose, const Vec3 &witness, double sense, RevolvedScratch &scratch,
+                                  std::vector<ContactPoint> &points) {
   const RevolvedBody body(revolved.body);
   const Pose in_frame = relative_pose(revolved_pose, polytope_pose);
   const Vec3 place = transposed_times(revolved_pose.rotation, witness - revolved_pose.translation);
   OverlapSurface &surface = scratch.surface;
   if (!scratch.on_polytope.find(body, polytope, in_frame, place, surface)) return false;
-  const DepthInRevolved of_revolved(body, surface);
-  DepthBelowFaces &of_polytope = scratch.faces;
-  const Vec3 middle = surface.place() + surface.middle();
-  of_polytope.find(middle, surface.spread(), polytope, in_frame);
-  Vec3 force, torque;
-  const auto push = [&](const OverlapSurface::Node &node, double less) {
-    force = force + less * node.area;
-    torque = torque + less * cross(node.at - surface.middle(), node.area);
-  };
-  const auto excess_in_polytope = [&](const OverlapSurface::Node &node) {
-    return of_polytope.squares().at(node.at - surface.middle()) - of_polytope.least();
-  };
-  const double part = 0.75 / surface.volume();
-  for (const OverlapSurface::Node &node : surface.of_b()) push(node, of_revolved.excess(node.at));
-  // Over all of the overlap's surface the integral is one over its inside. Of a thin edge both sides nearly cancel: rather the surface
-  // that cuts it off.
-  const bool over_polytope = surface.area_b() < surface.area_a();
-  if (over_polytope) {
-    for (const OverlapSurface::Node &node : surface.of_b()) push(node, excess_in_polytope(node));
-  } else {
-    for (const OverlapSurface::Node &node : surface.of_a()) push(node, -excess_in_polytope(node));
-  }
-  force = part * force, torque = part * torque;
-  if (over_polytope) {
-    force = force + 1.5 * of_polytope.squares().linear;
-    torque = torque - 0.75 * of_polytope.moment();
-  }
-  return append_load_points({0.75 * (of_revolved.least() + of_polytope.least()), force, torque, middle, surface.spread()},
-                            revolved_pose, {}, sense, points);
+  const OverlapLoad load =
+      load_of(surface, DepthInRevolved(body, {}, surface), PolytopePart(scratch.faces, polytope, in_frame, surface));
+  return append_load_points(load, revolved_pose, {}, sense, points);
+}
+
+bool revolved_pair_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const Vec3 &deepest_a,
+                           const Vec3 &deepest_b, RevolvedScratch &scratch, std::vector<ContactPoint> &points) {
+  const RevolvedBody body_a(a.body), body_b(b.body);
+  const Pose b_in_a = relative_pose(pose_a, pose_b);
+  OverlapSurface &surface = scratch.surface;
+  const auto in_a = [&](const Vec3 &place) { return transposed_times(pose_a.rotation, place - pose_a.translation); };
+  if (!scratch.pair.find(body_a, body_b, b_in_a, in_a(deepest_a), in_a(deepest_b), surface)) return false;
+  const OverlapLoad load = load_of(surface, DepthInRevolved(body_a, {}, surface), DepthInRevolved(body_b, b_in_a, surface));
+  return append_load_points(load, pose_a, {}, 1.0, points);
 }
 
 }  // namespace cmb

@@ -1,4 +1,4 @@
-// Contact of a cylinder or cone and a polytope: points that carry the force, the torque and the energy of their overlap.
+// Contact of a cylinder or cone with a polytope, or with another one: points that carry the force, the torque and the energy of their overlap.
 #pragma once
 
 #include <vector>
@@ -6,6 +6,7 @@
 #include "manifold/contact_set.hpp"
 #include "manifold/polytope/depth_below_faces.hpp"
 #include "manifold/revolved/revolved_on_polytope.hpp"
+#include "manifold/revolved/revolved_pair.hpp"
 #include "shape/shape.hpp"
 
 namespace cmb {
@@ -14,12 +15,18 @@ namespace cmb {
 struct RevolvedScratch {
   OverlapSurface surface;
   RevolvedOnPolytope on_polytope;
+  RevolvedPair pair;
   DepthBelowFaces faces;
 };
 
 // Appends the points (load_points.hpp) by which the body of revolution is pushed, or the polytope where `sense` is -1. `witness`: a place
 // in the overlap, in world axes. False where the bodies overlap by rounding alone.
-bool revolved_contact(const Shape &revolved, const Pose &revolved_pose, const ContactPolytope &polytope, const Pose &polytope_pose,
-                      const Vec3 &witness, double sense, RevolvedScratch &scratch, std::vector<ContactPoint> &points);
+bool revolved_on_polytope_contact(const Shape &revolved, const Pose &revolved_pose, const ContactPolytope &polytope,
+                                  const Pose &polytope_pose, const Vec3 &witness, double sense, RevolvedScratch &scratch,
+                                  std::vector<ContactPoint> &points);
+
+// The same of two bodies of revolution, by the places of each that are deepest in the other; false also where they pierce each other.
+bool revolved_pair_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const Vec3 &deepest_a,
+                           const Vec3 &deepest_b, RevolvedScratch &scratch, std::vector<ContactPoint> &points);
 
 }  // namespace cmb

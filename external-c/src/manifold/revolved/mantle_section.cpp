@@ -1,0 +1,206 @@
+#include "manifold/revolved/mantle_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/gauss_rule.hpp"
+#include "math/pi.hpp"
+
+namespace cmb {
+
+namespace {
+
+using overlap::gauss_rule;
+using overlap::GaussNodes;
+
+// A rule that serves for curves through so great an angle. What is cut off by a chord is as deep as the angle's square, and that counts by
+// its third power.
+GaussNodes rule_for(double angle) {
+  if (angle < 0.1) return GaussNodes(gauss_rule<5>);
+  if (angle < 0.5) return GaussNodes(gauss_rule<6>);
+  return GaussNodes(gauss_rule<8>);
+}
+constexpr double widest = 1.0;  // that one rule serves for
+
+// The cosines' way from angle0 to angle1, and its slope, at the part of the turn between them. No angles of both signs.
+void cosine_way(double angle0, double turn, double part, double &way, double &slope) {
+  const double whole = std::sin(angle0 + 0.5 * turn) * std::sin(0.5 * turn);
+  if (std::fabs(turn) < 1e-12 || whole == 0.0) {
+    way = part, slope = 1.0;
+    return;
+  }
+  way = std::sin(angle0 + 0.5 * part * turn) * std::sin(0.5 * part * turn) / whole;
+  slope = 0.5 * turn * std::sin(angle0 + part * turn) / whole;
+}
+
+double rounding_of(const RevolvedBody &body) { return 1e-12 * (body.radius + body.half); }
+
+}  // namespace
+
+void MantleSection::start(Mantle &mantle, const Vec3 &n, double offset) {
+  mantle_ = &mantle;
+  passages_.clear();
+  const RevolvedBody &body = mantle.body();
+  radial_ = std::sqrt(n.x * n.x + n.y * n.y);
+  axial_ = n.z, offset_ = offset;
+  along_ = radial_ > 1e-14 ? Vec3{n.x / radial_, n.y / radial_, 0.0} : Vec3{1.0, 0.0, 0.0};
+  across_ = {-along_.y, along_.x, 0.0};
+  // A cone's apex in the plane counts as within the polytope, as for holds().
+  sense_ = (body.is_cylinder() ? n.z >= 0.0 : n.z * body.half > offset) ? 1.0 : -1.0;
+  if (!find_height(1.0, front_)) front_ = -body.half;
+  front_ = std::clamp(front_, -body.half, body.half);
+}
+
+// False where there is none, on a cone on its own side of the apex.
+bool MantleSection::find_height(double cosine, double &height) const {
+  const RevolvedBody &body = mantle_->body();
+  if (body.is_cylinder()) {
+    height = (offset_ - radial_ * body.radius * cosine) / axial_;
+    return axial_ != 0.0;
+  }
+  const double above = axial_ * body.half - offset_, growth = -radial_ * body.slope * cosine - axial_;
+  height = body.half + above / growth;
+  return above > 0.0 ? growth < 0.0 : growth > 0.0;
+}
+
+void MantleSection::add_passage(const Vec3 &at, bool to_curve) {
+  const double angle = std::atan2(dot(across_, at), dot(along_, at)), beyond = at.z - front_;
+  // Where the plane is as good as parallel to the axis the height tells how far along the conic a place is; elsewhere both do.
+  passages_.add({sense_ * mantle_->body().radius * angle + std::copysign(beyond, beyond >= 0.0 ? angle : -angle), angle, at.z, to_curve});
+}
+
+bool MantleSection::find_loop(Vec3 &at) const {
+  const RevolvedBody &body = mantle_->body();
+  const auto is_between = [&](double height) { return std::fabs(height) <= body.half; };
+  double front = 0.0, back = 0.0;
+  if (!find_height(1.0, front) || !find_height(-1.0, back) || !is_between(front) || !is_between(back)) return false;
+  at = body.radius_at(front) * along_;
+  at.z = front;
+  return true;
+}
+
+void MantleSection::follow_loop(PlaneFan &fan) {
+  double front = 0.0, back = 0.0;  // heights at angle 0 and on the other side
+  find_height(1.0, front);
+  find_height(-1.0, back);
+  add_arc(fan, -sense_ * pi, back, 0.0, front);
+  add_arc(fan, 0.0, front, sense_ * pi, back);
+}
+
+bool MantleSection::follow_arcs(PlaneFan &fan) {
+  double front = 0.0, back = 0.0;
+  const bool has_front = find_height(1.0, front), has_back = find_height(-1.0, back);
+  const double rounding = rounding_of(mantle_->body());
+  while (!passages_.empty()) {
+    Passages::Arc arc;
+    if (!passages_.take_arc(rounding, arc)) return false;
+    if (!arc.round && arc.to.key == arc.from.key) continue;
+    double angle = arc.from.angle, height = arc.from.height;
+    const auto go = [&](double to_angle, double to_height) {
+      add_arc(fan, angle, height, to_angle, to_height);
+      angle = to_angle, height = to_height;
+    };
+    // By way of the places where the height turns.
+    if (arc.round) {
+      if (sense_ * angle < 0.0) {
+        if (!has_front) return false;
+        go(0.0, front);
+      }
+      if (!has_back) return false;
+      go(sense_ * pi, back);
+      angle = -sense_ * pi;
+    }
+    if (sense_ * angle < 0.0 && sense_ * arc.to.angle > 0.0) {
+      if (!has_front) return false;
+      go(0.0, front);
+    }
+    go(arc.to.angle, arc.to.height);
+  }
+  return true;
+}
+
+void add_rim(Mantle &mantle, PlaneFan &fan, double height, double from, double turn) {
+  const RevolvedBody &body = mantle.body();
+  const Pose &in_common = mantle.in_common();
+  const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
+  const double width = turn / parts, radius = std::max(0.0, body.radius_at(height));
+  const GaussNodes rule = rule_for(std::fabs(width));
+  for (int part = 0; part < parts; ++part) {
+    for (std::size_t k = 0; k < rule.count; ++k) {
+      const double angle = from + width * (part + rule.node[k]), step = width * rule.weight[k];
+      const double cosine = std::cos(angle), sine = std::sin(angle), way = radius * step;
+      fan.add_curve_node(in_common({radius * cosine, radius * sine, height}), in_common.rotation * Vec3{-way * sine, way * cosine, 0.0});
+      mantle.add_border_node({cosine, sine, 0.0}, height, step);
+    }
+  }
+}
+
+void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double angle1, double height1) {
+  const RevolvedBody &body = mantle_->body();
+  const Pose &in_common = mantle_->in_common();
+  const double turn = angle1 - angle0;
+  const auto visit = [&](double angle, double height, double turn_step, double rise_step) {
+    const double radius = body.radius_at(height), cosine = std::cos(angle), sine = std::sin(angle);
+    const Vec3 outward = cosine * along_ + sine * across_, around = cosine * across_ - sine * along_;
+    Vec3 step = (radius * turn_step) * around + (body.slope * rise_step) * outward;
+    step.z = rise_step;
+    const Vec3 at{radius * outward.x, radius * outward.y, height};
+    fan.add_curve_node(in_common(at), in_common.rotation * step);
+    mantle_->add_border_node(outward, height, turn_step);
+  };
+  if (body.is_cylinder()) {
+    const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
+    const GaussNodes rule = rule_for(std::fabs(turn) / parts);
+    for (int part = 0; part < parts; ++part) {
+      for (std::size_t k = 0; k < rule.count; ++k) {
+        const double along = (part + rule.node[k]) / parts, weight = rule.weight[k] / parts;
+        double way, slope;
+        cosine_way(angle0, turn, along, way, slope);
+        visit(angle0 + along * turn, height0 + way * (height1 - height0), weight * turn, weight * slope * (height1 - height0));
+      }
+    }
+    return;
+  }
+  // The inverse of how far a cone's place is below the apex is linear in the cosine. Parts in which that hardly changes.
+  const double least = 1e-7 * body.half;
+  const double down0 = std::max(body.half - height0, least), down1 = std::max(body.half - height1, least);
+  const GaussNodes rule(gauss_rule<8>);
+  if (std::fabs(turn) < 1e-9) {  // a straight line, as good as
+    for (std::size_t k = 0; k < rule.count; ++k) {
+      const double part = rule.node[k];
+      visit(angle0 + part * turn, height0 + part * (height1 - height0), rule.weight[k] * turn, rule.weight[k] * (height1 - height0));
+    }
+    return;
+  }
+  const double inverse0 = 1.0 / down0, inverse1 = 1.0 / down1, ratio = down1 / down0;
+  constexpr double most_ratio = 2.0;
+  const int parts = 1 + static_cast<int>(std::max(std::fabs(turn) / widest, std::fabs(std::log(ratio)) / std::log(most_ratio)));
+  const double cosine0 = std::cos(angle0), cosine1 = std::cos(angle1);
+  double from = angle0, from_inverse = inverse0;
+  for (int part = 0; part < parts; ++part) {
+    double to = angle1, to_inverse = inverse1;
+    if (part + 1 < parts) {
+      if (std::fabs(turn) / widest > std::fabs(std::log(ratio)) / std::log(most_ratio)) {
+        double slope;
+        to = angle0 + turn * (part + 1) / parts;
+        cosine_way(angle0, turn, static_cast<double>(part + 1) / parts, to_inverse, slope);
+        to_inverse = inverse0 + to_inverse * (inverse1 - inverse0);
+      } else {
+        to_inverse = inverse0 * std::pow(ratio, -static_cast<double>(part + 1) / parts);
+        const double way = (to_inverse - inverse0) / (inverse1 - inverse0);
+        to = std::copysign(std::acos(std::clamp(cosine0 + way * (cosine1 - cosine0), -1.0, 1.0)), angle0 + angle1);
+      }
+    }
+    const double part_turn = to - from;
+    for (std::size_t k = 0; k < rule.count; ++k) {
+      double way, slope;
+      cosine_way(from, part_turn, rule.node[k], way, slope);
+      const double down = 1.0 / (from_inverse + way * (to_inverse - from_inverse));
+      visit(from + rule.node[k] * part_turn, body.half - down, rule.weight[k] * part_turn,
+            rule.weight[k] * slope * (to_inverse - from_inverse) * down * down);
+    }
+    from = to, from_inverse = to_inverse;
+  }
+}
+
+}  // namespace cmb

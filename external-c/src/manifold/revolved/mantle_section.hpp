@@ -1,0 +1,48 @@
+// Where a plane cuts the mantle of a cylinder or cone.
+#pragma once
+
+#include "manifold/revolved/mantle.hpp"
+#include "manifold/revolved/passages.hpp"
+#include "manifold/revolved/plane_fan.hpp"
+
+namespace cmb {
+
+// A conic, which borders on both. Angles about the axis count from where the plane's normal points.
+class MantleSection {
+ public:
+  // `normal` (unit, outward), `offset`: of the plane, in the mantle's frame.
+  void start(Mantle &mantle, const Vec3 &normal, double offset);
+  // A place (in the mantle's frame) where the plane side's border goes over to the conic, or comes from there.
+  void add_passage(const Vec3 &at, bool to_curve);
+
+  // Adds the conic's arcs between the passages to both. Where there are no passages all of it borders, or nothing: `holds` tells of a
+  // place in the mantle's frame whether it is in the plane side. False where passages do not fit together.
+  template <typename Holds>
+  bool follow(PlaneFan &fan, Holds &&holds) {
+    if (!passages_.empty()) return follow_arcs(fan);
+    Vec3 at;
+    if (find_loop(at) && holds(at)) follow_loop(fan);
+    return true;
+  }
+
+ private:
+  bool follow_arcs(PlaneFan &fan);
+  // Whether it is closed, between the ends; a place of it.
+  bool find_loop(Vec3 &at) const;
+  void follow_loop(PlaneFan &fan);
+  bool find_height(double cosine, double &height) const;
+  // A part where the angle keeps its sign and the height grows or falls.
+  void add_arc(PlaneFan &fan, double angle0, double height0, double angle1, double height1);
+
+  Mantle *mantle_ = nullptr;
+  Vec3 along_, across_;             // unit, perpendicular to the axis
+  double radial_ = 0.0, axial_ = 0.0, offset_ = 0.0;  // of the plane: radial cos(angle) distance + axial height = offset
+  double sense_ = 1.0;              // 1 where angles grow counter-clockwise about the plane
+  double front_ = 0.0;              // the height at angle 0; between the ends
+  Passages passages_;
+};
+
+// The circle of a mantle and an end, or a cone's apex: adds its part of an angle to both.
+void add_rim(Mantle &mantle, PlaneFan &fan, double height, double from, double turn);
+
+}  // namespace cmb

@@ -1,0 +1,196 @@
+#include "manifold/revolved/revolved_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/pi.hpp"
+#include "math/polynomial_roots.hpp"
+#include "math/pose_algebra.hpp"
+
+namespace cmb {
+
+namespace {
+
+// A is smaller by this part, so that of equal bodies on one axis, or side by side, it is clear whose surface is within.
+constexpr double shrink = 1e-12;
+
+RevolvedBody shrunk(RevolvedBody body) {
+  body.radius *= 1.0 - shrink;
+  body.half *= 1.0 - shrink;
+  return body;
+}
+
+// On the way from a body's deepest place in the other one to its middle, half way out of that one.
+bool find_inside(const RevolvedBody &body, const Pose &pose, const RevolvedBody &other, const Pose &other_pose, const Vec3 &deepest,
+                 Vec3 &place) {
+  const Vec3 middle = pose({0.0, 0.0, body.is_cylinder() ? 0.0 : -0.5 * body.half});
+  const Vec3 from = transposed_times(other_pose.rotation, deepest - other_pose.translation);
+  const Vec3 ray = transposed_times(other_pose.rotation, middle - deepest);
+  if (!other.holds(from)) return false;
+  bool through_mantle = false;
+  place = deepest + (0.5 * std::min(1.0, other.way_out(from, ray, through_mantle))) * (middle - deepest);
+  return true;
+}
+
+Vec3 place_in_both(const RevolvedBody &a, const Pose &pose_a, const RevolvedBody &b, const Pose &pose_b, const Vec3 &deepest_a,
+                   const Vec3 &deepest_b) {
+  Vec3 place;
+  if (find_inside(a, pose_a, b, pose_b, deepest_a, place) || find_inside(b, pose_b, a, pose_a, deepest_b, place)) return place;
+  return 0.5 * (deepest_a + deepest_b);
+}
+
+}  // namespace
+
+RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, const Vec3 &place, std::vector<OverlapSurface::Node> &nodes)
+    : body(of),
+      pose(in_common),
+      mantle(body, in_common, place, nodes),
+      fan{{-in_common.rotation.column(2), place, nodes}, {in_common.rotation.column(2), place, nodes}} {}
+
+bool RevolvedPair::Side::holds(const Vec3 &common) const {
+  return body.holds(transposed_times(pose.rotation, common - pose.translation));
+}
+
+bool RevolvedPair::find(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &deepest_a, const Vec3 &deepest_b,
+                        OverlapSurface &surface) {
+  const Vec3 place = place_in_both(a, {}, b, b_in_a, deepest_a, deepest_b);
+  surface.start(place);
+  Side side_a(shrunk(a), {}, place, surface.of_a()), side_b(b, b_in_a, place, surface.of_b());
+  const Pose a_in_b = b_in_a.inverse();
+  const auto start = [](Side &side, Borders &borders, Side &other, const Pose &in_other) {
+    for (const End end : {base, top}) {
+      const Vec3 normal = (end == base ? -1.0 : 1.0) * in_other.rotation.column(2);
+      borders.section[end].start(other.mantle, normal, dot(normal, in_other({0.0, 0.0, side.height(end)})));
+      borders.rim[end].clear();
+    }
+  };
+  start(side_a, of_a_, side_b, a_in_b);
+  start(side_b, of_b_, side_a, b_in_a);
+  corners_.clear();
+  for (const End end_a : {base, top}) {
+    for (const End end_b : {base, top}) {
+      if (side_a.has(end_a) && side_b.has(end_b)) add_chord(side_a, of_a_, end_a, side_b, of_b_, end_b);
+    }
+  }
+  for (const End end : {base, top}) {
+    if (side_a.has(end)) add_rim_passages(side_a, of_a_, end, side_b);
+    if (side_b.has(end)) add_rim_passages(side_b, of_b_, end, side_a);
+  }
+  return follow_ends(side_a, of_a_, side_b) && follow_ends(side_b, of_b_, side_a) && follow_crossing(side_a, side_b, place, surface) &&
+         surface.sum();
+}
+
+void RevolvedPair::add_rim_passage(const Side &side, Borders &borders, End end, const Vec3 &common, bool to_curve) {
+  const Vec3 p = transposed_times(side.pose.rotation, common - side.pose.translation);
+  const double angle = std::atan2(p.y, p.x);
+  borders.rim[end].add({(end == top ? side.body.radius : -side.body.radius) * angle, angle, p.z, to_curve});
+}
+
+// The line of two ends' planes, as far as it is in both.
+void RevolvedPair::add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Borders &borders_b, End end_b) {
+  const Vec3 &normal_a = a.fan[end_a].normal(), &normal_b = b.fan[end_b].normal();
+  const Vec3 line = cross(normal_a, normal_b);  // counter-clockwise about A's end
+  const double sine = norm(line);
+  if (!(sine > 1e-14)) return;
+  const Vec3 along = (1.0 / sine) * line, across = cross(along, normal_a);  // in A's end, out of B
+  const Vec3 center_a = a.center(end_a), center_b = b.center(end_b);
+  const double aside = dot(normal_b, center_b - center_a) / dot(normal_b, across), half2_a = a.body.radius * a.body.radius - aside * aside;
+  if (!(half2_a > 0.0)) return;
+  const Vec3 middle = center_a + aside * across, way = center_b - middle;
+  const double place_b = dot(way, along), half2_b = b.body.radius * b.body.radius - (norm2(way) - place_b * place_b);
+  if (!(half2_b > 0.0)) return;
+  const double half_a = std::sqrt(half2_a), half_b = std::sqrt(half2_b);
+  const double from = std::max(-half_a, place_b - half_b), to = std::min(half_a, place_b + half_b);
+  if (!(from < to)) return;
+  const Vec3 first = middle + from * along, last = middle + to * along;
+  a.fan[end_a].add_segment(first, last);
+  b.fan[end_b].add_segment(last, first);
+  // Each end of the chord is on one rim, and on the other body's end goes over to a conic on that rim's mantle.
+  const auto pass = [&](const Vec3 &at, bool on_rim_a, bool chord_ends) {
+    const auto in_frame = [&](const Side &side) { return transposed_times(side.pose.rotation, at - side.pose.translation); };
+    if (on_rim_a) {
+      add_rim_passage(a, borders_a, end_a, at, chord_ends);
+      borders_b.section[end_b].add_passage(in_frame(a), !chord_ends);
+    } else {
+      borders_a.section[end_a].add_passage(in_frame(b), chord_ends);
+      add_rim_passage(b, borders_b, end_b, at, !chord_ends);
+    }
+  };
+  pass(first, -half_a > place_b - half_b, false);
+  pass(last, half_a < place_b + half_b, true);
+}
+
+// Where a rim passes the other body's mantle: a trigonometric polynomial of the second degree changes its sign, which by the tangent of half
+// the angle is one of the fourth. Angles from where the other body is, and beyond a right angle from the other side.
+void RevolvedPair::add_rim_passages(Side &side, Borders &borders, End end, const Side &other) {
+  const Pose in_other = relative_pose(other.pose, side.pose);
+  const Vec3 center = in_other({0.0, 0.0, side.height(end)}), u = in_other.rotation.column(0), v = in_other.rotation.column(1);
+  const double radius = side.body.radius, slope = other.body.slope, at_center = other.body.radius_at(center.z);
+  const auto product = [slope](const Vec3 &p, const Vec3 &q) { return p.x * q.x + p.y * q.y - slope * slope * p.z * q.z; };
+  const auto slant = [&](const Vec3 &p) { return center.x * p.x + center.y * p.y - at_center * slope * p.z; };
+  const double toward = std::atan2(-slant(v), -slant(u));
+  for (const double begin : {toward, toward + pi}) {
+    const Vec3 out = std::cos(begin) * u + std::sin(begin) * v, on = std::cos(begin) * v - std::sin(begin) * u;
+    const double sine = 2.0 * radius * slant(on), square = radius * radius;
+    const double cosine2 = 0.5 * square * (product(out, out) - product(on, on)), sine2 = square * product(out, on);
+    const double front = other.body.beyond_mantle(center + radius * out), back = other.body.beyond_mantle(center - radius * out);
+    const double constant = 0.5 * (front + back) - cosine2;
+    const double coefficient[5] = {front, 2.0 * sine + 4.0 * sine2, 2.0 * constant - 6.0 * cosine2, 2.0 * sine - 4.0 * sine2, back};
+    double root[4];
+    const int count = overlap::sign_changes(coefficient, 4, -1.0, 1.0, root);
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2.0 * std::atan(root[k]);
+      const Vec3 outward = std::cos(angle) * out + std::sin(angle) * on, around = std::cos(angle) * on - std::sin(angle) * out;
+      const Vec3 at = center + radius * outward;
+      if (std::fabs(at.z) > other.body.half) continue;
+      const double growth = at.x * around.x + at.y * around.y - other.body.radius_at(at.z) * slope * around.z;
+      const bool enters = (growth < 0.0) == (end == top);  // counter-clockwise about the end
+      const Vec3 common = other.pose(at);
+      add_rim_passage(side, borders, end, common, enters);
+      borders.section[end].add_passage(at, !enters);
+      corners_.push_back({common, side.fan[end].normal()});
+    }
+  }
+}
+
+bool RevolvedPair::follow_ends(Side &side, Borders &borders, const Side &other) {
+  for (const End end : {base, top}) {
+    PlaneFan &fan = side.fan[end];
+    const double height = side.height(end), sense = end == top ? 1.0 : -1.0;
+    Passages &passages = borders.rim[end];
+    if (side.has(end)) {
+      const auto in_end = [&](const Vec3 &in_other) {
+        return norm2(other.pose(in_other) - side.center(end)) <= side.body.radius * side.body.radius;
+      };
+      if (!borders.section[end].follow(fan, in_end)) return false;
+    }
+    if (passages.empty()) {
+      const double radius = side.has(end) ? side.body.radius : 0.0;
+      if (other.holds(side.pose({radius, 0.0, height}))) add_rim(side.mantle, fan, height, 0.0, sense * 2.0 * pi);
+      continue;
+    }
+    while (!passages.empty()) {
+      Passages::Arc arc;
+      if (!passages.take_arc(1e-12 * (side.body.radius + side.body.half), arc)) return false;
+      if (!arc.round && arc.to.key == arc.from.key) continue;
+      add_rim(side.mantle, fan, height, arc.from.angle, arc.to.angle - arc.from.angle + (arc.round ? sense * 2.0 * pi : 0.0));
+    }
+  }
+  return true;
+}
+
+bool RevolvedPair::follow_crossing(Side &a, Side &b, const Vec3 &place, const OverlapSurface &surface) {
+  MantleCrossing crossing(a.mantle, b.mantle);
+  while (!corners_.empty()) {
+    const MantleCrossing::Corner from = corners_.back();
+    corners_.pop_back();
+    if (!crossing.follow(from, corners_)) return false;
+  }
+  constexpr int most_loops = 2;
+  for (int k = 0; k < most_loops && !surface.is_closed(); ++k) {
+    if (!crossing.follow_loop(place)) return false;
+  }
+  return true;
+}
+
+}  // namespace cmb

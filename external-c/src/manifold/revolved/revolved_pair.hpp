@@ -1,0 +1,51 @@
+// The surface of what two cylinders or cones have in common.
+#pragma once
+
+#include <vector>
+
+#include "manifold/revolved/mantle_crossing.hpp"
+#include "manifold/revolved/mantle_section.hpp"
+#include "manifold/revolved/overlap_surface.hpp"
+
+namespace cmb {
+
+// As RevolvedOnPolytope: its edges are chords where two ends meet, conics where an end meets a mantle, rims, and where the mantles cross.
+// Room to work in; it grows in the first calls.
+class RevolvedPair {
+ public:
+  // In A's frame; `deepest_a`, `deepest_b`: the places of A and B that are deepest in the other body. False where what meets does not fit
+  // together: by rounding, or as bodies pierce each other.
+  bool find(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &deepest_a, const Vec3 &deepest_b,
+            OverlapSurface &surface);
+
+ private:
+  enum End : std::size_t { base, top, ends };
+
+  // A body's ends in common axes.
+  struct Side {
+    RevolvedBody body;
+    Pose pose;  // in common axes
+    Mantle mantle;
+    PlaneFan fan[ends];
+    Side(const RevolvedBody &of, const Pose &in_common, const Vec3 &place, std::vector<OverlapSurface::Node> &nodes);
+    double height(End end) const { return end == base ? -body.half : body.half; }
+    Vec3 center(End end) const { return pose({0.0, 0.0, height(end)}); }
+    bool has(End end) const { return end == base || body.is_cylinder(); }
+    bool holds(const Vec3 &common) const;
+  };
+  struct Borders {
+    MantleSection section[ends];  // of this body's ends with the other's mantle
+    Passages rim[ends];
+  };
+
+  static void add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Borders &borders_b, End end_b);
+  void add_rim_passages(Side &side, Borders &borders, End end, const Side &other);
+  static void add_rim_passage(const Side &side, Borders &borders, End end, const Vec3 &common, bool to_curve);
+  static bool follow_ends(Side &side, Borders &borders, const Side &other);
+  bool follow_crossing(Side &a, Side &b, const Vec3 &place, const OverlapSurface &surface);
+
+  Borders of_a_, of_b_;
+  std::vector<MantleCrossing::Corner> corners_;  // where a rim passes the other body's mantle
+};
+
+}  // namespace cmb
