@@ -9,6 +9,14 @@ namespace {
 
 bool is_revolved(const Shape &shape) { return shape.kind == ShapeKind::cylinder || shape.kind == ShapeKind::cone; }
 
+// Two cones' mantles, and that of a needle with any other, may cross in more curves than are followed.
+bool mantles_cross_simply(const Shape &a, const Shape &b) {
+  constexpr double needle = 0.1;
+  const bool cone_a = a.kind == ShapeKind::cone, cone_b = b.kind == ShapeKind::cone;
+  const auto is_needle = [](const Shape &cone) { return cone.body.half.x < needle * 2.0 * cone.body.half.z; };
+  return !(cone_a && cone_b) && !(cone_a && is_needle(a)) && !(cone_b && is_needle(b));
+}
+
 // What a ball touches in one point alone: another ball, or any body with no second separating direction nearly as short.
 bool touches_at_its_witness(const Shape &a, const Shape &b, const SignedDistance &answer) {
   const bool ball_a = a.kind == ShapeKind::sphere, ball_b = b.kind == ShapeKind::sphere;
@@ -45,7 +53,7 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
       revolved_on_polytope_contact(b, pose_b, *a.polytope, pose_a, result.witness, -1.0, scratch.revolved, result.points)) {
     return;
   }
-  if (revolved_a && revolved_b &&
+  if (revolved_a && revolved_b && mantles_cross_simply(a, b) &&
       revolved_pair_contact(a, pose_a, b, pose_b, answer.point_a, answer.point_b, scratch.revolved, result.points)) {
     return;
   }

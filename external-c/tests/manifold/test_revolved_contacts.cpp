@@ -14,13 +14,16 @@ constexpr double depth = 1e-3, radius = 0.3, length = 0.5;
 const char *const cylinder = "cmb/1 cylinder radius=0.3 length=0.5";
 const char *const cone = "cmb/1 cone radius=0.3 length=0.5";
 const char *const table = "cmb/1 box size=4,4,1";
+const char *const drum = "cmb/1 cylinder radius=2 length=1";
+const char *const base_up = "cmb/1 cone radius=2 length=1 rotation=1,0,0,0,-1,0,0,0,-1";
 const char *const same_as_hull = "cmb/1 hull vertices=2,2,0.5,2,2,-0.5,2,-2,0.5,2,-2,-0.5,-2,2,0.5,-2,2,-0.5,-2,-2,0.5,-2,-2,-0.5";
 const Mat3 lying = rotation_about({0, 1, 0}, pi / 2), yaw = rotation_about({0, 0, 1}, 0.7);
 
 // Flat, a face carries its depth and rights itself by three times the second moment of its area: of a disc, 3/4 radius^2.
-TEST(RevolvedContacts, StandingOnABox) {
+TEST(RevolvedContacts, StandingOnAFlatFace) {
   for (const char *body : {cylinder, cone}) {
-    for (const char *support : {table, same_as_hull}) {
+    for (const char *support : {table, same_as_hull, drum, base_up}) {
+      if (body == cone && support == base_up) continue;  // two cones
       const PairScene scene(body, support);
       EXPECT_NEAR(scene.query({{0.2, 0.1, 0.75 - depth}, yaw}, {}, 64).load().z, depth, 2e-7 * depth);
       const double tilt = 1e-6;
@@ -34,8 +37,8 @@ TEST(RevolvedContacts, StandingOnABox) {
 }
 
 // The overlap is a segment h = d - x^2/(2 r) high: the mean of h^2 is 16/35 by 2/3 of d^2. Tilted along its axis, d grows linearly.
-TEST(RevolvedContacts, LyingOnABox) {
-  for (const char *support : {table, same_as_hull}) {
+TEST(RevolvedContacts, LyingOnAFlatFace) {
+  for (const char *support : {table, same_as_hull, drum, base_up}) {
     const PairScene scene(cylinder, support);
     for (const double deep : {1e-3, 1e-5, 1e-7}) {
       const BodyPose level{{0.2, 0.1, 0.5 + radius - deep}, product(yaw, lying)};
@@ -66,6 +69,38 @@ TEST(RevolvedContacts, DiscOverAFacesCornerIsCarriedAtTheAreasMiddle) {
   EXPECT_NEAR(contact.load().z, depth, 1e-6 * depth);
   EXPECT_NEAR(carried.x / depth, first.x / area, 2e-5);
   EXPECT_NEAR(carried.y / depth, first.y / area, 2e-5);
+}
+
+// Discs that overlap in part touch in a lens, at whose middle they are carried.
+TEST(RevolvedContacts, DiscsThatOverlapInPartAreCarriedAtTheLensMiddle) {
+  const PairScene scene(cylinder, "cmb/1 cylinder radius=0.4 length=1");
+  const Contact contact = scene.query({{0.5, 0, 0.75 - depth}, yaw}, {}, 64);
+  double area = 0.0, first = 0.0;
+  constexpr int count = 200000;
+  for (int k = 0; k < count; ++k) {  // strips across
+    const double x = 0.2 + 0.2 * (k + 0.5) / count;
+    const double half = std::sqrt(std::max(0.0, std::min(0.16 - x * x, 0.09 - (x - 0.5) * (x - 0.5))));
+    area += half, first += half * x;
+  }
+  Vec3 carried;
+  for (const Point &p : contact.points) carried = carried + p.weight * p.depth * p.position;
+  EXPECT_NEAR(contact.load().z, depth, 1e-6 * depth);
+  EXPECT_NEAR(carried.x / depth, first / area, 1e-4);
+  EXPECT_NEAR(carried.y / depth, 0.0, 1e-6);
+}
+
+// Where surfaces of both coincide it is clear all the same whose is within.
+TEST(RevolvedContacts, EqualCylindersOnOneAxisCarryAsOnAFace) {
+  const PairScene scene(cylinder, cylinder);
+  for (const double turn : {0.0, 0.3, 1.0}) {
+    const BodyPose pose{{0, 0, length - depth}, rotation_about({0, 0, 1}, turn)};
+    EXPECT_NEAR(scene.query(pose, {}, 64).load().z, depth, 1e-6 * depth) << turn;
+  }
+  // Side by side, ends flush: two segments of height h = d/2 - x^2/(2 r), so that the mean of (2 h)^2 is 16/35 by 2/3 of d^2.
+  for (const double turn : {0.0, 0.3, 1.0}) {
+    const BodyPose pose{{2 * radius - depth, 0, 0}, rotation_about({0, 0, 1}, turn)};
+    EXPECT_NEAR(scene.query(pose, {}, 64).load().x, 24.0 / 35.0 * depth, 3.0 * depth / radius * depth) << turn;
+  }
 }
 
 class OverlapSurfaces : public testing::TestWithParam<const char *> {};

@@ -22,11 +22,7 @@ const Mat3 lying = rotation_about({0, 1, 0}, pi / 2), yaw = rotation_about({0, 0
 
 
 const Case cases[] = {
-    {"cylinder on a cylinder", cylinder, "cmb/1 cylinder radius=1 length=1", {{0.2, 0.1, 0.75 - depth}, yaw}},
-    {"cylinder on a cone's base", cylinder, "cmb/1 cone radius=1 length=1 rotation=1,0,0,0,-1,0,0,0,-1",
-     {{0.2, 0.1, 0.75 - depth}, yaw}},
-    {"lying cylinder on a cylinder", cylinder, "cmb/1 cylinder radius=1 length=1",
-     {{0.2, 0.1, 0.8 - depth}, product(yaw, lying)}},
+    {"cone on a cone's base", cone, "cmb/1 cone radius=1 length=1 rotation=1,0,0,0,-1,0,0,0,-1", {{0.2, 0.1, 0.75 - depth}, yaw}},
     {"capsule on a cylinder", "cmb/1 capsule radius=0.3 length=0.5", "cmb/1 cylinder radius=1 length=1",
      {{0.2, 0.1, 0.8 - depth}, product(yaw, lying)}},
 };
@@ -72,36 +68,6 @@ TEST(RimContacts, DiscOnAHullCarriesAsOnABox) {
   }
 }
 
-// The depth's mean over the outline of what two flat faces have in common, by the angle it turns through; here
-// summed.
-struct OutlineSums {
-  double load = 0.0;
-  Vec3 first;  // of the place
-};
-
-// A place of the outline and the angle it turns through there.
-struct Turn {
-  double x, y, angle;
-};
-
-OutlineSums sum_outline(const std::vector<Turn> &turns) {
-  OutlineSums sums;
-  for (const Turn &turn : turns) {
-    const double part = turn.angle / (2 * pi) * depth;
-    sums.load += part;
-    sums.first = sums.first + part * Vec3{turn.x, turn.y, 0};
-  }
-  return sums;
-}
-
-void expect_outline(const Contact &contact, const OutlineSums &sums, double bound) {
-  Vec3 first;
-  for (const Point &p : contact.points) first = first + p.weight * p.depth * p.position;
-  EXPECT_NEAR(contact.load().z, sums.load, bound);
-  EXPECT_NEAR(first.x, sums.first.x, bound);
-  EXPECT_NEAR(first.y, sums.first.y, bound);
-}
-
 // Whether the corner is under the disc is lost in rounding; what the outline carries is not.
 TEST(RimContacts, RimThroughAFacesCornerCarriesAsBesideIt) {
   const PairScene scene(cylinder, "cmb/1 box size=4,4,1");
@@ -118,22 +84,6 @@ TEST(RimContacts, RimThroughAFacesCornerCarriesAsBesideIt) {
     const double beside = load_at(1e-9);
     for (int step = -8; step <= 8; ++step) EXPECT_NEAR(load_at(step * 1e-16), beside, 1e-6 * depth) << angle;
   }
-}
-
-TEST(RimContacts, DiscsThatOverlapInPartCarryByTheirLens) {
-  const PairScene scene(cylinder, "cmb/1 cylinder radius=0.4 length=1");
-  const Contact contact = scene.query({{0.5, 0, 0.75 - depth}, yaw}, {}, 64);
-  const double along = 0.5 * (0.5 + (0.16 - 0.09) / 0.5), lower = std::acos(along / 0.4), upper = std::acos((0.5 - along) / 0.3);
-  std::vector<Turn> turns;
-  constexpr int count = 100000;
-  for (int k = 0; k < count; ++k) {
-    const double part = (2.0 * (k + 0.5) / count - 1.0);
-    turns.push_back({0.4 * std::cos(part * lower), 0.4 * std::sin(part * lower), 2 * lower / count});
-    turns.push_back({0.5 - 0.3 * std::cos(part * upper), 0.3 * std::sin(part * upper), 2 * upper / count});
-  }
-  for (const double side : {1.0, -1.0}) turns.push_back({along, side * 0.4 * std::sin(lower), pi - lower - upper});
-  expect_outline(contact, sum_outline(turns), 1e-9);
-  EXPECT_NEAR(contact.total_weight(), 1.0, 1e-12);
 }
 
 TEST(RimContacts, BoxStandsOnACylinder) {

@@ -10,8 +10,10 @@ namespace cmb {
 
 namespace {
 
-constexpr int most_steps = 400;
+constexpr int most_steps = 1000;
 constexpr double straight = 0.94;  // the cosine of how much the curve may turn in a step, itself and about the axes
+
+constexpr double bent = 2e-4;      // by a step's length: how far a cubic may be from it
 
 }  // namespace
 
@@ -48,7 +50,10 @@ double MantleCrossing::Side::way_out(const Vec3 &p, const Vec3 &ray, bool &throu
   return mantle->body().way_out(transposed_times(pose.rotation, p - pose.translation), transposed_times(pose.rotation, ray), through_mantle);
 }
 
-MantleCrossing::MantleCrossing(Mantle &a, Mantle &b) : a_(a), b_(b), size_(a.body().radius + a.body().half + b.body().radius + b.body().half) {}
+MantleCrossing::MantleCrossing(Mantle &a, Mantle &b, std::vector<Piece> &followed)
+    : a_(a), b_(b), size_(a.body().radius + a.body().half + b.body().radius + b.body().half), followed_(followed) {
+  followed_.clear();
+}
 
 // Counter-clockwise about A's mantle, clockwise about B's.
 Vec3 MantleCrossing::tangent(const Vec3 &p) const { return normalized(cross(a_.gradient(p), b_.gradient(p))); }
@@ -77,7 +82,11 @@ bool MantleCrossing::step(const Vec3 &from, const Vec3 &way, double &length, Vec
     const Vec3 ahead = to;
     if (!correct(way, to) || !(norm(to - ahead) < 0.4 * length)) continue;
     way_there = sense * tangent(to);
-    if (dot(way, way_there) > straight && a_.turn(from, to) > straight && b_.turn(from, to) > straight) return true;
+    if (!(dot(way, way_there) > straight) || !(a_.turn(from, to) > straight) || !(b_.turn(from, to) > straight)) continue;
+    const Piece piece(from, way, to, way_there);
+    const Vec3 guess = piece.at(0.5);
+    Vec3 middle = guess;
+    if (piece.ahead && correct(piece.along, middle) && norm(middle - guess) < bent * piece.length) return true;
   }
   return false;
 }
@@ -134,7 +143,7 @@ bool MantleCrossing::follow(const Corner &from, std::vector<Corner> &left) {
   const double sense = dot(tangent(from.at), from.normal) < 0.0 ? 1.0 : -1.0;
   Vec3 at = from.at, way = sense * tangent(from.at);
   double length = 0.5 * std::min(a_.mantle->body().radius, b_.mantle->body().radius);
-  const double longest = length;
+  const double longest = 0.25 * size_;
   for (int k = 0; k < most_steps; ++k) {
     Vec3 to, way_there;
     if (!step(at, way, length, to, way_there, sense)) return false;
@@ -156,7 +165,7 @@ bool MantleCrossing::follow_loop_from(const Vec3 &start) {
   const Vec3 first_way = tangent(start);
   Vec3 at = start, way = first_way;
   double length = 0.5 * std::min(a_.mantle->body().radius, b_.mantle->body().radius);
-  const double longest = length;
+  const double longest = 0.25 * size_;
   for (int k = 0; k < most_steps; ++k) {
     Vec3 to, way_there;
     if (!step(at, way, length, to, way_there, 1.0)) return false;

@@ -13,8 +13,18 @@ namespace cmb {
 // steps are so short that the curve turns little. Adds what it follows to both mantles.
 class MantleCrossing {
  public:
-  // Both in common axes.
-  MantleCrossing(Mantle &a, Mantle &b);
+  // Of a curve, with the ways at its ends; of no use where it is not ahead all along.
+  struct Piece {
+    Vec3 from, chord, along, lean, lean_there;
+    double length;
+    bool ahead;
+    Piece(const Vec3 &begin, const Vec3 &way, const Vec3 &end, const Vec3 &way_there);
+    // By Hermite's cubic, which is as good as on the curve.
+    Vec3 at(double part) const;
+  };
+
+  // Both in common axes. `followed`: room to work in, which grows in the first calls.
+  MantleCrossing(Mantle &a, Mantle &b, std::vector<Piece> &followed);
 
   // A place of the curve where it comes between the ends of both bodies, and the outward normal of the end that it passes there.
   struct Corner {
@@ -42,15 +52,6 @@ class MantleCrossing {
     // Where the ray from `p`, inside, leaves the body; whether through the mantle.
     double way_out(const Vec3 &p, const Vec3 &ray, bool &through_mantle) const;
   };
-  // Of a curve, with the ways at its ends; of no use where it is not ahead all along.
-  struct Piece {
-    Vec3 from, chord, along, lean, lean_there;
-    double length;
-    bool ahead;
-    Piece(const Vec3 &begin, const Vec3 &way, const Vec3 &end, const Vec3 &way_there);
-    // By Hermite's cubic, which is as good as on the curve.
-    Vec3 at(double part) const;
-  };
   Vec3 tangent(const Vec3 &p) const;
   bool correct(const Vec3 &normal, Vec3 &p) const;
   bool step(const Vec3 &from, const Vec3 &way, double &length, Vec3 &to, Vec3 &way_there, double sense) const;
@@ -63,7 +64,7 @@ class MantleCrossing {
 
   const Side a_, b_;
   const double size_;
-  std::vector<Piece> followed_;
+  std::vector<Piece> &followed_;
 };
 
 }  // namespace cmb

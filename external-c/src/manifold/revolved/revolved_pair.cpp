@@ -180,7 +180,7 @@ bool RevolvedPair::follow_ends(Side &side, Borders &borders, const Side &other) 
 }
 
 bool RevolvedPair::follow_crossing(Side &a, Side &b, const Vec3 &place, const OverlapSurface &surface) {
-  MantleCrossing crossing(a.mantle, b.mantle);
+  MantleCrossing crossing(a.mantle, b.mantle, followed_);
   while (!corners_.empty()) {
     const MantleCrossing::Corner from = corners_.back();
     corners_.pop_back();

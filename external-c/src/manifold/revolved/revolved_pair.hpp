@@ -45,6 +45,7 @@ class RevolvedPair {
   bool follow_crossing(Side &a, Side &b, const Vec3 &place, const OverlapSurface &surface);
 
   Borders of_a_, of_b_;
+  std::vector<MantleCrossing::Piece> followed_;
   std::vector<MantleCrossing::Corner> corners_;  // where a rim passes the other body's mantle
 };
 
