@@ -44,7 +44,7 @@ double DepthInRevolved::mean_square_in_mantle(const OverlapSurface &surface) con
   for (const auto *const side : {&surface.of_a(), &surface.of_b()}) {
     for (const OverlapSurface::Node &node : *side) {
       const Inside way = inside_along(node.at);
-      sum += dot(node.at, node.area) * (way.there * way.there / 3.0 + way.there * way.first / 2.0 +
+      sum += node.cone * (way.there * way.there / 3.0 + way.there * way.first / 2.0 +
                                         (way.first * way.first + 2.0 * way.there * way.second) / 5.0 + way.first * way.second / 3.0 +
                                         way.second * way.second / 7.0);
     }
@@ -71,7 +71,7 @@ void DepthInRevolved::find_mean_slope(const OverlapSurface &surface, Vec3 &slope
   for (const auto *const side : {&surface.of_a(), &surface.of_b()}) {
     for (const OverlapSurface::Node &node : *side) {
       const Vec3 &p = node.at;
-      const double part = dot(p, node.area), rise = dot(axis_, p);
+      const double part = node.cone, rise = dot(axis_, p);
       const Inside way = inside_along(p);
       const Vec3 change = 2.0 * (body_.slope * body_.slope * rise * axis_ - (p - rise * axis_));  // of that, along the way
       const double twice = 2.0 * weight_[mantle];

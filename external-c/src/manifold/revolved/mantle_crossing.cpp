@@ -13,7 +13,8 @@ namespace {
 constexpr int most_steps = 1000;
 constexpr double straight = 0.94;  // the cosine of how much the curve may turn in a step, itself and about the axes
 
-constexpr double bent = 2e-4;      // by a step's length: how far a cubic may be from it
+// By a step's length: how far a cubic may be from it. Of cones the curve may nearly meet itself.
+constexpr double bent_of_cylinders = 2e-3, bent_of_cones = 2e-4;
 
 }  // namespace
 
@@ -51,7 +52,8 @@ double MantleCrossing::Side::way_out(const Vec3 &p, const Vec3 &ray, bool &throu
 }
 
 MantleCrossing::MantleCrossing(Mantle &a, Mantle &b, std::vector<Piece> &followed)
-    : a_(a), b_(b), size_(a.body().radius + a.body().half + b.body().radius + b.body().half), followed_(followed) {
+    : a_(a), b_(b), size_(a.body().radius + a.body().half + b.body().radius + b.body().half), bent_(a.body().is_cylinder() && b.body().is_cylinder() ? bent_of_cylinders : bent_of_cones),
+      followed_(followed) {
   followed_.clear();
 }
 
@@ -86,7 +88,7 @@ bool MantleCrossing::step(const Vec3 &from, const Vec3 &way, double &length, Vec
     const Piece piece(from, way, to, way_there);
     const Vec3 guess = piece.at(0.5);
     Vec3 middle = guess;
-    if (piece.ahead && correct(piece.along, middle) && norm(middle - guess) < bent * piece.length) return true;
+    if (piece.ahead && correct(piece.along, middle) && norm(middle - guess) < bent_ * piece.length) return true;
   }
   return false;
 }
@@ -126,8 +128,9 @@ std::size_t MantleCrossing::corner_on(const Piece &piece, const std::vector<Corn
 bool MantleCrossing::add_piece(const Piece &piece) {
   if (!(piece.length > 1e-14 * size_)) return true;
   if (!piece.ahead) return piece.length < 1e-9 * size_;
-  const auto &rule = overlap::gauss_rule<8>;
-  for (std::size_t k = 0; k < 8; ++k) {
+  const overlap::GaussNodes rule =
+      bent_ == bent_of_cylinders ? overlap::GaussNodes(overlap::gauss_rule<6>) : overlap::GaussNodes(overlap::gauss_rule<8>);
+  for (std::size_t k = 0; k < rule.count; ++k) {
     Vec3 at = piece.at(rule.node[k]);
     if (!correct(piece.along, at)) return false;
     const Vec3 direction = tangent(at);

@@ -63,7 +63,7 @@ class MantleCrossing {
   bool follow_loop_from(const Vec3 &start);
 
   const Side a_, b_;
-  const double size_;
+  const double size_, bent_;
   std::vector<Piece> &followed_;
 };
 

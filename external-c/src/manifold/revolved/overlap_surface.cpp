@@ -4,56 +4,60 @@
 
 namespace cmb {
 
-// The integral of a homogeneous polynomial of degree k over the cones from the origin to the surface's parts is place . area times its
-// value there, by k + 3. From a place in the overlap no part is negative, so that nothing cancels.
-bool OverlapSurface::find_middle() {
-  double volume = 0.0;
-  Vec3 first;
-  for (const std::vector<Node> *const side : {&a_, &b_}) {
-    for (const Node &node : *side) {
-      const double part = dot(node.at, node.area);
-      volume += part;
-      first = first + part * node.at;
-    }
-  }
-  if (!(volume > 0.0)) return false;
-  volume_ = volume / 3.0;
-  middle_ = (3.0 / (4.0 * volume)) * first;
-  return true;
-}
+namespace {
+
+constexpr double gap = 1e-5;  // by all of the surface: what may be open
+
+}  // namespace
 
 bool OverlapSurface::is_closed() const {
-  constexpr double gap = 1e-5;  // by all of the surface
   Vec3 open;
   double whole = 0.0;
   for (const std::vector<Node> *const side : {&a_, &b_}) {
     for (const Node &node : *side) {
       open = open + node.area;
-      whole += norm(node.area);
+      whole += std::fabs(node.area.x) + std::fabs(node.area.y) + std::fabs(node.area.z);
     }
   }
   return whole > 0.0 && norm(open) <= gap * whole;
 }
 
+// The integral of a homogeneous polynomial of degree k over the cones from the origin to the surface's parts is place . area times its
+// value there, by k + 3. From a place in the overlap no part is negative, so that nothing cancels: so first that place is found.
 bool OverlapSurface::sum() {
-  if (!is_closed() || !find_middle()) return false;
-  const auto shift = [&](std::vector<Node> &side) {
+  Vec3 open, first;
+  double volume = 0.0;
+  const auto add = [&](const std::vector<Node> &side) {
     double whole = 0.0;
-    for (Node &node : side) {
+    for (const Node &node : side) {
+      const double part = dot(node.at, node.area);
       whole += norm(node.area);
-      node.at = node.at - middle_;
+      open = open + node.area;
+      volume += part;
+      first = first + part * node.at;
     }
     return whole;
   };
-  area_[0] = shift(a_), area_[1] = shift(b_);
-  place_ = place_ + middle_;
-  if (!find_middle()) return false;
+  area_[0] = add(a_), area_[1] = add(b_);
+  if (!(volume > 0.0) || !(norm(open) <= gap * (area_[0] + area_[1]))) return false;
+  const Vec3 shift = (3.0 / (4.0 * volume)) * first;
+  place_ = place_ + shift;
+  volume = 0.0, first = {};
   convex::SymmetricMatrix second;
-  for (const std::vector<Node> *const side : {&a_, &b_}) {
-    for (const Node &node : *side) second.add_square(dot(node.at, node.area), node.at);
+  for (std::vector<Node> *const side : {&a_, &b_}) {
+    for (Node &node : *side) {
+      node.at = node.at - shift;
+      node.cone = dot(node.at, node.area);
+      volume += node.cone;
+      first = first + node.cone * node.at;
+      second.add_square(node.cone, node.at);
+    }
   }
+  if (!(volume > 0.0)) return false;
+  volume_ = volume / 3.0;
+  middle_ = (3.0 / (4.0 * volume)) * first;
   spread_ = {};
-  spread_.add(1.0 / (5.0 * volume_), second);
+  spread_.add(3.0 / (5.0 * volume), second);
   spread_.add_square(-1.0, middle_);
   return spread_.m[0] > 0.0 && spread_.m[1] > 0.0 && spread_.m[2] > 0.0;
 }

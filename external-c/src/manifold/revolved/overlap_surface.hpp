@@ -15,6 +15,7 @@ class OverlapSurface {
   struct Node {
     Vec3 at;    // from place()
     Vec3 area;  // outward
+    double cone = 0.0;  // place . area: three times the volume of the cone from the place; found by sum()
   };
 
   // `place`: near the overlap.
@@ -40,8 +41,6 @@ class OverlapSurface {
   const convex::SymmetricMatrix &spread() const { return spread_; }
 
  private:
-  bool find_middle();
-
   std::vector<Node> a_, b_;
   Vec3 place_;
   double volume_ = 0.0, area_[2] = {};

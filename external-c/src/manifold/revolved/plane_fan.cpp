@@ -27,6 +27,7 @@ void PlaneFan::add_curve_node(const Vec3 &at, const Vec3 &step) {
   begin(at);
   const Vec3 way = at - apex_, apex = apex_ - place_;
   const double area = dot(normal_, cross(way, step));
+  // Moments of the mantle's squares are of the fifth degree, and the fan adds one.
   const auto &rule = overlap::gauss_rule<4>;
   for (std::size_t k = 0; k < 4; ++k) {
     const double part = rule.node[k];

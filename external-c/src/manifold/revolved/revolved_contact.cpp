@@ -29,28 +29,38 @@ class PolytopePart {
 
 // The energy of polytopes (polytope/overlap_energy.hpp): the mean of what both bodies store, 3/2 of the soft least mean square of the
 // depths below their sides. As the depths in a body move with that body, its part changes by the other one's surface alone; over all of the
-// overlap's surface the integral is one over its inside. Of a thin edge both sides nearly cancel: rather the surface that cuts it off.
+// overlap's surface the integral is one over its inside, which takes longer to find. But of a thin edge both sides nearly cancel: there
+// rather the surface that cuts it off.
 template <typename PartA, typename PartB>
 OverlapLoad load_of(const OverlapSurface &surface, const PartA &a, const PartB &b) {
+  constexpr double thin = 0.1;
   const Vec3 middle = surface.middle();
   Vec3 force, torque;
-  const auto push = [&](const std::vector<OverlapSurface::Node> &side, const auto &excess) {
+  const auto push = [&](const std::vector<OverlapSurface::Node> &side, double sense, const auto &excess) {
     for (const OverlapSurface::Node &node : side) {
-      const double pressure = excess(node.at);
+      const double pressure = sense * excess(node.at);
       force = force + pressure * node.area;
       torque = torque + pressure * cross(node.at - middle, node.area);
     }
   };
-  const auto both = [&](const Vec3 &p) { return a.excess(p) + b.excess(p); };
-  const bool over_b = surface.area_b() < surface.area_a();
-  push(over_b ? surface.of_b() : surface.of_a(), both);
+  const auto of_a = [&](const Vec3 &p) { return a.excess(p); };
+  const auto of_b = [&](const Vec3 &p) { return b.excess(p); };
+  const auto of_both = [&](const Vec3 &p) { return a.excess(p) + b.excess(p); };
   Vec3 slope, moment;
-  if (over_b) {
+  double inside = 0.0;
+  if (surface.area_b() < thin * surface.area_a()) {
+    push(surface.of_b(), 1.0, of_both);
     b.find_mean_slope(surface, slope, moment);
-  } else {
+    inside = -0.75;
+  } else if (surface.area_a() < thin * surface.area_b()) {
+    push(surface.of_a(), -1.0, of_both);
     a.find_mean_slope(surface, slope, moment);
+    inside = 0.75;
+  } else {
+    push(surface.of_b(), 1.0, of_a);
+    push(surface.of_a(), -1.0, of_b);
   }
-  const double part = over_b ? 0.75 / surface.volume() : -0.75 / surface.volume(), inside = over_b ? -0.75 : 0.75;
+  const double part = 0.75 / surface.volume();
   return {0.75 * (a.least() + b.least()), part * force + inside * slope, part * torque + inside * moment, surface.place() + middle,
           surface.spread()};
 }
