@@ -164,7 +164,8 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
   // The inverse of how far a cone's place is below the apex is linear in the cosine. Parts in which that hardly changes.
   const double least = 1e-7 * body.half;
   const double down0 = std::max(body.half - height0, least), down1 = std::max(body.half - height1, least);
-  const GaussNodes rule(gauss_rule<8>);
+  // By the turn and by how the distance from the apex grows.
+  const GaussNodes rule = rule_for(std::max(std::fabs(turn), std::fabs(std::log(down1 / down0))));
   if (std::fabs(turn) < 1e-9) {  // a straight line, as good as
     for (std::size_t k = 0; k < rule.count; ++k) {
       const double part = rule.node[k];
