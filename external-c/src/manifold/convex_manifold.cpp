@@ -7,8 +7,6 @@ namespace cmb {
 
 namespace {
 
-bool is_revolved(const Shape &shape) { return shape.kind == ShapeKind::cylinder || shape.kind == ShapeKind::cone; }
-
 // Two cones' mantles, and that of a needle with any other, may cross in more curves than are followed.
 bool mantles_cross_simply(const Shape &a, const Shape &b) {
   constexpr double needle = 0.1;
@@ -45,28 +43,21 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     return;
   }
   const bool revolved_a = is_revolved(a), revolved_b = is_revolved(b);
-  if (revolved_a && b.polytope &&
-      revolved_on_polytope_contact(a, pose_a, *b.polytope, pose_b, result.witness, 1.0, scratch.revolved, result.points)) {
+  bool touches = false;
+  if (a.polytope && b.polytope) {
+    touches = elastic_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.normal, result.witness, scratch.polytopes, result.points);
+  } else if (revolved_a && b.polytope) {
+    touches = revolved_on_polytope_contact(a, pose_a, *b.polytope, pose_b, result.witness, 1.0, scratch.revolved, result.points);
+  } else if (revolved_b && a.polytope) {
+    touches = revolved_on_polytope_contact(b, pose_b, *a.polytope, pose_a, result.witness, -1.0, scratch.revolved, result.points);
+  } else {
+    touches = revolved_a && revolved_b && mantles_cross_simply(a, b) &&
+              revolved_pair_contact(a, pose_a, b, pose_b, answer.point_a, answer.point_b, scratch.revolved, result.points);
+    if (!touches) curved_contact(a, pose_a, b, pose_b, answer, distance, scratch.curved, result.points);
     return;
   }
-  if (revolved_b && a.polytope &&
-      revolved_on_polytope_contact(b, pose_b, *a.polytope, pose_a, result.witness, -1.0, scratch.revolved, result.points)) {
-    return;
-  }
-  if (revolved_a && revolved_b && mantles_cross_simply(a, b) &&
-      revolved_pair_contact(a, pose_a, b, pose_b, answer.point_a, answer.point_b, scratch.revolved, result.points)) {
-    return;
-  }
-  if (pair_entry(a, b).method != PairMethod::polytope_polytope) {
-    curved_contact(a, pose_a, b, pose_b, answer, distance, scratch.curved, result.points);
-    return;
-  }
-  if (elastic_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.normal, result.witness, scratch.polytopes,
-                      result.points)) {
-    return;
-  }
-  // An overlap by rounding, or a library's.
-  result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
+  // Else an overlap by rounding, or a library's.
+  if (!touches) result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
 }
 
 }  // namespace cmb

@@ -5,13 +5,11 @@
 
 #include "manifold/axis/capsule_manifold.hpp"
 #include "manifold/axis/capsule_on_revolved.hpp"
-#include "manifold/deepest_edges.hpp"
 #include "manifold/disc_manifold.hpp"
 #include "manifold/rod_end_share.hpp"
 #include "math/pose_algebra.hpp"
 #include "narrowphase/multicontact/contact_directions.hpp"
 #include "shape/pair_table.hpp"
-#include "shape/rim_polytope.hpp"
 
 namespace cmb {
 
@@ -23,7 +21,7 @@ namespace {
 double flat_part(const Shape &shape, const Vec3 &towards, Vec3 &gradient) {
   gradient = {};
   if (shape.polytope) return 1.0;
-  if (!shape.rim || (shape.kind == ShapeKind::cone && towards.z > 0.0)) return 0.0;
+  if (!is_revolved(shape) || (shape.kind == ShapeKind::cone && towards.z > 0.0)) return 0.0;
   const double limit = way_sine(shape);
   const double across = std::sqrt(towards.x * towards.x + towards.y * towards.y), inclination = across / limit;
   if (across > 0.0) {
@@ -56,48 +54,11 @@ bool touches_at_a_point(const Shape &shape) {
   return shape.kind == ShapeKind::sphere || shape.kind == ShapeKind::ellipsoid;
 }
 
-const ContactPolytope &corners_of(const Shape &shape) { return shape.polytope ? *shape.polytope : *shape.rim; }
-
 // The part that counts of a contact `found` deep, where the shapes are `depth` deep in each other: what stands for them, and
 // is hardly in each other, does not.
 double agreement(double found, double depth) {
   constexpr double none = 0.5, full = 0.9;
   return falling_smoothstep(std::max(0.0, (full - found / depth) / (full - none)));
-}
-
-// The deepest of the corners or points from `begin` on that have weight, of which there is one.
-template <typename Corner>
-const Corner &deepest_of(const std::vector<Corner> &corners, std::size_t begin = 0) {
-  std::size_t deepest = begin;
-  for (std::size_t k = begin; k < corners.size(); ++k) {
-    const bool better = corners[k].depth > corners[deepest].depth || !(corners[deepest].weight > 0.0);
-    if (corners[k].weight > 0.0 && better) deepest = k;
-  }
-  return corners[deepest];
-}
-
-// The part that counts of what points[begin, end) carry under the polygon that stands for the disc of a cylinder or cone; they
-// are `aside` of their places. A tip that comes under the disc from beside leaves the polygon before the disc, at its depth:
-// what is left in there shrinks to a point on the polygon's border, and counts the less the smaller it is and the nearer to it.
-// How small is told by the mean distance from the middle: its root mean square would change by the root of what a corner
-// carries whose depth comes from 0.
-double polygon_part(const Shape &shape, const Pose &pose, const Vec3 &aside, const std::vector<ContactPoint> &points,
-                    std::size_t begin) {
-  constexpr double border = 0.005;  // of the radius
-  double load = 0.0, inside = 0.0, spread = 0.0;
-  Vec3 first;
-  for (std::size_t k = begin; k < points.size(); ++k) {
-    const double carried = points[k].weight * points[k].depth;
-    const Vec3 place = transposed_times(pose.rotation, points[k].position - aside - pose.translation);
-    load += carried;
-    inside += carried * std::max(0.0, inside_rim_polygon(shape.body.half.x, place.x, place.y));
-    first = first + carried * points[k].position;
-  }
-  const Vec3 middle = (1.0 / load) * first;
-  for (std::size_t k = begin; k < points.size(); ++k) {
-    spread += points[k].weight * points[k].depth * norm(points[k].position - middle);
-  }
-  return 1.0 - falling_smoothstep((inside + spread) / (load * border * shape.body.half.x));
 }
 
 // Scales the weights of points[begin, end).
@@ -129,35 +90,10 @@ void line_on_faces(const Shape &shape, const Pose &pose, const Shape &other, con
   }
 }
 
-// What flat ends and faces carry on each other; returns the part of it that counts.
+// What flat ends carry on each other; returns the part of it that counts.
 double flat_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, double depth, const Vec3 &normal,
-                    const Vec3 &witness, PenetrationProfile &graph, std::vector<ContactPoint> &points) {
-  if (a.rim && b.rim) {
-    return agreement(disc_on_disc(Disc(a, pose_a, -normal), Disc(b, pose_b, normal), normal, 1.0, points), depth);
-  }
-  // On a box: its face, or all of it where that is at an angle.
-  const double face = a.rim ? face_part(b, pose_b, normal) : face_part(a, pose_a, normal);
-  double agree = 0.0;
-  if (face < 1.0 - 1e-12) {
-    const std::size_t begin = points.size();
-    polytope_contact(corners_of(a), pose_a, corners_of(b), pose_b, normal, witness, depth, graph, points);
-    if (points.size() > begin) {
-      const ContactPoint &deepest = deepest_of(points, begin);
-      const Vec3 aside = deepest.position - contact_axes(normal, witness)(deepest_of(graph.corners()).middle);
-      const double counts =
-          a.rim ? polygon_part(a, pose_a, aside, points, begin) : polygon_part(b, pose_b, aside, points, begin);
-      agree = (1.0 - face) * counts * agreement(deepest.depth, depth);
-    }
-    scale_weights(1.0 - face, begin, points.size(), points);
-  }
-  if (face > 0.0) {
-    const std::size_t begin = points.size();
-    const double deepest = a.rim ? disc_on_face(Disc(a, pose_a, -normal), b, pose_b, normal, 1.0, points)
-                                 : disc_on_face(Disc(b, pose_b, normal), a, pose_a, -normal, -1.0, points);
-    agree += face * agreement(deepest, depth);
-    scale_weights(face, begin, points.size(), points);
-  }
-  return agree;
+                    std::vector<ContactPoint> &points) {
+  return agreement(disc_on_disc(Disc(a, pose_a, -normal), Disc(b, pose_b, normal), normal, 1.0, points), depth);
 }
 
 // What the lines of two shapes carry on each other: half of it each.
@@ -168,20 +104,6 @@ void line_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose
   line_on_line(line_a, line_b, answer.point_a, answer.normal, 1.0, scratch, points);
   line_on_line(line_b, line_a, answer.point_b, -answer.normal, -1.0, scratch, points);
   scale_weights(0.5, begin, points.size(), points);
-}
-
-// Where the point acts that stands in for flat contact of which nothing is told by polygons.
-Vec3 middle_of_flats(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
-                     const Vec3 &witness) {
-  if (a.rim && b.polytope) {
-    const Disc disc(a, pose_a, -answer.normal);
-    return middle_of_deepest(disc, b.polytope->geometry(), pose_b, -answer.distance, answer.point_b, witness);
-  }
-  if (b.rim && a.polytope) {
-    const Disc disc(b, pose_b, answer.normal);
-    return middle_of_deepest(disc, a.polytope->geometry(), pose_a, -answer.distance, answer.point_a, witness);
-  }
-  return witness;
 }
 
 // Appends the contact along one contact direction: each shape touches with a flat end or its faces, on a line, or at a
@@ -204,7 +126,7 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
   // Each of the ways of touching: its part, and what it stores where it is all.
   const double of_point = 0.5 * depth * depth;
   const double flats = of_a.flat * of_b.flat;
-  double rest = 1.0, untold = 0.0;  // the parts of a point at the deepest place, and of it that of flat contact
+  double rest = 1.0;  // the part of a point at the deepest place
   double more_flats = 0.0, more_a_on_b = 0.0, more_b_on_a = 0.0, more_lines = 0.0;
   const auto close = [&](double part, std::size_t first) {
     const double more = stored(points, first, points.size()) - of_point;
@@ -213,9 +135,8 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     return more;
   };
   if (flats > 0.0) {
-    const double agree = flat_contact(a, pose_a, b, pose_b, depth, normal, witness, scratch.polytope, points);
+    const double agree = flat_contact(a, pose_a, b, pose_b, depth, normal, points);
     more_flats = agree * close(flats * agree, begin);
-    untold = flats * (1.0 - agree);
   }
   if (of_a.line * of_b.flat > 0.0) {
     const std::size_t first = points.size();
@@ -232,14 +153,7 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     line_contact(a, pose_a, b, pose_b, answer, scratch.axis, points);
     more_lines = close(of_a.line * of_b.line, first);
   }
-  if (rest > 1e-12) {
-    Vec3 place = witness;
-    if (untold > 1e-12) {
-      const double part = std::min(1.0, untold / rest);
-      place = witness + part * (middle_of_flats(a, pose_a, b, pose_b, answer, witness) - witness);
-    }
-    points.push_back({depth, rest, normal, place});
-  }
+  if (rest > 1e-12) points.push_back({depth, rest, normal, witness});
   points.erase(std::remove_if(points.begin() + static_cast<std::ptrdiff_t>(begin), points.end(),
                               [](const ContactPoint &p) { return !(p.weight > 0.0); }),
                points.end());
@@ -247,7 +161,7 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     points.push_back({depth, 1.0, normal, witness});
     return;
   }
-  if (!a.rim && !b.rim) return;
+  if (!is_revolved(a) && !is_revolved(b)) return;
   // Energy that changes with the direction alone asks for a torque, as on a half-space. A shape's direction towards the
   // other one turns with that where the other one has faces; else half of it.
   const Vec3 of_direction_a = (of_b.flat * more_flats + of_b.line * more_b_on_a) * of_a.flat_gradient +
@@ -307,8 +221,6 @@ void contact_along_all(const Shape &a, const Pose &pose_a, const Shape &b, const
   }
   if (points.size() == first) contact_along(a, pose_a, b, pose_b, answer, scratch, points);
 }
-
-bool is_revolved(const Shape &shape) { return shape.kind == ShapeKind::cylinder || shape.kind == ShapeKind::cone; }
 
 // What the energy of a capsule's axis carries on a box, hull, cylinder or cone; returns its part of the contact.
 double elastic_part(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,

@@ -7,13 +7,11 @@
 #include "manifold/axis/capsule_on_polytope.hpp"
 #include "manifold/contact_set.hpp"
 #include "manifold/line_manifold.hpp"
-#include "manifold/polytope/polytope_manifold.hpp"
 
 namespace cmb {
 
 // Room that contacts are made in; one for each thread.
 struct CurvedManifoldScratch {
-  PenetrationProfile polytope;
   LineManifoldScratch axis;
   CapsuleScratch capsule;
 };

@@ -122,13 +122,6 @@ Disc::Disc(const Shape &shape, const Pose &pose, const Vec3 &towards) {
   radius = shape.body.half.x;
 }
 
-double face_part(const Shape &box, const Pose &pose, const Vec3 &towards) {
-  if (box.kind != ShapeKind::box) return 0.0;
-  const Vec3 local = transposed_times(pose.rotation, towards);
-  const double facing = std::max({std::fabs(local.x), std::fabs(local.y), std::fabs(local.z)});
-  return falling_smoothstep(std::sqrt(std::max(0.0, 1.0 - facing * facing)) / flat_sine);
-}
-
 double disc_on_disc(const Disc &a, const Disc &b, const Vec3 &normal, double sense, std::vector<ContactPoint> &points) {
   // Seen along the normal, the first axis from A's middle to B's.
   const Vec3 between = b.center - a.center, level = between - dot(between, normal) * normal;
@@ -160,71 +153,6 @@ double disc_on_disc(const Disc &a, const Disc &b, const Vec3 &normal, double sen
       outline.corner(rim_a, side * half_a, 0.5 * (pi - half_a - half_b));
       outline.corner(rim_b, pi - side * half_b, 0.5 * (pi - half_a - half_b));
     }
-  }
-  return outline.deepest();
-}
-
-double disc_on_face(const Disc &disc, const Shape &box, const Pose &pose, const Vec3 &normal, double sense,
-                    std::vector<ContactPoint> &points) {
-  // The box' face that the normal leaves, and its axes.
-  const Vec3 local = transposed_times(pose.rotation, normal);
-  int facing = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (std::fabs(local[k]) > std::fabs(local[facing])) facing = k;
-  }
-  const int first = (facing + 1) % 3, second = (facing + 2) % 3;
-  const Vec3 up = std::copysign(1.0, local[facing]) * pose.rotation.column(facing);
-  const Vec3 e1 = pose.rotation.column(first), e2 = pose.rotation.column(second);
-  const double half1 = box.body.half[first], half2 = box.body.half[second];
-  const Vec3 face = pose.translation + box.body.half[facing] * up;
-  const Vec3 u = disc.radius * normalized(e1 - dot(e1, disc.axis) * disc.axis);
-  Vec3 v = cross(disc.axis, u);
-  if (dot(v, e2) < 0.0) v = -v;
-  const Rim rim(disc.center, u, v, face, up, normal);
-  Outline outline(sense * normal, points);
-
-  // The rim's shadow on the face, along the face's axes: x + swing cos(t - angle). Each side k of the face cuts off the arc
-  // within half[k] of angle[k].
-  const auto along = [&](const Vec3 &e, double &middle, double &swing, double &angle) {
-    const double lean = dot(e, normal);
-    const double c = dot(e, u) + rim.cosine * lean, s = dot(e, v) + rim.sine * lean;
-    middle = dot(e, disc.center - face) + rim.depth * lean;
-    swing = std::hypot(c, s);
-    angle = std::atan2(s, c);
-  };
-  double x, y, swing_x, swing_y, angle_x, angle_y;
-  along(e1, x, swing_x, angle_x);
-  along(e2, y, swing_y, angle_y);
-  const double angle[4] = {angle_x, angle_y, angle_x + pi, angle_y + pi};
-  const double room[4] = {(half1 - x) / swing_x, (half2 - y) / swing_y, (half1 + x) / swing_x, (half2 + y) / swing_y};
-  double half[4];
-  for (int k = 0; k < 4; ++k) {
-    if (room[k] <= -1.0) return 0.0;
-    half[k] = room[k] < 1.0 ? std::acos(room[k]) : 0.0;
-  }
-  const auto at = [&angle](int k) { return angle[(k + 4) % 4] + (k < 0 ? -2.0 * pi : k > 3 ? 2.0 * pi : 0.0); };
-  const auto within = [&half](int k) { return half[(k + 4) % 4]; };
-  // The face's corners, each between a side and the next, those under the disc. Whether the rim goes in or out through a side
-  // beside a corner is told by these, so that of a corner and the rim's ways through its sides none is missing or too much where
-  // the rim runs through the corner.
-  bool under[4];
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 corner = face + (k == 0 || k == 3 ? half1 : -half1) * e1 + (k < 2 ? half2 : -half2) * e2;
-    const double depth = dot(disc.axis, corner - disc.center) / dot(disc.axis, normal);
-    under[k] = norm2(corner - depth * normal - disc.center) < disc.radius * disc.radius;
-    if (under[k]) outline.corner(corner - (0.5 * depth) * normal, depth, at(k + 1) - at(k));
-  }
-  for (int k = 0; k < 4; ++k) {
-    outline.arc(rim, std::max(at(k) + within(k), at(k - 1) + within(k - 1)),
-                std::min(at(k + 1) - within(k + 1), at(k + 2) - within(k + 2)));
-    if (!(half[k] > 0.0)) continue;
-    // Where the middle of the rim's ways through this side lies: between the corner before, at -1, and the one after, at 1.
-    const double along = k % 2 == 0 ? (y + swing_y * std::cos(half[k]) * std::cos(angle[k] - angle_y)) / half2
-                                    : (x + swing_x * std::cos(half[k]) * std::cos(angle[k] - angle_x)) / half1;
-    const double middle = k == 0 || k == 3 ? along : -along;
-    const bool after = under[k], before = under[(k + 3) % 4];
-    if (!before && middle > -1.0 && (after || middle < 1.0)) outline.corner(rim, angle[k] - half[k], half[k]);
-    if (!after && middle < 1.0 && (before || middle > -1.0)) outline.corner(rim, angle[k] + half[k], half[k]);
   }
   return outline.deepest();
 }

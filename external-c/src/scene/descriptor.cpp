@@ -1,5 +1,4 @@
 #include "scene/descriptor.hpp"
-#include "shape/rim_polytope.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,11 +88,9 @@ Shape parse_shape(const Token &part, GeometryFiles &files) {
   } else if (kind.text == "cylinder") {
     shape.kind = ShapeKind::cylinder;
     shape.body = convex::make_cylinder(keys.require_lengths("radius", 1)[0], keys.require_lengths("length", 1)[0]);
-    shape.rim = make_rim_polytope(shape.body);
   } else if (kind.text == "cone") {
     shape.kind = ShapeKind::cone;
     shape.body = convex::make_cone(keys.require_lengths("radius", 1)[0], keys.require_lengths("length", 1)[0]);
-    shape.rim = make_rim_polytope(shape.body);
   } else {
     throw DescriptorError(kind.column, "the kind of shape " + quoted(kind.text) +
                                            " is unknown; use halfspace, sphere, box, capsule, hull, ellipsoid, "

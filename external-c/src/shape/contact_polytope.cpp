@@ -8,7 +8,6 @@
 #include "math/branchless.hpp"
 #include "math/index.hpp"
 #include "math/pi.hpp"
-#include "math/solid_angle.hpp"
 #include "shape/convex_hull.hpp"
 
 namespace cmb {
@@ -27,7 +26,7 @@ struct Neighbourhood {
 
 }  // namespace
 
-ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : geometry_(std::move(geometry)), clusters_(geometry_) {
+ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::move(geometry)), clusters_(geometry_) {
   const std::size_t vertex_count = geometry_.vertices().size();
   std::vector<std::vector<Neighbourhood>> around(vertex_count);
   for (std::size_t f = 0; f < geometry_.faces().size(); ++f) {
@@ -63,7 +62,6 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : g
     }
     corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
     double low = 1.0, high = 0.0;
-    double normal_cone = 0.0;
     for (const Neighbourhood &corner : corners) {
       corners_.push_back({corner.share, corner.face});
       low = std::min(low, corner.share);
@@ -71,21 +69,8 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : g
     }
     constant_.push_back(high - low <= 1e-12 ? 0.5 * (high + low) : -1.0);
     all_constant_ = all_constant_ && constant_.back() >= 0.0;
-    const auto normal = [&](std::size_t i) -> const Vec3 & { return geometry_.faces()[index(corners[i].face)].normal; };
-    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
-      normal_cone += triangle_solid_angle(normal(0), normal(i + 1), normal(i + 2));
-    }
-    normal_cone_.push_back(std::fabs(normal_cone));
   }
   corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
-  for (const convex::Polytope::Edge &edge : geometry_.edges()) {
-    const double part = 2.0 * pi / (normal_cone(edge.vertex[0]) + normal_cone(edge.vertex[1]));
-    EdgeStiffness &stiffness = edge_stiffness_.emplace_back();
-    for (int side = 0; side < 2; ++side) {
-      stiffness.in_face[side] =
-          part * (share_in(edge.vertex[0], edge.face[side]) + share_in(edge.vertex[1], edge.face[side]));
-    }
-  }
   build_polar();
   if (geometry_.edges().size() <= most_in_set) {
     build_sets();
@@ -94,7 +79,6 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry, Corners meaning) : g
     for (const convex::Polytope::Face &face : geometry_.faces()) normals.push_back(face.normal);
     convex::build_convex_hull(normals, normals_, nullptr, nullptr);
   }
-  if (meaning == Corners::curve) return;
   double radius = 0.0;
   for (const Vec3 &v : geometry_.vertices()) radius = std::max(radius, norm(v - geometry_.center()));
   fineness_ = static_cast<double>(vertex_count) / (2.0 * radius);
@@ -129,10 +113,6 @@ void ContactPolytope::build_polar() {
     }
   }
   for (const std::int32_t face : faces_across_) polar_corners_across_.push_back(polar_corners_[index(face)]);
-}
-
-double ContactPolytope::share_in(std::int32_t v, std::int32_t face) const {
-  return std::find_if(corners(v), corners(v + 1), [face](const FaceCorner &corner) { return corner.face == face; })->share;
 }
 
 double ContactPolytope::greatest_face_cosine(const Vec3 &direction) const {

@@ -22,10 +22,7 @@ constexpr double wall_cosine = 1e-9;
 // between them its share changes smoothly with the direction the load comes from.
 class ContactPolytope {
  public:
-  // Whether the vertices are a tessellation's, met the more the deeper a contact is, or stand for a curve's places.
-  enum class Corners { tessellation, curve };
-
-  explicit ContactPolytope(convex::Polytope geometry, Corners meaning = Corners::tessellation);
+  explicit ContactPolytope(convex::Polytope geometry);
   // The convex bodies made of it borrow the geometry: it must not move.
   ContactPolytope(const ContactPolytope &) = delete;
   ContactPolytope &operator=(const ContactPolytope &) = delete;
@@ -54,13 +51,6 @@ class ContactPolytope {
   // The share of vertex v where the obstacle lies towards `down` (unit, in the polytope's frame); in (0, 1/2).
   Share share(std::int32_t v, const Vec3 &down) const;
 
-  // For each of an edge's faces what the edge's ends, had they no other face, would carry in it if their normal cones
-  // filled the hemisphere: the mean of their shares over the mean part of the hemisphere that their cones fill.
-  struct EdgeStiffness {
-    double in_face[2];
-  };
-  const EdgeStiffness &edge_stiffness(std::int32_t edge) const { return edge_stiffness_[static_cast<std::size_t>(edge)]; }
-
   // Whether the share of every vertex is the same for all directions, as for a box.
   bool shares_are_constant() const { return all_constant_; }
 
@@ -75,7 +65,7 @@ class ContactPolytope {
   const std::vector<std::int32_t> &faces_across() const { return faces_across_; }
   const std::vector<Vec3> &polar_corners_across() const { return polar_corners_across_; }
 
-  // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated; 0 where they stand for a curve.
+  // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated.
   double fineness() const { return fineness_; }
 
   // The edges and faces at a vertex as sets, a bit each; only where the polytope has no more edges than `most_in_set`, so
@@ -92,13 +82,9 @@ class ContactPolytope {
   // Its planes.
   const FaceClusters &clusters() const { return clusters_; }
 
-  // The solid angle of vertex v's whole normal cone.
-  double normal_cone(std::int32_t v) const { return normal_cone_[static_cast<std::size_t>(v)]; }
-
  private:
   void build_sets();
   void build_polar();
-  double share_in(std::int32_t v, std::int32_t face) const;
 
   convex::Polytope geometry_;
   FaceClusters clusters_;
@@ -107,8 +93,6 @@ class ContactPolytope {
   std::vector<double> constant_;            // share where it does not depend on the direction, else -1
   bool all_constant_ = true;
   double fineness_ = 0.0;
-  std::vector<double> normal_cone_;         // solid angle of the whole cone
-  std::vector<EdgeStiffness> edge_stiffness_;
   std::vector<Incidence> incidence_;
   std::vector<double> coordinates_, normal_coordinates_;  // of vertices and of faces, axis by axis
   // Of others: the hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without

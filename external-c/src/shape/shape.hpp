@@ -37,7 +37,6 @@ struct Shape {
   ShapeKind kind = ShapeKind::halfspace;
   convex::ConvexBody body;                           // of every kind but halfspace and mesh
   std::shared_ptr<const ContactPolytope> polytope;   // of box and hull; a closed convex mesh is a hull
-  std::shared_ptr<const ContactPolytope> rim;        // of cylinder and cone: stands for their flat ends
   std::shared_ptr<const mesh::TriangleMesh> mesh;    // of mesh, which height fields are too, and of hulls given as meshes
   std::shared_ptr<const ContactPolytope> mesh_hull;  // of a mesh that a half-space may touch, if it is no plane
   std::shared_ptr<const LibraryShape> in_library;    // for the scene's back end; null where that keeps none
@@ -46,6 +45,9 @@ struct Shape {
   double bound_radius = 0.0;                         // not for halfspace
   LocalBounds bounds;                                // nor these
 };
+
+// A cylinder or cone.
+inline bool is_revolved(const Shape &shape) { return shape.kind == ShapeKind::cylinder || shape.kind == ShapeKind::cone; }
 
 // The shapes of one body; empty where the body has none.
 using BodyShapes = std::vector<Shape>;

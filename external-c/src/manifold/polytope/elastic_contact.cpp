@@ -1,10 +1,19 @@
 #include "manifold/polytope/elastic_contact.hpp"
 
 #include "manifold/load_points.hpp"
-#include "manifold/polytope/polytope_manifold.hpp"
 #include "math/pose_algebra.hpp"
 
 namespace cmb {
+
+namespace {
+
+// Axes whose z is the normal, in world axes.
+Pose contact_axes(const Vec3 &normal, const Vec3 &witness) {
+  const Vec3 first = convex::any_perpendicular(normal);
+  return {transposed(convex::Mat3{{first, cross(normal, first), normal}}), witness};
+}
+
+}  // namespace
 
 bool elastic_contact(const ContactPolytope &a, const Pose &pose_a, const ContactPolytope &b, const Pose &pose_b,
                      const Vec3 &normal, const Vec3 &witness, ElasticScratch &scratch, std::vector<ContactPoint> &points) {
