@@ -162,13 +162,13 @@ void contact_along(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     return;
   }
   if (!is_revolved(a) && !is_revolved(b)) return;
-  // Energy that changes with the direction alone asks for a torque, as on a half-space. A shape's direction towards the
-  // other one turns with that where the other one has faces; else half of it.
+  // Energy that changes with the direction alone asks for a torque, as on a half-space. A shape's direction towards the other one turns
+  // by half of what either turns.
   const Vec3 of_direction_a = (of_b.flat * more_flats + of_b.line * more_b_on_a) * of_a.flat_gradient +
                               (of_b.flat * more_a_on_b + of_b.line * more_lines) * of_a.line_gradient;
   const Vec3 of_direction_b = (of_a.flat * more_flats + of_a.line * more_a_on_b) * of_b.flat_gradient +
                               (of_a.flat * more_b_on_a + of_a.line * more_lines) * of_b.line_gradient;
-  const Vec3 missing = (b.polytope ? 1.0 : 0.5) * of_direction_a + (a.polytope ? 1.0 : 0.5) * of_direction_b;
+  const Vec3 missing = 0.5 * (of_direction_a + of_direction_b);
   const Vec3 shift = (1.0 / total_load(points, begin)) * (missing - dot(missing, normal) * normal);
   for (std::size_t k = begin; k < points.size(); ++k) points[k].position = points[k].position + shift;
 }

@@ -12,6 +12,9 @@ namespace cmb {
 
 namespace {
 
+// Faces whose normals have no greater cosine to the contact normal than this are walls.
+constexpr double wall_cosine = 1e-9;
+
 using Station = LineManifoldScratch::Station;
 
 constexpr double rounding = 1e-13;

@@ -134,22 +134,16 @@ double ContactPolytope::greatest_face_cosine(const Vec3 &direction) const {
 
 ContactPolytope::Share ContactPolytope::share(std::int32_t v, const Vec3 &down) const {
   const FaceCorner *const first = corners(v), *const last = corners(v + 1);
-  Share result{constant_[index(v)], {}, 1.0};
-  if (result.value >= 0.0) {
-    for (const FaceCorner *corner = first; corner != last; ++corner) {
-      result.least_cosine = std::min(result.least_cosine, dot(face_of(*corner).normal, down));
-    }
-    return result;
-  }
+  Share result{constant_[index(v)], {}};
+  if (result.value >= 0.0) return result;
   // Shepard's interpolation over the faces at v in the angle between face normal and load.
   constexpr std::size_t most_kept = 32;
   std::array<double, most_kept> kept;  // only the first ones are used
   const auto inverse_term = [&](double cosine) { return 1.0 / std::max(1.0 - cosine, smallest_angle_term); };
-  double sum = 0.0, weighted = 0.0, least = 1.0;
+  double sum = 0.0, weighted = 0.0;
   std::size_t i = 0;
   for (const FaceCorner *corner = first; corner != last; ++corner, ++i) {
     const double cosine = dot(face_of(*corner).normal, down);
-    least = std::min(least, cosine);
     const double inverse = inverse_term(cosine), influence = inverse * inverse;
     if (i < most_kept) kept[i] = inverse;
     sum += influence;
@@ -166,7 +160,6 @@ ContactPolytope::Share ContactPolytope::share(std::int32_t v, const Vec3 &down) 
   }
   result.value = share;
   result.gradient.x = x, result.gradient.y = y, result.gradient.z = z;
-  result.least_cosine = least;
   return result;
 }
 

@@ -12,9 +12,6 @@ namespace cmb {
 
 using convex::Vec3;
 
-// Faces whose normals have no greater cosine to the contact normal than this are walls.
-constexpr double wall_cosine = 1e-9;
-
 // Immutable; shared by threads.
 //
 // In a face that rests wholly, corner v carries the share theta / (2 pi), theta being the exterior
@@ -45,8 +42,7 @@ class ContactPolytope {
 
   struct Share {
     double value;
-    Vec3 gradient;        // the derivative by the direction (of any length)
-    double least_cosine;  // of the angle between the direction and a face's normal
+    Vec3 gradient;  // the derivative by the direction (of any length)
   };
   // The share of vertex v where the obstacle lies towards `down` (unit, in the polytope's frame); in (0, 1/2).
   Share share(std::int32_t v, const Vec3 &down) const;

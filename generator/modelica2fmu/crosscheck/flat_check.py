@@ -22,6 +22,7 @@ from modelica2fmu.crosscheck.class_syntax import Extent, Modifier
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.flat_expression_check import ExpressionCheck, Site
 from modelica2fmu.crosscheck.flat_reading import FlatReading, WrittenPlaces, spans
+from modelica2fmu.crosscheck.own_classes import model_class
 
 _PART: Final = re.compile(r"'(?:\\.|[^'\\])*'|[^.\[\]]+(?:\[[^\]]*\])?")
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
@@ -66,11 +67,8 @@ def check_flat_model(flat: Mapping[str, Any], model: str, reading: FlatReading) 
     Raises:
         UnsupportedModelError: the front end left out another modifier, or a redeclaration.
     """
-    try:
-        root = Names(reading.library).find(tuple(model.split(".")))
-    except (UnknownError, UnreadableError):
-        return ()
-    return _FlatCheck(flat, root, reading).run()
+    root = model_class(model, reading.library)
+    return () if root is None else _FlatCheck(flat, root, reading).run()
 
 
 def added_components(flat: Mapping[str, Any], model: str, library: ClassLibrary) -> list[str]:
@@ -97,9 +95,8 @@ def copies_of_inner(flat: Mapping[str, Any], model: str, library: ClassLibrary) 
         model: full name.
         library: the sources.
     """
-    try:
-        root = Names(library).find(tuple(model.split(".")))
-    except (UnknownError, UnreadableError):
+    root = model_class(model, library)
+    if root is None:
         return []
     outer = [name for name, variable in flat["variables"].items() if _is_outer(root, variable)]
     named = {_SUBSCRIPTS.sub("", name) for name in _named(flat)} if outer else set()

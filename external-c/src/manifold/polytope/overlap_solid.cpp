@@ -47,8 +47,8 @@ bool OverlapSolid::find(const ContactPolytope &a, const Pose &a_in_axes, const C
   Pose mirrored = a_in_axes;
   mirrored.rotation.row[2] = -mirrored.rotation.row[2];
   mirrored.translation.z = -mirrored.translation.z;
-  a_.side.place(a, mirrored, {});
-  b_.side.place(b, b_in_axes, {});
+  a_.side.place(a, mirrored);
+  b_.side.place(b, b_in_axes);
   const double thickness = a_.side.reach() + b_.side.reach();
   if (!(thickness > 0.0)) return false;
   fading_ = fading_part * thickness;
@@ -79,7 +79,7 @@ void OverlapSolid::start_search() {
 
 void OverlapSolid::look_at(Body &body, double limit) {
   ContactSide &side = body.side;
-  side.gather_inside(limit);
+  side.gather(limit);
   side.near_faces(faces_);
   body.planes.resize(faces_.size());
   for (std::size_t k = 0; k < faces_.size(); ++k) {
@@ -164,7 +164,7 @@ void OverlapSolid::see_vertices(Body &body, const Body &other) const {
   for (std::size_t k = 0; k < other.planes.size(); ++k) {
     const Plane &plane = other.planes[k];
     mark_beyond(plane.normal.x, plane.normal.y, body.sense * plane.normal.z, plane.offset + tolerance_, std::uint64_t{1} << k, count,
-                body.side.seen_x(), body.side.seen_y(), body.side.heights(), body.beyond.data());
+                body.side.places_x(), body.side.places_y(), body.side.heights(), body.beyond.data());
   }
 }
 
@@ -186,7 +186,7 @@ void OverlapSolid::look_at_vertex(const Body &body, std::int32_t vertex, Body &o
 
 void OverlapSolid::start_seen_polygon(const Body &body, const convex::Polytope::Face &face) {
   const std::int32_t *const vertices = body.geometry().face_vertices().data() + face.first;
-  const double *const x = body.side.seen_x(), *const y = body.side.seen_y(), *const z = body.side.heights();
+  const double *const x = body.side.places_x(), *const y = body.side.places_y(), *const z = body.side.heights();
   const std::uint64_t *const beyond = body.beyond.data();
   Vec3 *const polygon = points_.data() + first_;
   for (std::size_t i = 0; i < count_; ++i) {

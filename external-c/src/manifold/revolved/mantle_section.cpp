@@ -119,18 +119,44 @@ bool MantleSection::follow_arcs(PlaneFan &fan) {
   return true;
 }
 
-void add_rim(Mantle &mantle, PlaneFan &fan, double height, double from, double turn) {
+void Rim::start(Mantle &mantle, End end) {
   const RevolvedBody &body = mantle.body();
-  const Pose &in_common = mantle.in_common();
+  mantle_ = &mantle;
+  height_ = end == base ? -body.half : body.half;
+  radius_ = end == base || body.is_cylinder() ? body.radius : 0.0;
+  sense_ = end == base ? -1.0 : 1.0;
+  passages_.clear();
+}
+
+void Rim::add_passage(const Vec3 &at, bool to_rim) {
+  const double angle = std::atan2(at.y, at.x);
+  passages_.add({sense_ * radius_ * angle, angle, height_, to_rim});
+}
+
+void Rim::follow_all(PlaneFan &fan) { add_arc(fan, 0.0, sense_ * 2.0 * pi); }
+
+bool Rim::follow_arcs(PlaneFan &fan) {
+  const double rounding = rounding_of(mantle_->body());
+  while (!passages_.empty()) {
+    Passages::Arc arc;
+    if (!passages_.take_arc(rounding, arc)) return false;
+    if (!arc.round && arc.to.key == arc.from.key) continue;
+    add_arc(fan, arc.from.angle, arc.to.angle - arc.from.angle + (arc.round ? sense_ * 2.0 * pi : 0.0));
+  }
+  return true;
+}
+
+void Rim::add_arc(PlaneFan &fan, double from, double turn) {
+  const Pose &in_common = mantle_->in_common();
   const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
-  const double width = turn / parts, radius = std::max(0.0, body.radius_at(height));
+  const double width = turn / parts;
   const GaussNodes rule = rule_for(std::fabs(width));
   for (int part = 0; part < parts; ++part) {
     for (std::size_t k = 0; k < rule.count; ++k) {
       const double angle = from + width * (part + rule.node[k]), step = width * rule.weight[k];
-      const double cosine = std::cos(angle), sine = std::sin(angle), way = radius * step;
-      fan.add_curve_node(in_common({radius * cosine, radius * sine, height}), in_common.rotation * Vec3{-way * sine, way * cosine, 0.0});
-      mantle.add_border_node({cosine, sine, 0.0}, height, step);
+      const double cosine = std::cos(angle), sine = std::sin(angle), way = radius_ * step;
+      fan.add_curve_node(in_common({radius_ * cosine, radius_ * sine, height_}), in_common.rotation * Vec3{-way * sine, way * cosine, 0.0});
+      mantle_->add_border_node({cosine, sine, 0.0}, height_, step);
     }
   }
 }

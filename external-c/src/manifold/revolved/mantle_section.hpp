@@ -1,5 +1,7 @@
-// Where a plane cuts the mantle of a cylinder or cone.
+// Where a plane, or an end of its own, meets the mantle of a cylinder or cone.
 #pragma once
+
+#include <cstddef>
 
 #include "manifold/revolved/mantle.hpp"
 #include "manifold/revolved/passages.hpp"
@@ -42,7 +44,32 @@ class MantleSection {
   Passages passages_;
 };
 
-// The circle of a mantle and an end, or a cone's apex: adds its part of an angle to both.
-void add_rim(Mantle &mantle, PlaneFan &fan, double height, double from, double turn);
+// The circle where the mantle meets an end, or a cone's apex, which counts as one without a radius.
+class Rim {
+ public:
+  enum End : std::size_t { base, top, ends };
+
+  void start(Mantle &mantle, End end);
+  // A place (in the mantle's frame) where the end's border goes over to the rim, or comes from there.
+  void add_passage(const Vec3 &at, bool to_rim);
+  // Adds the rim's arcs between the passages to the mantle and to the end. Where there are none all of it borders, or nothing: `holds` tells
+  // of a place in the mantle's frame whether it is in the other body. False where passages do not fit together.
+  template <typename Holds>
+  bool follow(PlaneFan &fan, Holds &&holds) {
+    if (!passages_.empty()) return follow_arcs(fan);
+    if (holds(Vec3{radius_, 0.0, height_})) follow_all(fan);
+    return true;
+  }
+
+ private:
+  bool follow_arcs(PlaneFan &fan);
+  void follow_all(PlaneFan &fan);
+  void add_arc(PlaneFan &fan, double from, double turn);
+
+  Mantle *mantle_ = nullptr;
+  double radius_ = 0.0, height_ = 0.0;
+  double sense_ = 1.0;  // 1 where angles grow counter-clockwise about the end
+  Passages passages_;
+};
 
 }  // namespace cmb

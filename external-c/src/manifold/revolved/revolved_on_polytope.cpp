@@ -57,7 +57,7 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const ContactPolytope &p
   }
   Mantle mantle(body, {}, place, surface.of_a());
   PlaneFan end_fan[ends] = {{{0.0, 0.0, -1.0}, place, surface.of_a()}, {{0.0, 0.0, 1.0}, place, surface.of_a()}};
-  for (Passages &passages : on_rim_) passages.clear();
+  for (const End end : {base, top}) rim_[end].start(mantle, end);
   faces_.clear();
   planes_.clear();
   for (std::size_t f = 0; f < polytope_->faces().size(); ++f) {
@@ -75,7 +75,8 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const ContactPolytope &p
   for (std::size_t k = 0; k < faces_.size(); ++k) {
     if (!follow_face(static_cast<std::int32_t>(k), mantle, end_fan)) return false;
   }
-  if (!follow_rim(base, mantle, end_fan[base]) || !follow_rim(top, mantle, end_fan[top])) return false;
+  const auto in_polytope = [this](const Vec3 &at) { return holds(at); };
+  if (!rim_[base].follow(end_fan[base], in_polytope) || !rim_[top].follow(end_fan[top], in_polytope)) return false;
   return surface.sum();
 }
 
@@ -171,12 +172,8 @@ void RevolvedOnPolytope::add_chord(const EdgePart &leaving, bool leaving_forward
   if (!chord.any) return;
   face_fan.add_segment(chord.from, chord.to);
   end_fan.add_segment(chord.to, chord.from);
-  const auto on_rim = [&](const Vec3 &at, bool to_curve) {
-    const double angle = std::atan2(at.y, at.x);
-    on_rim_[end].add({(end == top ? body_->radius : -body_->radius) * angle, angle, at.z, to_curve});
-  };
-  if (chord.comes_in) section_.add_passage(chord.from, false), on_rim(chord.from, true);
-  if (chord.goes_out) section_.add_passage(chord.to, true), on_rim(chord.to, false);
+  if (chord.comes_in) section_.add_passage(chord.from, false), rim_[end].add_passage(chord.from, true);
+  if (chord.goes_out) section_.add_passage(chord.to, true), rim_[end].add_passage(chord.to, false);
 }
 
 bool RevolvedOnPolytope::is_in_face(std::int32_t index, const Vec3 &at) const {
@@ -187,23 +184,6 @@ bool RevolvedOnPolytope::is_in_face(std::int32_t index, const Vec3 &at) const {
     const Vec3 &p = vertices_[static_cast<std::size_t>(corner[i])].at;
     const Vec3 &q = vertices_[static_cast<std::size_t>(corner[i + 1 < face.count ? i + 1 : 0])].at;
     if (dot(cross(q - p, at - p), normal) < 0.0) return false;
-  }
-  return true;
-}
-
-bool RevolvedOnPolytope::follow_rim(End end, Mantle &mantle, PlaneFan &fan) {
-  const double height = height_of(end), sense = end == top ? 1.0 : -1.0;
-  Passages &passages = on_rim_[end];
-  if (passages.empty()) {
-    const double radius = end == top && !body_->is_cylinder() ? 0.0 : body_->radius;
-    if (holds({radius, 0.0, height})) add_rim(mantle, fan, height, 0.0, sense * 2.0 * pi);
-    return true;
-  }
-  while (!passages.empty()) {
-    Passages::Arc arc;
-    if (!passages.take_arc(1e-12 * (body_->radius + body_->half), arc)) return false;
-    if (!arc.round && arc.to.key == arc.from.key) continue;
-    add_rim(mantle, fan, height, arc.from.angle, arc.to.angle - arc.from.angle + (arc.round ? sense * 2.0 * pi : 0.0));
   }
   return true;
 }

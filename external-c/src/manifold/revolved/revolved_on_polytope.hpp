@@ -23,7 +23,8 @@ class RevolvedOnPolytope {
             OverlapSurface &surface);
 
  private:
-  enum End : std::size_t { base, top, ends };
+  using End = Rim::End;
+  static constexpr End base = Rim::base, top = Rim::top, ends = Rim::ends;
 
   struct Vertex {
     Vec3 at;
@@ -52,7 +53,6 @@ class RevolvedOnPolytope {
   void add_chord(const EdgePart &leaving, bool leaving_forward, const EdgePart &coming, bool coming_forward, End end,
                  PlaneFan &face_fan, PlaneFan &end_fan);
   bool is_in_face(std::int32_t index, const Vec3 &at) const;
-  bool follow_rim(End end, Mantle &mantle, PlaneFan &fan);
   bool holds(const Vec3 &at) const;
 
   double height_of(End end) const { return end == base ? -body_->half : body_->half; }
@@ -66,7 +66,7 @@ class RevolvedOnPolytope {
   std::vector<std::int32_t> faces_;  // that may bound the overlap
   std::vector<Plane> planes_;        // in step
   MantleSection section_;
-  Passages on_rim_[ends];
+  Rim rim_[ends];
 };
 
 }  // namespace cmb

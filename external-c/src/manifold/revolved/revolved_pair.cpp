@@ -5,7 +5,6 @@
 
 #include "math/pi.hpp"
 #include "math/polynomial_roots.hpp"
-#include "math/pose_algebra.hpp"
 
 namespace cmb {
 
@@ -47,10 +46,6 @@ RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, const Ve
       mantle(body, in_common, place, nodes),
       fan{{-in_common.rotation.column(2), place, nodes}, {in_common.rotation.column(2), place, nodes}} {}
 
-bool RevolvedPair::Side::holds(const Vec3 &common) const {
-  return body.holds(transposed_times(pose.rotation, common - pose.translation));
-}
-
 bool RevolvedPair::find(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &deepest_a, const Vec3 &deepest_b,
                         OverlapSurface &surface) {
   const Vec3 place = place_in_both(a, {}, b, b_in_a, deepest_a, deepest_b);
@@ -61,7 +56,7 @@ bool RevolvedPair::find(const RevolvedBody &a, const RevolvedBody &b, const Pose
     for (const End end : {base, top}) {
       const Vec3 normal = (end == base ? -1.0 : 1.0) * in_other.rotation.column(2);
       borders.section[end].start(other.mantle, normal, dot(normal, in_other({0.0, 0.0, side.height(end)})));
-      borders.rim[end].clear();
+      borders.rim[end].start(side.mantle, end);
     }
   };
   start(side_a, of_a_, side_b, a_in_b);
@@ -73,17 +68,11 @@ bool RevolvedPair::find(const RevolvedBody &a, const RevolvedBody &b, const Pose
     }
   }
   for (const End end : {base, top}) {
-    if (side_a.has(end)) add_rim_passages(side_a, of_a_, end, side_b);
-    if (side_b.has(end)) add_rim_passages(side_b, of_b_, end, side_a);
+    if (side_a.has(end)) add_rim_passages(side_a, of_a_, end, side_b, a_in_b);
+    if (side_b.has(end)) add_rim_passages(side_b, of_b_, end, side_a, b_in_a);
   }
   return follow_ends(side_a, of_a_, side_b) && follow_ends(side_b, of_b_, side_a) && follow_crossing(side_a, side_b, place, surface) &&
          surface.sum();
-}
-
-void RevolvedPair::add_rim_passage(const Side &side, Borders &borders, End end, const Vec3 &common, bool to_curve) {
-  const Vec3 p = transposed_times(side.pose.rotation, common - side.pose.translation);
-  const double angle = std::atan2(p.y, p.x);
-  borders.rim[end].add({(end == top ? side.body.radius : -side.body.radius) * angle, angle, p.z, to_curve});
 }
 
 // The line of two ends' planes, as far as it is in both.
@@ -107,13 +96,12 @@ void RevolvedPair::add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Bo
   b.fan[end_b].add_segment(last, first);
   // Each end of the chord is on one rim, and on the other body's end goes over to a conic on that rim's mantle.
   const auto pass = [&](const Vec3 &at, bool on_rim_a, bool chord_ends) {
-    const auto in_frame = [&](const Side &side) { return transposed_times(side.pose.rotation, at - side.pose.translation); };
     if (on_rim_a) {
-      add_rim_passage(a, borders_a, end_a, at, chord_ends);
-      borders_b.section[end_b].add_passage(in_frame(a), !chord_ends);
+      borders_a.rim[end_a].add_passage(a.in_frame(at), chord_ends);
+      borders_b.section[end_b].add_passage(a.in_frame(at), !chord_ends);
     } else {
-      borders_a.section[end_a].add_passage(in_frame(b), chord_ends);
-      add_rim_passage(b, borders_b, end_b, at, !chord_ends);
+      borders_a.section[end_a].add_passage(b.in_frame(at), chord_ends);
+      borders_b.rim[end_b].add_passage(b.in_frame(at), !chord_ends);
     }
   };
   pass(first, -half_a > place_b - half_b, false);
@@ -122,8 +110,7 @@ void RevolvedPair::add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Bo
 
 // Where a rim passes the other body's mantle: a trigonometric polynomial of the second degree changes its sign, which by the tangent of half
 // the angle is one of the fourth. Angles from where the other body is, and beyond a right angle from the other side.
-void RevolvedPair::add_rim_passages(Side &side, Borders &borders, End end, const Side &other) {
-  const Pose in_other = relative_pose(other.pose, side.pose);
+void RevolvedPair::add_rim_passages(Side &side, Borders &borders, End end, const Side &other, const Pose &in_other) {
   const Vec3 center = in_other({0.0, 0.0, side.height(end)}), u = in_other.rotation.column(0), v = in_other.rotation.column(1);
   const double radius = side.body.radius, slope = other.body.slope, at_center = other.body.radius_at(center.z);
   const auto product = [slope](const Vec3 &p, const Vec3 &q) { return p.x * q.x + p.y * q.y - slope * slope * p.z * q.z; };
@@ -146,7 +133,7 @@ void RevolvedPair::add_rim_passages(Side &side, Borders &borders, End end, const
       const double growth = at.x * around.x + at.y * around.y - other.body.radius_at(at.z) * slope * around.z;
       const bool enters = (growth < 0.0) == (end == top);  // counter-clockwise about the end
       const Vec3 common = other.pose(at);
-      add_rim_passage(side, borders, end, common, enters);
+      borders.rim[end].add_passage(side.in_frame(common), enters);
       borders.section[end].add_passage(at, !enters);
       corners_.push_back({common, side.fan[end].normal()});
     }
@@ -156,25 +143,12 @@ void RevolvedPair::add_rim_passages(Side &side, Borders &borders, End end, const
 bool RevolvedPair::follow_ends(Side &side, Borders &borders, const Side &other) {
   for (const End end : {base, top}) {
     PlaneFan &fan = side.fan[end];
-    const double height = side.height(end), sense = end == top ? 1.0 : -1.0;
-    Passages &passages = borders.rim[end];
-    if (side.has(end)) {
-      const auto in_end = [&](const Vec3 &in_other) {
-        return norm2(other.pose(in_other) - side.center(end)) <= side.body.radius * side.body.radius;
-      };
-      if (!borders.section[end].follow(fan, in_end)) return false;
-    }
-    if (passages.empty()) {
-      const double radius = side.has(end) ? side.body.radius : 0.0;
-      if (other.holds(side.pose({radius, 0.0, height}))) add_rim(side.mantle, fan, height, 0.0, sense * 2.0 * pi);
-      continue;
-    }
-    while (!passages.empty()) {
-      Passages::Arc arc;
-      if (!passages.take_arc(1e-12 * (side.body.radius + side.body.half), arc)) return false;
-      if (!arc.round && arc.to.key == arc.from.key) continue;
-      add_rim(side.mantle, fan, height, arc.from.angle, arc.to.angle - arc.from.angle + (arc.round ? sense * 2.0 * pi : 0.0));
-    }
+    const auto in_end = [&](const Vec3 &in_other) {
+      return norm2(other.pose(in_other) - side.center(end)) <= side.body.radius * side.body.radius;
+    };
+    const auto in_other = [&](const Vec3 &in_frame) { return other.holds(side.pose(in_frame)); };
+    if (side.has(end) && !borders.section[end].follow(fan, in_end)) return false;
+    if (!borders.rim[end].follow(fan, in_other)) return false;
   }
   return true;
 }

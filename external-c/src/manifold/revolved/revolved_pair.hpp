@@ -19,7 +19,8 @@ class RevolvedPair {
             OverlapSurface &surface);
 
  private:
-  enum End : std::size_t { base, top, ends };
+  using End = Rim::End;
+  static constexpr End base = Rim::base, top = Rim::top, ends = Rim::ends;
 
   // A body's ends in common axes.
   struct Side {
@@ -30,17 +31,17 @@ class RevolvedPair {
     Side(const RevolvedBody &of, const Pose &in_common, const Vec3 &place, std::vector<OverlapSurface::Node> &nodes);
     double height(End end) const { return end == base ? -body.half : body.half; }
     Vec3 center(End end) const { return pose({0.0, 0.0, height(end)}); }
+    Vec3 in_frame(const Vec3 &common) const { return transposed_times(pose.rotation, common - pose.translation); }
     bool has(End end) const { return end == base || body.is_cylinder(); }
-    bool holds(const Vec3 &common) const;
+    bool holds(const Vec3 &common) const { return body.holds(in_frame(common)); }
   };
   struct Borders {
     MantleSection section[ends];  // of this body's ends with the other's mantle
-    Passages rim[ends];
+    Rim rim[ends];
   };
 
   static void add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Borders &borders_b, End end_b);
-  void add_rim_passages(Side &side, Borders &borders, End end, const Side &other);
-  static void add_rim_passage(const Side &side, Borders &borders, End end, const Vec3 &common, bool to_curve);
+  void add_rim_passages(Side &side, Borders &borders, End end, const Side &other, const Pose &in_other);
   static bool follow_ends(Side &side, Borders &borders, const Side &other);
   bool follow_crossing(Side &a, Side &b, const Vec3 &place, const OverlapSurface &surface);
 
