@@ -21,6 +21,9 @@ GaussNodes rule_for(double angle) {
   return GaussNodes(gauss_rule<8>);
 }
 constexpr double widest = 1.0;  // that one rule serves for
+// So many places, evenly round, are exact for polynomials of the eighth degree on a circle and its plane sections of a cylinder, and on a
+// cone as good as.
+constexpr int round_places = 16, round_places_of_cone = 24;
 
 // The cosines' way from angle0 to angle1, and its slope, at the part of the turn between them. No angles of both signs.
 void cosine_way(double angle0, double turn, double part, double &way, double &slope) {
@@ -83,8 +86,37 @@ void MantleSection::follow_loop(PlaneFan &fan) {
   double front = 0.0, back = 0.0;  // heights at angle 0 and on the other side
   find_height(1.0, front);
   find_height(-1.0, back);
+  const RevolvedBody &body = mantle_->body();
+  // Round a cone the inverse of the distance from the apex swings with the cosine.
+  constexpr double most_ratio = 2.0;
+  const double down = body.half - front, down_back = body.half - back;
+  if (body.is_cylinder() || (down < most_ratio * down_back && down_back < most_ratio * down)) {
+    const int count = body.is_cylinder() ? round_places : round_places_of_cone;
+    const double width = sense_ * 2.0 * pi / count, swing = 0.5 * (1.0 / down - 1.0 / down_back);
+    for (int k = 0; k < count; ++k) {
+      const double angle = width * k, cosine = std::cos(angle), sine = std::sin(angle);
+      const double from_front = 0.5 * (1.0 - cosine);
+      const double on_cone = 1.0 / (1.0 / down + from_front * (1.0 / down_back - 1.0 / down));
+      const double height = body.is_cylinder() ? front + from_front * (back - front) : body.half - on_cone;
+      const double rise = body.is_cylinder() ? 0.5 * sine * (back - front) : -swing * sine * on_cone * on_cone;
+      add_place(fan, cosine, sine, height, width, rise * width);
+    }
+    return;
+  }
   add_arc(fan, -sense_ * pi, back, 0.0, front);
   add_arc(fan, 0.0, front, sense_ * pi, back);
+}
+
+// A place of the conic, by how far it turns and rises there.
+void MantleSection::add_place(PlaneFan &fan, double cosine, double sine, double height, double turn, double rise) {
+  const RevolvedBody &body = mantle_->body();
+  const Pose &in_common = mantle_->in_common();
+  const double radius = body.radius_at(height);
+  const Vec3 outward = cosine * along_ + sine * across_, around = cosine * across_ - sine * along_;
+  Vec3 step = (radius * turn) * around + (body.slope * rise) * outward;
+  step.z = rise;
+  fan.add_curve_node(in_common({radius * outward.x, radius * outward.y, height}), in_common.rotation * step);
+  mantle_->add_border_node(outward, height, turn);
 }
 
 bool MantleSection::follow_arcs(PlaneFan &fan) {
@@ -133,7 +165,17 @@ void Rim::add_passage(const Vec3 &at, bool to_rim) {
   passages_.add({sense_ * radius_ * angle, angle, height_, to_rim});
 }
 
-void Rim::follow_all(PlaneFan &fan) { add_arc(fan, 0.0, sense_ * 2.0 * pi); }
+void Rim::follow_all(PlaneFan &fan) {
+  const double width = sense_ * 2.0 * pi / round_places;
+  for (int k = 0; k < round_places; ++k) add_place(fan, width * k, width);
+}
+
+void Rim::add_place(PlaneFan &fan, double angle, double step) {
+  const Pose &in_common = mantle_->in_common();
+  const double cosine = std::cos(angle), sine = std::sin(angle), way = radius_ * step;
+  fan.add_curve_node(in_common({radius_ * cosine, radius_ * sine, height_}), in_common.rotation * Vec3{-way * sine, way * cosine, 0.0});
+  mantle_->add_border_node({cosine, sine, 0.0}, height_, step);
+}
 
 bool Rim::follow_arcs(PlaneFan &fan) {
   const double rounding = rounding_of(mantle_->body());
@@ -147,32 +189,21 @@ bool Rim::follow_arcs(PlaneFan &fan) {
 }
 
 void Rim::add_arc(PlaneFan &fan, double from, double turn) {
-  const Pose &in_common = mantle_->in_common();
   const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
   const double width = turn / parts;
   const GaussNodes rule = rule_for(std::fabs(width));
   for (int part = 0; part < parts; ++part) {
     for (std::size_t k = 0; k < rule.count; ++k) {
-      const double angle = from + width * (part + rule.node[k]), step = width * rule.weight[k];
-      const double cosine = std::cos(angle), sine = std::sin(angle), way = radius_ * step;
-      fan.add_curve_node(in_common({radius_ * cosine, radius_ * sine, height_}), in_common.rotation * Vec3{-way * sine, way * cosine, 0.0});
-      mantle_->add_border_node({cosine, sine, 0.0}, height_, step);
+      add_place(fan, from + width * (part + rule.node[k]), width * rule.weight[k]);
     }
   }
 }
 
 void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double angle1, double height1) {
   const RevolvedBody &body = mantle_->body();
-  const Pose &in_common = mantle_->in_common();
   const double turn = angle1 - angle0;
   const auto visit = [&](double angle, double height, double turn_step, double rise_step) {
-    const double radius = body.radius_at(height), cosine = std::cos(angle), sine = std::sin(angle);
-    const Vec3 outward = cosine * along_ + sine * across_, around = cosine * across_ - sine * along_;
-    Vec3 step = (radius * turn_step) * around + (body.slope * rise_step) * outward;
-    step.z = rise_step;
-    const Vec3 at{radius * outward.x, radius * outward.y, height};
-    fan.add_curve_node(in_common(at), in_common.rotation * step);
-    mantle_->add_border_node(outward, height, turn_step);
+    add_place(fan, std::cos(angle), std::sin(angle), height, turn_step, rise_step);
   };
   if (body.is_cylinder()) {
     const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);

@@ -33,6 +33,7 @@ class MantleSection {
   bool find_loop(Vec3 &at) const;
   void follow_loop(PlaneFan &fan);
   bool find_height(double cosine, double &height) const;
+  void add_place(PlaneFan &fan, double cosine, double sine, double height, double turn, double rise);
   // A part where the angle keeps its sign and the height grows or falls.
   void add_arc(PlaneFan &fan, double angle0, double height0, double angle1, double height1);
 
@@ -64,6 +65,7 @@ class Rim {
  private:
   bool follow_arcs(PlaneFan &fan);
   void follow_all(PlaneFan &fan);
+  void add_place(PlaneFan &fan, double angle, double step);
   void add_arc(PlaneFan &fan, double from, double turn);
 
   Mantle *mantle_ = nullptr;
