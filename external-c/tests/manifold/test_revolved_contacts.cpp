@@ -1,5 +1,6 @@
 // Cylinders and cones on boxes and hulls: the surface of their overlap, and closed forms of what it stores.
 #include "manifold/revolved/revolved_on_polytope.hpp"
+#include "shape/contact_polytope.hpp"
 #include "support/overlap_of.hpp"
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"

@@ -74,7 +74,7 @@ bool revolved_on_polytope_contact(const Shape &revolved, const Pose &revolved_po
   const Pose in_frame = relative_pose(revolved_pose, polytope_pose);
   const Vec3 place = transposed_times(revolved_pose.rotation, witness - revolved_pose.translation);
   OverlapSurface &surface = scratch.surface;
-  if (!scratch.on_polytope.find(body, polytope, in_frame, place, surface)) return false;
+  if (!scratch.on_polytope.find(body, polytope.geometry(), in_frame, place, surface)) return false;
   const OverlapLoad load =
       load_of(surface, DepthInRevolved(body, {}, surface), PolytopePart(scratch.faces, polytope, in_frame, surface));
   return append_load_points(load, revolved_pose, {}, sense, points);

@@ -33,11 +33,11 @@ Vec3 at_height(const Vec3 &p, const Vec3 &q, double height) {
 
 }  // namespace
 
-bool RevolvedOnPolytope::find(const RevolvedBody &body, const ContactPolytope &polytope, const Pose &in_frame, const Vec3 &place,
+bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeView &polytope, const Pose &in_frame, const Vec3 &place,
                               OverlapSurface &surface) {
-  body_ = &body, polytope_ = &polytope.geometry();
+  body_ = &body, polytope_ = &polytope;
   surface.start(place);
-  const std::size_t vertex_count = polytope_->vertices().size(), edge_count = polytope_->edges().size();
+  const std::size_t vertex_count = polytope_->vertices.size(), edge_count = polytope_->edges.size();
   if (vertices_.size() < vertex_count) vertices_.resize(vertex_count);
   if (edges_.size() < edge_count) edges_.resize(edge_count), edge_search_.resize(edge_count);
   if (++search_ == 0) {
@@ -46,7 +46,7 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const ContactPolytope &p
   }
   for (std::size_t v = 0; v < vertex_count; ++v) {
     Vertex &vertex = vertices_[v];
-    vertex.at = in_frame(polytope_->vertices()[v]);
+    vertex.at = in_frame(polytope_->vertices[v]);
     const Vec3 &p = vertex.at;
     const double radius = body.radius, diagonal = std::sqrt(2.0) * radius;
     vertex.beyond = (p.z < -body.half ? 1u : 0u) | (p.z > body.half ? 2u : 0u) | (p.x < -radius ? 4u : 0u) |
@@ -60,11 +60,11 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const ContactPolytope &p
   for (const End end : {base, top}) rim_[end].start(mantle, end);
   faces_.clear();
   planes_.clear();
-  for (std::size_t f = 0; f < polytope_->faces().size(); ++f) {
-    const convex::Polytope::Face &face = polytope_->faces()[f];
+  for (std::size_t f = 0; f < polytope_->faces.size(); ++f) {
+    const convex::Polytope::Face &face = polytope_->faces[f];
     std::uint32_t beyond = ~0u;
     for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
-      beyond &= vertices_[static_cast<std::size_t>(polytope_->face_vertices()[static_cast<std::size_t>(i)])].beyond;
+      beyond &= vertices_[static_cast<std::size_t>(polytope_->face_vertices[static_cast<std::size_t>(i)])].beyond;
     }
     if (beyond != 0) continue;
     const Vec3 normal = in_frame.rotation * face.normal;
@@ -106,7 +106,7 @@ const RevolvedOnPolytope::EdgePart &RevolvedOnPolytope::part_of(std::int32_t edg
   EdgePart &part = edges_[index];
   if (edge_search_[index] == search_) return part;
   edge_search_[index] = search_;
-  const std::int32_t *const vertex = polytope_->edges()[index].vertex;
+  const std::int32_t *const vertex = polytope_->edges[index].vertex;
   const Vertex &v = vertices_[static_cast<std::size_t>(vertex[0])], &w = vertices_[static_cast<std::size_t>(vertex[1])];
   part.between = (v.beyond & w.beyond & 3u) == 0;
   if (!part.between) {
@@ -128,7 +128,7 @@ const RevolvedOnPolytope::EdgePart &RevolvedOnPolytope::part_of(std::int32_t edg
 bool RevolvedOnPolytope::follow_face(std::int32_t index, Mantle &mantle, PlaneFan *end_fan) {
   Plane &plane = planes_[static_cast<std::size_t>(index)];
   const convex::Polytope::Face &face =
-      polytope_->faces()[static_cast<std::size_t>(faces_[static_cast<std::size_t>(index)])];
+      polytope_->faces[static_cast<std::size_t>(faces_[static_cast<std::size_t>(index)])];
   section_.start(mantle, plane.fan.normal(), plane.offset);
   struct Crossing {
     const EdgePart *part = nullptr;
@@ -137,8 +137,8 @@ bool RevolvedOnPolytope::follow_face(std::int32_t index, Mantle &mantle, PlaneFa
   Crossing leaving[ends], coming[ends];
   for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const std::int32_t v = polytope_->face_vertices()[at], edge = polytope_->face_edges()[at];
-    const std::int32_t *const vertex = polytope_->edges()[static_cast<std::size_t>(edge)].vertex;
+    const std::int32_t v = polytope_->face_vertices[at], edge = polytope_->face_edges[at];
+    const std::int32_t *const vertex = polytope_->edges[static_cast<std::size_t>(edge)].vertex;
     const bool forward = vertex[0] == v;
     const std::uint32_t here = vertices_[static_cast<std::size_t>(v)].beyond;
     const std::uint32_t there = vertices_[static_cast<std::size_t>(vertex[forward ? 1 : 0])].beyond;
@@ -177,8 +177,8 @@ void RevolvedOnPolytope::add_chord(const EdgePart &leaving, bool leaving_forward
 }
 
 bool RevolvedOnPolytope::is_in_face(std::int32_t index, const Vec3 &at) const {
-  const convex::Polytope::Face &face = polytope_->faces()[static_cast<std::size_t>(faces_[static_cast<std::size_t>(index)])];
-  const std::int32_t *const corner = polytope_->face_vertices().data() + face.first;
+  const convex::Polytope::Face &face = polytope_->faces[static_cast<std::size_t>(faces_[static_cast<std::size_t>(index)])];
+  const std::int32_t *const corner = polytope_->face_vertices.data() + face.first;
   const Vec3 &normal = planes_[static_cast<std::size_t>(index)].fan.normal();
   for (std::int32_t i = 0; i < face.count; ++i) {
     const Vec3 &p = vertices_[static_cast<std::size_t>(corner[i])].at;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "manifold/revolved/mantle_section.hpp"
-#include "shape/contact_polytope.hpp"
+#include "shape/polytope_view.hpp"
 
 namespace cmb {
 
@@ -19,7 +19,7 @@ class RevolvedOnPolytope {
  public:
   // A is the body of revolution, in whose frame all is; `place`: where the surface's places are from. False where, by rounding, what
   // meets does not fit together.
-  bool find(const RevolvedBody &body, const ContactPolytope &polytope, const Pose &in_frame, const Vec3 &place,
+  bool find(const RevolvedBody &body, const convex::PolytopeView &polytope, const Pose &in_frame, const Vec3 &place,
             OverlapSurface &surface);
 
  private:
@@ -58,7 +58,7 @@ class RevolvedOnPolytope {
   double height_of(End end) const { return end == base ? -body_->half : body_->half; }
 
   const RevolvedBody *body_ = nullptr;
-  const convex::Polytope *polytope_ = nullptr;
+  const convex::PolytopeView *polytope_ = nullptr;  // during find()
   std::vector<Vertex> vertices_;
   std::vector<EdgePart> edges_;
   std::vector<std::uint32_t> edge_search_;
