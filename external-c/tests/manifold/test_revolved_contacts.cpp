@@ -125,7 +125,7 @@ TEST_P(OverlapSurfaces, AreClosedAndHoldTheVolume) {
     const BodyPose pose{place - rotation * in_box, rotation};
     cmb::RevolvedOnPolytope finder;
     cmb::OverlapSurface surface;
-    ASSERT_TRUE(finder.find(body, box, {rotation, pose.position}, place, surface)) << k;
+    ASSERT_TRUE(finder.find(body, box.geometry(), {rotation, pose.position}, place, surface)) << k;
     Vec3 areas, moments;
     double whole = 0.0;
     for (const auto *side : {&surface.of_a(), &surface.of_b()}) {
