@@ -363,9 +363,11 @@ TEST(BodiesOnMeshes, LoadAndDepthDoNotDependOnTheTrianglesOfAFace) {
         if (a.distance >= 0.0 || a.distance < -0.1) continue;
         ++touching;
         const Wrench on_coarse = wrench(a), on_fine = wrench(b);
-        ASSERT_NEAR(a.distance, b.distance, 1e-13) << kind << " " << i;
-        ASSERT_NEAR(norm(on_coarse.force - on_fine.force), 0.0, 1e-12) << kind << " " << i;
-        ASSERT_NEAR(norm(on_coarse.torque - on_fine.torque), 0.0, 1e-12) << kind << " " << i;
+        // Round bodies' surfaces are integrated by rules, and parted 1e-11 of their radius beside where triangles meet.
+        const double rounding = kind == 0 ? 1e-12 : 1e-9;
+        ASSERT_NEAR(a.distance, b.distance, kind == 0 ? 1e-13 : 1e-11) << kind << " " << i;
+        ASSERT_NEAR(norm(on_coarse.force - on_fine.force), 0.0, rounding) << kind << " " << i;
+        ASSERT_NEAR(norm(on_coarse.torque - on_fine.torque), 0.0, rounding) << kind << " " << i;
       }
       EXPECT_GT(touching, 40) << kind;
     }

@@ -75,14 +75,19 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
   for (std::size_t k = 0; k < faces_.size(); ++k) {
     if (!follow_face(static_cast<std::int32_t>(k), mantle, end_fan)) return false;
   }
-  const auto in_polytope = [this](const Vec3 &at) { return holds(at); };
+  const auto in_polytope = [&](const Vec3 &at) { return holds(at, in_frame); };
   if (!rim_[base].follow(end_fan[base], in_polytope) || !rim_[top].follow(end_fan[top], in_polytope)) return false;
   return surface.sum();
 }
 
-// Only of places that are not far from the overlap: beyond the polytope they are beyond a face that may bound it.
-bool RevolvedOnPolytope::holds(const Vec3 &at) const {
-  return std::all_of(planes_.begin(), planes_.end(), [&](const Plane &plane) { return dot(plane.fan.normal(), at) <= plane.offset; });
+// First the faces that may bound the overlap, which most places outside are beyond.
+bool RevolvedOnPolytope::holds(const Vec3 &at, const Pose &in_frame) const {
+  for (const Plane &plane : planes_) {
+    if (dot(plane.fan.normal(), at) > plane.offset) return false;
+  }
+  const Vec3 local = transposed_times(in_frame.rotation, at - in_frame.translation);
+  return std::all_of(polytope_->faces.begin(), polytope_->faces.end(),
+                     [&](const convex::Polytope::Face &face) { return dot(face.normal, local) <= face.offset; });
 }
 
 RevolvedOnPolytope::Stretch RevolvedOnPolytope::in_mantle(const Vec3 &p, bool p_inside, const Vec3 &q, bool q_inside) const {

@@ -22,6 +22,15 @@ class RevolvedOnPolytope {
   bool find(const RevolvedBody &body, const convex::PolytopeView &polytope, const Pose &in_frame, const Vec3 &place,
             OverlapSurface &surface);
 
+  // Of what was found: where parts of the polytope's edges in the body begin and end, in its frame.
+  template <typename Visit>
+  void visit_edge_ends(Visit &&visit) const {
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      const Stretch &inside = edges_[k].inside;
+      if (edge_search_[k] == search_ && inside.any) visit(inside.from), visit(inside.to);
+    }
+  }
+
  private:
   using End = Rim::End;
   static constexpr End base = Rim::base, top = Rim::top, ends = Rim::ends;
@@ -53,7 +62,7 @@ class RevolvedOnPolytope {
   void add_chord(const EdgePart &leaving, bool leaving_forward, const EdgePart &coming, bool coming_forward, End end,
                  PlaneFan &face_fan, PlaneFan &end_fan);
   bool is_in_face(std::int32_t index, const Vec3 &at) const;
-  bool holds(const Vec3 &at) const;
+  bool holds(const Vec3 &at, const Pose &in_frame) const;
 
   double height_of(End end) const { return end == base ? -body_->half : body_->half; }
 

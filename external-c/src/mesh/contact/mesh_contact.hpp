@@ -7,11 +7,12 @@
 
 #include "manifold/contact_set.hpp"
 #include "mesh/elastic/elastic_points.hpp"
+#include "mesh/elastic/round_overlap.hpp"
+#include "mesh/elastic/wedge_overlap.hpp"
 #include "mesh/contact/pair_patches.hpp"
 #include "mesh/contact/patch_load.hpp"
 #include "mesh/contact/rod_load.hpp"
 #include "mesh/contact/shared_load.hpp"
-#include "mesh/contact/smooth_facets.hpp"
 #include "mesh/core/triangle_mesh.hpp"
 #include "narrowphase/convex_distance.hpp"
 #include "shape/polytope.hpp"
@@ -47,9 +48,9 @@ struct MeshContactScratch {
   std::vector<Vec3> body_vertices, body_normals;  // in the mesh's frame
   PatchScratch patch;
   OverlapScratch overlap;
+  RoundOverlapScratch round;
   std::vector<LoadPoint> loads;
   PairScratch pair;
-  Facets facets;
   ContactSet reaction;  // what the other mesh of a pair pushes
 };
 
@@ -73,9 +74,8 @@ void capsule_contact(double radius, double length, const Pose &body_pose, const 
 void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                       MeshContactScratch &scratch, ContactSet &result);
 
-// An ellipsoid, a cylinder or a cone: its surface below each triangle's plane, cut into pieces that turn with the plane
-// (facets_below), carries as a polytope's does. On a plane an ellipsoid has depth, normal and weight of the ellipsoid on
-// a half-space; cylinders and cones have the mean depth of what is below the plane, a standing one its depth.
+// An ellipsoid, a cylinder or a cone: the same, by its exact overlap (RoundOverlap). On a plane an ellipsoid has depth, normal and, shallow,
+// weight of the ellipsoid on a half-space; cylinders and cones push as on a box.
 void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                     MeshContactScratch &scratch, ContactSet &result);
 

@@ -2,13 +2,12 @@
 #include <cstdint>
 
 #include "math/pose_algebra.hpp"
-#include "mesh/elastic/elastic_points.hpp"
 #include "mesh/contact/mesh_contact.hpp"
 #include "mesh/contact/nearest_triangle.hpp"
+#include "mesh/contact/overlap_contact.hpp"
 #include "mesh/contact/polytope_distance.hpp"
 #include "mesh/contact/triangle_convex_distance.hpp"
 #include "mesh/elastic/wedge_overlap.hpp"
-#include "mesh/intersection/pierced_load.hpp"
 #include "mesh/intersection/triangle_section.hpp"
 
 namespace cmb::mesh {
@@ -36,17 +35,9 @@ class PolytopeQuery {
     WedgeOverlap overlap(body_, scratch_.body_vertices, scratch_.body_normals, mesh_, 0.5 * (box_.low + box_.high), size_,
                          scratch_.overlap);
     mesh_.hierarchy().visit_near(box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { overlap.add(t); });
-    const std::size_t begin = result_.points.size();
-    // What else passes through the body is judged by the load of the patches: a corner's energy may push less.
-    double carried = overlap.touches() ? append_elastic_points(overlap, pose_, scratch_.loads, result_) : 0.0;
     const SectionedBody body(body_, place_, scratch_.body_vertices, scratch_.body_normals, scratch_.patch.polygon,
                              scratch_.patch.clipped);
-    if (!mesh_.closed() && carried > 0.0) {
-      const double load = total_load(result_.points, begin);
-      carried *= limit_by_sections(body, mesh_, begin, result_) / load;
-    }
-    const CarriedLoad all{carried, norm(net_load(result_.points, begin)), carried > 0.0 ? std::sqrt(2.0 * overlap.energy()) : 0.0};
-    if (!complete_contact(body, mesh_, pose_, all, result_)) apart(nearest.triangle);
+    if (!append_overlap_contact(overlap, body, mesh_, pose_, scratch_.loads, result_)) apart(nearest.triangle);
   }
 
  private:

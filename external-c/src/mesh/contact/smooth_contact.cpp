@@ -4,11 +4,9 @@
 #include "math/pose_algebra.hpp"
 #include "mesh/contact/mesh_contact.hpp"
 #include "mesh/contact/nearest_triangle.hpp"
-#include "mesh/contact/patch_load.hpp"
-#include "mesh/contact/smooth_facets.hpp"
+#include "mesh/contact/overlap_contact.hpp"
 #include "mesh/contact/triangle_convex_distance.hpp"
-#include "mesh/core/triangle_wedge.hpp"
-#include "mesh/intersection/pierced_load.hpp"
+#include "mesh/elastic/round_overlap.hpp"
 #include "mesh/intersection/triangle_section.hpp"
 
 namespace cmb::mesh {
@@ -32,47 +30,15 @@ class SmoothQuery {
   }
 
   void run() {
-    const Vec3 center = 0.5 * (box_.low + box_.high);
-    const NearestPoint nearest = mesh_.nearest(center);
+    const NearestPoint nearest = mesh_.nearest(0.5 * (box_.low + box_.high));
     // A body that no triangle meets touches only what its middle is in, or nothing.
     if (!(nearest.distance < 0.0 && mesh_.closed()) && apart(nearest.triangle)) return;
-    // No place of the body is deeper than this; what pushes it lies within twice that.
-    const double deepest = size_ - nearest.distance;
-    PatchLoad load(mesh_, pose_, center, scratch_.patch);
-    if (deepest > 0.0) {
-      const double farthest = std::fmin(size_, 2.0 * deepest);
-      mesh_.hierarchy().visit_near(
-          box_, [&] { return farthest * farthest; }, [&](std::uint32_t t) { triangle(t, load); });
-    }
-    const std::size_t begin = result_.points.size();
-    if (load.touches()) load.finish(result_);
-    const double carried =
-        mesh_.closed() ? total_load(result_.points, begin) : limit_by_sections(sectioned_, mesh_, begin, result_);
-    if (!complete_contact(sectioned_, mesh_, pose_, carried, result_)) apart(nearest.triangle);
+    RoundOverlap overlap(body_, place_, mesh_, scratch_.round);
+    mesh_.hierarchy().visit_near(box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { overlap.add(t); });
+    if (!append_overlap_contact(overlap, sectioned_, mesh_, pose_, scratch_.loads, result_)) apart(nearest.triangle);
   }
 
  private:
-  void triangle(std::uint32_t t, PatchLoad &load) {
-    const Vec3 &normal = mesh_.face_normal(t);
-    if (!(sectioned_.reach(-normal) + dot(normal, mesh_.corner(t, 0)) > 0.0)) return;
-    TriangleWedge wedge;
-    if (!wedge.build_if_it_meets(mesh_, t, size_, 0.5 * (box_.low + box_.high), size_)) return;
-    if (!wedge.may_be_reached([this](const Vec3 &d) { return sectioned_.reach(d); })) return;
-    Vec3 corner[6];
-    if (wedge.hull(corner) && are_parted(corner, body_, place_)) return;
-    const Vec3 local = transposed_times(place_.rotation, normal);
-    Facets &facets = scratch_.facets;
-    const double factor = facets_below(body_, local, wedge.depth(place_.translation), facets);
-    for (const Facets::Facet &facet : facets.facets) {
-      if (!(dot(facet.normal, local) < 0.0)) continue;
-      scratch_.patch.polygon.clear();
-      for (std::size_t k = 0; k < facet.count; ++k) {
-        scratch_.patch.polygon.push_back(place_(facets.corners[facet.first + k]));
-      }
-      load.push(wedge, place_.rotation * facet.normal, factor);
-    }
-  }
-
   // Whether no triangle meets the body; sets distance, normal and witness then. The search begins with triangle `first`.
   bool apart(std::uint32_t first) {
     NearestTriangle nearest(mesh_);

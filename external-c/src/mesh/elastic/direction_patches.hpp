@@ -21,6 +21,8 @@ struct PatchSums {
   double second[6] = {};            // of depth * place * place: xx, yy, zz, yz, zx, xy
 
   void add_triangle(double area, const Vec3 &p, double dp, const Vec3 &q, double dq, const Vec3 &r, double dr);
+  // A place that stands for so great an area.
+  void add_place(double area, const Vec3 &at, double depth);
 };
 
 // A part of a contact's load.

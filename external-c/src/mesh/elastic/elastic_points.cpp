@@ -29,17 +29,18 @@ Vec3 missing_torque(const std::vector<LoadPoint> &points, const Vec3 &torque) {
 
 // The overlap's wrench as far as it does not pull: where a wide shallow contact has joined a narrow deep one the energy falls with
 // depth. Then, and where depths are rounding, what the patches carry takes its place in part.
-Wrench pushing(const Wrench &wrench, const std::vector<LoadPoint> &points, double radius) {
+Wrench pushing(const WedgeIntegrals &overlap, const std::vector<LoadPoint> &points) {
   constexpr double least_push = 0.05, most_off = 4.0;  // parts of the patches' load
-  const double load = load_of(points);
+  const double load = load_of(points), radius = overlap.radius();
+  const Wrench wrench = overlap.wrench();
   Wrench patches;
   for (const LoadPoint &point : points) patches.add(point.force, point.place);
   const Vec3 force = wrench.force - patches.force, torque = wrench.torque - patches.torque;
   const double own = norm2(patches.force), along = dot(force, patches.force);
-  double part = 1.0;
+  double part = overlap.known_part();
   // Patches that oppose each other need not push together.
   const double least = (least_push - 1.0) * own - (load * load - own);
-  if (along < least) part = least / along;
+  if (part * along < least) part = least / along;
   const double off = norm(force) + norm(torque) / radius;
   if (part * off > most_off * load) part = most_off * load / off;
   return {patches.force + part * force, patches.torque + part * torque};
@@ -78,8 +79,9 @@ void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque) {
     spread.add_inertia(part, point.place - center);
     across.add_inertia(part, (1.0 / part) * point.force);
   }
-  // Shifting comes first: it counts as far as the points are apart, times this.
-  constexpr double prefer_shift = 1e6;
+  // Shifting comes first: it counts as far as the points are apart, times this. Points of hardly any load, whose normals differ from all
+  // others', are shifted by so many times the torque's lever at most.
+  constexpr double prefer_shift = 1e4;
   const double reach2 = prefer_shift * spread.trace() / load;
   convex::SymmetricMatrix both = spread;
   both.add(reach2, across);
@@ -92,21 +94,21 @@ void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque) {
   convex::SymmetricMatrix inertia;
   for (const LoadPoint &point : points) inertia.add_inertia(norm(point.force), point.place - shifted);
   const Vec3 twist = solve_raised(inertia, missing_torque(points, torque));
-  // Normals tilt by half at most: more is rounding.
-  double most = 0.0;
-  for (const LoadPoint &point : points) most = std::fmax(most, norm2(cross(twist, point.place - shifted)));
-  const double part = most > 0.25 ? 0.5 / std::sqrt(most) : 1.0;
+  // Normals tilt by half at most, in the mean: more is rounding.
+  double tilt2 = 0.0;
+  for (const LoadPoint &point : points) tilt2 += norm(point.force) / load * norm2(cross(twist, point.place - shifted));
+  const double part = tilt2 > 0.25 ? 0.5 / std::sqrt(tilt2) : 1.0;
   for (LoadPoint &point : points) point.force = point.force + (part * norm(point.force)) * cross(twist, point.place - shifted);
 }
 
 }  // namespace
 
-double append_elastic_points(const WedgeOverlap &overlap, const Pose &pose, std::vector<LoadPoint> &points, ContactSet &result) {
+double append_elastic_points(const WedgeIntegrals &overlap, const Pose &pose, std::vector<LoadPoint> &points, ContactSet &result) {
   points.clear();
   overlap.patches().append(points);
   const double load = load_of(points);
   if (!(load > 0.0)) return 0.0;
-  const Wrench wrench = pushing(overlap.wrench(), points, overlap.radius());
+  const Wrench wrench = pushing(overlap, points);
   match_force(points, wrench.force, overlap.energy());
   match_torque(points, wrench.torque);
   double stored = 0.0;

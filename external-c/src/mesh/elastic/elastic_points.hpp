@@ -5,7 +5,7 @@
 
 #include "manifold/contact_set.hpp"
 #include "mesh/elastic/direction_patches.hpp"
-#include "mesh/elastic/wedge_overlap.hpp"
+#include "mesh/elastic/wedge_integrals.hpp"
 
 namespace cmb::mesh {
 
@@ -19,6 +19,6 @@ namespace cmb::mesh {
 // Where the overlap's force would pull, or depths are rounding, it is bounded by the patches' load.
 //
 // Returns the load of the patches, their mean depth.
-double append_elastic_points(const WedgeOverlap &overlap, const Pose &pose, std::vector<LoadPoint> &points, ContactSet &result);
+double append_elastic_points(const WedgeIntegrals &overlap, const Pose &pose, std::vector<LoadPoint> &points, ContactSet &result);
 
 }  // namespace cmb::mesh

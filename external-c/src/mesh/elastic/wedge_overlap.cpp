@@ -50,22 +50,7 @@ bool cut(const Vec3 *polygon, std::size_t count, const Plane &plane, std::vector
 
 bool same(const Vec3 &p, const Vec3 &q) { return p.x == q.x && p.y == q.y && p.z == q.z; }
 
-// One plane to rounding: a cap in the other one would be cut by chance.
-bool coincide(const Plane &p, const Plane &q, double size) {
-  constexpr double tolerance = 1e-9;
-  return norm2(p.normal - q.normal) < tolerance * tolerance && std::fabs(p.offset - q.offset) < tolerance * size;
-}
-
 }  // namespace
-
-// 1 where the triangle's plane is what is nearest to a point behind it; falls to 0 where another part of the surface
-// is nearer by half, as on the far side of a thin wall. Down to the clear depth nothing is, which need not be looked up.
-double WedgeOverlap::inside_share(const Vec3 &p) const {
-  const double clear = mesh_.clear_depth(triangle_), deep = depth(p);
-  if (!mesh_.closed() || deep <= clear) return 1.0;
-  const double share = std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, triangle_).distance / deep - 1.0 + 1e-9));
-  return deep >= 2.0 * clear ? share : 1.0 - (deep / clear - 1.0) * (1.0 - share);
-}
 
 // Takes the plane on where it cuts the body, and marks the vertices outside; false where all are.
 bool WedgeOverlap::offer(const Plane &plane) {
@@ -84,12 +69,10 @@ bool WedgeOverlap::offer(const Plane &plane) {
 
 // The planes that cut the body; false where nothing of it is left. The triangle's own comes first.
 bool WedgeOverlap::set_planes(std::uint32_t t) {
-  triangle_ = t;
-  normal_ = mesh_.face_normal(t);
-  offset_ = dot(normal_, mesh_.corner(t, 0));
-  if (depth(center_) <= -radius_) return false;
+  look_at(t);
+  if (depth(center_) <= -radius()) return false;
   scratch_.depths.clear();
-  const double limit = mesh_.depth_limit(t);
+  const double limit = mesh().depth_limit(t);
   double deepest = 0.0, shallowest = limit;
   for (const Vec3 &v : vertices_) {
     const double deep = depth(v);
@@ -99,34 +82,23 @@ bool WedgeOverlap::set_planes(std::uint32_t t) {
   }
   if (!(deepest > 0.0) || !(shallowest < limit)) return false;
   const bool front = shallowest < 0.0;
-  const std::array<WedgeSide, 3> &sides = mesh_.wedge_sides(t);
-  double inside[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    inside[k] = dot(sides[k].normal, center_) - sides[k].offset;
-    if (inside[k] <= -radius_) return false;
+  for (const WedgeSide &side : mesh().wedge_sides(t)) {
+    if (dot(side.normal, center_) - side.offset <= -radius()) return false;
   }
   scratch_.planes.clear();
   scratch_.outside.assign(vertices_.size(), 0);
   front_ = front ? 1 : 0;
   if (front) {
-    scratch_.planes.push_back({-normal_, -offset_, false, false});
+    scratch_.planes.push_back({{-face_normal(), -dot(face_normal(), mesh().corner(t, 0)), false}, false});
     for (std::size_t v = 0; v < vertices_.size(); ++v) scratch_.outside[v] = scratch_.depths[v] < 0.0 ? 1 : 0;
   }
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (inside[k] >= radius_) continue;
-    if (!offer({sides[k].normal, sides[k].offset, true, gives_side_away(mesh_, t, k)})) return false;
-  }
-  if (limit < deepest && !offer({normal_, offset_ - limit, true, false})) return false;
-  const PlanarFaces::Roof roof = mesh_.faces().roof(t);
-  for (const std::uint32_t *k = roof.begin; k != roof.end && deepest > roof.clear_depth; ++k) {
-    const RoofPlane &plane = mesh_.faces().plane(*k);
-    const double scale = 1.0 / norm(plane.normal);
-    const Plane cap{scale * plane.normal, scale * plane.offset, true, plane.beyond < mesh_.faces().face_of(t)};
-    bool known = false;
-    for (const Plane &other : scratch_.planes) known = known || coincide(cap, other, radius_);
-    if (!known && !offer(cap)) return false;
-  }
-  return true;
+  return visit_wedge_planes(mesh(), t, deepest, [&](const WedgePlane &plane) {
+    if (dot(plane.normal, center_) - plane.offset >= radius()) return true;
+    for (const Plane &other : scratch_.planes) {
+      if (coincide(plane, other, radius())) return true;
+    }
+    return offer({plane, true});
+  });
 }
 
 void WedgeOverlap::add(std::uint32_t t) {
@@ -159,14 +131,10 @@ void WedgeOverlap::add(std::uint32_t t) {
   }
   if (scratch_.pieces.empty()) return;
   const Vec3 &place = scratch_.points[scratch_.pieces[0].first];
-  apex_ = place + depth(place) * normal_;
-  if (!found_) patches_.set_origin(place);
-  found_ = true;
+  apex_ = place + depth(place) * face_normal();
+  begin(place);
   for (const OverlapScratch::Piece &piece : scratch_.pieces) integrate(piece);
-  if (patch_.area > 0.0) {
-    const Vec3 middle = patch_.load > 0.0 ? patches_.origin() + (1.0 / patch_.load) * patch_.moment : center_;
-    patches_.add(patch_, normal_, inside_share(middle));
-  }
+  add_patch(patch_, patch_.load > 0.0 ? patches().origin() + (1.0 / patch_.load) * patch_.moment : center_);
 }
 
 // Cuts all pieces; where the plane is capped, adds the cap as triangles from that corner of it which is least deep. Where the
@@ -201,10 +169,10 @@ void WedgeOverlap::keep_before(const Plane &plane) {
 void WedgeOverlap::integrate(const OverlapScratch::Piece &piece) {
   const Vec3 *const polygon = scratch_.points.data() + piece.first;
   const Vec3 &normal = piece.normal;
-  const double cosine = -dot(normal, normal_);
+  const double cosine = -dot(normal, face_normal());
   double area = 0.0, squares = 0.0;
   Vec3 places, places_by_squares;
-  const Vec3 &origin = patches_.origin();
+  const Vec3 &origin = patches().origin();
   const Vec3 p = polygon[0] - origin;
   const auto depth_of = [this](const Vec3 &x) {
     const double deep = depth(x);
@@ -242,16 +210,7 @@ void WedgeOverlap::integrate(const OverlapScratch::Piece &piece) {
   first_.gradient.torque = first_.gradient.torque + cross(places, normal);
   third_.gradient.force = third_.gradient.force + (3.0 * squares) * normal;
   third_.gradient.torque = third_.gradient.torque + cross(3.0 * places_by_squares, normal);
-  if (!(cosine > 0.0) || !(deepest > deepest_) || !(inside_share(deepest_place) > 0.0)) return;
-  deepest_ = deepest;
-  deepest_place_ = deepest_place;
-  deepest_normal_ = normal_;
-}
-
-Wrench WedgeOverlap::wrench() const {
-  const double part = 0.5 / first_.integral, mean = third_.integral / first_.integral;
-  return {-part * (third_.gradient.force - mean * first_.gradient.force),
-          -part * (third_.gradient.torque - mean * first_.gradient.torque)};
+  if (cosine > 0.0) offer_deepest(deepest, deepest_place);
 }
 
 }  // namespace cmb::mesh

@@ -1,0 +1,25 @@
+#include "mesh/contact/overlap_contact.hpp"
+
+#include <cmath>
+
+#include "mesh/intersection/pierced_load.hpp"
+
+namespace cmb::mesh {
+
+bool append_overlap_contact(const WedgeIntegrals &overlap, const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose,
+                            std::vector<LoadPoint> &loads, ContactSet &result) {
+  const std::size_t begin = result.points.size();
+  // What else passes through the body is judged by the load of the patches: a corner's energy may push less.
+  double carried = overlap.touches() ? append_elastic_points(overlap, pose, loads, result) : 0.0;
+  if (!mesh.closed() && carried > 0.0) {
+    const double load = total_load(result.points, begin);
+    carried *= limit_by_sections(body, mesh, begin, result) / load;
+  }
+  // How deep the body's surface lies, between its deepest place and its mean: of a corner the first, which what passes through is compared
+  // with, is much more.
+  const double depth = carried > 0.0 ? std::sqrt(overlap.deepest() * overlap.surface_depth()) : 0.0;
+  const CarriedLoad all{carried, norm(net_load(result.points, begin)), depth};
+  return complete_contact(body, mesh, pose, all, result);
+}
+
+}  // namespace cmb::mesh

@@ -1,0 +1,175 @@
+#include "mesh/elastic/round_overlap.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "math/smoothstep.hpp"
+#include "mesh/elastic/deepest_within.hpp"
+
+namespace cmb::mesh {
+
+namespace {
+
+using convex::CoreShape;
+
+bool is_ellipsoid(const convex::ConvexBody &body) { return body.core == CoreShape::ellipsoid; }
+
+// How thick overlaps are, by the body's radius: the square of that is as good as rounding, and much greater.
+constexpr double hardly_known = 2e-8, well_known = 2e-7;
+
+// The mean of the square of the depth over a shallow cap of an ellipsoid is a sixth of that of its greatest depth: a third of a face's.
+double factor_of(const convex::ConvexBody &body) { return is_ellipsoid(body) ? 2.0 : 1.0; }
+
+}  // namespace
+
+RoundOverlap::RoundOverlap(const convex::ConvexBody &body, const Pose &place, const TriangleMesh &mesh, RoundOverlapScratch &scratch)
+    : WedgeIntegrals(mesh, convex::core_radius(body), factor_of(body)), body_(body), place_(place), scratch_(scratch) {}
+
+double RoundOverlap::reach(const Vec3 &direction) const {
+  const Vec3 local = transposed_times(place_.rotation, direction);
+  return dot(direction, place_.translation) + dot(local, convex::core_support(body_, local).point);
+}
+
+// The part of the wedge about the body; false where the body is outside.
+bool RoundOverlap::set_cell() {
+  const Vec3 &center = place_.translation;
+  const double offset_of_front = dot(face_normal(), mesh().corner(triangle(), 0));
+  if (depth(center) <= -radius()) return false;
+  for (const WedgeSide &side : mesh().wedge_sides(triangle())) {
+    if (dot(side.normal, center) - side.offset <= -radius()) return false;
+  }
+  const double deepest = offset_of_front + reach(-face_normal());
+  if (!(deepest > 0.0)) return false;
+  deepest_below_ = std::min(deepest, mesh().depth_limit(triangle()));
+  scratch_.planes.clear();
+  scratch_.cell.start(center, 1.1 * radius());
+  // A plane that would cut through a corner of the cell is moved by as little as that.
+  const auto cut = [&](const Vec3 &plane_normal, double offset) {
+    for (const double shift : {0.0, 1e-11, -1e-11, 1e-10}) {
+      const ConvexCell::Cut done = scratch_.cell.keep_before(plane_normal, offset + shift * radius());
+      if (done != ConvexCell::Cut::failed) return done != ConvexCell::Cut::none;
+    }
+    return false;
+  };
+  if (!cut(-face_normal(), -offset_of_front)) return false;
+  // An end of the body that lies in a side would count for both wedges, or for none: so sides are moved by more than rounding, both
+  // wedges' the same way.
+  const double aside = 1e-11 * radius();
+  return visit_wedge_planes(mesh(), triangle(), deepest, [&](const WedgePlane &plane) {
+    const double offset = plane.offset + (plane.strict ? aside : -aside);
+    if (reach(plane.normal) <= offset) return false;
+    if (-reach(-plane.normal) >= offset) return true;
+    const WedgePlane in_body{transposed_times(place_.rotation, plane.normal), offset - dot(plane.normal, center), false};
+    for (const WedgePlane &other : scratch_.planes) {
+      if (coincide(in_body, other, radius())) return true;
+    }
+    scratch_.planes.push_back(in_body);
+    return cut(plane.normal, offset);
+  });
+}
+
+// From a place in the cell first. What is thin by the way from there is looked at once more from itself, as it is known to rounding of that
+// way; and where rounding is in the way at all, from a little aside.
+bool RoundOverlap::find_surface() {
+  constexpr double thin = 1e-5;
+  const convex::PolytopeView cell = scratch_.cell.surface();
+  OverlapSurface &surface = scratch_.surface;
+  Vec3 place;
+  for (const Vec3 &v : cell.vertices) place = place + v;
+  place = transposed_times(place_.rotation, (1.0 / static_cast<double>(cell.vertices.size())) * place - place_.translation);
+  Pose in_body = place_.inverse();
+  constexpr int attempts = 6;
+  for (int attempt = 1; attempt <= attempts; ++attempt) {
+    const bool found = is_ellipsoid(body_) ? scratch_.ball.find(body_.half, cell, in_body, place, surface)
+                                           : scratch_.revolved.find(RevolvedBody(body_), cell, in_body, place, surface);
+    if (surface.of_a().empty() && surface.of_b().empty()) return false;
+    const Vec3 nearer = surface.place() + surface.middle();
+    if (found && (attempt == attempts || surface.volume() > thin * norm(nearer - place) * surface.area_a())) {
+      return true;
+    }
+    if (!found && attempt > 1) in_body.translation = in_body.translation + (1e-10 * radius()) * Vec3{0.61, -0.53, 0.59};
+    place = found ? nearer : surface.place();
+  }
+  return false;
+}
+
+void RoundOverlap::add(std::uint32_t t) {
+  look_at(t);
+  if (!set_cell() || !find_surface()) return;
+  begin(place_(scratch_.surface.place() + scratch_.surface.middle()));
+  integrate();
+}
+
+// The greatest depth of the body below the triangle at hand, and its place in the body's frame; 0 where it is not above `enough`.
+double RoundOverlap::deepest_of_overlap(const Vec3 &local, double enough, Vec3 &deepest_place) const {
+  const double center_depth = depth(place_.translation);
+  const auto depth_of = [&](const Vec3 &at) { return center_depth - dot(local, at); };
+  switch (deepest_within(body_, -local, scratch_.planes, enough - center_depth, deepest_place)) {
+    case Deepest::none: return 0.0;
+    case Deepest::found: return depth_of(deepest_place);
+    case Deepest::on_edges: break;
+  }
+  double deepest = 0.0;
+  const auto offer = [&](const Vec3 &at) {
+    if (depth_of(at) > deepest) deepest = depth_of(at), deepest_place = at;
+  };
+  if (is_ellipsoid(body_)) {
+    scratch_.ball.visit_edge_ends(offer);
+  } else {
+    scratch_.revolved.visit_edge_ends(offer);
+  }
+  return deepest;
+}
+
+// Of the depth, `at_middle` being that of the overlap's middle and `local` the triangle's normal in the body's frame. The overlap is convex,
+// between a cone on the triangle's plane, with a tenth of the square of its height, and one that stands on its tip: what is so thin that
+// rounding counts keeps within these.
+double RoundOverlap::mean_square(double at_middle, const Vec3 &local) const {
+  constexpr double thin = 1e-6, least = 0.1, most = 0.6;
+  const OverlapSurface &surface = scratch_.surface;
+  const double square = at_middle * at_middle + dot(local, convex::times(surface.spread(), local));
+  if (surface.volume() > thin * radius() * surface.area_a()) return square;
+  Vec3 deepest_place;
+  const double deepest = deepest_of_overlap(local, 0.0, deepest_place);
+  return std::clamp(square, least * deepest * deepest, most * deepest * deepest);
+}
+
+void RoundOverlap::integrate() {
+  const OverlapSurface &surface = scratch_.surface;
+  const Vec3 origin = place_(surface.place()), from_patches = origin - patches().origin();
+  const Vec3 local = transposed_times(place_.rotation, face_normal());
+  const double at_place = depth(origin), at_middle = at_place - dot(local, surface.middle());
+  first_.integral += surface.volume();
+  third_.integral += 3.0 * surface.volume() * mean_square(at_middle, local);
+  Wrench first, third;  // torques about the surface's place
+  PatchSums patch;
+  for (const OverlapSurface::Node &node : surface.of_a()) {
+    const double deep = at_place - dot(local, node.at), squares = 3.0 * deep * deep;
+    const Vec3 torque = cross(node.at, node.area);
+    first.force = first.force + node.area, first.torque = first.torque + torque;
+    third.force = third.force + squares * node.area, third.torque = third.torque + squares * torque;
+    patch.add_place(-dot(local, node.area), from_patches + place_.rotation * node.at, deep);
+  }
+  volume_ += surface.volume(), area_ += surface.area_a();
+  const double thickness = volume_ / (area_ * radius());
+  set_known_part(1.0 - convex::falling_smoothstep(std::max(0.0, std::log(thickness / hardly_known) / std::log(well_known / hardly_known))));
+  const auto add = [&](const Wrench &sum, Integral &integral) {
+    const Vec3 force = place_.rotation * sum.force;
+    integral.gradient.add(force, from_patches);
+    integral.gradient.torque = integral.gradient.torque + place_.rotation * sum.torque;
+  };
+  add(first, first_);
+  add(third, third_);
+  // Surface that faces away is taken off, which leaves sums of polynomials; a wall's patches right through the body vanish so. The area is at
+  // least a part of what so great a volume has at the greatest depth.
+  constexpr double least_area = 0.25;
+  patch.area = std::max(patch.area, least_area * surface.volume() / deepest_below_);
+  patch.load = std::max(patch.load, 0.0);
+  patch.energy = std::clamp(patch.energy, 0.0, deepest_below_ * patch.load);
+  add_patch(patch, place_(surface.place() + surface.middle()));
+  if (!(patch.load > 0.0)) return;
+  Vec3 deepest_place;
+  const double deep = deepest_of_overlap(local, deepest(), deepest_place);
+  if (deep > deepest()) offer_deepest(deep, place_(deepest_place));
+}
+
+}  // namespace cmb::mesh

@@ -1,0 +1,96 @@
+// What the overlaps behind a mesh's triangles store together, as an elastic solid.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "mesh/core/triangle_mesh.hpp"
+#include "mesh/elastic/direction_patches.hpp"
+
+namespace cmb::mesh {
+
+// A force with its torque about the origin.
+struct Wrench {
+  Vec3 force, torque;
+
+  void add(const Vec3 &f, const Vec3 &at) {
+    force = force + f;
+    torque = torque + cross(at, f);
+  }
+};
+
+// With the depth s below the triangle in whose wedge a place lies, the overlap O of body and mesh stores
+//
+//   E = factor 3/2 (mean of s^2 over O) = factor I3 / (2 I1),   Ik = integral over O of k s^(k-1):
+//
+// by factor 1 a face pressed in flat d^2/2, whatever its area. Wedges are regions of the mesh's frame, so only the body's surface moves
+// their contents: the gradient of Ik is the integral of k s^(k-1) times the normal over the body's surface in the wedges, exact
+// for any wedges. Where wedges share their sides s is continuous, and the force with it.
+//
+// Everything in the mesh's frame. Borrows the mesh.
+class WedgeIntegrals {
+ public:
+  // `radius`: of a ball that holds the body.
+  WedgeIntegrals(const TriangleMesh &mesh, double radius, double factor) : mesh_(mesh), radius_(radius), factor_(factor) {}
+
+  // Whether the mesh's front pushes surface that faces it.
+  bool touches() const { return deepest_ > 0.0 && patches_.area() > 0.0 && first_.integral > 0.0; }
+
+  double energy() const { return 0.5 * factor_ * third_.integral / first_.integral; }
+  // About how deep the body's surface lies in the mesh's: of a flat face, exactly.
+  double surface_depth() const { return std::sqrt(third_.integral / (factor_ * first_.integral)); }
+  // On the body; torque about the patches' origin.
+  Wrench wrench() const;
+  double radius() const { return radius_; }
+  // From 0, where what is so thin that its gradient is rounding, to 1.
+  double known_part() const { return known_part_; }
+  // The patches that face the triangles, by depth and area.
+  const DirectionPatches &patches() const { return patches_; }
+
+  double deepest() const { return deepest_; }
+  const Vec3 &deepest_place() const { return deepest_place_; }
+  const Vec3 &deepest_normal() const { return deepest_normal_; }
+
+ protected:
+  // I1 or I3 and its gradient by the body's pose; torques about the patches' origin.
+  struct Integral {
+    double integral = 0.0;
+    Wrench gradient;
+  };
+
+  // What follows is of triangle t.
+  void look_at(std::uint32_t t);
+  // Before its parts are added. `place`: near its overlap.
+  void begin(const Vec3 &place);
+  // What faces the triangle at hand, places relative to the patches' origin; about its `middle` it is asked whether the triangle is the
+  // nearest part of the mesh.
+  void add_patch(const PatchSums &patch, const Vec3 &middle);
+  // A place of the body's surface that faces the triangle at hand.
+  void offer_deepest(double depth, const Vec3 &place);
+
+  void set_known_part(double part) { known_part_ = part; }
+  const TriangleMesh &mesh() const { return mesh_; }
+  std::uint32_t triangle() const { return triangle_; }
+  // Its normal.
+  const Vec3 &face_normal() const { return normal_; }
+  double depth(const Vec3 &p) const { return offset_ - dot(normal_, p); }
+
+  Integral first_, third_;
+
+ private:
+  double inside_share(const Vec3 &p) const;
+
+  const TriangleMesh &mesh_;
+  double radius_, factor_;
+  DirectionPatches patches_;
+  double known_part_ = 1.0;
+  bool begun_ = false;
+  double deepest_ = 0.0;
+  Vec3 deepest_place_, deepest_normal_;
+  // Of the triangle at hand:
+  std::uint32_t triangle_ = 0;
+  Vec3 normal_;
+  double offset_ = 0.0;
+};
+
+}  // namespace cmb::mesh

@@ -1,0 +1,80 @@
+// The surface of what ellipsoids and polytopes have in common.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "manifold/revolved/ball_on_polytope.hpp"
+#include "math/pi.hpp"
+#include "support/overlap_of.hpp"
+#include "support/random_bodies.hpp"
+#include "support/scene_query.hpp"
+
+namespace {
+
+using namespace cmb::test;
+using cmb::convex::Polytope;
+using random_bodies::Random;
+
+// Sums of a surface that has to be closed.
+struct Sums {
+  Vec3 areas, moments;
+  double whole = 0.0, size = 0.0;
+
+  explicit Sums(const cmb::OverlapSurface &surface) {
+    for (const auto *side : {&surface.of_a(), &surface.of_b()}) {
+      for (const cmb::OverlapSurface::Node &node : *side) {
+        areas = areas + node.area;
+        moments = moments + cross(node.at, node.area);
+        whole += norm(node.area);
+        size = std::fmax(size, norm(node.at));
+      }
+    }
+  }
+};
+
+// A cap of height h of the unit ball: pi h^2 (1 - h / 3), its middle 3 (2 - h)^2 / (4 (3 - h)) from the ball's.
+TEST(BallOnPolytope, CapsAreThoseOfTheClosedForm) {
+  const Polytope box = Polytope::box({4, 4, 4});
+  cmb::BallOnPolytope finder;
+  cmb::OverlapSurface surface;
+  for (const double h : {1e-9, 1e-6, 1e-3, 0.1, 0.5, 1.0, 1.5, 1.9, 1.999}) {
+    ASSERT_TRUE(finder.find({1, 1, 1}, box, {{}, {0.0, 0.0, -3.0 + h}}, {0, 0, -1.0 + 0.5 * h}, surface)) << h;
+    const double rounding = 1e-11 + 1e-15 / h;
+    EXPECT_NEAR(surface.volume() / (cmb::pi * h * h * (1.0 - h / 3.0)), 1.0, rounding) << h;
+    const double middle = (surface.place() + surface.middle()).z;
+    EXPECT_NEAR((middle + 3.0 * (2.0 - h) * (2.0 - h) / (4.0 * (3.0 - h))) / h, 0.0, rounding) << h;
+  }
+}
+
+// Closed, with the volume of slices (src/volume/), which share no code with it.
+TEST(BallOnPolytope, SurfacesAreClosedAndHoldTheVolume) {
+  Random random(7);
+  int compared = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 semi{random.uniform(0.1, 0.6), random.uniform(0.1, 0.6), random.uniform(0.1, 0.6)};
+    const Vec3 size{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)};
+    const Polytope box = Polytope::box(size);
+    Vec3 place;  // in both
+    do {
+      place = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    } while (norm2(place) >= 1.0);
+    place = {semi.x * place.x, semi.y * place.y, semi.z * place.z};
+    const Vec3 in_box{random.uniform(-0.5, 0.5) * size.x, random.uniform(-0.5, 0.5) * size.y, random.uniform(-0.5, 0.5) * size.z};
+    const Mat3 rotation = k % 8 == 0 ? Mat3{} : random_bodies::random_rotation(random);
+    cmb::BallOnPolytope finder;
+    cmb::OverlapSurface surface;
+    ASSERT_TRUE(finder.find(semi, box, {rotation, place - rotation * in_box}, place, surface)) << k;
+    const Sums sums(surface);
+    EXPECT_LT(norm(sums.areas), 1e-10 * sums.whole) << k;
+    EXPECT_LT(norm(sums.moments), 1e-10 * sums.whole * sums.size) << k;
+    if (k % 20 != 0) continue;
+    ++compared;
+    const auto text = [](const Vec3 &v) { return digits(v.x) + "," + digits(v.y) + "," + digits(v.z); };
+    const PairScene scene("cmb/1 ellipsoid size=" + text(2.0 * semi), "cmb/1 box size=" + text(size));
+    const double volume = overlap_of(scene, {}, {place - rotation * in_box, rotation}).volume;
+    EXPECT_NEAR(surface.volume(), volume, 1e-8 * volume) << k;
+  }
+  EXPECT_EQ(compared, 100);
+}
+
+}  // namespace
