@@ -29,6 +29,15 @@ double RoundOverlap::reach(const Vec3 &direction) const {
   return dot(direction, place_.translation) + dot(local, convex::core_support(body_, local).point);
 }
 
+// Whether what of the body is below the triangle at hand lies beyond a side of its wedge. Below the plane n . x = o, m . x is at most
+// h(m - l n) + l o for all l >= 0, h being the body's support function.
+bool RoundOverlap::is_beyond(const WedgeSide &side, double offset_of_front) const {
+  for (const double part : {16.0, 4.0, 1.0}) {
+    if (reach(side.normal - part * face_normal()) + part * offset_of_front < side.offset) return true;
+  }
+  return false;
+}
+
 // The part of the wedge about the body; false where the body is outside.
 bool RoundOverlap::set_cell() {
   const Vec3 &center = place_.translation;
@@ -40,6 +49,9 @@ bool RoundOverlap::set_cell() {
   const double deepest = offset_of_front + reach(-face_normal());
   if (!(deepest > 0.0)) return false;
   deepest_below_ = std::min(deepest, mesh().depth_limit(triangle()));
+  for (const WedgeSide &side : mesh().wedge_sides(triangle())) {
+    if (is_beyond(side, offset_of_front)) return false;
+  }
   scratch_.planes.clear();
   scratch_.cell.start(center, 1.1 * radius());
   // A plane that would cut through a corner of the cell is moved by as little as that.

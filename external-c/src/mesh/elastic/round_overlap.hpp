@@ -37,6 +37,7 @@ class RoundOverlap : public WedgeIntegrals {
 
  private:
   bool set_cell();
+  bool is_beyond(const WedgeSide &side, double offset_of_front) const;
   bool find_surface();
   double deepest_of_overlap(const Vec3 &local, double enough, Vec3 &deepest_place) const;
   double mean_square(double at_middle, const Vec3 &local) const;
