@@ -1,4 +1,5 @@
 #include "mesh/elastic/round_overlap.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -95,9 +96,7 @@ bool RoundOverlap::find_surface() {
                                            : scratch_.revolved.find(RevolvedBody(body_), cell, in_body, place, surface);
     if (surface.of_a().empty() && surface.of_b().empty()) return false;
     const Vec3 nearer = surface.place() + surface.middle();
-    if (found && (attempt == attempts || surface.volume() > thin * norm(nearer - place) * surface.area_a())) {
-      return true;
-    }
+    if (found && (attempt == attempts || surface.volume() > thin * norm(nearer - place) * surface.area_a())) return true;
     if (!found && attempt > 1) in_body.translation = in_body.translation + (1e-10 * radius()) * Vec3{0.61, -0.53, 0.59};
     place = found ? nearer : surface.place();
   }
