@@ -104,6 +104,25 @@ TEST(RevolvedContacts, EqualCylindersOnOneAxisCarryAsOnAFace) {
   }
 }
 
+// The border of a disc 0.5 mm thick in a cylinder's edge: the overlap's spread across is next to rounding, and its load still changes by no
+// more than the depth does.
+TEST(RevolvedContacts, SliversCarryContinuously) {
+  const PairScene scene("cmb/1 cone radius=0.34479846279395732 length=0.00045579525410665021",
+                        "cmb/1 cylinder radius=0.34623904337821976 length=0.72018589449230075");
+  const Vec3 axis = normalized(Vec3{-0.730365616779737, 0.682493839068252, 0.027716880413080});
+  const Vec3 u = normalized(cross(axis, Vec3{0, 0, 1})), v = cross(axis, u);
+  const Mat3 rotation = transposed(Mat3{{u, v, axis}});
+  double last = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    const BodyPose pose{{0.579983279081 + 1e-9 * k, 0.285067752694, -0.331446591697}, rotation};
+    const double load = norm(scene.query(pose, {}, 64).load());
+    if (k > 0) {
+      EXPECT_NEAR(load, last, 1e-2 * last) << k;
+    }
+    last = load;
+  }
+}
+
 class OverlapSurfaces : public testing::TestWithParam<const char *> {};
 
 // Closed: its area vectors and their moments sum to nothing. The volume is that of slices (src/volume/), which share no code with it.

@@ -59,7 +59,9 @@ bool OverlapSurface::sum() {
   spread_ = {};
   spread_.add(3.0 / (5.0 * volume), second);
   spread_.add_square(-1.0, middle_);
-  return spread_.m[0] > 0.0 && spread_.m[1] > 0.0 && spread_.m[2] > 0.0;
+  // Of a needle's or sliver's overlap one may be less than nothing by rounding, while its volume and middle are known.
+  for (int k = 0; k < 3; ++k) spread_.m[k] = std::fmax(spread_.m[k], 0.0);
+  return spread_.trace() > 0.0;
 }
 
 }  // namespace cmb
