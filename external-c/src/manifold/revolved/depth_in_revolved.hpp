@@ -19,25 +19,33 @@ class DepthInRevolved {
   double least() const { return least_; }
   // By how much more than in the mean a place of the surface's adds to it: the softmin's derivative by the overlap's volume there, times
   // the volume.
-  double excess(const Vec3 &p) const;
+  double excess(const Vec3 &p) const {
+    const double rise = dot(axis_, p);
+    const Inside way = inside_along(p, rise);
+    const double inside = there_ + way.first + way.second;
+    return level_ + rise * (growth_ + rise * bend_) + weight_[mantle] * inside * inside;
+  }
   // The mean over the overlap of what the excess changes by the place, and of its moment about the overlap's middle.
   void find_mean_slope(const OverlapSurface &surface, Vec3 &slope, Vec3 &moment) const;
 
  private:
   enum Side { base, mantle, top, sides };
 
-  // r^2 - distance^2 along the way from the surface's place to another one: quadratic in the part of the way.
+  // r^2 - distance^2 along the way from the surface's place, where it is there_, to another one: quadratic in the part of the way.
   struct Inside {
-    double there, first, second;
+    double first, second;
   };
-  Inside inside_along(const Vec3 &p) const;
+  Inside inside_along(const Vec3 &p, double rise) const {
+    return {2.0 * (radius_slope_ * rise - dot(from_axis_, p)), (1.0 + slope_square_) * rise * rise - norm2(p)};
+  }
   double mean_square_in_mantle(const OverlapSurface &surface) const;
 
-  const RevolvedBody body_;
-  Vec3 axis_, from_axis_;       // in the surface's axes; of the surface's place, across the axis
-  double height_ = 0.0;         // of the surface's place
-  double least_ = 0.0, mean_ = 0.0;
-  double weight_[sides] = {}, of_radius_ = 0.0;  // of ends' squares, of (r^2 - distance^2)^2, and of r^2
+  Vec3 axis_, from_axis_;                              // in the surface's axes; of the surface's place, across the axis
+  double radius_slope_ = 0.0, slope_square_ = 0.0;     // the radius there by the slope; of the slope
+  double there_ = 0.0;
+  double least_ = 0.0;
+  double weight_[sides] = {};                          // of ends' squares, and of (r^2 - distance^2)^2
+  double level_ = 0.0, growth_ = 0.0, bend_ = 0.0;     // of ends' squares and r^2, less the mean, by powers of the rise
 };
 
 }  // namespace cmb

@@ -1,6 +1,7 @@
 // The part of a cylinder's or cone's mantle in another body, integrated along its border.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "manifold/revolved/overlap_surface.hpp"
@@ -14,8 +15,11 @@ using convex::Pose;
 // a border come in whatever order, and may go round the axis.
 class Mantle {
  public:
+  // What the other body is, which is what integrals over the mantle are for: along a cylinder moments of what a polytope stores are of the
+  // third degree, those of what is stored in another mantle of the fifth; along a cone one more.
+  enum class Partner { polytope, revolved };
   // `in_common`: from the body's frame to the axes of the nodes, `place` (there) where their places are from.
-  Mantle(const RevolvedBody &body, const Pose &in_common, const Vec3 &place, std::vector<OverlapSurface::Node> &nodes);
+  Mantle(const RevolvedBody &body, const Pose &in_common, const Vec3 &place, Partner partner, std::vector<OverlapSurface::Node> &nodes);
 
   const RevolvedBody &body() const { return *body_; }
   const Pose &in_common() const { return in_common_; }
@@ -26,11 +30,16 @@ class Mantle {
   void add_border_node(const Vec3 &at, const Vec3 &step);
 
  private:
+  // `outward` in the nodes' axes.
+  void add_nodes(const Vec3 &outward, double height, double turn);
+
   const RevolvedBody *body_;
   Pose in_common_;
   std::vector<OverlapSurface::Node> *nodes_;
-  Vec3 place_;        // in the body's frame
+  Vec3 axis_, from_place_;  // in the nodes' axes; to the body's origin
   double from_ = 0.0;  // the height that is counted from
+  const double *part_, *weight_;  // of the rule from there to the border
+  std::size_t parts_;
 };
 
 }  // namespace cmb

@@ -72,7 +72,9 @@ bool MantleCrossing::correct(const Vec3 &normal, Vec3 &p) const {
     const double length = norm(move);
     if (!(length < size_)) return false;
     p = p + move;
-    if (length <= 1e-15 * size_ || (length <= 1e-9 * size_ && length >= 0.5 * last)) return true;
+    // Moves fall by their squares, at last to rounding.
+    const double next = length * (length / last) * (length / last);
+    if (length <= 1e-15 * size_ || (length <= 1e-9 * size_ && (length >= 0.5 * last || next <= 1e-17 * size_))) return true;
     last = length;
   }
   return false;

@@ -16,25 +16,48 @@ using overlap::GaussNodes;
 // A rule that serves for curves through so great an angle. What is cut off by a chord is as deep as the angle's square, and that counts by
 // its third power.
 GaussNodes rule_for(double angle) {
-  if (angle < 0.1) return GaussNodes(gauss_rule<5>);
-  if (angle < 0.5) return GaussNodes(gauss_rule<6>);
-  return GaussNodes(gauss_rule<8>);
+  if (angle < 0.5) return GaussNodes(gauss_rule<7>);
+  if (angle < 1.1) return GaussNodes(gauss_rule<8>);
+  if (angle < 1.8) return GaussNodes(gauss_rule<10>);
+  if (angle < 2.5) return GaussNodes(gauss_rule<12>);
+  return GaussNodes(gauss_rule<14>);
 }
-constexpr double widest = 1.0;  // that one rule serves for
-// So many places, evenly round, are exact for polynomials of the eighth degree on a circle and its plane sections of a cylinder, and on a
-// cone as good as.
-constexpr int round_places = 16, round_places_of_cone = 24;
+// That one rule serves for; on cones' conics distances change faster than by sines.
+constexpr double widest = 3.3, widest_of_cone = 1.0;
 
-// The cosines' way from angle0 to angle1, and its slope, at the part of the turn between them. No angles of both signs.
-void cosine_way(double angle0, double turn, double part, double &way, double &slope) {
-  const double whole = std::sin(angle0 + 0.5 * turn) * std::sin(0.5 * turn);
-  if (std::fabs(turn) < 1e-12 || whole == 0.0) {
-    way = part, slope = 1.0;
-    return;
+// Places evenly round, so many as are exact for the trigonometric polynomials that integrals on a circle are, and on plane sections of a
+// cylinder: moments of the fifth degree, the place from the fan's apex and its step.
+constexpr int round_places = 8;
+constexpr double half_root = 0.707106781186547524;
+constexpr double round_cosine[round_places] = {1.0, half_root, 0.0, -half_root, -1.0, -half_root, 0.0, half_root};
+constexpr double round_sine[round_places] = {0.0, half_root, 1.0, half_root, 0.0, -half_root, -1.0, -half_root};
+constexpr int round_places_of_cone = 24;  // on its plane sections, as good as
+
+// The cosines' way from angle0 to angle1, and its slope, at parts of the turn between them. No angles of both signs.
+class CosineWay {
+ public:
+  CosineWay(double angle0, double turn) : turn_(turn), cosine0_(std::cos(angle0)), sine0_(std::sin(angle0)) {
+    const double cosine = std::cos(0.5 * turn), sine = std::sin(0.5 * turn);
+    whole_ = (sine0_ * cosine + cosine0_ * sine) * sine;
+    is_short_ = std::fabs(turn) < 1e-12 || whole_ == 0.0;
   }
-  way = std::sin(angle0 + 0.5 * part * turn) * std::sin(0.5 * part * turn) / whole;
-  slope = 0.5 * turn * std::sin(angle0 + part * turn) / whole;
-}
+  struct Place {
+    double cosine, sine, way, slope;
+  };
+  Place at(double part) const {
+    const double c = std::cos(0.5 * part * turn_), s = std::sin(0.5 * part * turn_), cosine = 1.0 - 2.0 * s * s, sine = 2.0 * s * c;
+    Place place{cosine0_ * cosine - sine0_ * sine, sine0_ * cosine + cosine0_ * sine, part, 1.0};
+    if (!is_short_) {
+      place.way = (sine0_ * c + cosine0_ * s) * s / whole_;
+      place.slope = 0.5 * turn_ * place.sine / whole_;
+    }
+    return place;
+  }
+
+ private:
+  double turn_, cosine0_, sine0_, whole_;
+  bool is_short_;
+};
 
 double rounding_of(const RevolvedBody &body) { return 1e-12 * (body.radius + body.half); }
 
@@ -52,6 +75,11 @@ void MantleSection::start(Mantle &mantle, const Vec3 &n, double offset) {
   sense_ = (body.is_cylinder() ? n.z >= 0.0 : n.z * body.half > offset) ? 1.0 : -1.0;
   if (!find_height(1.0, front_)) front_ = -body.half;
   front_ = std::clamp(front_, -body.half, body.half);
+  constexpr double steady = 0.05;
+  is_steady_ = body.is_cylinder() && std::fabs(axial_) > steady;
+  if (!is_steady_) return;
+  swing_ = radial_ * body.radius / axial_;
+  swing_front_ = offset_ / axial_ - swing_;
 }
 
 // False where there is none, on a cone on its own side of the apex.
@@ -90,16 +118,20 @@ void MantleSection::follow_loop(PlaneFan &fan) {
   // Round a cone the inverse of the distance from the apex swings with the cosine.
   constexpr double most_ratio = 2.0;
   const double down = body.half - front, down_back = body.half - back;
-  if (body.is_cylinder() || (down < most_ratio * down_back && down_back < most_ratio * down)) {
-    const int count = body.is_cylinder() ? round_places : round_places_of_cone;
-    const double width = sense_ * 2.0 * pi / count, swing = 0.5 * (1.0 / down - 1.0 / down_back);
-    for (int k = 0; k < count; ++k) {
+  if (body.is_cylinder()) {
+    const double width = sense_ * 2.0 * pi / round_places, swing = 0.5 * (back - front);
+    for (int k = 0; k < round_places; ++k) {
+      const double cosine = round_cosine[k], sine = round_sine[k];
+      add_place(fan, cosine, sine, front + swing * (1.0 - cosine), width, swing * sine * width);
+    }
+    return;
+  }
+  if (down < most_ratio * down_back && down_back < most_ratio * down) {
+    const double width = sense_ * 2.0 * pi / round_places_of_cone, swing = 0.5 * (1.0 / down - 1.0 / down_back);
+    for (int k = 0; k < round_places_of_cone; ++k) {
       const double angle = width * k, cosine = std::cos(angle), sine = std::sin(angle);
-      const double from_front = 0.5 * (1.0 - cosine);
-      const double on_cone = 1.0 / (1.0 / down + from_front * (1.0 / down_back - 1.0 / down));
-      const double height = body.is_cylinder() ? front + from_front * (back - front) : body.half - on_cone;
-      const double rise = body.is_cylinder() ? 0.5 * sine * (back - front) : -swing * sine * on_cone * on_cone;
-      add_place(fan, cosine, sine, height, width, rise * width);
+      const double on_cone = 1.0 / (1.0 / down + 0.5 * (1.0 - cosine) * (1.0 / down_back - 1.0 / down));
+      add_place(fan, cosine, sine, body.half - on_cone, width, -swing * sine * on_cone * on_cone * width);
     }
     return;
   }
@@ -127,6 +159,10 @@ bool MantleSection::follow_arcs(PlaneFan &fan) {
     Passages::Arc arc;
     if (!passages_.take_arc(rounding, arc)) return false;
     if (!arc.round && arc.to.key == arc.from.key) continue;
+    if (is_steady_) {
+      add_swing(fan, arc.from.angle, arc.to.angle - arc.from.angle + (arc.round ? sense_ * 2.0 * pi : 0.0));
+      continue;
+    }
     double angle = arc.from.angle, height = arc.from.height;
     const auto go = [&](double to_angle, double to_height) {
       add_arc(fan, angle, height, to_angle, to_height);
@@ -167,12 +203,12 @@ void Rim::add_passage(const Vec3 &at, bool to_rim) {
 
 void Rim::follow_all(PlaneFan &fan) {
   const double width = sense_ * 2.0 * pi / round_places;
-  for (int k = 0; k < round_places; ++k) add_place(fan, width * k, width);
+  for (int k = 0; k < round_places; ++k) add_place(fan, round_cosine[k], round_sine[k], width);
 }
 
-void Rim::add_place(PlaneFan &fan, double angle, double step) {
+void Rim::add_place(PlaneFan &fan, double cosine, double sine, double step) {
   const Pose &in_common = mantle_->in_common();
-  const double cosine = std::cos(angle), sine = std::sin(angle), way = radius_ * step;
+  const double way = radius_ * step;
   fan.add_curve_node(in_common({radius_ * cosine, radius_ * sine, height_}), in_common.rotation * Vec3{-way * sine, way * cosine, 0.0});
   mantle_->add_border_node({cosine, sine, 0.0}, height_, step);
 }
@@ -194,7 +230,21 @@ void Rim::add_arc(PlaneFan &fan, double from, double turn) {
   const GaussNodes rule = rule_for(std::fabs(width));
   for (int part = 0; part < parts; ++part) {
     for (std::size_t k = 0; k < rule.count; ++k) {
-      add_place(fan, from + width * (part + rule.node[k]), width * rule.weight[k]);
+      const double angle = from + width * (part + rule.node[k]);
+      add_place(fan, std::cos(angle), std::sin(angle), width * rule.weight[k]);
+    }
+  }
+}
+
+void MantleSection::add_swing(PlaneFan &fan, double from, double turn) {
+  const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
+  const double width = turn / parts;
+  const GaussNodes rule = rule_for(std::fabs(width));
+  for (int part = 0; part < parts; ++part) {
+    for (std::size_t k = 0; k < rule.count; ++k) {
+      const double angle = from + width * (part + rule.node[k]), cosine = std::cos(angle), sine = std::sin(angle);
+      const double step = width * rule.weight[k];
+      add_place(fan, cosine, sine, swing_front_ + swing_ * (1.0 - cosine), step, swing_ * sine * step);
     }
   }
 }
@@ -202,18 +252,17 @@ void Rim::add_arc(PlaneFan &fan, double from, double turn) {
 void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double angle1, double height1) {
   const RevolvedBody &body = mantle_->body();
   const double turn = angle1 - angle0;
-  const auto visit = [&](double angle, double height, double turn_step, double rise_step) {
-    add_place(fan, std::cos(angle), std::sin(angle), height, turn_step, rise_step);
-  };
   if (body.is_cylinder()) {
     const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
-    const GaussNodes rule = rule_for(std::fabs(turn) / parts);
+    constexpr double hardly = 1e-4;  // by the angle: as good as a straight line along the axis
+    const bool is_line = std::fabs(turn) < hardly * std::min(std::fabs(angle0), std::fabs(angle1));
+    const GaussNodes rule = is_line ? GaussNodes(gauss_rule<5>) : rule_for(std::fabs(turn) / parts);
+    const CosineWay cosine_way(angle0, turn);
     for (int part = 0; part < parts; ++part) {
       for (std::size_t k = 0; k < rule.count; ++k) {
-        const double along = (part + rule.node[k]) / parts, weight = rule.weight[k] / parts;
-        double way, slope;
-        cosine_way(angle0, turn, along, way, slope);
-        visit(angle0 + along * turn, height0 + way * (height1 - height0), weight * turn, weight * slope * (height1 - height0));
+        const double weight = rule.weight[k] / parts;
+        const CosineWay::Place at = cosine_way.at((part + rule.node[k]) / parts);
+        add_place(fan, at.cosine, at.sine, height0 + at.way * (height1 - height0), weight * turn, weight * at.slope * (height1 - height0));
       }
     }
     return;
@@ -225,24 +274,24 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
   const GaussNodes rule = rule_for(std::max(std::fabs(turn), std::fabs(std::log(down1 / down0))));
   if (std::fabs(turn) < 1e-9) {  // a straight line, as good as
     for (std::size_t k = 0; k < rule.count; ++k) {
-      const double part = rule.node[k];
-      visit(angle0 + part * turn, height0 + part * (height1 - height0), rule.weight[k] * turn, rule.weight[k] * (height1 - height0));
+      const double part = rule.node[k], angle = angle0 + part * turn;
+      add_place(fan, std::cos(angle), std::sin(angle), height0 + part * (height1 - height0), rule.weight[k] * turn,
+                rule.weight[k] * (height1 - height0));
     }
     return;
   }
   const double inverse0 = 1.0 / down0, inverse1 = 1.0 / down1, ratio = down1 / down0;
   constexpr double most_ratio = 2.0;
-  const int parts = 1 + static_cast<int>(std::max(std::fabs(turn) / widest, std::fabs(std::log(ratio)) / std::log(most_ratio)));
+  const int parts = 1 + static_cast<int>(std::max(std::fabs(turn) / widest_of_cone, std::fabs(std::log(ratio)) / std::log(most_ratio)));
   const double cosine0 = std::cos(angle0), cosine1 = std::cos(angle1);
+  const CosineWay whole_way(angle0, turn);
   double from = angle0, from_inverse = inverse0;
   for (int part = 0; part < parts; ++part) {
     double to = angle1, to_inverse = inverse1;
     if (part + 1 < parts) {
-      if (std::fabs(turn) / widest > std::fabs(std::log(ratio)) / std::log(most_ratio)) {
-        double slope;
+      if (std::fabs(turn) / widest_of_cone > std::fabs(std::log(ratio)) / std::log(most_ratio)) {
         to = angle0 + turn * (part + 1) / parts;
-        cosine_way(angle0, turn, static_cast<double>(part + 1) / parts, to_inverse, slope);
-        to_inverse = inverse0 + to_inverse * (inverse1 - inverse0);
+        to_inverse = inverse0 + whole_way.at(static_cast<double>(part + 1) / parts).way * (inverse1 - inverse0);
       } else {
         to_inverse = inverse0 * std::pow(ratio, -static_cast<double>(part + 1) / parts);
         const double way = (to_inverse - inverse0) / (inverse1 - inverse0);
@@ -250,12 +299,12 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
       }
     }
     const double part_turn = to - from;
+    const CosineWay cosine_way(from, part_turn);
     for (std::size_t k = 0; k < rule.count; ++k) {
-      double way, slope;
-      cosine_way(from, part_turn, rule.node[k], way, slope);
-      const double down = 1.0 / (from_inverse + way * (to_inverse - from_inverse));
-      visit(from + rule.node[k] * part_turn, body.half - down, rule.weight[k] * part_turn,
-            rule.weight[k] * slope * (to_inverse - from_inverse) * down * down);
+      const CosineWay::Place at = cosine_way.at(rule.node[k]);
+      const double down = 1.0 / (from_inverse + at.way * (to_inverse - from_inverse));
+      add_place(fan, at.cosine, at.sine, body.half - down, rule.weight[k] * part_turn,
+                rule.weight[k] * at.slope * (to_inverse - from_inverse) * down * down);
     }
     from = to, from_inverse = to_inverse;
   }

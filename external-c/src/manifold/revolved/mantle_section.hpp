@@ -34,6 +34,8 @@ class MantleSection {
   void follow_loop(PlaneFan &fan);
   bool find_height(double cosine, double &height) const;
   void add_place(PlaneFan &fan, double cosine, double sine, double height, double turn, double rise);
+  // Of a cylinder's conic that is inclined enough for its heights to follow from angles.
+  void add_swing(PlaneFan &fan, double from, double turn);
   // A part where the angle keeps its sign and the height grows or falls.
   void add_arc(PlaneFan &fan, double angle0, double height0, double angle1, double height1);
 
@@ -42,6 +44,8 @@ class MantleSection {
   double radial_ = 0.0, axial_ = 0.0, offset_ = 0.0;  // of the plane: radial cos(angle) distance + axial height = offset
   double sense_ = 1.0;              // 1 where angles grow counter-clockwise about the plane
   double front_ = 0.0;              // the height at angle 0; between the ends
+  bool is_steady_ = false;          // whether its heights follow from angles, as good as exactly: then they are
+  double swing_front_ = 0.0, swing_ = 0.0;  // swing_front + swing (1 - cosine)
   Passages passages_;
 };
 
@@ -65,7 +69,7 @@ class Rim {
  private:
   bool follow_arcs(PlaneFan &fan);
   void follow_all(PlaneFan &fan);
-  void add_place(PlaneFan &fan, double angle, double step);
+  void add_place(PlaneFan &fan, double cosine, double sine, double step);
   void add_arc(PlaneFan &fan, double from, double turn);
 
   Mantle *mantle_ = nullptr;

@@ -9,7 +9,8 @@ namespace cmb {
 
 using convex::Vec3;
 
-// Of body A within B, and of B within A. The rules are exact, or as good as, for polynomials of the fifth degree.
+// Of body A within B, and of B within A. The rules are exact, or as good as, for polynomials of the fifth degree, along a mantle as far
+// as its partner asks for (mantle.hpp).
 class OverlapSurface {
  public:
   struct Node {

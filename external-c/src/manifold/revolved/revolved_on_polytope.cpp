@@ -9,7 +9,6 @@ namespace cmb {
 
 namespace {
 
-
 double square(double x) { return x * x; }
 
 // What is left of the way from p, inside, to q: both are not equal, and the mantle is between them.
@@ -55,7 +54,7 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
                     (p.x - p.y > diagonal ? 256u : 0u) | (p.x - p.y < -diagonal ? 512u : 0u);
     vertex.in_mantle = body.beyond_mantle(p) <= 0.0;
   }
-  Mantle mantle(body, {}, place, surface.of_a());
+  Mantle mantle(body, {}, place, Mantle::Partner::polytope, surface.of_a());
   PlaneFan end_fan[ends] = {{{0.0, 0.0, -1.0}, place, surface.of_a()}, {{0.0, 0.0, 1.0}, place, surface.of_a()}};
   for (const End end : {base, top}) rim_[end].start(mantle, end);
   faces_.clear();

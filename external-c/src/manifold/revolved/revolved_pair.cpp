@@ -43,7 +43,7 @@ Vec3 place_in_both(const RevolvedBody &a, const Pose &pose_a, const RevolvedBody
 RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, const Vec3 &place, std::vector<OverlapSurface::Node> &nodes)
     : body(of),
       pose(in_common),
-      mantle(body, in_common, place, nodes),
+      mantle(body, in_common, place, Mantle::Partner::revolved, nodes),
       fan{{-in_common.rotation.column(2), place, nodes}, {in_common.rotation.column(2), place, nodes}} {}
 
 bool RevolvedPair::find(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &deepest_a, const Vec3 &deepest_b,
