@@ -11,7 +11,7 @@ namespace cmb {
 namespace {
 
 constexpr int most_steps = 1000;
-constexpr double straight = 0.94;  // the cosine of how much the curve may turn in a step, itself and about the axes
+constexpr double straight = 0.85;  // the cosine of how much the curve may turn in a step, itself and about the axes
 
 // By a step's length: how far a cubic may be from it. Of cones the curve may nearly meet itself.
 constexpr double bent_of_cylinders = 2e-3, bent_of_cones = 2e-4;
@@ -131,7 +131,7 @@ bool MantleCrossing::add_piece(const Piece &piece) {
   if (!(piece.length > 1e-14 * size_)) return true;
   if (!piece.ahead) return piece.length < 1e-9 * size_;
   const overlap::GaussNodes rule =
-      bent_ == bent_of_cylinders ? overlap::GaussNodes(overlap::gauss_rule<6>) : overlap::GaussNodes(overlap::gauss_rule<8>);
+      bent_ == bent_of_cylinders ? overlap::GaussNodes(overlap::gauss_rule<7>) : overlap::GaussNodes(overlap::gauss_rule<8>);
   for (std::size_t k = 0; k < rule.count; ++k) {
     Vec3 at = piece.at(rule.node[k]);
     if (!correct(piece.along, at)) return false;

@@ -113,6 +113,11 @@ void RevolvedPair::add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Bo
 void RevolvedPair::add_rim_passages(Side &side, Borders &borders, End end, const Side &other, const Pose &in_other) {
   const Vec3 center = in_other({0.0, 0.0, side.height(end)}), u = in_other.rotation.column(0), v = in_other.rotation.column(1);
   const double radius = side.body.radius, slope = other.body.slope, at_center = other.body.radius_at(center.z);
+  // Mostly it is clear that it does not.
+  constexpr double rounding = 1e-9;
+  const double rise2 = radius * radius * (u.z * u.z + v.z * v.z), above = std::fabs(center.z) - other.body.half;
+  const double beside = std::sqrt(center.x * center.x + center.y * center.y) - radius - other.body.radius;
+  if (beside > rounding * radius || (above > rounding * radius && above * above > (1.0 + rounding) * rise2)) return;
   const auto product = [slope](const Vec3 &p, const Vec3 &q) { return p.x * q.x + p.y * q.y - slope * slope * p.z * q.z; };
   const auto slant = [&](const Vec3 &p) { return center.x * p.x + center.y * p.y - at_center * slope * p.z; };
   const double toward = std::atan2(-slant(v), -slant(u));
