@@ -31,7 +31,14 @@ constexpr int round_places = 8;
 constexpr double half_root = 0.707106781186547524;
 constexpr double round_cosine[round_places] = {1.0, half_root, 0.0, -half_root, -1.0, -half_root, 0.0, half_root};
 constexpr double round_sine[round_places] = {0.0, half_root, 1.0, half_root, 0.0, -half_root, -1.0, -half_root};
-constexpr int round_places_of_cone = 24;  // on its plane sections, as good as
+// Of a cone's plane sections the inverse of the distance from the apex swings by this part of its mean: harmonics fall so much the faster,
+// the less that is, and as good as none are left.
+int round_places_of_cone(double swing) {
+  constexpr int most = 24;
+  constexpr double enough = 36.0;  // of the harmonics' logarithm
+  const double places = swing > 0.0 ? round_places + 1 + enough / std::acosh(1.0 / swing) : round_places;
+  return places < most ? static_cast<int>(places) : most;
+}
 
 // The cosines' way from angle0 to angle1, and its slope, at parts of the turn between them. No angles of both signs.
 class CosineWay {
@@ -127,8 +134,9 @@ void MantleSection::follow_loop(PlaneFan &fan) {
     return;
   }
   if (down < most_ratio * down_back && down_back < most_ratio * down) {
-    const double width = sense_ * 2.0 * pi / round_places_of_cone, swing = 0.5 * (1.0 / down - 1.0 / down_back);
-    for (int k = 0; k < round_places_of_cone; ++k) {
+    const int count = round_places_of_cone(std::fabs(down - down_back) / (down + down_back));
+    const double width = sense_ * 2.0 * pi / count, swing = 0.5 * (1.0 / down - 1.0 / down_back);
+    for (int k = 0; k < count; ++k) {
       const double angle = width * k, cosine = std::cos(angle), sine = std::sin(angle);
       const double on_cone = 1.0 / (1.0 / down + 0.5 * (1.0 - cosine) * (1.0 / down_back - 1.0 / down));
       add_place(fan, cosine, sine, body.half - on_cone, width, -swing * sine * on_cone * on_cone * width);
