@@ -218,6 +218,23 @@ TEST_P(ElasticRoundBody, PlanesBetweenTrianglesMayHoldEndsAndAxes) {
   }
 }
 
+// The side between two triangles through the axis of a cone that stands on its tip, or beside it by as little as rounding: a cone has a
+// mean square depth of a tenth of its height's square.
+TEST(ElasticCone, TipMayStandWhereTrianglesMeet) {
+  const TriangleMesh level = mesh_samples::mesh(mesh_samples::sheet_mesh(4.0, 5, [](double, double) { return 0.0; }));
+  const ConvexBody cone = cmb::convex::make_cone(0.08, 0.015);
+  const Mat3 upside_down = random_bodies::rotation_about({1, 0, 0}, cmb::pi);
+  Random random(23);
+  for (int i = 0; i < 1000; ++i) {
+    const double depth = random.log_uniform(1e-5, 1e-3);
+    const Vec3 beside = random.log_uniform(1e-16, 1e-3) * random.direction();
+    const Vec3 place{0.25 + beside.x, 0.25 + beside.y, 0.0075 - depth};
+    const ContactSet set = contact(cone, {upside_down, place}, level);
+    ASSERT_NEAR(energy(set), 0.15 * depth * depth, 1e-3 * depth * depth) << norm(beside) << " deep " << depth;
+    ASSERT_NEAR(norm(force(set) - Vec3{0, 0, 0.3 * depth}), 0.0, 3e-3 * depth) << norm(beside) << " deep " << depth;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ElasticRoundBody, testing::Values("cylinder", "cone", "ellipsoid"));
 
 // Faces, edges and corners of the body exactly in the planes that part the triangles' wedges.

@@ -69,6 +69,10 @@ INSTANTIATE_TEST_SUITE_P(OnMeshes, WithoutJumps,
                                          Pair{"cone", "divided-box-mesh"}, Pair{"box", "angle-mesh"},
                                          Pair{"capsule", "angle-mesh"}));
 
+INSTANTIATE_TEST_SUITE_P(RoundOnMeshes, WithoutJumps,
+                         testing::Values(Pair{"ellipsoid", "heightfield"}, Pair{"cylinder", "angle-mesh"}, Pair{"flat-cone", "angle-mesh"},
+                                         Pair{"slender-cone", "torus-mesh"}));
+
 // Convex meshes are hulls.
 INSTANTIATE_TEST_SUITE_P(ConvexMeshes, WithoutJumps,
                          testing::Values(Pair{"ellipsoid", "divided-box-mesh"}, Pair{"cylinder", "divided-box-mesh"},
@@ -93,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Gradients, Elastic,
                                          Pair{"hull-20", "torus-mesh"}, Pair{"box", "heightfield"}, Pair{"hull-20", "angle-mesh"},
                                          Pair{"ellipsoid", "divided-box-mesh"}, Pair{"capsule", "sphere-mesh"},
                                          Pair{"box-mesh", "divided-box-mesh"}, Pair{"sphere-mesh", "sphere-mesh"},
-                                         Pair{"divided-box-mesh", "angle-mesh"}));
+                                         Pair{"divided-box-mesh", "angle-mesh"}, Pair{"cylinder", "torus-mesh"}));
 
 class ElasticBodies : public testing::TestWithParam<Pair> {};
 
@@ -117,6 +121,9 @@ INSTANTIATE_TEST_SUITE_P(AllMeshes, ElasticBodies,
                                          Pair{"box-mesh", "divided-box-mesh"}, Pair{"box-mesh", "sphere-mesh"},
                                          Pair{"sphere-mesh", "sphere-mesh"}, Pair{"box-mesh", "heightfield"},
                                          Pair{"box", "angle-mesh"}, Pair{"ellipsoid", "sphere-mesh"}, Pair{"capsule", "divided-box-mesh"}));
+
+INSTANTIATE_TEST_SUITE_P(RoundOnMeshes, ElasticBodies,
+                         testing::Values(Pair{"ellipsoid", "angle-mesh"}, Pair{"cylinder", "angle-mesh"}, Pair{"cone", "heightfield"}));
 
 INSTANTIATE_TEST_SUITE_P(AllPolytopes, ElasticBodies,
                          testing::Values(Pair{"box", "box"}, Pair{"box", "prism"}, Pair{"prism", "prism"}, Pair{"box", "hull-20"},

@@ -276,7 +276,7 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     return;
   }
   // The inverse of how far a cone's place is below the apex is linear in the cosine. Parts in which that hardly changes.
-  const double least = 1e-7 * body.half;
+  const double least = 1e-7 * (body.half - std::min(height0, height1));
   const double down0 = std::max(body.half - height0, least), down1 = std::max(body.half - height1, least);
   // By the turn and by how the distance from the apex grows.
   const GaussNodes rule = rule_for(std::max(std::fabs(turn), std::fabs(std::log(down1 / down0))));

@@ -6,9 +6,22 @@ namespace cmb {
 
 namespace {
 
-constexpr double gap = 1e-5;  // by all of the surface: what may be open
+constexpr double most_open = 1e-5;  // by all of the surface: what may be open
 
 }  // namespace
+
+Vec3 OverlapSurface::middle_of_area() const {
+  Vec3 sum;
+  double whole = 0.0;
+  for (const std::vector<Node> *const side : {&a_, &b_}) {
+    for (const Node &node : *side) {
+      const double area = norm(node.area);
+      sum = sum + area * node.at;
+      whole += area;
+    }
+  }
+  return whole > 0.0 ? (1.0 / whole) * sum : Vec3{};
+}
 
 bool OverlapSurface::is_closed() const {
   Vec3 open;
@@ -19,7 +32,7 @@ bool OverlapSurface::is_closed() const {
       whole += std::fabs(node.area.x) + std::fabs(node.area.y) + std::fabs(node.area.z);
     }
   }
-  return whole > 0.0 && norm(open) <= gap * whole;
+  return whole > 0.0 && norm(open) <= most_open * whole;
 }
 
 // The integral of a homogeneous polynomial of degree k over the cones from the origin to the surface's parts is place . area times its
@@ -39,7 +52,8 @@ bool OverlapSurface::sum() {
     return whole;
   };
   area_[0] = add(a_), area_[1] = add(b_);
-  if (!(volume > 0.0) || !(norm(open) <= gap * (area_[0] + area_[1]))) return false;
+  gap_ = norm(open);
+  if (!(volume > 0.0) || !(gap_ <= most_open * (area_[0] + area_[1]))) return false;
   const Vec3 shift = (3.0 / (4.0 * volume)) * first;
   place_ = place_ + shift;
   volume = 0.0, first = {};

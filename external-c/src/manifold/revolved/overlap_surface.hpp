@@ -27,12 +27,16 @@ class OverlapSurface {
   const std::vector<Node> &of_a() const { return a_; }
   const std::vector<Node> &of_b() const { return b_; }
 
+  // The mean of the surface's places, from the place; known whether it is closed or not.
+  Vec3 middle_of_area() const;
   // Whether its area vectors sum to nothing, as good as; false where there are none.
   bool is_closed() const;
   // Finds what follows, and moves the place to the overlap's middle, as good as; false where the surface is not closed, or the bodies
   // overlap by rounding alone.
   bool sum();
   double volume() const { return volume_; }
+  // What the area vectors sum to, of rounding and of rules that are not exact.
+  double gap() const { return gap_; }
   // As good as: negative parts of what cancels count as positive.
   double area_a() const { return area_[0]; }
   double area_b() const { return area_[1]; }
@@ -44,7 +48,7 @@ class OverlapSurface {
  private:
   std::vector<Node> a_, b_;
   Vec3 place_;
-  double volume_ = 0.0, area_[2] = {};
+  double volume_ = 0.0, gap_ = 0.0, area_[2] = {};
   Vec3 middle_;
   convex::SymmetricMatrix spread_;
 };

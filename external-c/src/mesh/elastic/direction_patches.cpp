@@ -29,6 +29,12 @@ void PatchSums::add_place(double size, const Vec3 &at, double depth) {
   second[3] += part * at.y * at.z, second[4] += part * at.z * at.x, second[5] += part * at.x * at.y;
 }
 
+void PatchSums::scale(double part) {
+  load *= part, energy *= part;
+  moment = part * moment;
+  for (double &sum : second) sum *= part;
+}
+
 void DirectionPatches::add(const PatchSums &patch, const Vec3 &normal, double share) {
   area_ += patch.area;
   carrying_area_ += share * patch.area;

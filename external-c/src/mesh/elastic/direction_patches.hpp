@@ -23,6 +23,8 @@ struct PatchSums {
   void add_triangle(double area, const Vec3 &p, double dp, const Vec3 &q, double dq, const Vec3 &r, double dr);
   // A place that stands for so great an area.
   void add_place(double area, const Vec3 &at, double depth);
+  // Takes a part of the load, of the same area.
+  void scale(double part);
 };
 
 // A part of a contact's load.

@@ -80,25 +80,30 @@ bool RoundOverlap::set_cell() {
   });
 }
 
-// From a place in the cell first. What is thin by the way from there is looked at once more from itself, as it is known to rounding of that
-// way; and where rounding is in the way at all, from a little aside.
+// From a place in the cell first. What is thin by the way from there, or open by that way, is looked at once more from itself; and where
+// rounding is in the way at all, from a little aside.
 bool RoundOverlap::find_surface() {
-  constexpr double thin = 1e-5;
+  constexpr double thin = 1e-5, open = 1e-9;
   const convex::PolytopeView cell = scratch_.cell.surface();
   OverlapSurface &surface = scratch_.surface;
   Vec3 place;
   for (const Vec3 &v : cell.vertices) place = place + v;
   place = transposed_times(place_.rotation, (1.0 / static_cast<double>(cell.vertices.size())) * place - place_.translation);
   Pose in_body = place_.inverse();
-  constexpr int attempts = 6;
+  constexpr int attempts = 8;
+  double aside = 1e-10 * radius();
   for (int attempt = 1; attempt <= attempts; ++attempt) {
     const bool found = is_ellipsoid(body_) ? scratch_.ball.find(body_.half, cell, in_body, place, surface)
                                            : scratch_.revolved.find(RevolvedBody(body_), cell, in_body, place, surface);
     if (surface.of_a().empty() && surface.of_b().empty()) return false;
     const Vec3 nearer = surface.place() + surface.middle();
-    if (found && (attempt == attempts || surface.volume() > thin * norm(nearer - place) * surface.area_a())) return true;
-    if (!found && attempt > 1) in_body.translation = in_body.translation + (1e-10 * radius()) * Vec3{0.61, -0.53, 0.59};
-    place = found ? nearer : surface.place();
+    const double way = norm(nearer - place), volume = surface.volume();
+    if (found && (attempt == attempts || (volume > thin * way * surface.area_a() && open * volume > way * surface.gap()))) return true;
+    if (!found && attempt > 1) {
+      in_body.translation = in_body.translation + aside * Vec3{0.61, -0.53, 0.59};
+      aside *= 10.0;
+    }
+    place = found ? nearer : surface.place() + surface.middle_of_area();
   }
   return false;
 }
@@ -160,7 +165,7 @@ void RoundOverlap::integrate() {
     third.force = third.force + squares * node.area, third.torque = third.torque + squares * torque;
     patch.add_place(-dot(local, node.area), from_patches + place_.rotation * node.at, deep);
   }
-  volume_ += surface.volume(), area_ += surface.area_a();
+  volume_ += surface.volume(), area_ += norm(first.force);
   const double thickness = volume_ / (area_ * radius());
   set_known_part(1.0 - convex::falling_smoothstep(std::max(0.0, std::log(thickness / hardly_known) / std::log(well_known / hardly_known))));
   const auto add = [&](const Wrench &sum, Integral &integral) {
@@ -175,6 +180,7 @@ void RoundOverlap::integrate() {
   constexpr double least_area = 0.25;
   patch.area = std::max(patch.area, least_area * surface.volume() / deepest_below_);
   patch.load = std::max(patch.load, 0.0);
+  if (patch.load > deepest_below_ * patch.area) patch.scale(deepest_below_ * patch.area / patch.load);
   patch.energy = std::clamp(patch.energy, 0.0, deepest_below_ * patch.load);
   add_patch(patch, place_(surface.place() + surface.middle()));
   if (!(patch.load > 0.0)) return;
