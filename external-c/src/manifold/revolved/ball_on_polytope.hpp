@@ -13,9 +13,9 @@ namespace cmb {
 
 using convex::Pose;
 
-// As a ball's, in axes that are as long as the ellipsoid's semi-axes. Its edges are parts of the polytope's edges and arcs of the circles
-// where its faces cut the ball. Faces are fans of their edges. The ball's part is a fan of its arcs, too, of great circles from one place of
-// the ball on, which cover it once but where the antipode is inside: then all of the ball is added.
+// As a ball's, in axes that are as long as the ellipsoid's semi-axes. Its edges are parts of the polytope's edges and arcs of the
+// circles where its faces cut the ball. Faces are fans of their edges. The ball's part is a fan of its arcs, too, of great circles from
+// one place of the ball on, which cover it once but where the antipode is inside: then all of the ball is added.
 //
 // Room to work in; it grows in the first calls.
 class BallOnPolytope {

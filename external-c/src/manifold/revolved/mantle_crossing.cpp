@@ -52,7 +52,10 @@ double MantleCrossing::Side::way_out(const Vec3 &p, const Vec3 &ray, bool &throu
 }
 
 MantleCrossing::MantleCrossing(Mantle &a, Mantle &b, std::vector<Piece> &followed)
-    : a_(a), b_(b), size_(a.body().radius + a.body().half + b.body().radius + b.body().half), bent_(a.body().is_cylinder() && b.body().is_cylinder() ? bent_of_cylinders : bent_of_cones),
+    : a_(a),
+      b_(b),
+      size_(a.body().radius + a.body().half + b.body().radius + b.body().half),
+      bent_(a.body().is_cylinder() && b.body().is_cylinder() ? bent_of_cylinders : bent_of_cones),
       followed_(followed) {
   followed_.clear();
 }

@@ -74,8 +74,8 @@ void capsule_contact(double radius, double length, const Pose &body_pose, const 
 void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                       MeshContactScratch &scratch, ContactSet &result);
 
-// An ellipsoid, a cylinder or a cone: the same, by its exact overlap (RoundOverlap). On a plane an ellipsoid has depth, normal and, shallow,
-// weight of the ellipsoid on a half-space; cylinders and cones push as on a box.
+// An ellipsoid, a cylinder or a cone: the same, by its exact overlap (RoundOverlap). On a plane an ellipsoid has depth, normal and,
+// shallow, weight of the ellipsoid on a half-space; cylinders and cones push as on a box.
 void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                     MeshContactScratch &scratch, ContactSet &result);
 
