@@ -23,7 +23,12 @@ double factor_of(const convex::ConvexBody &body) { return is_ellipsoid(body) ? 2
 }  // namespace
 
 RoundOverlap::RoundOverlap(const convex::ConvexBody &body, const Pose &place, const TriangleMesh &mesh, RoundOverlapScratch &scratch)
-    : WedgeIntegrals(mesh, convex::core_radius(body), factor_of(body)), body_(body), place_(place), scratch_(scratch) {}
+    : WedgeIntegrals(mesh, convex::core_radius(body), factor_of(body)),
+      body_(body),
+      place_(place),
+      to_body_(place.inverse()),
+      revolved_(body),
+      scratch_(scratch) {}
 
 double RoundOverlap::reach(const Vec3 &direction) const {
   const Vec3 local = transposed_times(place_.rotation, direction);
@@ -43,10 +48,7 @@ bool RoundOverlap::is_beyond(const WedgeSide &side, double offset_of_front) cons
 bool RoundOverlap::set_cell() {
   const Vec3 &center = place_.translation;
   const double offset_of_front = dot(face_normal(), mesh().corner(triangle(), 0));
-  if (depth(center) <= -radius()) return false;
-  for (const WedgeSide &side : mesh().wedge_sides(triangle())) {
-    if (dot(side.normal, center) - side.offset <= -radius()) return false;
-  }
+  if (is_out_of_reach(center)) return false;
   const double deepest = offset_of_front + reach(-face_normal());
   if (!(deepest > 0.0)) return false;
   deepest_below_ = std::min(deepest, mesh().depth_limit(triangle()));
@@ -89,12 +91,12 @@ bool RoundOverlap::find_surface() {
   Vec3 place;
   for (const Vec3 &v : cell.vertices) place = place + v;
   place = transposed_times(place_.rotation, (1.0 / static_cast<double>(cell.vertices.size())) * place - place_.translation);
-  Pose in_body = place_.inverse();
+  Pose in_body = to_body_;
   constexpr int attempts = 8;
   double aside = 1e-10 * radius();
   for (int attempt = 1; attempt <= attempts; ++attempt) {
     const bool found = is_ellipsoid(body_) ? scratch_.ball.find(body_.half, cell, in_body, place, surface)
-                                           : scratch_.revolved.find(RevolvedBody(body_), cell, in_body, place, surface);
+                                           : scratch_.revolved.find(revolved_, cell, in_body, place, surface);
     if (surface.of_a().empty() && surface.of_b().empty()) return false;
     const Vec3 nearer = surface.place() + surface.middle();
     const double way = norm(nearer - place), volume = surface.volume();

@@ -47,6 +47,8 @@ class RoundOverlap : public WedgeIntegrals {
 
   const convex::ConvexBody &body_;
   const Pose &place_;
+  const Pose to_body_;
+  const RevolvedBody revolved_;  // of cylinders and cones
   RoundOverlapScratch &scratch_;
   double volume_ = 0.0, area_ = 0.0;  // of all overlaps, of the body's surface there as seen along it
   double deepest_below_ = 0.0;  // below the triangle at hand no place counts as deeper

@@ -10,6 +10,14 @@ void WedgeIntegrals::look_at(std::uint32_t t) {
   offset_ = dot(normal_, mesh_.corner(t, 0));
 }
 
+bool WedgeIntegrals::is_out_of_reach(const Vec3 &center) const {
+  if (depth(center) <= -radius_) return true;
+  for (const WedgeSide &side : mesh_.wedge_sides(triangle_)) {
+    if (dot(side.normal, center) - side.offset <= -radius_) return true;
+  }
+  return false;
+}
+
 void WedgeIntegrals::begin(const Vec3 &place) {
   if (!begun_) patches_.set_origin(place);
   begun_ = true;

@@ -60,6 +60,8 @@ class WedgeIntegrals {
 
   // What follows is of triangle t.
   void look_at(std::uint32_t t);
+  // Whether the body's ball, about `center`, lies before it or beyond a side of its wedge.
+  bool is_out_of_reach(const Vec3 &center) const;
   // Before its parts are added. `place`: near its overlap.
   void begin(const Vec3 &place);
   // What faces the triangle at hand, places relative to the patches' origin; about its `middle` it is asked whether the triangle is the

@@ -70,7 +70,7 @@ bool WedgeOverlap::offer(const Plane &plane) {
 // The planes that cut the body; false where nothing of it is left. The triangle's own comes first.
 bool WedgeOverlap::set_planes(std::uint32_t t) {
   look_at(t);
-  if (depth(center_) <= -radius()) return false;
+  if (is_out_of_reach(center_)) return false;
   scratch_.depths.clear();
   const double limit = mesh().depth_limit(t);
   double deepest = 0.0, shallowest = limit;
@@ -82,9 +82,6 @@ bool WedgeOverlap::set_planes(std::uint32_t t) {
   }
   if (!(deepest > 0.0) || !(shallowest < limit)) return false;
   const bool front = shallowest < 0.0;
-  for (const WedgeSide &side : mesh().wedge_sides(t)) {
-    if (dot(side.normal, center_) - side.offset <= -radius()) return false;
-  }
   scratch_.planes.clear();
   scratch_.outside.assign(vertices_.size(), 0);
   front_ = front ? 1 : 0;
