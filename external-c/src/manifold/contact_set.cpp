@@ -34,8 +34,9 @@ double union_cost(double load_a, double load_b, double distance2) {
 void unite(ContactPoint &point, const ContactPoint &other) {
   const double load = load_of(point), other_load = load_of(other), sum = load + other_load;
   const double part = other_load / sum;
-  // By load: corners of hardly any depth would drag a mean by weight to the surface.
-  point.depth += part * (other.depth - point.depth);
+  // By load: corners of hardly any depth would drag a mean by weight to the surface. Rounding leaves it between the two depths.
+  const double least = std::fmin(point.depth, other.depth);
+  point.depth = std::fmax(least, point.depth + part * (other.depth - point.depth));
   point.weight = sum / point.depth;
   point.position = point.position + part * (other.position - point.position);
   point.normal = normalized(point.normal + part * (other.normal - point.normal), point.normal);

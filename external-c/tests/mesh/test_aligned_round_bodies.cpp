@@ -109,4 +109,29 @@ TEST(AlignedRoundBodies, PushAndDoNotJump) {
   EXPECT_GT(deep_enough, 1000);
 }
 
+// Where a body swallows a mesh its faces as good as vanish from the sums of depths: what carries nothing is not deep for that.
+TEST(AlignedRoundBodies, AreNoDeeperThanTheyAreLarge) {
+  Random random(2);
+  cmb::mesh::MeshContactScratch scratch;
+  const double size = 0.2;  // of the meshes; their diagonal is less than 3 of it
+  std::vector<TriangleMesh> meshes;
+  meshes.push_back(mesh_samples::mesh(mesh_samples::angle_prism({-size, size, size, 0, 0, -size}, {-size, -size, 0, 0, size, size}, -size, size)));
+  meshes.push_back(mesh_samples::mesh(mesh_samples::with_speck(mesh_samples::box_mesh({size, size, size}, 1), {0, 2 * size, 0})));
+  int touching = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const Body body = any_body(random, 2.0);
+    Pose pose{random_bodies::random_rotation(random), {}};
+    if (random.integer(0, 1) == 1) pose = any_pose(random, size);
+    pose.translation = random.log_uniform(1e-3, 1) * random.direction();
+    ContactSet set;
+    smooth_contact(body.shape, pose, meshes[static_cast<std::size_t>(k) % meshes.size()], {}, scratch, set);
+    if (set.distance < 0.0) ++touching;
+    for (const ContactPoint &point : set.points) {
+      ASSERT_LE(point.depth, 3.0 * size + norm(pose.translation) + core_radius(body.shape)) << k << ", weight " << point.weight;
+      ASSERT_TRUE(std::isfinite(point.weight)) << k;
+    }
+  }
+  EXPECT_GT(touching, 2000);
+}
+
 }  // namespace

@@ -143,6 +143,17 @@ Fault check_library(const Sample &s, const Pair &library) {
   return {};
 }
 
+// Points are not deeper than bodies are large.
+Fault check_depths(const Sample &s) {
+  const Solid &a = s.bodies.a, &b = s.bodies.b;
+  const double apart = norm(s.a.translation - s.b.translation);
+  const double most = 4.0 * (apart + std::max(a.radius, a.extent) + std::max(b.radius, b.extent));
+  for (const double depth : s.answer.depth) {
+    if (!(depth <= most)) return too_far("deeper than the bodies are large", depth, most);
+  }
+  return {};
+}
+
 Fault check_reversed(const Sample &s) {
   const Answer reversed = s.bodies.pair->ask(s.a, s.b, true);
   if (const char *wrong = fault_of_numbers(reversed)) return std::string("reversed: ") + wrong;
@@ -185,6 +196,7 @@ bool is_library_answer(double found, double truth, double allowed, double roundi
 Fault check(Sample &s, Random &random, long sample) {
   s.answer = s.bodies.pair->ask(s.a, s.b);
   if (const char *wrong = fault_of_numbers(s.answer)) return wrong;
+  if (auto fault = check_depths(s)) return fault;
   const Solid &a = s.bodies.a, &b = s.bodies.b;
   if (is_single(a) && is_single(b)) {
     if (auto fault = check_convex(s, random)) return fault;

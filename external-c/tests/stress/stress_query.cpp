@@ -146,7 +146,7 @@ Tally run(const Class &c, long first, long end, std::uint64_t seed, bool replay)
     tally.touching += s.answer.distance < 0.0;
     tally.failures += fault.has_value();
     if (replay || (fault && tally.failures <= 5)) {
-      std::printf("  %s %s sample %ld: distance %.17g%s%s\n%s    %.300s\n    %.300s\n", fault ? "FAILED" : "holds",
+      std::printf("  %s %s sample %ld: distance %.17g%s%s\n%s    %s\n    %s\n", fault ? "FAILED" : "holds",
                   c.name.c_str(), k, s.answer.distance, fault ? ": " : "", fault ? fault->c_str() : "", replay_line,
                   bodies.a.text.c_str(), bodies.b.text.c_str());
       print_pose("A", s.a);
