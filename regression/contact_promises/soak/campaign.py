@@ -17,7 +17,7 @@ Builder = Callable[[str, Path, Path], None]
 """Builds the FMU of a model: its name, the file that holds it, the FMU to write."""
 
 COLUMNS: Final = (
-    "seed", "bodies", "law", "friction", "restitution", "importer", "mode", "tolerance",
+    "seed", "bodies", "ground", "law", "friction", "restitution", "importer", "mode", "tolerance",
     "balance", "rise", "deviation", "failure", "message",
 )  # fmt: skip
 Row = dict[str, str]
@@ -84,6 +84,7 @@ def _row(scene: Scene, run: Run, fmu: Path, reference: Trace | None, error: CmbE
     row = {
         "seed": str(scene.seed),
         "bodies": "+".join(scene.bodies),
+        "ground": scene.ground,
         "law": scene.law,
         "friction": scene.friction,
         "restitution": scene.restitution,
@@ -118,7 +119,8 @@ def summary(rows: Sequence[Row]) -> str:
     if wrong_rows:
         lines += ["", "| seed | scene | run | what is wrong |", "|---|---|---|---|"]
         lines += [
-            f"| {row['seed']} | {row['bodies']}, {row['law']}, {row['friction']}, {row['restitution']} | "
+            f"| {row['seed']} | {row['bodies']} on {row['ground']}, "
+            f"{row['law']}, {row['friction']}, {row['restitution']} | "
             f"{row['importer']} {row['mode']} {row['tolerance']} | {row['failure']} |"
             for row in wrong_rows
         ]

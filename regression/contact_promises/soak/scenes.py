@@ -1,10 +1,13 @@
-"""Random small scenes as Modelica text: bodies, shapes, speeds, materials, laws, friction, restitution."""
+"""Random small scenes as Modelica text: bodies, grounds, shapes, speeds, materials, laws, friction, restitution."""
 
 from __future__ import annotations
 
+import math
 import random
 from dataclasses import dataclass
 from typing import Final
+
+from contact_promises.soak.grounds import Ground, random_ground
 
 MODEL: Final = "SoakScene"
 STOP: Final = 0.6
@@ -28,11 +31,12 @@ class Body:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene: its seed, its Modelica text, and what it is made of."""
+    """A scene: its seed, its Modelica text, and what it is made of; the ground's kind is that of its shape."""
 
     seed: int
     text: str
     bodies: tuple[str, ...]
+    ground: str
     law: str
     friction: str
     restitution: str
@@ -42,6 +46,7 @@ def random_scene(seed: int) -> Scene:
     """The scene of a seed; the same on every machine."""
     source = random.Random(seed)
     bodies = [_random_body(source) for _ in range(source.choice((1, 1, 2)))]
+    ground = random_ground(source)
     law = source.choice(_LAWS)
     friction = source.choice(_FRICTION)
     restitution = source.choice(_RESTITUTION)
@@ -57,6 +62,7 @@ def random_scene(seed: int) -> Scene:
         "geometry={" + ",".join(f"body{i}.geometry" for i in range(1, len(bodies) + 1)) + ",floor.geometry}",
         "material={" + ",".join(f"body{i}.material" for i in range(1, len(bodies) + 1)) + ",floor.material}",
         "inertia={" + ",".join(f"body{i}.inertia" for i in range(1, len(bodies) + 1)) + ",floor.inertia}",
+        f"pointCapacity={ground.points}",
         f"stiffnessChoice={_TYPES}.StiffnessChoice.Given",
         f"stiffness=fill({stiffness:.6g}, {pairs})",
         f"damping=fill({0.2 * (stiffness * lightest) ** 0.5:.6g}, {pairs})",
@@ -73,6 +79,7 @@ def random_scene(seed: int) -> Scene:
         height += body.radius
     text = _TEXT.format(
         bodies="\n".join(declarations),
+        ground=_ground_geometry(ground),
         material=material,
         contacts=",\n    ".join(contacts),
         energy=" + ".join(_energy(number, body.mass) for number, body in enumerate(bodies, 1)),
@@ -81,11 +88,16 @@ def random_scene(seed: int) -> Scene:
         floor=len(bodies) + 1,
         stop=STOP,
     )
-    return Scene(seed, text, tuple(body.shape.split("(")[0] for body in bodies), law, friction, restitution)
+    names = tuple(body.shape.split("(")[0] for body in bodies)
+    return Scene(seed, text, names, ground.kind, law, friction, restitution)
+
+
+def _ground_geometry(ground: Ground) -> str:
+    return f"geometry={ground.shape}, " if ground.shape else ""
 
 
 def _random_body(source: random.Random) -> Body:
-    kind = source.choice(("sphere", "box", "capsule", "cylinder", "ellipsoid"))
+    kind = source.choice(("sphere", "box", "capsule", "cylinder", "cone", "ellipsoid"))
     mass = 10.0 ** source.uniform(-1.5, 0.7)
     if kind == "sphere":
         r = source.uniform(0.02, 0.1)
@@ -94,6 +106,11 @@ def _random_body(source: random.Random) -> Body:
         r, length = source.uniform(0.01, 0.05), source.uniform(0.03, 0.2)
         across = mass * (3.0 * r**2 + length**2) / 12.0
         return Body(f"{kind}({r:.4g}, {length:.4g})", mass, (across, across, mass * r**2 / 2.0), r + length / 2.0)
+    if kind == "cone":  # its frame in its centre of mass
+        r, length = source.uniform(0.02, 0.07), source.uniform(0.03, 0.15)
+        across = mass * (12.0 * r**2 + 3.0 * length**2) / 80.0
+        shape = f"cone({r:.4g}, {length:.4g}, position={{0,0,{length / 4.0:.6g}}})"
+        return Body(shape, mass, (across, across, 0.3 * mass * r**2), max(0.75 * length, math.hypot(r, length / 4.0)))
     x, y, z = (source.uniform(0.03, 0.15) for _ in range(3))
     share = 12.0 if kind == "box" else 20.0
     moments = tuple(mass * s / share for s in (y**2 + z**2, x**2 + z**2, x**2 + y**2))
@@ -129,7 +146,7 @@ def _power(number: int) -> str:
 _TEXT = """model SoakScene "Random bodies above a floor"
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={{0,0,-1}}, enableAnimation=false);
 {bodies}
-  ContactMultiBody.Parts.Ground floor(material={material});
+  ContactMultiBody.Parts.Ground floor({ground}material={material});
   ContactMultiBody.ContactManager contacts(
     {contacts});
   Modelica.Units.SI.Energy mechanical "Kinetic and potential energy";

@@ -32,7 +32,15 @@ def test_scenes_have_every_law_friction_and_restitution():
     assert {scene.friction for scene in scenes} == {"None", "Regularised", "Anchored"}
     assert {scene.restitution for scene in scenes} == {"ImpactSpeed", "Memoryless", "none"}
     assert len({scene.law for scene in scenes}) == 4
-    assert {body for scene in scenes for body in scene.bodies} == {"sphere", "box", "capsule", "cylinder", "ellipsoid"}
+    assert {body for scene in scenes for body in scene.bodies} == {
+        "sphere",
+        "box",
+        "capsule",
+        "cylinder",
+        "cone",
+        "ellipsoid",
+    }
+    assert {scene.ground for scene in scenes} == {"halfSpace", "box", "hull", "mesh", "heightField"}
 
 
 def test_a_right_run_is_right():
@@ -76,9 +84,9 @@ def test_the_summary_counts_and_lists():
     def row(seed: int, failure: str = "", message: str = "") -> Row:
         scene = random_scene(seed)
         return {
-            "seed": str(seed), "bodies": "+".join(scene.bodies), "law": scene.law, "friction": scene.friction,
-            "restitution": scene.restitution, "importer": "cmb", "mode": "me", "tolerance": "1e-04",
-            "balance": "1", "rise": "0", "deviation": "0", "failure": failure, "message": message,
+            "seed": str(seed), "bodies": "+".join(scene.bodies), "ground": scene.ground, "law": scene.law,
+            "friction": scene.friction, "restitution": scene.restitution, "importer": "cmb", "mode": "me",
+            "tolerance": "1e-04", "balance": "1", "rise": "0", "deviation": "0", "failure": failure, "message": message,
         }  # fmt: skip
 
     text = summary([row(1), row(2, failure="rise 60 tolerances"), row(3, message="stops")])
