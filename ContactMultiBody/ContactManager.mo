@@ -71,7 +71,8 @@ point; the weights of a face that carries wholly sum to one. See
 <p>
 <strong>Distances of bodies far apart</strong> need not be exact for contacts, and finding them costs time. With a finite <code>exactWithin</code>, a length L,
 <code>distance</code> is exact where the gap g between the bounding volumes (spheres and boxes) of the two shapes is at most L, that gap where it is at least 2 L, and fades smoothly
-between; <code>approachSpeed</code> is then taken along the line of centres. It is never more than the true distance and has its sign, so that forces are the same at
+between; <code>approachSpeed</code> is then taken along the line of centres. Bodies of several shapes are bounded as a whole first: where these bounds are 2 L apart,
+their gap is the distance, and no shape is looked at. It is never more than the true distance and has its sign, so that forces are the same at
 each pose and impacts happen at the same times. It is no clearance to read off: leave the default, infinity, where clearances are wanted.
 See <a href=\"modelica://ContactMultiBody.UsersGuide.EffectsAndLaws\">Which effects and laws to choose</a> for what it saves.
 </p>

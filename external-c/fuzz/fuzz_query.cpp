@@ -114,7 +114,7 @@ double ask(cmb::Scene &scene, cmb_backend backend, const std::string &a, const s
   }
   cmb::QueryScratch &scratch = cmb::query_scratch();
   cmb::PairReport report;
-  cmb::query_bodies(scene, scene.bodies[0], cmb::body_pose(position, rotation), scene.bodies[1],
+  cmb::query_bodies(scene, 0, cmb::body_pose(position, rotation), 1,
                     cmb::body_pose(position + 3, rotation + 9), scratch, scratch.contact, report);
   cmb::merge_points(scratch.contact.points, capacity);
   const cmb::ContactSet &answer = scratch.contact;

@@ -119,7 +119,9 @@ typedef struct cmb_contact_points {
  *                 d                     where g <= exact_within,
  *                 g                     where g >= 2 exact_within,
  *                 d + s (g - d)         between, s = 3 x^2 - 2 x^3 with x = g/exact_within - 1;
- *               the normal and the point of unused slots fade to the line of the spheres' centres. The distance is
+ *               the normal and the point of unused slots fade to the line of the spheres' centres. Of compounds without
+ *               half-spaces the same holds once more, with the bounds of the whole bodies in the place of g, and in the place of
+ *               d what their shapes give: far apart no shape is looked at. The distance is
  *               continuous, never more than d, and its sign is that of d: contacts, and events at the crossing of zero,
  *               are the exact ones. What it is not is a clearance to be read off. */
 CMB_API cmb_status cmb_query_scene(cmb_scene scene, const cmb_poses *poses, double exact_within,

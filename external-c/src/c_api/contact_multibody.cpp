@@ -71,8 +71,8 @@ struct PosedPair {
   std::size_t index = 0;  // 0-based
   Pose pose_a, pose_b;
 
-  const cmb::BodyShapes &body_a() const { return scene->bodies[scene->pairs[index].first]; }
-  const cmb::BodyShapes &body_b() const { return scene->bodies[scene->pairs[index].second]; }
+  std::size_t body_a() const { return scene->pairs[index].first; }
+  std::size_t body_b() const { return scene->pairs[index].second; }
 };
 
 cmb_status check_pair(const Scene &scene, std::size_t pair) {
@@ -223,7 +223,8 @@ cmb_status cmb_query_overlap(cmb_scene scene, size_t pair, const cmb_poses *pose
     const cmb_status status = check_pair_query(scene, pair, poses, posed);
     if (status != CMB_OK) return status;
     if (overlap == nullptr) return fail(CMB_ERROR_ARGUMENT, "overlap is NULL");
-    *overlap = cmb::query_overlap(posed.body_a(), posed.pose_a, posed.body_b(), posed.pose_b);
+    *overlap = cmb::query_overlap(posed.scene->bodies[posed.body_a()], posed.pose_a,
+                                  posed.scene->bodies[posed.body_b()], posed.pose_b);
     return CMB_OK;
   });
 }

@@ -34,6 +34,21 @@ double gap_of_boxes(const LocalBounds &a, const Pose &pose_a, const LocalBounds 
   return gap;
 }
 
+// A bounding sphere in a frame, and a box there.
+struct Volumes {
+  const Vec3 &center;
+  double radius;
+  const LocalBounds &box;
+};
+
+BoundGap gap_of_volumes(const Volumes &a, const Pose &pose_a, const Volumes &b, const Pose &pose_b) {
+  const Vec3 center_a = pose_a(a.center), center_b = pose_b(b.center), apart = center_a - center_b;
+  const double length = norm(apart);
+  const Vec3 normal = length > 0.0 ? (1.0 / length) * apart : Vec3{0, 0, 1};
+  return {std::max(length - a.radius - b.radius, gap_of_boxes(a.box, pose_a, b.box, pose_b)), normal,
+          0.5 * (center_a + center_b + (b.radius - a.radius) * normal)};
+}
+
 }  // namespace
 
 BoundGap bound_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
@@ -43,11 +58,11 @@ BoundGap bound_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     gap.normal = -gap.normal;
     return gap;
   }
-  const Vec3 center_a = pose_a(a.bound_center), center_b = pose_b(b.bound_center), apart = center_a - center_b;
-  const double length = norm(apart);
-  const Vec3 normal = length > 0.0 ? (1.0 / length) * apart : Vec3{0, 0, 1};
-  return {std::max(length - a.bound_radius - b.bound_radius, gap_of_boxes(a.bounds, pose_a, b.bounds, pose_b)), normal,
-          0.5 * (center_a + center_b + (b.bound_radius - a.bound_radius) * normal)};
+  return gap_of_volumes({a.bound_center, a.bound_radius, a.bounds}, pose_a, {b.bound_center, b.bound_radius, b.bounds}, pose_b);
+}
+
+BoundGap bound_gap(const BodyBounds &a, const Pose &pose_a, const BodyBounds &b, const Pose &pose_b) {
+  return gap_of_volumes({a.center, a.radius, a.box}, pose_a, {b.center, b.radius, b.box}, pose_b);
 }
 
 double sphere_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {

@@ -1,11 +1,12 @@
-// A lower bound of the distance of two shapes, from their bounds alone.
+// A lower bound of the distance of two shapes or bodies, from their bounds alone.
 #pragma once
 
+#include "scene/body_bounds.hpp"
 #include "shape/shape.hpp"
 
 namespace cmb {
 
-// How far apart bounds are: positive only where the shapes are apart, and then never more than their distance.
+// How far apart bounds are: positive only where what they hold is apart, and then never more than its distance.
 // Continuous in the poses.
 struct BoundGap {
   double distance;       // m; the larger of the gaps between bounding spheres and between bounding boxes
@@ -14,6 +15,9 @@ struct BoundGap {
 
 // Of two shapes, not both half-spaces, at their poses in the world. Of a half-space the plane stands for its bounds.
 BoundGap bound_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b);
+
+// Of two bodies that are bounded.
+BoundGap bound_gap(const BodyBounds &a, const Pose &pose_a, const BodyBounds &b, const Pose &pose_b);
 
 // The gap between the bounding spheres alone, or between such a sphere and a half-space: never more than that of
 // bound_gap, and cheaper.

@@ -46,6 +46,12 @@ void find_answer(const Scene &scene, const Shape &a, const Pose &pose_a, const S
   find_exact_distance(a, pose_a, b, pose_b, scratch, answer);
 }
 
+void take_gap(const BoundGap &gap, ContactSet &result) {
+  result.distance = gap.distance;
+  result.normal = gap.normal;
+  result.witness = gap.witness;
+}
+
 // From the exact answer to that of the bounds, which are less than 2 exact_within apart.
 void fade_to_gap(const BoundGap &gap, double exact_within, ContactSet &result) {
   const double x = gap.distance / exact_within - 1.0;
@@ -115,9 +121,7 @@ void query_shapes_within(double exact_within, const BoundGap &gap, const Scene &
                          const Pose &pose_a, const Shape &b, const Pose &pose_b, QueryScratch &scratch,
                          ContactSet &result, cmb_backend &who) {
   if (gap.distance >= 2.0 * exact_within) {
-    result.distance = gap.distance;
-    result.normal = gap.normal;
-    result.witness = gap.witness;
+    take_gap(gap, result);
     who = CMB_BACKEND_ANALYTIC;
     return;
   }
@@ -180,10 +184,29 @@ void query_compounds(const Scene &scene, const BodyShapes &a, const Pose &pose_a
   }
 }
 
+// As query_compounds, but of bodies whose bounds are far apart these tell, without a look at any shape.
+void query_compounds_within(double exact_within, const Scene &scene, std::size_t a, const Pose &pose_a, std::size_t b,
+                            const Pose &pose_b, QueryScratch &scratch, ContactSet &result, PairReport &report) {
+  const BodyBounds &bounds_a = scene.bounds[a], &bounds_b = scene.bounds[b];
+  if (!bounds_a.bounded() || !bounds_b.bounded()) {
+    query_compounds(scene, scene.bodies[a], pose_a, scene.bodies[b], pose_b, scratch, result, report, exact_within);
+    return;
+  }
+  const BoundGap gap = bound_gap(bounds_a, pose_a, bounds_b, pose_b);
+  if (gap.distance >= 2.0 * exact_within) {
+    take_gap(gap, result);
+    report.backend = CMB_BACKEND_ANALYTIC;
+    return;
+  }
+  query_compounds(scene, scene.bodies[a], pose_a, scene.bodies[b], pose_b, scratch, result, report, exact_within);
+  fade_to_gap(gap, exact_within, result);
+}
+
 }  // namespace
 
-void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b, const Pose &pose_b,
+void query_bodies(const Scene &scene, std::size_t body_a, const Pose &pose_a, std::size_t body_b, const Pose &pose_b,
                   QueryScratch &scratch, ContactSet &result, PairReport &report, double exact_within) {
+  const BodyShapes &a = scene.bodies[body_a], &b = scene.bodies[body_b];
   result.points.clear();
   report = {};
   const bool single = a.size() == 1 && b.size() == 1;
@@ -200,7 +223,12 @@ void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, c
   result.distance = CMB_DISTANCE_NONE;
   result.normal = {0.0, 0.0, 1.0};
   result.witness = 0.5 * (pose_a.translation + pose_b.translation);
-  if (!single) query_compounds(scene, a, pose_a, b, pose_b, scratch, result, report, exact_within);
+  if (single) return;
+  if (exact_within == std::numeric_limits<double>::infinity()) {
+    query_compounds(scene, a, pose_a, b, pose_b, scratch, result, report, exact_within);
+  } else {
+    query_compounds_within(exact_within, scene, body_a, pose_a, body_b, pose_b, scratch, result, report);
+  }
 }
 
 }  // namespace cmb

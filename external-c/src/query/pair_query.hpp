@@ -47,10 +47,10 @@ struct PairReport {
 void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
                   QueryScratch &scratch, ContactSet &result, cmb_backend &who);
 
-// The contact of bodies A and B; `result` is overwritten. Bodies without shape, and pairs of half-spaces, never
+// The contact of bodies a and b of the scene, 0-based; `result` is overwritten. Bodies without shape, and pairs of half-spaces, never
 // touch: their distance is CMB_DISTANCE_NONE. Shapes farther apart than `exact_within` (m) are treated as
 // cmb_query_scene says.
-void query_bodies(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b, const Pose &pose_b,
+void query_bodies(const Scene &scene, std::size_t a, const Pose &pose_a, std::size_t b, const Pose &pose_b,
                   QueryScratch &scratch, ContactSet &result, PairReport &report,
                   double exact_within = std::numeric_limits<double>::infinity());
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/body_bounds.hpp"
 #include "scene/descriptor.hpp"
 #include "scene/geometry_cache.hpp"
 #include "scene/interned.hpp"
@@ -79,6 +80,7 @@ std::shared_ptr<Scene> make_scene(const cmb_scene_source &source, const Distance
   GeometryFiles files(folder_of(source));
   scene->bodies.reserve(body_count);
   scene->thickness.reserve(body_count);
+  scene->bounds.reserve(body_count);
   // Bodies of one descriptor share their geometry: it is made once, and stays nearer to the processor.
   std::map<std::string_view, std::size_t> first_of;
   for (std::size_t i = 0; i < body_count; ++i) {
@@ -86,12 +88,14 @@ std::shared_ptr<Scene> make_scene(const cmb_scene_source &source, const Distance
     if (!added) {
       scene->bodies.push_back(scene->bodies[known->second]);
       scene->thickness.push_back(scene->thickness[known->second]);
+      scene->bounds.push_back(scene->bounds[known->second]);
       continue;
     }
     try {
       scene->geometry.push_back(shared_geometry(source.geometry[i], files));
       scene->bodies.push_back(*scene->geometry.back());
       scene->thickness.push_back(thickness_of(scene->bodies.back()));
+      scene->bounds.push_back(bounds_of(scene->bodies.back()));
     } catch (const DescriptorError &error) {
       throw SceneError(CMB_ERROR_DESCRIPTOR, "descriptor " + std::to_string(i + 1) + ", column " +
                                                  std::to_string(error.column()) + ": " + error.what());

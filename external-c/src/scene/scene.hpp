@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact_multibody.h"
+#include "scene/body_bounds.hpp"
 #include "shape/shape.hpp"
 
 namespace cmb {
@@ -21,7 +22,8 @@ struct Scene {
   };
   std::vector<BodyShapes> bodies;
   std::vector<std::shared_ptr<const BodyShapes>> geometry;  // what bodies were copied from: shared with other scenes
-  std::vector<double> thickness;  // of each body, see thickness.hpp
+  std::vector<double> thickness;   // of each body, see thickness.hpp
+  std::vector<BodyBounds> bounds;  // of each body
   std::vector<Pair> pairs;
   cmb_backend backend = CMB_BACKEND_AUTO;
   const DistanceLibrary *library = nullptr;  // of the back end; null for the engine's own

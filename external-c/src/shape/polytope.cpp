@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "math/index.hpp"
+#include "shape/point_groups.hpp"
 
 namespace cmb::convex {
 
@@ -59,6 +60,7 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
   }
   const double extent = norm(high - low);
   const double slack = tolerance * extent;
+  const PointGroups groups(vertices);
 
   std::map<std::pair<std::int32_t, std::int32_t>, std::pair<std::int32_t, std::int32_t>> directed;  // -> face, edge
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -89,8 +91,8 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
         return fail(problem, "a face is not plane");
       }
     }
-    for (const Vec3 &p : vertices) {
-      if (dot(face.normal, p) - face.offset > slack) return fail(problem, "the faces are not those of a convex solid");
+    if (groups.any_beyond(face.normal, face.offset + slack)) {
+      return fail(problem, "the faces are not those of a convex solid");
     }
     for (std::size_t k = 0; k < corner.size(); ++k) {
       const std::int32_t a = corner[k], b = corner[(k + 1) % corner.size()];

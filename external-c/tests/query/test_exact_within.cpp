@@ -139,8 +139,9 @@ TEST(Within, SlenderBodiesAreBoundedByTheirBoxes) {
   EXPECT_NEAR(ask(PairScene(rod, "cmb/1 halfspace").handle(), 0.01, lying, {}).distance, 0.35, 1e-12);
 }
 
-// Whatever order a compound's shapes are asked in, the nearest ones tell.
+// Whatever order a compound's shapes are asked in, the nearest ones tell; of bodies far apart their own bounds do.
 TEST(Within, CompoundsAreAsNearAsTheirNearestShapes) {
+  const double near = 0.02;
   random_bodies::Random random(11);
   const auto pieces = [&] {
     std::vector<std::string> found;
@@ -156,7 +157,8 @@ TEST(Within, CompoundsAreAsNearAsTheirNearestShapes) {
     for (const std::string &shape : shapes) text += (text.empty() ? "cmb/1 " : ";cmb/1 ") + shape;
     return text;
   };
-  for (int k = 0; k < 60; ++k) {
+  int by_shapes = 0, by_bodies = 0;
+  for (int k = 0; k < 200; ++k) {
     const std::vector<std::string> one = pieces(), other = pieces();
     const BodyPose a{random.uniform(0.0, 3.0) * random.direction(), random_bodies::random_rotation(random)};
     double least = HUGE_VAL, least_bound = HUGE_VAL;
@@ -164,13 +166,29 @@ TEST(Within, CompoundsAreAsNearAsTheirNearestShapes) {
       for (const std::string &theirs : other) {
         const PairScene scene("cmb/1 " + mine, "cmb/1 " + theirs);
         least = std::fmin(least, ask(scene.handle(), 0.0, a, {}).distance);
-        least_bound = std::fmin(least_bound, ask(scene.handle(), 0.02, a, {}).distance);
+        least_bound = std::fmin(least_bound, ask(scene.handle(), near, a, {}).distance);
       }
     }
     const PairScene scene(body(one), body(other));
     EXPECT_EQ(ask(scene.handle(), 0.0, a, {}).distance, least) << k;
-    EXPECT_EQ(ask(scene.handle(), 0.02, a, {}).distance, least_bound) << k;
+    const double within = ask(scene.handle(), near, a, {}).distance;
+    EXPECT_LE(within, least_bound + 1e-12) << k;
+    if (within == least_bound) {
+      ++by_shapes;
+    } else {
+      EXPECT_GT(within, near) << k;  // so is the gap between the bodies' bounds
+      ++by_bodies;
+    }
   }
+  EXPECT_GT(by_shapes, 30);
+  EXPECT_GT(by_bodies, 30);
+}
+
+// A half-space among the shapes has no bounds: its plane tells.
+TEST(Within, CompoundsWithHalfSpacesAreAskedShapeByShape) {
+  const PairScene scene("cmb/1 box size=0.2,0.2,0.2;cmb/1 box size=0.2,0.2,0.2 position=0.5,0,0",
+                        "cmb/1 halfspace;cmb/1 sphere radius=0.1 position=0,0,-1");
+  EXPECT_NEAR(ask(scene.handle(), 0.01, {{0, 0, 2}, rotation_about({0, 0, 1}, 0.3)}, {}).distance, 1.9, 1e-12);
 }
 
 }  // namespace
