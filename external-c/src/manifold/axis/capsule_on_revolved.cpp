@@ -181,7 +181,9 @@ class AxisBesideRevolved {
 
   void add_piece(double from, double to, AxisEnergy &energy) const {
     const double half = profile_.half_length();
-    const Part part = profile_.nearest(place(0.5 * (from + to)));
+    // Not in the middle, where an axis may touch the border of two parts without passing over.
+    constexpr double aside = 0.382;
+    const Part part = profile_.nearest(place(from + aside * (to - from)));
     if (part == Part::base) {
       energy.add_flat({0, 0, -1}, radius_ + half + origin_.z, -axis_.z, from, to);
     } else if (part == Part::top) {

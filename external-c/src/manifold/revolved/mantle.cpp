@@ -19,14 +19,14 @@ GaussNodes heights_of(const RevolvedBody &body, Mantle::Partner partner) {
 
 }  // namespace
 
-Mantle::Mantle(const RevolvedBody &body, const Pose &in_common, const Vec3 &place, Partner partner,
+Mantle::Mantle(const RevolvedBody &body, const Pose &in_common, const Vec3 &place, bool to_apex, Partner partner,
                std::vector<OverlapSurface::Node> &nodes)
     : body_(&body),
       in_common_(in_common),
       nodes_(&nodes),
       axis_(in_common.rotation.column(2)),
       from_place_(in_common.translation - place),
-      from_(std::clamp(-dot(axis_, from_place_), -body.half, body.half)) {
+      from_(to_apex ? body.half : std::clamp(-dot(axis_, from_place_), -body.half, body.half)) {
   const GaussNodes heights = heights_of(body, partner);
   part_ = heights.node, weight_ = heights.weight, parts_ = heights.count;
 }

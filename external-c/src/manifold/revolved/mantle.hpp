@@ -18,8 +18,10 @@ class Mantle {
   // What the other body is, which is what integrals over the mantle are for: along a cylinder moments of what a polytope stores are of the
   // third degree, those of what is stored in another mantle of the fifth; along a cone one more.
   enum class Partner { polytope, revolved };
-  // `in_common`: from the body's frame to the axes of the nodes, `place` (there) where their places are from.
-  Mantle(const RevolvedBody &body, const Pose &in_common, const Vec3 &place, Partner partner, std::vector<OverlapSurface::Node> &nodes);
+  // `in_common`: from the body's frame to the axes of the nodes, `place` (there) where their places are from. `to_apex`: whether a cone's
+  // apex is in the other body. Heights then count from there, as all that is between it and the border is within; else from the place.
+  Mantle(const RevolvedBody &body, const Pose &in_common, const Vec3 &place, bool to_apex, Partner partner,
+         std::vector<OverlapSurface::Node> &nodes);
 
   const RevolvedBody &body() const { return *body_; }
   const Pose &in_common() const { return in_common_; }

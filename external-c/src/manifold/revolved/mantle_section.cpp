@@ -102,7 +102,9 @@ bool MantleSection::find_height(double cosine, double &height) const {
 }
 
 void MantleSection::add_passage(const Vec3 &at, bool to_curve) {
-  const double angle = std::atan2(dot(across_, at), dot(along_, at)), beyond = at.z - front_;
+  // A cone's apex is where the first axis points, for all planes that meet there.
+  const Vec3 radial = at.x == 0.0 && at.y == 0.0 ? Vec3{1.0, 0.0, 0.0} : at;
+  const double angle = std::atan2(dot(across_, radial), dot(along_, radial)), beyond = at.z - front_;
   // Where the plane is as good as parallel to the axis the height tells how far along the conic a place is; elsewhere both do.
   passages_.add({sense_ * mantle_->body().radius * angle + std::copysign(beyond, beyond >= 0.0 ? angle : -angle), angle, at.z, to_curve});
 }
@@ -257,6 +259,20 @@ void MantleSection::add_swing(PlaneFan &fan, double from, double turn) {
   }
 }
 
+void MantleSection::add_way_by_apex(PlaneFan &fan, double angle0, double height0, double angle1, double height1) {
+  const RevolvedBody &body = mantle_->body();
+  const auto outward = [&](double angle) { return std::cos(angle) * along_ + std::sin(angle) * across_; };
+  const auto place = [&](double angle, double height) {
+    return mantle_->in_common()(body.radius_at(height) * outward(angle) + Vec3{0.0, 0.0, height});
+  };
+  fan.add_segment(place(angle0, height0), place(angle1, height1));
+  const double turn = angle1 - angle0, height = std::max(height0, height1);
+  const GaussNodes rule = rule_for(std::fabs(turn));
+  for (std::size_t k = 0; k < rule.count; ++k) {
+    mantle_->add_border_node(outward(angle0 + rule.node[k] * turn), height, rule.weight[k] * turn);
+  }
+}
+
 void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double angle1, double height1) {
   const RevolvedBody &body = mantle_->body();
   const double turn = angle1 - angle0;
@@ -275,9 +291,13 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     }
     return;
   }
+  const double down0 = std::max(body.half - height0, 0.0), down1 = std::max(body.half - height1, 0.0);
+  constexpr double in_apex = 1e-10;  // by the way there
+  if (std::min(down0, down1) <= in_apex * std::max(down0, down1)) {
+    add_way_by_apex(fan, angle0, height0, angle1, height1);
+    return;
+  }
   // The inverse of how far a cone's place is below the apex is linear in the cosine. Parts in which that hardly changes.
-  const double least = 1e-7 * (body.half - std::min(height0, height1));
-  const double down0 = std::max(body.half - height0, least), down1 = std::max(body.half - height1, least);
   // By the turn and by how the distance from the apex grows.
   const GaussNodes rule = rule_for(std::max(std::fabs(turn), std::fabs(std::log(down1 / down0))));
   if (std::fabs(turn) < 1e-9) {  // a straight line, as good as
@@ -291,8 +311,14 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
   const double inverse0 = 1.0 / down0, inverse1 = 1.0 / down1, ratio = down1 / down0;
   constexpr double most_ratio = 2.0;
   const int parts = 1 + static_cast<int>(std::max(std::fabs(turn) / widest_of_cone, std::fabs(std::log(ratio)) / std::log(most_ratio)));
-  const double cosine0 = std::cos(angle0), cosine1 = std::cos(angle1);
   const CosineWay whole_way(angle0, turn);
+  // Where the cosine has gone a part of its way; by both ends' half angles, as a lying cone's conic is narrower than cosines tell.
+  const auto square = [](double x) { return x * x; };
+  const double sine0 = square(std::sin(0.5 * angle0)), sine1 = square(std::sin(0.5 * angle1));
+  const double cosine0 = square(std::cos(0.5 * angle0)), cosine1 = square(std::cos(0.5 * angle1));
+  const auto angle_at = [&](double way) {
+    return 2.0 * std::atan2(std::sqrt((1.0 - way) * sine0 + way * sine1), std::sqrt((1.0 - way) * cosine0 + way * cosine1));
+  };
   double from = angle0, from_inverse = inverse0;
   for (int part = 0; part < parts; ++part) {
     double to = angle1, to_inverse = inverse1;
@@ -303,7 +329,7 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
       } else {
         to_inverse = inverse0 * std::pow(ratio, -static_cast<double>(part + 1) / parts);
         const double way = (to_inverse - inverse0) / (inverse1 - inverse0);
-        to = std::copysign(std::acos(std::clamp(cosine0 + way * (cosine1 - cosine0), -1.0, 1.0)), angle0 + angle1);
+        to = std::copysign(angle_at(way), angle0 + angle1);
       }
     }
     const double part_turn = to - from;

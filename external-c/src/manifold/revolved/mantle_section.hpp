@@ -36,6 +36,8 @@ class MantleSection {
   void add_place(PlaneFan &fan, double cosine, double sine, double height, double turn, double rise);
   // Of a cylinder's conic that is inclined enough for its heights to follow from angles.
   void add_swing(PlaneFan &fan, double from, double turn);
+  // Where a cone's conic runs as good as straight to the apex, or from there, and turns in it.
+  void add_way_by_apex(PlaneFan &fan, double angle0, double height0, double angle1, double height1);
   // A part where the angle keeps its sign and the height grows or falls.
   void add_arc(PlaneFan &fan, double angle0, double height0, double angle1, double height1);
 

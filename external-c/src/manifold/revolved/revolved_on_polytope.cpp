@@ -43,6 +43,7 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
     std::fill(edge_search_.begin(), edge_search_.end(), 0);
     search_ = 1;
   }
+  std::uint32_t beyond_any = 0;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     Vertex &vertex = vertices_[v];
     vertex.at = in_frame(polytope_->vertices[v]);
@@ -53,10 +54,8 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
                     (p.x + p.y > diagonal ? 64u : 0u) | (p.x + p.y < -diagonal ? 128u : 0u) |
                     (p.x - p.y > diagonal ? 256u : 0u) | (p.x - p.y < -diagonal ? 512u : 0u);
     vertex.in_mantle = body.beyond_mantle(p) <= 0.0;
+    beyond_any |= vertex.beyond;
   }
-  Mantle mantle(body, {}, place, Mantle::Partner::polytope, surface.of_a());
-  PlaneFan end_fan[ends] = {{{0.0, 0.0, -1.0}, place, surface.of_a()}, {{0.0, 0.0, 1.0}, place, surface.of_a()}};
-  for (const End end : {base, top}) rim_[end].start(mantle, end);
   faces_.clear();
   planes_.clear();
   for (std::size_t f = 0; f < polytope_->faces.size(); ++f) {
@@ -71,22 +70,37 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
     faces_.push_back(static_cast<std::int32_t>(f));
     planes_.push_back({offset, {normal, place, surface.of_b()}});
   }
+  const bool to_apex = !body.is_cylinder() && holds({0.0, 0.0, body.half}, in_frame);
+  Mantle mantle(body, {}, place, to_apex, Mantle::Partner::polytope, surface.of_a());
+  PlaneFan end_fan[ends] = {{{0.0, 0.0, -1.0}, place, surface.of_a()}, {{0.0, 0.0, 1.0}, place, surface.of_a()}};
+  for (const End end : {base, top}) rim_[end].start(mantle, end);
   for (std::size_t k = 0; k < faces_.size(); ++k) {
     if (!follow_face(static_cast<std::int32_t>(k), mantle, end_fan)) return false;
   }
   const auto in_polytope = [&](const Vec3 &at) { return holds(at, in_frame); };
-  if (!rim_[base].follow(end_fan[base], in_polytope) || !rim_[top].follow(end_fan[top], in_polytope)) return false;
+  for (const End end : {base, top}) {
+    // What does not reach beyond an end does not hold its rim, which rounding may deny where a face lies in the end.
+    if ((beyond_any & bit_of(end)) != 0 && !rim_[end].follow(end_fan[end], in_polytope)) return false;
+  }
   return surface.sum();
 }
 
-// First the faces that may bound the overlap, which most places outside are beyond.
+// First the faces that may bound the overlap, which most places outside are beyond. They decide alone, as for a conic's way about a cone's
+// apex: what another frame's rounding says of them would not fit that.
 bool RevolvedOnPolytope::holds(const Vec3 &at, const Pose &in_frame) const {
   for (const Plane &plane : planes_) {
     if (dot(plane.fan.normal(), at) > plane.offset) return false;
   }
   const Vec3 local = transposed_times(in_frame.rotation, at - in_frame.translation);
-  return std::all_of(polytope_->faces.begin(), polytope_->faces.end(),
-                     [&](const convex::Polytope::Face &face) { return dot(face.normal, local) <= face.offset; });
+  auto decided = faces_.begin();
+  for (std::size_t f = 0; f < polytope_->faces.size(); ++f) {
+    if (decided != faces_.end() && static_cast<std::size_t>(*decided) == f) {
+      ++decided;
+    } else if (dot(polytope_->faces[f].normal, local) > polytope_->faces[f].offset) {
+      return false;
+    }
+  }
+  return true;
 }
 
 RevolvedOnPolytope::Stretch RevolvedOnPolytope::in_mantle(const Vec3 &p, bool p_inside, const Vec3 &q, bool q_inside) const {
@@ -98,11 +112,19 @@ RevolvedOnPolytope::Stretch RevolvedOnPolytope::in_mantle(const Vec3 &p, bool p_
   const double a = square(way.x) + square(way.y) - square(growth);
   const double b = p.x * way.x + p.y * way.y - body_->radius_at(p.z) * growth;
   if (!(a > 0.0) || !(b < 0.0) || !(-b < a)) return {};
-  const double c = body_->beyond_mantle(p), free = b * b - a * c;
+  // From the middle of what is inside: from afar rounding would count as the square of the way there.
+  const double half_way = -b / a;
+  const Vec3 middle = between(p, q, half_way);
+  const double rest = middle.x * way.x + middle.y * way.y - body_->radius_at(middle.z) * growth;
+  const double free = rest * rest - a * body_->beyond_mantle(middle);
   if (!(free > 0.0)) return {};
-  const double far = std::sqrt(free) - b, first = c / far, last = far / a;
+  const double half = std::sqrt(free), first = (-rest - half) / a, last = (half - rest) / a;
   if (!(first < last)) return {};
-  return {true, true, true, between(p, q, std::max(0.0, first)), between(p, q, std::min(1.0, last))};
+  const auto place = [&](double part) {
+    if (half_way + part <= 0.0) return p;
+    return half_way + part >= 1.0 ? q : middle + part * way;
+  };
+  return {true, true, true, place(first), place(last)};
 }
 
 const RevolvedOnPolytope::EdgePart &RevolvedOnPolytope::part_of(std::int32_t edge) {
@@ -120,8 +142,9 @@ const RevolvedOnPolytope::EdgePart &RevolvedOnPolytope::part_of(std::int32_t edg
   const auto cut = [&](const Vertex &vertex_beyond, Vec3 &at, bool &inside) {
     at = vertex_beyond.at, inside = vertex_beyond.in_mantle;
     if ((vertex_beyond.beyond & 3u) == 0) return;
-    at = at_height(v.at, w.at, height_of((vertex_beyond.beyond & 1u) != 0 ? base : top));
-    inside = body_->beyond_mantle(at) <= 0.0;
+    const End end = (vertex_beyond.beyond & bit_of(base)) != 0 ? base : top;
+    at = at_height(v.at, w.at, height_of(end));
+    inside = !is_apex(end) && body_->beyond_mantle(at) <= 0.0;
   };
   cut(v, part.from, part.from_in_mantle);
   cut(w, part.to, part.to_in_mantle);
@@ -148,7 +171,7 @@ bool RevolvedOnPolytope::follow_face(std::int32_t index, Mantle &mantle, PlaneFa
     const std::uint32_t there = vertices_[static_cast<std::size_t>(vertex[forward ? 1 : 0])].beyond;
     const EdgePart &part = part_of(edge);
     for (const End end : {base, top}) {
-      const std::uint32_t bit = end == base ? 1u : 2u;
+      const std::uint32_t bit = bit_of(end);
       if ((here & bit) == 0 && (there & bit) != 0) leaving[end] = {&part, forward};
       if ((here & bit) != 0 && (there & bit) == 0) coming[end] = {&part, forward};
     }
@@ -160,7 +183,7 @@ bool RevolvedOnPolytope::follow_face(std::int32_t index, Mantle &mantle, PlaneFa
     if (forward ? inside.goes_out : inside.comes_in) section_.add_passage(to, true);
   }
   for (const End end : {base, top}) {
-    if (leaving[end].part == nullptr || coming[end].part == nullptr) continue;
+    if (is_apex(end) || leaving[end].part == nullptr || coming[end].part == nullptr) continue;
     add_chord(*leaving[end].part, leaving[end].forward, *coming[end].part, coming[end].forward, end, plane.fan, end_fan[end]);
   }
   return section_.follow(plane.fan, [&](const Vec3 &at) { return is_in_face(index, at); });

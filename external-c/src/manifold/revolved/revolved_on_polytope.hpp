@@ -64,6 +64,9 @@ class RevolvedOnPolytope {
   bool is_in_face(std::int32_t index, const Vec3 &at) const;
   bool holds(const Vec3 &at, const Pose &in_frame) const;
 
+  // Of `beyond`.
+  static constexpr std::uint32_t bit_of(End end) { return end == base ? 1u : 2u; }
+  bool is_apex(End end) const { return end == top && !body_->is_cylinder(); }
   double height_of(End end) const { return end == base ? -body_->half : body_->half; }
 
   const RevolvedBody *body_ = nullptr;

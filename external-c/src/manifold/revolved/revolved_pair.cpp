@@ -40,18 +40,19 @@ Vec3 place_in_both(const RevolvedBody &a, const Pose &pose_a, const RevolvedBody
 
 }  // namespace
 
-RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, const Vec3 &place, std::vector<OverlapSurface::Node> &nodes)
+RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, const RevolvedBody &other, const Pose &in_other, const Vec3 &place,
+                         std::vector<OverlapSurface::Node> &nodes)
     : body(of),
       pose(in_common),
-      mantle(body, in_common, place, Mantle::Partner::revolved, nodes),
+      mantle(body, in_common, place, !body.is_cylinder() && other.holds(in_other({0.0, 0.0, body.half})), Mantle::Partner::revolved, nodes),
       fan{{-in_common.rotation.column(2), place, nodes}, {in_common.rotation.column(2), place, nodes}} {}
 
 bool RevolvedPair::find(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &deepest_a, const Vec3 &deepest_b,
                         OverlapSurface &surface) {
   const Vec3 place = place_in_both(a, {}, b, b_in_a, deepest_a, deepest_b);
   surface.start(place);
-  Side side_a(shrunk(a), {}, place, surface.of_a()), side_b(b, b_in_a, place, surface.of_b());
   const Pose a_in_b = b_in_a.inverse();
+  Side side_a(shrunk(a), {}, b, a_in_b, place, surface.of_a()), side_b(b, b_in_a, a, b_in_a, place, surface.of_b());
   const auto start = [](Side &side, Borders &borders, Side &other, const Pose &in_other) {
     for (const End end : {base, top}) {
       const Vec3 normal = (end == base ? -1.0 : 1.0) * in_other.rotation.column(2);

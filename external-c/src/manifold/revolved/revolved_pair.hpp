@@ -28,7 +28,9 @@ class RevolvedPair {
     Pose pose;  // in common axes
     Mantle mantle;
     PlaneFan fan[ends];
-    Side(const RevolvedBody &of, const Pose &in_common, const Vec3 &place, std::vector<OverlapSurface::Node> &nodes);
+    // `in_other`: from the body's frame to the other one's.
+    Side(const RevolvedBody &of, const Pose &in_common, const RevolvedBody &other, const Pose &in_other, const Vec3 &place,
+         std::vector<OverlapSurface::Node> &nodes);
     double height(End end) const { return end == base ? -body.half : body.half; }
     Vec3 center(End end) const { return pose({0.0, 0.0, height(end)}); }
     Vec3 in_frame(const Vec3 &common) const { return transposed_times(pose.rotation, common - pose.translation); }
