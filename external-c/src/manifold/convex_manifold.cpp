@@ -1,5 +1,8 @@
 #include "manifold/convex_manifold.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "narrowphase/multicontact/contact_directions.hpp"
 #include "shape/pair_table.hpp"
 
@@ -25,6 +28,20 @@ bool touches_at_its_witness(const Shape &a, const Shape &b, const SignedDistance
          answer.interior_ball >= convex::inner_parallel_radius(-answer.distance, a.bound_radius + b.bound_radius);
 }
 
+// Whether points push, about as much as bodies that deep in each other may, and where these are. Overlaps that are thin beside what rounding
+// does to their borders need not.
+bool is_of_depth(const std::vector<ContactPoint> &points, const SignedDistance &answer, const Vec3 &witness, double size) {
+  constexpr double most = 4.0;  // by the depth
+  const double deepest = -most * answer.distance;
+  double load = 0.0, along = 0.0;
+  for (const ContactPoint &point : points) {
+    const double part = point.weight * point.depth;
+    if (!(point.depth <= deepest) || !(norm(point.position - witness) <= size)) return false;
+    load += part, along += part * dot(point.normal, answer.normal);
+  }
+  return along > 0.0 && load <= deepest;
+}
+
 }  // namespace
 
 void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
@@ -44,6 +61,13 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   }
   const bool revolved_a = is_revolved(a), revolved_b = is_revolved(b);
   bool touches = false;
+  const auto leave_out_rounding = [&] {
+    constexpr double shallow = 1e-6;  // by the smaller body's radius
+    const double smaller = std::min(a.bound_radius, b.bound_radius);
+    if (!touches || !(-answer.distance < shallow * smaller)) return;
+    touches = is_of_depth(result.points, answer, result.witness, 4.0 * smaller);
+    if (!touches) result.points.clear();
+  };
   if (a.polytope && b.polytope) {
     touches = elastic_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.normal, result.witness, scratch.polytopes, result.points);
   } else if (revolved_a && b.polytope) {
@@ -53,9 +77,11 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   } else {
     touches = revolved_a && revolved_b && mantles_cross_simply(a, b) &&
               revolved_pair_contact(a, pose_a, b, pose_b, answer.point_a, answer.point_b, scratch.revolved, result.points);
+    leave_out_rounding();
     if (!touches) curved_contact(a, pose_a, b, pose_b, answer, distance, scratch.curved, result.points);
     return;
   }
+  leave_out_rounding();
   // Else an overlap by rounding, or a library's.
   if (!touches) result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
 }

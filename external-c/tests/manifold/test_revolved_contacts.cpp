@@ -87,6 +87,33 @@ TEST(RevolvedContacts, DiscOverAFacesCornerIsCarriedAtTheAreasMiddle) {
   EXPECT_NEAR(carried.y / depth, first.y / area, 2e-5);
 }
 
+// Where a cylinder or cone lies along a face, next to touching, the overlap is thinner than rounding of its border: what it carries is of its
+// depth all the same, and where it is.
+TEST(RevolvedContacts, LyingNextToTouchingTheyCarryNoMoreThanTheirDepth) {
+  Random random(7);
+  for (const char *kind : {"cylinder", "cone"}) {
+    for (const char *support : {table, same_as_hull, drum}) {
+      for (const double wide : {0.02, 0.1, 0.3}) {
+        const PairScene scene(std::string("cmb/1 ") + kind + " radius=" + digits(wide) + " length=0.2", support);
+        const double half_angle = std::string(kind) == "cone" ? std::atan(wide / 0.2) : 0.0;
+        const Mat3 on_mantle = product(rotation_about({0, 1, 0}, half_angle), lying);
+        for (int k = 0; k < 100; ++k) {
+          const double deep = random.log_uniform(1e-17, 1e-7), turned = random.integer(0, 1) * random.log_uniform(1e-16, 1e-7);
+          const Mat3 rotation = product(rotation_about(random.direction(), turned), product(rotation_about({0, 0, 1}, random.uniform(0, 6)), on_mantle));
+          BodyPose pose{{0.2, 0.1, 0.5 + wide}, rotation};
+          pose.position.z -= scene.query(pose, {}, 64).distance + deep;
+          const Contact contact = scene.query(pose, {}, 64);
+          const double d = -contact.distance;
+          if (!(d > 0.0)) continue;
+          EXPECT_GT(contact.load().z, 0.0) << kind << " " << wide << " on " << support << " " << k << ", " << d << " deep";
+          EXPECT_LE(contact.load().z, 4.0 * d + 1e-15) << kind << " " << wide << " on " << support << " " << k << ", " << d << " deep";
+          for (const Point &point : contact.points) EXPECT_LT(norm(point.position - pose.position), 2.0) << kind << " " << k;
+        }
+      }
+    }
+  }
+}
+
 // Discs that overlap in part touch in a lens, at whose middle they are carried.
 TEST(RevolvedContacts, DiscsThatOverlapInPartAreCarriedAtTheLensMiddle) {
   const PairScene scene(cylinder, "cmb/1 cylinder radius=0.4 length=1");
