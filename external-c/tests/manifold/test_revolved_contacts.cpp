@@ -60,9 +60,7 @@ TEST(RevolvedContacts, ConeLyingOnItsMantle) {
       const Mat3 level = product(yaw, rotation_about({0, 1, 0}, pi / 2 + std::atan2(radius, length)));
       const Vec3 apex = level * Vec3{0, 0, 0.5 * length};
       const BodyPose pose{{0.2, 0.1, 0.5 - deep - apex.z}, level};
-      // Next to the apex it is not; and of what is so thin the square of the depth is known to rounding.
-      const double rounding = 1e-15 * (length / deep) * (length / deep);
-      EXPECT_NEAR(scene.query(pose, {}, 64).load().z / deep, 24.0 / 35.0, 20.0 * deep / radius + rounding) << support << " " << deep;
+      EXPECT_NEAR(scene.query(pose, {}, 64).load().z / deep, 24.0 / 35.0, 20.0 * deep / radius + 1e-5) << support << " " << deep;
     }
   }
 }
@@ -208,6 +206,35 @@ TEST_P(OverlapSurfaces, AreClosedAndHoldTheVolume) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OverlapSurfaces, testing::Values("cylinder", "cone"));
+
+// What a face carries by how deep it is does not depend on where the body stands: to rounding of places, by the depth. So it is for faces that
+// are inclined in their body's frame, and for mantles.
+TEST(RevolvedContacts, ThinOverlapsKeepTheirDigits) {
+  const double half_angle = std::atan2(radius, length);
+  const Vec3 n = normalized(Vec3{1, 1, 1}), u = normalized(cross(n, Vec3{1, 0, 0}));
+  const struct {
+    const char *text;
+    Mat3 level;
+    double height;
+  } bodies[] = {{cylinder, {}, 0.5 * length},
+                {cylinder, product(lying, yaw), radius},
+                {cone, product(rotation_about({0, 1, 0}, half_angle), lying), 0.5 * length * std::sin(half_angle)},
+                {"cmb/1 hull vertices=0.5,0,0,-0.5,0,0,0,0.5,0,0,-0.5,0,0,0,0.5,0,0,-0.5", {{u, cross(n, u), n}}, 0.5 / std::sqrt(3.0)}};
+  Random random(3);
+  for (const auto &body : bodies) {
+    const PairScene scene(body.text, table);
+    for (const double deep : {1e-4, 1e-6, 1e-7}) {
+      double first = 0.0;
+      for (int k = 0; k < 100; ++k) {
+        const Mat3 turn = rotation_about({0, 0, 1}, random.uniform(0, 2 * pi));
+        const BodyPose pose{{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0.5 + body.height - deep}, product(turn, body.level)};
+        const double load = norm(scene.query(pose, {}, 64).load());
+        if (k == 0) first = load;
+        EXPECT_NEAR(load / first, 1.0, 1e-13 / deep) << body.text << " " << deep;
+      }
+    }
+  }
+}
 
 // Cones whose axis is as good as in the plane of a face: the plane's conic next to the apex turns at once. Tips under a face's border, shifted
 // by rounding and more; the surface is closed all the same, to what its volume asks for.

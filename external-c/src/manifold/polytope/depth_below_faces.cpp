@@ -43,7 +43,7 @@ void find_mean_squares(std::size_t count, const double *__restrict x, const doub
 
 }  // namespace
 
-// In the body's frame, where its planes stand still.
+// Which faces count is found in the body's frame, where its planes stand still.
 void DepthBelowFaces::find(const Vec3 &overlap_middle, const SymmetricMatrix &overlap_spread, const ContactPolytope &body,
                            const Pose &in_axes) {
   constexpr std::size_t size = FaceClusters::size;
@@ -56,6 +56,7 @@ void DepthBelowFaces::find(const Vec3 &overlap_middle, const SymmetricMatrix &ov
     bounds_.resize(count);
     groups_.resize(count);
     near_.resize(size * count + 1);
+    normal_.resize(size * count + 1);
   }
   const Vec3 middle = transposed_times(in_axes.rotation, overlap_middle - in_axes.translation);
   const SymmetricMatrix spread = turned(transposed(in_axes.rotation), overlap_spread);
@@ -95,6 +96,16 @@ void DepthBelowFaces::find(const Vec3 &overlap_middle, const SymmetricMatrix &ov
       near_count += mean_square[f] <= limit ? 1 : 0;
     }
   }
+  // Once more in the overlap's axes. Where one of them is perpendicular to a face that it is thin below, the square of its thickness is
+  // not a difference of squares of its width.
+  least = HUGE_VAL;
+  for (std::size_t k = 0; k < near_count; ++k) {
+    const std::size_t f = near[k];
+    const Vec3 n = in_axes.rotation * Vec3{x[f], y[f], z[f]};
+    normal_[k] = n;
+    mean_square[f] = below[f] * below[f] + dot(n, times(overlap_spread, n));
+    least = mean_square[f] < least ? mean_square[f] : least;
+  }
   double sum = 0.0, raised = 0.0;  // of e^-8 and of e^-7, in units of the least
   for (std::size_t k = 0; k < near_count; ++k) {
     const double inverse = least / mean_square[near[k]], square = inverse * inverse;
@@ -104,22 +115,18 @@ void DepthBelowFaces::find(const Vec3 &overlap_middle, const SymmetricMatrix &ov
     raised += seventh;
   }
   const double mean = raised / sum, inverse_sum = 1.0 / sum;
-  double constant = 0.0;
-  SymmetricMatrix squares;
-  Vec3 linear;
+  squares_ = {};
   for (std::size_t k = 0; k < near_count; ++k) {
-    const std::size_t f = near[k];
-    const double square = part[k] * part[k], fourth = square * square;
+    const double square = part[k] * part[k], fourth = square * square, depth = below[near[k]];
     const double weight = fourth * fourth * (8.0 * mean * part[k] - 7.0) * inverse_sum;
-    const Vec3 n{x[f], y[f], z[f]}, scaled = weight * n;
-    squares.m[0] += scaled.x * n.x, squares.m[1] += scaled.y * n.y, squares.m[2] += scaled.z * n.z;
-    squares.m[3] += scaled.y * n.z, squares.m[4] += scaled.z * n.x, squares.m[5] += scaled.x * n.y;
-    linear = linear + below[f] * scaled;
-    constant += weight * below[f] * below[f];
+    const Vec3 &n = normal_[k], scaled = weight * n;
+    squares_.squares.m[0] += scaled.x * n.x, squares_.squares.m[1] += scaled.y * n.y, squares_.squares.m[2] += scaled.z * n.z;
+    squares_.squares.m[3] += scaled.y * n.z, squares_.squares.m[4] += scaled.z * n.x, squares_.squares.m[5] += scaled.x * n.y;
+    squares_.linear = squares_.linear + depth * scaled;
+    squares_.constant += weight * depth * depth;
   }
   least_ = least * mean;
-  squares_ = {turned(in_axes.rotation, squares), in_axes.rotation * linear, constant};
-  moment_ = 2.0 * (in_axes.rotation * sum_of_crosses(spread, squares));
+  moment_ = 2.0 * sum_of_crosses(overlap_spread, squares_.squares);
 }
 
 }  // namespace cmb

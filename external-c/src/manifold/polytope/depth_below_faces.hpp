@@ -42,6 +42,7 @@ class DepthBelowFaces {
   std::vector<double> below_, mean_square_;  // by face: of the overlap's middle, over the overlap
   std::vector<std::size_t> groups_;          // that were looked at: their first faces
   std::vector<std::size_t> near_;            // faces that count
+  std::vector<Vec3> normal_;                 // in step, in the overlap's axes
   std::vector<double> part_;                 // in step: least mean square by the face's
 };
 

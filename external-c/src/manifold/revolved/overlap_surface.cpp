@@ -57,25 +57,55 @@ bool OverlapSurface::sum() {
   const Vec3 shift = (3.0 / (4.0 * volume)) * first;
   place_ = place_ + shift;
   volume = 0.0, first = {};
-  convex::SymmetricMatrix second;
   for (std::vector<Node> *const side : {&a_, &b_}) {
     for (Node &node : *side) {
       node.at = node.at - shift;
       node.cone = dot(node.at, node.area);
       volume += node.cone;
       first = first + node.cone * node.at;
-      second.add_square(node.cone, node.at);
     }
   }
   if (!(volume > 0.0)) return false;
   volume_ = volume / 3.0;
   middle_ = (3.0 / (4.0 * volume)) * first;
+  find_spread();
+  return spread_.trace() > 0.0;
+}
+
+void OverlapSurface::find_spread() {
+  convex::SymmetricMatrix second;
+  for (const std::vector<Node> *const side : {&a_, &b_}) {
+    for (const Node &node : *side) second.add_square(node.cone, node.at);
+  }
   spread_ = {};
-  spread_.add(3.0 / (5.0 * volume), second);
+  spread_.add(1.0 / (5.0 * volume_), second);
   spread_.add_square(-1.0, middle_);
   // Of a needle's or sliver's overlap one may be less than nothing by rounding, while its volume and middle are known.
   for (int k = 0; k < 3; ++k) spread_.m[k] = std::fmax(spread_.m[k], 0.0);
-  return spread_.trace() > 0.0;
+}
+
+Mat3 OverlapSurface::align() {
+  constexpr double thin = 1e-3;  // by how wide it is: from there on rounding counts for less than 1e-10
+  const double width = std::sqrt(spread_.trace());
+  if (volume_ > thin * width * std::fmin(area_[0], area_[1])) return {};
+  // The side that is flat, or nearer to it.
+  Vec3 normal;
+  double flatness = 0.0;
+  for (int side = 0; side < 2; ++side) {
+    Vec3 sum;
+    for (const Node &node : side == 0 ? a_ : b_) sum = sum + node.area;
+    const double length = norm(sum);
+    if (length > flatness * area_[side]) flatness = length / area_[side], normal = (1.0 / length) * sum;
+  }
+  if (flatness == 0.0) return {};
+  const Vec3 u = convex::any_perpendicular(normal);
+  const Mat3 turn{{u, cross(normal, u), normal}};
+  for (std::vector<Node> *const side : {&a_, &b_}) {
+    for (Node &node : *side) node.at = turn * node.at, node.area = turn * node.area;
+  }
+  place_ = turn * place_, middle_ = turn * middle_;
+  find_spread();
+  return turn;
 }
 
 }  // namespace cmb

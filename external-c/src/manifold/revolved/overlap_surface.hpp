@@ -7,6 +7,7 @@
 
 namespace cmb {
 
+using convex::Mat3;
 using convex::Vec3;
 
 // Of body A within B, and of B within A. The rules are exact, or as good as, for polynomials of the fifth degree, along a mantle as far
@@ -34,6 +35,9 @@ class OverlapSurface {
   // Finds what follows, and moves the place to the overlap's middle, as good as; false where the surface is not closed, or the bodies
   // overlap by rounding alone.
   bool sum();
+  // After sum(): turns all to axes one of which is perpendicular to a face, where one bounds an overlap that is thin, so that the square of its
+  // thickness is not a difference of squares of its width. Returns the turn to these axes.
+  Mat3 align();
   double volume() const { return volume_; }
   // What the area vectors sum to, of rounding and of rules that are not exact.
   double gap() const { return gap_; }
@@ -46,6 +50,9 @@ class OverlapSurface {
   const convex::SymmetricMatrix &spread() const { return spread_; }
 
  private:
+  // The mean of the products of coordinates, of nodes whose places are from the place.
+  void find_spread();
+
   std::vector<Node> a_, b_;
   Vec3 place_;
   double volume_ = 0.0, gap_ = 0.0, area_[2] = {};

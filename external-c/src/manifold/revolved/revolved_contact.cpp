@@ -87,10 +87,11 @@ bool revolved_on_polytope_contact(const Shape &revolved, const Pose &revolved_po
   Pose in_frame = relative_pose(revolved_pose, polytope_pose);
   const Vec3 place = transposed_times(revolved_pose.rotation, witness - revolved_pose.translation);
   if (!find_surface(body, polytope, place, scratch, in_frame)) return false;
-  const OverlapSurface &surface = scratch.surface;
-  const OverlapLoad load =
-      load_of(surface, DepthInRevolved(body, {}, surface), PolytopePart(scratch.faces, polytope, in_frame, surface));
-  return append_load_points(load, revolved_pose, {}, sense, points);
+  OverlapSurface &surface = scratch.surface;
+  const Pose to_axes{surface.align(), {}};
+  const OverlapLoad load = load_of(surface, DepthInRevolved(body, to_axes, surface),
+                                   PolytopePart(scratch.faces, polytope, compose(to_axes, in_frame), surface));
+  return append_load_points(load, compose(revolved_pose, to_axes.inverse()), to_axes.rotation, sense, points);
 }
 
 bool revolved_pair_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const Vec3 &deepest_a,
@@ -100,8 +101,10 @@ bool revolved_pair_contact(const Shape &a, const Pose &pose_a, const Shape &b, c
   OverlapSurface &surface = scratch.surface;
   const auto in_a = [&](const Vec3 &place) { return transposed_times(pose_a.rotation, place - pose_a.translation); };
   if (!scratch.pair.find(body_a, body_b, b_in_a, in_a(deepest_a), in_a(deepest_b), surface)) return false;
-  const OverlapLoad load = load_of(surface, DepthInRevolved(body_a, {}, surface), DepthInRevolved(body_b, b_in_a, surface));
-  return append_load_points(load, pose_a, {}, 1.0, points);
+  const Pose to_axes{surface.align(), {}};
+  const OverlapLoad load =
+      load_of(surface, DepthInRevolved(body_a, to_axes, surface), DepthInRevolved(body_b, compose(to_axes, b_in_a), surface));
+  return append_load_points(load, compose(pose_a, to_axes.inverse()), to_axes.rotation, 1.0, points);
 }
 
 }  // namespace cmb
