@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -265,8 +265,8 @@ def _request(model: str, file: Path, given: LoneFiles) -> Request:
     """What loads ``file`` and compiles ``model``.
 
     rumoca loads only libraries that the loaded text names, not those that they name in turn. A model in a file of its
-    own is therefore followed by a class that names them all; places in the text stay as they are. A model of a library
-    among the roots needs that class alone.
+    own that names any is therefore followed by a class that names them all; places in the text stay as they are. A
+    model of a library among the roots needs that class alone.
     """
     roots = given.roots
     names = tuple(str(root) for root in roots)
@@ -278,10 +278,16 @@ def _request(model: str, file: Path, given: LoneFiles) -> Request:
         text = "" if is_library else file.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
         raise InputError(f"is not in UTF-8: {error.reason}", place=Place(file=file)) from error
+    libraries = packages(roots)
+    beside = (original.read_text(encoding="utf-8", errors="replace") for _, original in given.names)
+    if not is_library and not _name_any((text, *beside), libraries):
+        libraries = []  # to load them takes longer than all else of a small model
     return Request(
-        names,
-        model,
-        "libraries.mo" if is_library else str(given.file),
-        f"{text}\n{naming(packages(roots))}",
-        str(file),
+        names, model, "libraries.mo" if is_library else str(given.file), f"{text}\n{naming(libraries)}", str(file)
     )
+
+
+def _name_any(texts: Iterable[str], names: Sequence[str]) -> bool:
+    """Whether a text has one of the names, be it in a comment."""
+    named = re.compile("|".join(rf"\b{re.escape(name)}\b" for name in names) or "(?!)")
+    return any(named.search(text) is not None for text in texts)

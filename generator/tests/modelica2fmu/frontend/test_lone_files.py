@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from contact_data import core_subset
 from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
-from modelica2fmu.build import BuildOptions, build_fmu
+from modelica2fmu.build import BuildOptions, build_fmu, translate
+from modelica2fmu.frontend import loading
+from modelica2fmu.frontend.runner import Answer
+from modelica2fmu.library.standard_library import StandardLibrary
 
 DECAY = """
 model Decay
@@ -64,3 +68,22 @@ def test_errors_name_the_file_itself(folder):
         build_fmu("Decay", [folder / "Decay.mo"], folder / "m.fmu")
     assert (caught.value.place.file, caught.value.place.line) == (folder / "Decay.mo", 5)
     assert "cmb-sources" not in str(caught.value)
+
+
+def test_a_file_that_names_no_library_uses_one_that_does(tmp_path, fmu_cache):
+    (tmp_path / "Laws.mo").write_text(f"package Laws {DECAY.replace('= -x', '= -Modelica.Constants.pi*x')} end Laws;")
+    (tmp_path / "User.mo").write_text("model User\n  Laws.Decay decay;\nend User;\n")
+    sources = [tmp_path / "User.mo", tmp_path / "Laws.mo"]
+    build_fmu("User", sources, tmp_path / "m.fmu", BuildOptions(msl=core_subset(), cache=fmu_cache))
+    assert final_value(tmp_path / "m.fmu", "decay.x") == pytest.approx(np.exp(-np.pi), rel=1e-6)
+
+
+def test_libraries_that_no_file_names_are_not_loaded(tmp_path, monkeypatch):
+    asked = []
+    monkeypatch.setattr(loading, "ask", lambda request, _remark: asked.append(request) or Answer(error="enough"))
+    for text in (DECAY, DECAY.replace("-x", "-x*Modelica.Constants.pi")):
+        (tmp_path / "Decay.mo").write_text(text)
+        with pytest.raises(InputError):
+            translate("Decay", [tmp_path / "Decay.mo"], StandardLibrary(core_subset(), "", "core subset"))
+    assert "import Modelica;" not in asked[0].text
+    assert "import Modelica;" in asked[-1].text
