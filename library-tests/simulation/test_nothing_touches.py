@@ -32,7 +32,10 @@ def refused(folder: Path, text: str) -> str:
     return str(caught.value)
 
 
-@pytest.mark.parametrize("manager", ["ContactManager", "VolumeContactManager", "CompiledContactManager"])
+OTHERS = [pytest.param(each, marks=pytest.mark.full) for each in ("VolumeContactManager", "CompiledContactManager")]
+
+
+@pytest.mark.parametrize("manager", ["ContactManager", *OTHERS])
 def test_one_body(tmp_path: Path, manager: str) -> None:
     text = MODEL.replace("MANAGER", manager).replace("COUNT", "1").replace("COLLIDERS", "collider={ball.collider}")
     said = refused(tmp_path, text.replace("GEOMETRY", SHAPE))
@@ -49,7 +52,7 @@ end Lonely;
     assert "Parts.Ground" in said
 
 
-@pytest.mark.parametrize("manager", ["ContactManager", "VolumeContactManager"])
+@pytest.mark.parametrize("manager", ["ContactManager", OTHERS[0]])
 @pytest.mark.parametrize(
     ("geometry", "colliders"),
     [(SHAPE, "pairs={{1,2}}"), ('geometry=""', "collider={ball.collider, other.collider}")],

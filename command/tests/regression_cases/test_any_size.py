@@ -244,13 +244,14 @@ def restitution_error(fmu: Path, size: float, mode: Mode, tolerance: float) -> f
     return float(abs(max(left, 0.0) ** (1 / 6) - restitution) / tolerance)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     ("model", "size"),
     [
         ("TinyBall", 1e-4),
-        pytest.param("TinyBallWithoutEvents", 1e-4, marks=pytest.mark.full),
-        pytest.param("SmallBall", 1e-3, marks=pytest.mark.full),
-        pytest.param("SmallBallWithoutEvents", 1e-3, marks=pytest.mark.full),
+        ("TinyBallWithoutEvents", 1e-4),
+        ("SmallBall", 1e-3),
+        ("SmallBallWithoutEvents", 1e-3),
     ],
 )
 def test_small_balls_bounce_as_large_ones(model: str, size: float, fmu_cache: Path, tmp_path: Path) -> None:

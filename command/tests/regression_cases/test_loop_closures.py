@@ -38,7 +38,7 @@ SPATIAL = Loop(
     "ClosingLoops.SpatialFourBar", (SOURCE,), ("j4.phi", "j2.phi_a", "j2.phi_b"), ("j4.w", "j2.w_a", "j2.w_b")
 )
 LOOPS = [
-    pytest.param(loop, id=loop.model.split(".")[1], marks=pytest.mark.full if loop is SLIDER else ())
+    pytest.param(loop, id=loop.model.split(".")[1], marks=() if loop is FOUR_BAR else pytest.mark.full)
     for loop in (FOUR_BAR, SLIDER, SPATIAL)
 ]
 Build = Callable[[Loop], Path]

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +14,8 @@ from cmb.modelica_sources import find_sources
 from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu
 
-QUICK, ALL = 4, 40
-"""Scenes at every run of the tests, and of the long ones."""
+QUICK, ALL = 3, 40
+"""Scenes of boxes at every run of the tests, and of all bodies at the long ones."""
 RISE, SPREAD = 1.0, 300.0
 """How many tolerances the energy may rise, by that at the start, and the bodies' middle be off, by their distance.
 
@@ -52,28 +54,34 @@ def scenes() -> list[Scene]:
 
 
 @pytest.fixture(scope="module")
-def fmus(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> dict[str, Path]:
+def fmu_of(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path) -> Callable[[str], Path]:
     folder = tmp_path_factory.mktemp("many")
-    found = {}
-    for name, text in MODELS.items():
+
+    @cache
+    def build(name: str) -> Path:
         source = folder / f"{name}.mo"
-        source.write_text(text, encoding="utf-8")
-        found[name] = folder / f"{name}.fmu"
-        build_fmu(name, find_sources(name, [source]), found[name], BuildOptions(cache=fmu_cache))
-    return found
+        source.write_text(MODELS[name], encoding="utf-8")
+        return build_fmu(name, find_sources(name, [source]), folder / f"{name}.fmu", BuildOptions(cache=fmu_cache)).fmu
+
+    return build
+
+
+def is_quick(number: int, scene: Scene) -> bool:
+    return scene.model == "ManyBoxes" and number < 2 * QUICK
 
 
 @pytest.mark.parametrize(
-    "scene", [pytest.param(s, marks=[] if k < QUICK else pytest.mark.full, id=str(k)) for k, s in enumerate(scenes())]
+    "scene",
+    [pytest.param(s, marks=() if is_quick(k, s) else pytest.mark.full, id=str(k)) for k, s in enumerate(scenes())],
 )
-def test_energy_falls_and_results_follow_the_tolerance(scene: Scene, fmus: dict[str, Path]) -> None:
+def test_energy_falls_and_results_follow_the_tolerance(scene: Scene, fmu_of: Callable[[str], Path]) -> None:
     """Against the same FMU at a thousandth of the tolerance, as long as bodies have struck each other a few times."""
     count = 20 if scene.model == "ManyBalls" else 10
     middle = [f"bodies.r[{k},3]" for k in range(1, count + 1)]
 
     def run(tolerance: float, stop: float) -> dict[str, np.ndarray]:
         result = simulate(
-            fmus[scene.model],
+            fmu_of(scene.model),
             signals=["bodies.energy", *middle],
             stop=stop,
             interval=0.01,

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from program import CaseCheck, cases_of
 
-QUICK = {"BouncingBall", "DoublePendulum", "PlanarFourBar", "SlidingBlock"}
+QUICK = {"BouncingBall", "PlanarFourBar", "SlidingBlock"}
 
 
 @pytest.mark.parametrize("path", cases_of("reference", QUICK))
@@ -15,7 +15,7 @@ def test_case(path: Path, check_case: CaseCheck) -> None:
     check_case(path)
 
 
-QUICK_OF_THE_LIBRARY = {"HammerOnAnvil", "RollingSphereCoSimulation"}
+QUICK_OF_THE_LIBRARY = {"HammerOnAnvil"}
 
 
 @pytest.mark.parametrize("path", cases_of("openmodelica", QUICK_OF_THE_LIBRARY))

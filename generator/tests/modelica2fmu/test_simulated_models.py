@@ -466,7 +466,7 @@ end NearTheEnd;
 """
 
 
-@pytest.mark.parametrize("relation", ["time > last", "x > last"])
+@pytest.mark.parametrize("relation", [pytest.param("time > last", marks=pytest.mark.full), "x > last"])
 @pytest.mark.parametrize("mode", ["me", "cs"])
 def test_an_event_within_rounding_of_the_end_does_not_stop_a_run(build, mode, relation):
     from fmu_regression.simulate.simulation import simulate as run

@@ -112,6 +112,7 @@ def test_what_the_compiled_manager_lacks_is_refused(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.full
 def test_both_managers_push_alike(tmp_path: Path, fmu_cache: Path) -> None:
     """A box that rests sinks in by m g / K, whoever computes it."""
     file = box_on_floor(tmp_path)
