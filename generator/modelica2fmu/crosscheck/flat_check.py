@@ -28,6 +28,7 @@ _PART: Final = re.compile(r"'(?:\\.|[^'\\])*'|[^.\[\]]+(?:\[[^\]]*\])?")
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
 _REFERENCE: Final = re.compile(r"\.?(?!(?:true|false)\b)[A-Za-z_][\w.\s\[\],:]*")
 _NAME: Final = re.compile(r"(?!(?:true|false)\b)[A-Za-z_][\w.]*")
+_SIZED: Final = re.compile(r"\w+\s*\[")
 _CALL: Final = re.compile(r"\.?([A-Za-z_][\w.]*) ?\(")
 _EQUATIONS: Final = ("equations", "initial_equations")
 _ALGORITHMS: Final = ("algorithms", "initial_algorithms")
@@ -101,6 +102,17 @@ def copies_of_inner(flat: Mapping[str, Any], model: str, library: ClassLibrary) 
     outer = [name for name, variable in flat["variables"].items() if _is_outer(root, variable)]
     named = {_SUBSCRIPTS.sub("", name) for name in _named(flat)} if outer else set()
     return [name for name in outer if _SUBSCRIPTS.sub("", name) not in named]
+
+
+def unused_members(flat: Mapping[str, Any]) -> list[str]:
+    """Variables that expandable connectors declare and nothing names, which they are without (Modelica 3.6, 9.1.3)."""
+    declared = [
+        name
+        for name, variable in flat["variables"].items()
+        if variable["from_expandable_connector"] and variable["binding"] is None
+    ]
+    named = {_SUBSCRIPTS.sub("", name) for name in _named(flat)} if declared else set()
+    return [name for name in declared if _SUBSCRIPTS.sub("", name) not in named]
 
 
 def _is_outer(root: ClassInstance, variable: Mapping[str, Any]) -> bool:
@@ -224,6 +236,7 @@ class _FlatCheck:
             if (error := self._other_class(path)) is not None:
                 raise error
             return
+        self._folded(path, variable)
         if node.has_value:
             self._constructed(path, variable)
         elif node.is_certain and node.instance.predefined is not None:
@@ -231,6 +244,21 @@ class _FlatCheck:
             self._binding(path, node.component, variable)
             if node.component.binding is None:
                 self._attributes(node.component, node.instance.predefined, variable)
+
+    def _folded(self, path: _Path, variable: Mapping[str, Any]) -> None:
+        """Elements of an array of components are components, not elements of the variables of one.
+
+        The front end makes one of an array whose size it does not know, as of ``size(k, 1)``: products of its variables
+        become those of vectors.
+        """
+        for length, part in enumerate(variable["component_ref"]["parts"][:-1], 1):
+            node = self._node(path[:length])
+            component = None if node is None else node.component
+            if node is None or component is None or part["subs"] or node.instance.definition.kind.endswith("record"):
+                continue
+            declared = component.declarations[0]
+            if _SIZED.match(self._reading.text(declared)) is not None or component.sizes_of_type is not None:
+                raise self._reading.folded_array(part["ident"], declared)
 
     def _pieces(self, component: Component, predefined: ClassInstance, variable: Mapping[str, Any]) -> None:
         """An element of an array of components has its own piece of an array that modifies all of them."""

@@ -12,6 +12,7 @@ from contact_foundation.errors import Place, UnsupportedModelError
 from modelica2fmu.crosscheck.class_instances import Role, Value
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
+from modelica2fmu.crosscheck.component_sizes import SIZE_OF_COMPONENTS
 
 RawSpan = Mapping[str, int]
 
@@ -156,6 +157,14 @@ class FlatReading:
             f"the front end does not take {self.shown(extent)} apart rightly: {name} would have a wrong value",
             place=self.place_of(extent),
             remedy=remedy,
+        )
+
+    def folded_array(self, name: str, extent: Extent) -> UnsupportedModelError:
+        """An array of components became one component."""
+        return UnsupportedModelError(
+            f"the front end does not know how many elements the array of components {name} has",
+            place=self.place_of(extent),
+            remedy=SIZE_OF_COMPONENTS,
         )
 
     def lost_right_side(self, span: RawSpan) -> UnsupportedModelError:

@@ -120,7 +120,10 @@ class _Describer:
         by = self._reduced.replacements.get(name)
         if kind is not Kind.CONSTANT and (name in self._invariants or (by is not None and self._is_fixed(by))):
             # An alias of a parameter, or computed from parameters once.
-            return causality, self._parameter_variability(name), Initial.CALCULATED, None
+            variability = self._parameter_variability(name)
+            if causality is Causality.OUTPUT:  # no output is a parameter (FMI 2.0.5, section 2.2.7)
+                variability = Variability.CONTINUOUS if variable.type == "Real" else Variability.DISCRETE
+            return causality, variability, Initial.CALCULATED, None
         if kind is Kind.CONSTANT:
             return causality, Variability.CONSTANT, Initial.EXACT, self._constant(variable)
         if kind is Kind.PARAMETER:

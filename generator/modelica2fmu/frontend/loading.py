@@ -16,9 +16,15 @@ from modelica2fmu.crosscheck.cardinality import check_counted_arrays, drop_misco
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.collider_order import misplaced_row
+from modelica2fmu.crosscheck.component_sizes import check_component_sizes
 from modelica2fmu.crosscheck.connect_check import check_connect_sizes, check_connects
 from modelica2fmu.crosscheck.constructor_check import check_constructors
-from modelica2fmu.crosscheck.flat_check import added_components, check_flat_model, copies_of_inner
+from modelica2fmu.crosscheck.flat_check import (
+    added_components,
+    check_flat_model,
+    copies_of_inner,
+    unused_members,
+)
 from modelica2fmu.crosscheck.flat_reading import FlatReading
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.crosscheck.number_check import check_numbers
@@ -148,7 +154,7 @@ def load_flat_model(
             f"no component {name} is declared as inner, so one with its default values is added: declare it in {model}"
             for name in added_components(answer.flat, model, library)
         )
-        for name in copies_of_inner(answer.flat, model, library):
+        for name in (*copies_of_inner(answer.flat, model, library), *unused_members(answer.flat)):
             del answer.flat["variables"][name]
         flat = with_references(read_flat_model(answer.flat, model, source_map), source_map)
         return replace(flat, warnings=warnings)
@@ -219,6 +225,7 @@ def _check_own_text(model: str, file: Path, source_map: SourceMap, library: Clas
     check_constructors(model, library, own, _places(source_map))
     check_outer_elements(model, library, own, _places(source_map))
     check_connects(model, library, own, _places(source_map))
+    check_component_sizes(model, library, own, _places(source_map))
     check_counted_arrays(model, library, own, _places(source_map))
     return missing
 

@@ -9,6 +9,7 @@ from typing import Final, NamedTuple
 
 from contact_foundation.errors import InputError
 
+from modelica2fmu.crosscheck.component_sizes import SIZE_OF_COMPONENTS
 from modelica2fmu.frontend.source_lines import line_of
 
 
@@ -116,6 +117,18 @@ _KNOWN: Final = tuple(
             "a Boolean is given a number",
             "write true or false, or a relation",
             re.compile(r"\bBoolean\b[^;]*=\s*[-+.\d]"),
+        ),
+        (
+            r"record-field `\w+` declaration \d+ requires its typed semantic owner",
+            "the front end does not know how many elements an array of components has",
+            SIZE_OF_COMPONENTS.replace("{", "{{").replace("}", "}}"),
+            re.compile(r"\w\s*\[[^\]]*\bsize\s*\("),
+        ),
+        (
+            r"cannot evaluate structural parameter `connection range`.*",
+            "a range in connect is not taken whose ends are no numbers or parameters",
+            "write a number in place of end: connect(a.y[2:3], b.u)",
+            re.compile(r"\bconnect\b[^;]*\bend\s*\]"),
         ),
         (
             r"delay\(\) (?P<which>.*) argument must have type `Real`, found `Integer`",

@@ -87,6 +87,15 @@ REPAIRS: Final = (
         re.compile(r"(\bif\s+world\.enableAnimation\s+and\s+animation\s+and\s+)sphereDiameter(\s*)>(\s*)0(\s*;)"),
         r"\1true\2\3\4",
     ),
+    # A loop in a when-equation that sets a Real which is declared without discrete; the index alone changes it.
+    Repair(
+        ("Modelica/Blocks/Routing.mo",),
+        re.compile(
+            r"\bwhen\s*\{\s*initial\(\)\s*,\s*change\(index\)\s*\}\s*then(\s.*?\bend\s+for\s*;\s*)end\s+when\s*;",
+            re.DOTALL,
+        ),
+        r"\1",
+    ),
     # A return in a loop under a condition.
     Repair(
         ("Modelica/Math/BooleanVectors.mo",),

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
+from fmpy import read_model_description
+from modelica2fmu.build import BuildReport
 from modelica2fmu.description.model_description import Causality, Variability
 from modelica2fmu.description.tunability import Tunability
 from modelica2fmu.expand.scalar_model import ExternalCall
@@ -79,3 +81,17 @@ def test_a_call_is_followed_once_whatever_the_number_of_its_outputs(
     tunability = Tunability(reduced)
     assert tunability.is_tunable("factor")
     assert len(asked) == len(set(asked)) == 1
+
+
+def test_outputs_that_are_parameters_are_no_parameters(build: Callable[[str], BuildReport]) -> None:
+    """FMI 2.0.5, section 2.2.7: an output is neither fixed nor tunable."""
+    text = """model Given
+  parameter Real k = 3;
+  parameter Integer n = 2;
+  output Real y = k, twice = 2*k;
+  output Integer count = n;
+end Given;
+"""
+    description = read_model_description(str(build(text).fmu), validate=True)
+    found = {each.name: each.variability for each in description.modelVariables if each.causality == "output"}
+    assert found == {"y": "continuous", "twice": "continuous", "count": "discrete"}

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -128,6 +130,78 @@ def test_buses_that_do_not_declare_a_variable(tmp_path: Path) -> None:
     assert "expandable connector Bus Real speed" in (error.remedy or "")
     assert error.place is not None
     assert error.place.line in (8, 9)
+
+
+BLOCK = """
+  block Twice
+    Modelica.Blocks.Interfaces.RealInput u;
+    Modelica.Blocks.Interfaces.RealOutput y = k*u;
+    parameter Real k = 2;
+  end Twice;
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("parameter Real k[:] = {1, 2, 3};\n  Part g[size(k, 1)](m = k);", 2),
+        ("parameter Real k[3] = {1, 2, 3};\n  Part g[size(k, 1)](m = {4, 5, 6});", 2),
+        ("parameter Real k[:] = {1, 2, 3};\n  Part g[size(k, 1)](each m = 7);", 2),
+        ("parameter Real k[:] = {1, 2};\n  parameter Integer n = size(k, 1);\n  Part g[n](m = k);", 3),
+        ("parameter Real k[:] = {1, 2};\n  Twice g[size(k, 1)](k = k, each u = 1);", 2),
+    ],
+)
+def test_arrays_of_components_whose_size_is_asked(tmp_path: Path, text: str, line: int) -> None:
+    """Their variables became arrays of one component, in which a product is that of vectors."""
+    before = f"model M{PARTS}{BLOCK}"
+    error = refusal(f"{before}  {text}\nend M;\n", tmp_path)
+    assert "how many elements" in error.message
+    assert "g[n](k = k)" in (error.remedy or "")
+    assert error.place is not None
+    assert error.place.line == before.count("\n") + line
+
+
+def test_a_range_to_the_end_in_connect(tmp_path: Path) -> None:
+    text = (
+        "  Modelica.Blocks.Sources.Constant c[3](k = {1, 2, 3});\n  Modelica.Blocks.Interfaces.RealOutput y[2];\n"
+        "equation\n  connect(c[2:end].y, y);\n"
+    )
+    error = refusal(f"model M\n{text}end M;\n", tmp_path)
+    assert "a range in connect" in error.message
+    assert "in place of end" in (error.remedy or "")
+    assert error.place is not None
+    assert error.place.line == 5
+
+
+def test_members_of_buses_that_nothing_uses_are_not_there(simulate: Callable[..., Any]) -> None:
+    """Modelica 3.6, section 9.1.3: they are but potentially present."""
+    text = """model Unused
+  expandable connector Bus
+    Real speed;
+    Real angle;
+    Real all[2];
+  end Bus;
+  block Source
+    Bus bus;
+    Modelica.Blocks.Sources.RealExpression e(y = 3*time);
+  equation
+    connect(e.y, bus.speed);
+  end Source;
+  block Sink
+    Bus bus;
+    Modelica.Blocks.Math.Gain g(k = 2);
+  equation
+    connect(bus.speed, g.u);
+  end Sink;
+  Source a;
+  Sink b;
+  Real y = b.g.y;
+equation
+  connect(a.bus, b.bus);
+end Unused;
+"""
+    result = simulate(text, ["y"])
+    np.testing.assert_allclose(result["y"], 6 * result["time"], atol=1e-9)
 
 
 def test_tables_of_two_inputs(tmp_path: Path) -> None:

@@ -55,6 +55,31 @@ def test_a_place_is_replaced_and_the_rest_is_linked(library, tmp_path):
     assert "return" in (library / "Modelica" / "Math" / "BooleanVectors.mo").read_text()  # the user's own stays
 
 
+def test_a_loop_in_a_when_equation_sets_elements_at_any_time(library, tmp_path):
+    text = """within Modelica.Blocks;
+package Routing
+  block Picks
+    Real k[3];
+  equation
+
+    when {initial(),change(index)} then
+
+      for i in 1:3 loop
+        k[i] = if index == i then 1 else 0;
+      end for;
+
+    end when;
+  end Picks;
+end Routing;
+"""
+    (library / "Modelica" / "Blocks").mkdir()
+    (library / "Modelica" / "Blocks" / "Routing.mo").write_text(text)
+    written = (seen(library, tmp_path) / "Modelica" / "Blocks" / "Routing.mo").read_text()
+    assert "when" not in written
+    assert "for i in 1:3 loop" in written
+    assert len(written.splitlines()) == len(text.splitlines())
+
+
 def test_the_view_is_kept_until_the_library_changes(library, tmp_path):
     first = seen(library, tmp_path)
     assert seen(library, tmp_path) == first
