@@ -17,12 +17,15 @@ BroadPhase::BroadPhase(std::shared_ptr<const Scene> given, CollisionFilter filte
     first_shape_.push_back(shapes);
     shapes += scene.bodies[body].size();
     for (std::size_t shape = 0; shape < scene.bodies[body].size(); ++shape) {
+      is_where_body_is_.push_back(is_identity(scene.bodies[body][shape].in_body) ? 1 : 0);
       const Proxy proxy{static_cast<std::uint32_t>(body), static_cast<std::uint32_t>(shape)};
       if (scene.bodies[body][shape].kind == ShapeKind::halfspace) {
         halfspaces_.push_back(proxy);
       } else {
         bounded_.push_back(proxy);
-        local_bounds_.push_back(scene.bodies[body][shape].bounds);
+        const LocalBounds &bounds = scene.bodies[body][shape].bounds;
+        local_bounds_.push_back(bounds);
+        is_ball_.push_back(norm2(bounds.half) == 0.0 && norm2(bounds.center) == 0.0 ? 1 : 0);
       }
     }
   }
@@ -38,21 +41,32 @@ void BroadPhase::emit(const Proxy &a, const Proxy &b, std::vector<Candidate> &fo
   }
 }
 
-void BroadPhase::find_candidates(const double *position, const double *rotation, BroadPhaseScratch &scratch) const {
-  scratch.body_poses.clear();
-  scratch.shape_poses.clear();
+void BroadPhase::place_shapes(BroadPhaseScratch &scratch) const {
+  scratch.shape_poses.resize(first_shape_.back());
   for (std::size_t body = 0; body < body_count(); ++body) {
-    const Pose pose = body_pose(position + 3 * body, rotation + 9 * body);
-    scratch.body_poses.push_back(pose);
-    for (const Shape &shape : scene_->bodies[body]) scratch.shape_poses.push_back(compose(pose, shape.in_body));
+    const Pose &pose = scratch.body_poses[body];
+    std::size_t k = first_shape_[body];
+    for (const Shape &shape : scene_->bodies[body]) {
+      scratch.shape_poses[k] = is_where_body_is_[k] != 0 ? pose : compose(pose, shape.in_body);
+      ++k;
+    }
   }
-  scratch.bounds.clear();
+  scratch.bounds.resize(bounded_.size());
   for (std::size_t i = 0; i < bounded_.size(); ++i) {
     const Proxy &proxy = bounded_[i];
-    scratch.bounds.push_back(
-        world_bounds(local_bounds_[i], scratch.shape_poses[first_shape_[proxy.body] + proxy.shape]));
+    const Pose &pose = scratch.shape_poses[first_shape_[proxy.body] + proxy.shape];
+    if (is_ball_[i] != 0) {
+      const double radius = local_bounds_[i].radius;
+      const Vec3 half{radius, radius, radius};
+      scratch.bounds[i] = {pose.translation - half, pose.translation + half};
+    } else {
+      scratch.bounds[i] = world_bounds(local_bounds_[i], pose);
+    }
   }
+}
 
+void BroadPhase::find_candidates(BroadPhaseScratch &scratch) const {
+  place_shapes(scratch);
   scratch.found.clear();
   scratch.near.visit_overlaps(
       identity_, scratch.bounds,
@@ -63,8 +77,11 @@ void BroadPhase::find_candidates(const double *position, const double *rotation,
     const Vec3 normal = plane.rotation.column(2);
     for (std::size_t i = 0; i < bounded_.size(); ++i) {
       const Pose &pose = scratch.shape_poses[first_shape_[bounded_[i].body] + bounded_[i].shape];
-      const double height = dot(normal, pose(local_bounds_[i].center) - plane.translation);
-      if (height <= half_extent(local_bounds_[i], transposed_times(pose.rotation, normal))) {
+      const bool is_near = is_ball_[i] != 0
+                               ? dot(normal, pose.translation - plane.translation) <= local_bounds_[i].radius
+                               : dot(normal, pose(local_bounds_[i].center) - plane.translation) <=
+                                     half_extent(local_bounds_[i], transposed_times(pose.rotation, normal));
+      if (is_near) {
         emit(halfspace, bounded_[i], scratch.found);
       }
     }

@@ -38,9 +38,9 @@ class BroadPhase {
   const CollisionFilter &filter() const { return filter_; }
   std::size_t body_count() const { return scene_->bodies.size(); }
 
-  // Fills scratch.candidates, sorted by body_a, body_b, shape_a, shape_b, and the poses of bodies and shapes in the
-  // world. The result depends on the poses alone. position, rotation: as in cmb_poses.
-  void find_candidates(const double *position, const double *rotation, BroadPhaseScratch &scratch) const;
+  // Fills scratch.candidates, sorted by body_a, body_b, shape_a, shape_b, and the shapes' poses in the world, for the
+  // bodies' poses there, scratch.body_poses. The result depends on these alone.
+  void find_candidates(BroadPhaseScratch &scratch) const;
 
   // Where the shapes of a body begin in scratch.shape_poses.
   std::size_t first_shape(std::size_t body) const { return first_shape_[body]; }
@@ -50,6 +50,7 @@ class BroadPhase {
     std::uint32_t body, shape;
   };
 
+  void place_shapes(BroadPhaseScratch &scratch) const;
   void emit(const Proxy &a, const Proxy &b, std::vector<Candidate> &found) const;
   void sort_candidates(BroadPhaseScratch &scratch) const;
 
@@ -57,8 +58,10 @@ class BroadPhase {
   std::shared_ptr<const void> identity_;  // unlike that of any other, also one that takes this one's place in memory
   CollisionFilter filter_;
   std::vector<std::size_t> first_shape_;     // of each body, and the number of all shapes
+  std::vector<char> is_where_body_is_;       // of all shapes
   std::vector<Proxy> bounded_, halfspaces_;  // all shapes
   std::vector<LocalBounds> local_bounds_;    // of the bounded ones
+  std::vector<char> is_ball_;                // whose bounds are a ball about its origin
 };
 
 }  // namespace cmb

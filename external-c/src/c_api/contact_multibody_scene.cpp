@@ -72,14 +72,16 @@ cmb_status unknown_broadphase(cmb_broadphase handle) {
                                       "; use a handle that cmb_intern_broadphase gave");
 }
 
-// Checks what every query takes. broad_phase is set where it returns CMB_OK.
+// Checks what every query takes. broad_phase, and the bodies' poses in this thread's scratch, are set where it returns CMB_OK.
 cmb_status check_query(cmb_broadphase handle, const cmb_poses *poses, const BroadPhase *&broad_phase) {
   broad_phase = registry().find(handle.number);
   if (broad_phase == nullptr) return unknown_broadphase(handle);
   const cmb_status counted = cmb::check_poses(poses, broad_phase->body_count());
   if (counted != CMB_OK) return counted;
+  std::vector<cmb::convex::Pose> &body_poses = cmb::response_scratch().broad_phase.body_poses;
+  body_poses.resize(poses->body_count);
   for (std::size_t body = 0; body < poses->body_count; ++body) {
-    const cmb_status status = cmb::check_body_pose(body, poses->position, poses->rotation);
+    const cmb_status status = cmb::read_body_pose(body, poses->position, poses->rotation, body_poses[body]);
     if (status != CMB_OK) return status;
   }
   return CMB_OK;
@@ -142,7 +144,7 @@ cmb_status cmb_query_candidates(cmb_broadphase broadphase, const cmb_poses *pose
       return fail(CMB_ERROR_ARGUMENT, "pairs or pair_count is NULL");
     }
     cmb::BroadPhaseScratch &scratch = cmb::response_scratch().broad_phase;
-    found->find_candidates(poses->position, poses->rotation, scratch);
+    found->find_candidates(scratch);
     std::size_t count = 0;
     const cmb::Candidate *last = nullptr;
     for (const cmb::Candidate &candidate : scratch.candidates) {
@@ -170,7 +172,7 @@ cmb_status cmb_query_contacts(cmb_broadphase broadphase, const cmb_poses *poses,
       return fail(CMB_ERROR_ARGUMENT, "contacts or contact_count is NULL");
     }
     std::size_t count = 0;
-    cmb::visit_contacts(*found, poses->position, poses->rotation, cmb::response_scratch().broad_phase, cmb::query_scratch(),
+    cmb::visit_contacts(*found, cmb::response_scratch().broad_phase, cmb::query_scratch(),
                         [&](std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
                           for (const ContactPoint &p : points) {
                             if (count < contact_capacity) {
@@ -217,7 +219,6 @@ cmb_status cmb_evaluate_response(cmb_broadphase broadphase, const cmb_contact_la
       }
     }
     try {
-      cmb::check_law(*law, *properties);
       cmb::ResponseScratch &scratch = cmb::response_scratch();
       const cmb_response_sums result =
           cmb::evaluate_response(*found, *law, *properties, *motion, scratch, cmb::query_scratch());

@@ -62,14 +62,6 @@ void fade_to_gap(const BoundGap &gap, double exact_within, ContactSet &result) {
   result.witness = (1.0 - part) * result.witness + part * gap.witness;
 }
 
-// Of an orthonormal rotation the diagonal tells. One comparison, for a branch each costs more.
-bool is_identity(const Pose &pose) {
-  const Mat3 &r = pose.rotation;
-  const Vec3 &t = pose.translation;
-  return std::fabs(r.row[0].x - 1.0) + std::fabs(r.row[1].y - 1.0) + std::fabs(r.row[2].z - 1.0) + std::fabs(t.x) +
-             std::fabs(t.y) + std::fabs(t.z) == 0.0;
-}
-
 // Where a shape is whose body is at `body`: that pose, or `placed`, which receives the shape's own.
 const Pose &shape_pose(const Pose &body, const Shape &shape, Pose &placed) {
   if (is_identity(shape.in_body)) return body;

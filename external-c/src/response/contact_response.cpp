@@ -23,7 +23,7 @@ class Evaluation {
 
   void add(std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
     const double thickness = std::fmin(broad_phase_.scene().thickness[a], broad_phase_.scene().thickness[b]);
-    const PairLaw pair = pair_law(law_, properties_, a, b, scratch_.damping);
+    const PairLaw &pair = scratch_.laws.of(a, b);
     if (needs_masses(law_)) {
       spring_decelerations(points, pair.stiffness, law_.exponent, inertia_of(a), inertia_of(b), scratch_.deceleration);
     }
@@ -106,13 +106,11 @@ ResponseScratch &response_scratch() {
 cmb_response_sums evaluate_response(const BroadPhase &broad_phase, const cmb_contact_law &law,
                                     const cmb_body_properties &properties, const cmb_motion &motion,
                                     ResponseScratch &scratch, QueryScratch &query) {
-  for (std::size_t body = 0; body < broad_phase.body_count(); ++body) {
-    check_body(law, properties, body, broad_phase.filter().fixed(body));
-  }
+  scratch.laws.prepare(law, properties, broad_phase.filter());
   scratch.force.assign(broad_phase.body_count(), {});
   scratch.torque.assign(broad_phase.body_count(), {});
   Evaluation evaluation(broad_phase, law, properties, motion, scratch);
-  visit_contacts(broad_phase, motion.poses.position, motion.poses.rotation, scratch.broad_phase, query,
+  visit_contacts(broad_phase, scratch.broad_phase, query,
                  [&](std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
                    evaluation.add(a, b, points);
                  });

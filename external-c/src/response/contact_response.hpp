@@ -7,14 +7,14 @@
 #include "broadphase/broad_phase.hpp"
 #include "contact_multibody_scene.h"
 #include "query/pair_query.hpp"
-#include "response/damping_factor.hpp"
+#include "response/pair_laws.hpp"
 
 namespace cmb {
 
 // Room that an evaluation works in; one for each thread.
 struct ResponseScratch {
   BroadPhaseScratch broad_phase;
-  DampingMemory damping;
+  PairLaws laws;
   std::vector<double> deceleration;
   std::vector<Vec3> force, torque;
 };
@@ -23,11 +23,10 @@ struct ResponseScratch {
 ResponseScratch &response_scratch();
 
 // Calls visit(body_a, body_b, points) for each pair of bodies that touches, sorted, body_a < body_b, 0-based.
-// `points` is a std::vector<ContactPoint>, valid during the call.
+// `points` is a std::vector<ContactPoint>, valid during the call. scratch.body_poses says where the bodies are.
 template <typename Visit>
-void visit_contacts(const BroadPhase &broad_phase, const double *position, const double *rotation,
-                    BroadPhaseScratch &scratch, QueryScratch &query, Visit &&visit) {
-  broad_phase.find_candidates(position, rotation, scratch);
+void visit_contacts(const BroadPhase &broad_phase, BroadPhaseScratch &scratch, QueryScratch &query, Visit &&visit) {
+  broad_phase.find_candidates(scratch);
   const Scene &scene = broad_phase.scene();
   const std::vector<Candidate> &candidates = scratch.candidates;
   for (std::size_t i = 0; i < candidates.size();) {
@@ -49,8 +48,8 @@ void visit_contacts(const BroadPhase &broad_phase, const double *position, const
   }
 }
 
-// Fills scratch.force and scratch.torque, of each body. Arguments are valid but for what pair_law and check_body
-// complain of: throws ResponseError.
+// Fills scratch.force and scratch.torque, of each body; scratch.broad_phase.body_poses are those of the motion. Arguments are
+// valid but for what PairLaws complains of: throws ResponseError.
 cmb_response_sums evaluate_response(const BroadPhase &broad_phase, const cmb_contact_law &law,
                                     const cmb_body_properties &properties, const cmb_motion &motion,
                                     ResponseScratch &scratch, QueryScratch &query);

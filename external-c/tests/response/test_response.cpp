@@ -151,6 +151,38 @@ TEST(Response, RemembersNothing) {
   EXPECT_EQ(wrong, 0);
 }
 
+// The same bodies where they were, with one number of one of them changed, or of the law: as a thread answers that has never
+// been asked before.
+TEST(Response, SeesEveryNumberThatChanges) {
+  std::mt19937 random(5);
+  for (const bool alike : {true, false}) {  // one material, or more than are kept
+    Bodies bodies = random_bodies(random, 40);
+    if (alike) {
+      for (std::size_t i = 0; i + 1 < bodies.count(); ++i) {
+        bodies.stiffness[i] = bodies.stiffness[0];
+        bodies.restitution[i] = bodies.restitution[0];
+        bodies.mu_static[i] = bodies.mu_static[0];
+        bodies.mu_dynamic[i] = bodies.mu_dynamic[0];
+      }
+    }
+    const Motion motion = random_motion(random, bodies);
+    std::vector<double> *const changed[] = {&bodies.mass,        &bodies.center_of_mass, &bodies.inertia,   &bodies.stiffness,
+                                            &bodies.restitution, &bodies.mu_static,      &bodies.mu_dynamic};
+    for (int repetition = 0; repetition < 60; ++repetition) {
+      if (repetition % 3 == 0) bodies.law = random_law(random);
+      std::vector<double> &column = *changed[random() % 7];
+      const std::size_t each = column.size() / bodies.count(), body = random() % (bodies.count() - 1);
+      column[each * body] *= uniform(random, 0.9, 0.99);
+      const Wrenches asked(bodies, motion);
+      std::thread([&] {
+        const Wrenches fresh(bodies, motion);
+        EXPECT_EQ(asked.force, fresh.force) << repetition;
+        EXPECT_EQ(asked.torque, fresh.torque) << repetition;
+      }).join();
+    }
+  }
+}
+
 // One sphere, moved by hand, on the half-space z <= 0.
 struct BallOnFloor {
   static constexpr double radius = 0.1, mass = 2.0, depth = 0.001;
