@@ -70,7 +70,7 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
     faces_.push_back(static_cast<std::int32_t>(f));
     planes_.push_back({offset, {normal, place, surface.of_b()}});
   }
-  const bool to_apex = !body.is_cylinder() && holds({0.0, 0.0, body.half}, in_frame);
+  const bool to_apex = !body.is_cylinder() && has_near({0.0, 0.0, body.half}, body.near_apex(), in_frame);
   Mantle mantle(body, {}, place, to_apex, Mantle::Partner::polytope, surface.of_a());
   PlaneFan end_fan[ends] = {{{0.0, 0.0, -1.0}, place, surface.of_a()}, {{0.0, 0.0, 1.0}, place, surface.of_a()}};
   for (const End end : {base, top}) rim_[end].start(mantle, end);
@@ -101,6 +101,15 @@ bool RevolvedOnPolytope::holds(const Vec3 &at, const Pose &in_frame) const {
     }
   }
   return true;
+}
+
+bool RevolvedOnPolytope::has_near(const Vec3 &at, double margin, const Pose &in_frame) const {
+  for (const Plane &plane : planes_) {
+    if (dot(plane.fan.normal(), at) > plane.offset + margin) return false;
+  }
+  const Vec3 local = transposed_times(in_frame.rotation, at - in_frame.translation);
+  return std::all_of(polytope_->faces.begin(), polytope_->faces.end(),
+                     [&](const convex::Polytope::Face &face) { return dot(face.normal, local) <= face.offset + margin; });
 }
 
 RevolvedOnPolytope::Stretch RevolvedOnPolytope::in_mantle(const Vec3 &p, bool p_inside, const Vec3 &q, bool q_inside) const {

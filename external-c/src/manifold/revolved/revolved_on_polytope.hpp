@@ -63,6 +63,8 @@ class RevolvedOnPolytope {
                  PlaneFan &face_fan, PlaneFan &end_fan);
   bool is_in_face(std::int32_t index, const Vec3 &at) const;
   bool holds(const Vec3 &at, const Pose &in_frame) const;
+  // Whether a place is in the polytope, or as near to all of its planes.
+  bool has_near(const Vec3 &at, double margin, const Pose &in_frame) const;
 
   // Of `beyond`.
   static constexpr std::uint32_t bit_of(End end) { return end == base ? 1u : 2u; }
