@@ -22,6 +22,7 @@ from modelica2fmu.crosscheck.own_classes import found_class, model_class, own_cl
 SIZE_OF_COMPONENTS: Final = (
     "name the number, parameter Integer n = 3; parameter Real k[n] = {1, 2, 3}; and write it as the size: g[n](k = k)"
 )
+RECORDS: Final = ("record", "operator")
 _SIZES: Final = re.compile(r"\w+\s*\[([^\]]*)\]")
 _ASKED: Final = re.compile(r"\bsize\s*\(")
 _NAME: Final = re.compile(r"[A-Za-z_]\w*")
@@ -66,6 +67,6 @@ def _is_asked(component: ComponentDeclaration, scope: ClassInstance, library: Cl
 def _is_of_components(scope: ClassInstance, component: ComponentDeclaration) -> bool:
     try:
         found = found_class(scope, component.type_name)
-        return found is not None and found.predefined is None and not found.definition.kind.endswith("record")
+        return found is not None and found.predefined is None and found.definition.kind not in RECORDS
     except (UnknownError, UnreadableError, RecursionError):
         return False

@@ -20,6 +20,7 @@ from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, Na
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent, Modifier
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
+from modelica2fmu.crosscheck.component_sizes import RECORDS
 from modelica2fmu.crosscheck.flat_expression_check import ExpressionCheck, Site
 from modelica2fmu.crosscheck.flat_reading import FlatReading, WrittenPlaces, spans
 from modelica2fmu.crosscheck.own_classes import model_class
@@ -254,7 +255,7 @@ class _FlatCheck:
         for length, part in enumerate(variable["component_ref"]["parts"][:-1], 1):
             node = self._node(path[:length])
             component = None if node is None else node.component
-            if node is None or component is None or part["subs"] or node.instance.definition.kind.endswith("record"):
+            if node is None or component is None or part["subs"] or node.instance.definition.kind in RECORDS:
                 continue
             declared = component.declarations[0]
             if _SIZED.match(self._reading.text(declared)) is not None or component.sizes_of_type is not None:

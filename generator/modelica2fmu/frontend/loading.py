@@ -30,6 +30,7 @@ from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.crosscheck.number_check import check_numbers
 from modelica2fmu.crosscheck.outer_class_check import check_outer_elements
 from modelica2fmu.crosscheck.own_classes import model_class
+from modelica2fmu.crosscheck.record_operators import check_record_operators
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.balance import (
     frames_without_connect,
@@ -226,6 +227,7 @@ def _check_own_text(model: str, file: Path, source_map: SourceMap, library: Clas
     check_outer_elements(model, library, own, _places(source_map))
     check_connects(model, library, own, _places(source_map))
     check_component_sizes(model, library, own, _places(source_map))
+    check_record_operators(model, library, own, _places(source_map))
     check_counted_arrays(model, library, own, _places(source_map))
     return missing
 

@@ -161,6 +161,51 @@ def test_arrays_of_components_whose_size_is_asked(tmp_path: Path, text: str, lin
     assert error.place.line == before.count("\n") + line
 
 
+NUMBER = """operator record Number
+  Real re;
+  Real im;
+  encapsulated operator '*'
+    import Number;
+    function multiply
+      input Number a;
+      input Number b;
+      output Number c;
+    algorithm
+      c := Number(a.re*b.re - a.im*b.im, a.re*b.im + a.im*b.re);
+    end multiply;
+  end '*';
+end Number;
+"""
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Number w = z*z;",
+        "Number w;\nequation\n  w = Number(0, 1)*z;",
+        "Number w;\nequation\n  w = Number(z.re, 0) .* z;",
+        "Number w = Number(1, 2)*Number(0, time);",
+        "Number w = -z;",
+    ],
+)
+def test_operators_between_records(tmp_path: Path, text: str) -> None:
+    (tmp_path / "Number.mo").write_text(NUMBER)
+    (tmp_path / "M.mo").write_text(f"model M\n  Number z = Number(1, 2*time);\n  {text}\nend M;\n")
+    with pytest.raises(InputError) as caught:
+        translate("M", [tmp_path / "M.mo", tmp_path / "Number.mo"], LIBRARY)
+    assert "operators between records of Number" in caught.value.message
+    assert "Number.'*'.multiply(a, b)" in (caught.value.remedy or "")
+    assert caught.value.place is not None
+    assert caught.value.place.line == 3 + text.count("\n")
+
+
+def test_functions_and_fields_of_operator_records(tmp_path: Path) -> None:
+    (tmp_path / "Number.mo").write_text(NUMBER)
+    text = "Number w = Number.'*'.multiply(z, z);\n  Real a = -z.re*w.im + 2*z.im;"
+    (tmp_path / "M.mo").write_text(f"model M\n  Number z = Number(1, 2*time);\n  {text}\nend M;\n")
+    assert "a" in translate("M", [tmp_path / "M.mo", tmp_path / "Number.mo"], LIBRARY).scalar.variables
+
+
 def test_a_range_to_the_end_in_connect(tmp_path: Path) -> None:
     text = (
         "  Modelica.Blocks.Sources.Constant c[3](k = {1, 2, 3});\n  Modelica.Blocks.Interfaces.RealOutput y[2];\n"
