@@ -134,4 +134,33 @@ TEST(AlignedRoundBodies, AreNoDeeperThanTheyAreLarge) {
   EXPECT_GT(touching, 2000);
 }
 
+// A cone in a dale, as a simulation came by it: what would pull is left out, which leaves a torque without much force. Points stay where the
+// body is all the same, else friction there stops it at once.
+TEST(AlignedRoundBodies, TouchWhereTheyAre) {
+  Random random(3);
+  cmb::mesh::MeshContactScratch scratch;
+  const auto hills = [](double x, double y) { return 0.12 * std::sin(3.6 * x) * std::cos(2.8 * y); };
+  const TriangleMesh mesh = mesh_samples::mesh(mesh_samples::sheet_mesh(2.0, 17, hills));
+  const ConvexBody bodies[] = {cmb::convex::make_cone(0.1, 0.1), cmb::convex::make_cylinder(0.1, 0.1), cmb::convex::make_ellipsoid({0.15, 0.1, 0.07})};
+  int touching = 0;
+  for (int k = 0; k < 6000; ++k) {
+    const ConvexBody &body = bodies[k % 3];
+    Pose pose{random_bodies::random_rotation(random), {random.uniform(-1, 1), random.uniform(-1, 1), 1.0}};
+    const double deep = random.log_uniform(1e-5, 1e-2);
+    ContactSet set;
+    for (int step = 0; step < 20; ++step) {
+      set = {};
+      smooth_contact(body, pose, mesh, {}, scratch, set);
+      const double more = set.distance + deep;
+      if (std::fabs(more) < 0.1 * deep) break;
+      pose.translation.z -= more;
+    }
+    if (set.distance < 0.0) ++touching;
+    for (const ContactPoint &point : set.points) {
+      ASSERT_LT(norm(point.position - pose.translation), 3.0 * core_radius(body)) << k << ", load " << point.weight * point.depth;
+    }
+  }
+  EXPECT_GT(touching, 5000);
+}
+
 }  // namespace

@@ -80,15 +80,19 @@ void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque) {
     across.add_inertia(part, (1.0 / part) * point.force);
   }
   // Shifting comes first: it counts as far as the points are apart, times this. Points of hardly any load, whose normals differ from all
-  // others', are shifted by so many times the torque's lever at most.
-  constexpr double prefer_shift = 1e4;
+  // others', are shifted by so many times the torque's lever at most: farther off, friction would do there what it does not do at the body. In
+  // several steps what shifts along the surface have to do is done to rounding all the same.
+  constexpr double prefer_shift = 5.0;
+  constexpr int steps = 4;
   const double reach2 = prefer_shift * spread.trace() / load;
   convex::SymmetricMatrix both = spread;
   both.add(reach2, across);
-  const Vec3 turn = solve_raised(both, missing_torque(points, torque));
-  for (LoadPoint &point : points) {
-    const double part = norm(point.force);
-    if (part > 0.0) point.place = point.place + reach2 / part * cross(point.force, turn);
+  for (int step = 0; step < steps; ++step) {
+    const Vec3 turn = solve_raised(both, missing_torque(points, torque));
+    for (LoadPoint &point : points) {
+      const double part = norm(point.force);
+      if (part > 0.0) point.place = point.place + reach2 / part * cross(point.force, turn);
+    }
   }
   const Vec3 shifted = center_of(points, load);
   convex::SymmetricMatrix inertia;
