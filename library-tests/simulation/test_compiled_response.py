@@ -66,6 +66,7 @@ def check(result: NDArray[np.void], part: str) -> None:
         assert relative.max() < 1e-10, f"{part}{difference} at {result['time'][relative.argmax()]} s"
 
 
+@pytest.mark.full
 def test_spheres_under_the_exact_law(trajectories: Trajectories) -> None:
     check(trajectories("Agreement.SpheresByBothWays", ("",)), "")
 

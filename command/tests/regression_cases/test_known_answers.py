@@ -10,7 +10,6 @@ from program import CaseCheck, cases_of
 QUICK = {
     "backspin_ball",
     "bouncing_ball",
-    "free_impact_without_events",
     "second_strike",
 }
 

@@ -11,7 +11,6 @@ QUICK = {
     "BallOnFloor",
     "EngineAgreesWithFormula",
     "HammerOnAnvil",
-    "ServoStep",
     "ShapesFromFiles",
 }
 

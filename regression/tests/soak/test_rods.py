@@ -45,6 +45,7 @@ def test_what_is_off_without_a_word_is_seen() -> None:
     assert replace(near, message="given up after 60 s of wall time").is_silent_error
 
 
+@pytest.mark.full
 def test_a_strike_during_a_contact_is_told(tmp_path: Path, build: Callable[[str, Path], None]) -> None:
     """Here a jam drives the rod into the floor 1.28 times as fast as it struck.
 

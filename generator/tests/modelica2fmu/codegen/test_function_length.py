@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
 from contact_data import modelica_library
 from contact_foundation.progress import silent
 from modelica2fmu.library.standard_library import find_standard_library
@@ -31,6 +32,7 @@ FUNCTION = re.compile(r"^(?:static )?(?:int|fmurt_result) (fmurt_\w+)\(.*?^}", r
 LONGEST = 120_000  # characters; a function of 1200 operations has about a third of that
 
 
+@pytest.mark.full
 def test_no_function_grows_with_the_model(tmp_path: Path) -> None:
     source = tmp_path / "Cloud.mo"
     source.write_text(MODEL.format(n=BODIES))

@@ -126,7 +126,7 @@ OPERATIONS: dict[str, Any] = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", ["DoublePendulum", "TumblingBody", "OffsetBody"])
+@pytest.mark.parametrize("name", ["TumblingBody", "OffsetBody", pytest.param("DoublePendulum", marks=pytest.mark.full)])
 def test_jacobian_is_that_of_casadi(name, tmp_path, fmu_cache):
     library = StandardLibrary(core_subset(), "", "core subset")
     translation = translate(f"ReferenceModels.{name}", [MODELS], library)
