@@ -34,6 +34,10 @@ class ClassLibrary:
         """The file that has a number of the front end, if a class of it was read."""
         return self._files.get(source)
 
+    def is_own(self, extent: Extent) -> bool:
+        """Whether an extent lies in the user's own file or package, not in another library."""
+        return extent.file.is_relative_to(self._file.parent if self._file.name == "package.mo" else self._file)
+
     def text(self, extent: Extent) -> str:
         """What is written in a range of a file that was read."""
         return self._written(extent).decode("utf-8", errors="replace")

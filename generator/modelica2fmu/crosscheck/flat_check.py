@@ -250,7 +250,7 @@ class _FlatCheck:
         """Elements of an array of components are components, not elements of the variables of one.
 
         The front end makes one of an array whose size it does not know, as of ``size(k, 1)``: products of its variables
-        become those of vectors.
+        become those of vectors. Libraries have some that nothing depends on, as the lines of visualizers.
         """
         for length, part in enumerate(variable["component_ref"]["parts"][:-1], 1):
             node = self._node(path[:length])
@@ -258,6 +258,8 @@ class _FlatCheck:
             if node is None or component is None or part["subs"] or node.instance.definition.kind in RECORDS:
                 continue
             declared = component.declarations[0]
+            if not self._reading.library.is_own(declared):
+                continue
             if _SIZED.match(self._reading.text(declared)) is not None or component.sizes_of_type is not None:
                 raise self._reading.folded_array(part["ident"], declared)
 

@@ -206,6 +206,23 @@ def test_functions_and_fields_of_operator_records(tmp_path: Path) -> None:
     assert "a" in translate("M", [tmp_path / "M.mo", tmp_path / "Number.mo"], LIBRARY).scalar.variables
 
 
+def test_arrays_of_components_of_libraries_whose_size_is_asked(tmp_path: Path) -> None:
+    """Of the Standard Library's visualizers, on which nothing depends, the lines at the axes' ends are some."""
+    library = tmp_path / "Drawings"
+    library.mkdir()
+    (library / "package.mo").write_text(
+        "package Drawings\n  model Line\n    parameter Real m = 1;\n  end Line;\n"
+        "  model Letter\n    parameter Real k[:] = {1, 2};\n    Line g[size(k, 1)](m = k);\n  end Letter;\n"
+        "end Drawings;\n"
+    )
+    model = tmp_path / "own" / "M.mo"
+    model.parent.mkdir()
+    model.write_text(
+        "model M\n  Drawings.Letter letter;\n  Real x(start = 1, fixed = true);\nequation\n  der(x) = -x;\nend M;\n"
+    )
+    assert translate("M", [model, library], LIBRARY) is not None
+
+
 def test_a_range_to_the_end_in_connect(tmp_path: Path) -> None:
     text = (
         "  Modelica.Blocks.Sources.Constant c[3](k = {1, 2, 3});\n  Modelica.Blocks.Interfaces.RealOutput y[2];\n"
