@@ -15,7 +15,7 @@ from typing import Any, Final
 
 from contact_foundation.errors import UnsupportedModelError
 
-from modelica2fmu.crosscheck.array_pieces import is_piece, remedy_of_pieces
+from modelica2fmu.crosscheck.array_pieces import is_piece, remedy_of_pieces, remedy_of_rows
 from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, Names, Role, UnknownError, Value
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent, Modifier
@@ -274,8 +274,14 @@ class _FlatCheck:
             if value is None:
                 continue
             remedy = remedy_of_pieces(self._reading.text(value.extent))
-            places = (self._reading.extent(span) for span in spans(variable[given]))
-            if remedy is not None and is_piece((each for each in places if each is not None), value.extent):
+            found = (self._reading.extent(span) for span in spans(variable[given]))
+            places = [each for each in found if each is not None]
+            if not is_piece(places, value.extent):
+                continue
+            if remedy is None and not variable["dims"]:
+                first = min(each.start for each in places if value.extent.holds(each.file, each.start))
+                remedy = remedy_of_rows(self._reading.library.text(value.extent), first - value.extent.start)
+            if remedy is not None:
                 raise self._reading.misread_array(variable["name"], value.extent, remedy)
 
     def _binding(self, path: _Path, component: Component, variable: Mapping[str, Any]) -> None:

@@ -19,8 +19,7 @@ class Mantle {
   // third degree, those of what is stored in another mantle of the fifth; along a cone one more.
   enum class Partner { polytope, revolved };
   // `in_common`: from the body's frame to the axes of the nodes, `place` (there) where their places are from. `to_apex`: whether a cone's
-  // apex is in the other body, or near to it. Heights then count from there, as all that is between it and the border is within; else from
-  // the place.
+  // apex is in the other body, or its border turns there. Heights then count from there; else from the place.
   Mantle(const RevolvedBody &body, const Pose &in_common, const Vec3 &place, bool to_apex, Partner partner,
          std::vector<OverlapSurface::Node> &nodes);
 

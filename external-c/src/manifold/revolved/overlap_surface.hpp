@@ -21,7 +21,7 @@ class OverlapSurface {
   };
 
   // `place`: near the overlap.
-  void start(const Vec3 &place) { a_.clear(), b_.clear(), place_ = place; }
+  void start(const Vec3 &place) { a_.clear(), b_.clear(), place_ = place, area_[0] = area_[1] = 0.0; }
   const Vec3 &place() const { return place_; }
   std::vector<Node> &of_a() { return a_; }
   std::vector<Node> &of_b() { return b_; }

@@ -27,11 +27,8 @@ struct RevolvedBody {
     const double r = radius_at(p.z);
     return p.x * p.x + p.y * p.y - r * r;
   }
-  // Of a cone's apex: what is nearer has its border turn in it, as good as.
+  // Of a cone's apex: what is nearer may have its border turn in it, as good as.
   double near_apex() const { return 0.02 * (radius + half); }
-  bool has_near(const convex::Vec3 &p, double margin) const {
-    return std::fabs(p.z) <= half + margin && std::sqrt(p.x * p.x + p.y * p.y) <= radius_at(p.z) + margin / across;
-  }
   bool holds(const convex::Vec3 &p) const { return std::fabs(p.z) <= half && beyond_mantle(p) <= 0.0; }
   // The middle of what the line from `p` along `line` (of any length) has in the body, by that length; false where it misses the body.
   bool middle_of(const convex::Vec3 &p, const convex::Vec3 &line, double &middle) const {

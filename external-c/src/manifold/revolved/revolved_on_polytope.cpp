@@ -35,7 +35,6 @@ Vec3 at_height(const Vec3 &p, const Vec3 &q, double height) {
 bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeView &polytope, const Pose &in_frame, const Vec3 &place,
                               OverlapSurface &surface) {
   body_ = &body, polytope_ = &polytope;
-  surface.start(place);
   const std::size_t vertex_count = polytope_->vertices.size(), edge_count = polytope_->edges.size();
   if (vertices_.size() < vertex_count) vertices_.resize(vertex_count);
   if (edges_.size() < edge_count) edges_.resize(edge_count), edge_search_.resize(edge_count);
@@ -43,7 +42,7 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
     std::fill(edge_search_.begin(), edge_search_.end(), 0);
     search_ = 1;
   }
-  std::uint32_t beyond_any = 0;
+  beyond_any_ = 0;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     Vertex &vertex = vertices_[v];
     vertex.at = in_frame(polytope_->vertices[v]);
@@ -54,7 +53,7 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
                     (p.x + p.y > diagonal ? 64u : 0u) | (p.x + p.y < -diagonal ? 128u : 0u) |
                     (p.x - p.y > diagonal ? 256u : 0u) | (p.x - p.y < -diagonal ? 512u : 0u);
     vertex.in_mantle = body.beyond_mantle(p) <= 0.0;
-    beyond_any |= vertex.beyond;
+    beyond_any_ |= vertex.beyond;
   }
   faces_.clear();
   planes_.clear();
@@ -70,8 +69,21 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
     faces_.push_back(static_cast<std::int32_t>(f));
     planes_.push_back({offset, {normal, place, surface.of_b()}});
   }
-  const bool to_apex = !body.is_cylinder() && has_near({0.0, 0.0, body.half}, body.near_apex(), in_frame);
-  Mantle mantle(body, {}, place, to_apex, Mantle::Partner::polytope, surface.of_a());
+  const Vec3 apex{0.0, 0.0, body.half};
+  const bool to_apex = !body.is_cylinder() && holds(apex, in_frame);
+  const bool found = integrate(in_frame, place, to_apex, surface);
+  // Where the border as good as turns in an apex that is outside, more than the overlap's is added and taken off: so much counts by rounding.
+  constexpr double cancels = 3.0;
+  const double area = surface.area_a();
+  if (body.is_cylinder() || to_apex || !(area > cancels * surface.area_b()) || !has_near(apex, body.near_apex(), in_frame)) return found;
+  const bool found_from_apex = integrate(in_frame, place, true, surface);
+  return surface.area_a() < area ? found_from_apex : integrate(in_frame, place, false, surface);
+}
+
+bool RevolvedOnPolytope::integrate(const Pose &in_frame, const Vec3 &place, bool to_apex, OverlapSurface &surface) {
+  surface.start(place);
+  for (Plane &plane : planes_) plane.fan = {plane.fan.normal(), place, surface.of_b()};
+  Mantle mantle(*body_, {}, place, to_apex, Mantle::Partner::polytope, surface.of_a());
   PlaneFan end_fan[ends] = {{{0.0, 0.0, -1.0}, place, surface.of_a()}, {{0.0, 0.0, 1.0}, place, surface.of_a()}};
   for (const End end : {base, top}) rim_[end].start(mantle, end);
   for (std::size_t k = 0; k < faces_.size(); ++k) {
@@ -80,7 +92,7 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
   const auto in_polytope = [&](const Vec3 &at) { return holds(at, in_frame); };
   for (const End end : {base, top}) {
     // What does not reach beyond an end does not hold its rim, which rounding may deny where a face lies in the end.
-    if ((beyond_any & bit_of(end)) != 0 && !rim_[end].follow(end_fan[end], in_polytope)) return false;
+    if ((beyond_any_ & bit_of(end)) != 0 && !rim_[end].follow(end_fan[end], in_polytope)) return false;
   }
   return surface.sum();
 }

@@ -56,6 +56,8 @@ class RevolvedOnPolytope {
     PlaneFan fan;
   };
 
+  // All of the surface, the mantle from the apex on or from the place.
+  bool integrate(const Pose &in_frame, const Vec3 &place, bool to_apex, OverlapSurface &surface);
   const EdgePart &part_of(std::int32_t edge);
   Stretch in_mantle(const Vec3 &p, bool p_inside, const Vec3 &q, bool q_inside) const;
   bool follow_face(std::int32_t index, Mantle &mantle, PlaneFan *end_fan);
@@ -76,7 +78,7 @@ class RevolvedOnPolytope {
   std::vector<Vertex> vertices_;
   std::vector<EdgePart> edges_;
   std::vector<std::uint32_t> edge_search_;
-  std::uint32_t search_ = 0;
+  std::uint32_t search_ = 0, beyond_any_ = 0;  // the latter of all vertices
   std::vector<std::int32_t> faces_;  // that may bound the overlap
   std::vector<Plane> planes_;        // in step
   MantleSection section_;

@@ -44,7 +44,7 @@ RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, const Re
                          std::vector<OverlapSurface::Node> &nodes)
     : body(of),
       pose(in_common),
-      mantle(body, in_common, place, !body.is_cylinder() && other.has_near(in_other({0.0, 0.0, body.half}), body.near_apex()),
+      mantle(body, in_common, place, !body.is_cylinder() && other.holds(in_other({0.0, 0.0, body.half})),
              Mantle::Partner::revolved, nodes),
       fan{{-in_common.rotation.column(2), place, nodes}, {in_common.rotation.column(2), place, nodes}} {}
 

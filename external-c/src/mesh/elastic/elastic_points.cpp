@@ -82,8 +82,8 @@ void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque) {
   // Shifting comes first: it counts as far as the points are apart, times this. Points of hardly any load, whose normals differ from all
   // others', are shifted by so many times the torque's lever at most: farther off, friction would do there what it does not do at the body. In
   // several steps what shifts along the surface have to do is done to rounding all the same.
-  constexpr double prefer_shift = 5.0;
-  constexpr int steps = 4;
+  constexpr double prefer_shift = 20.0;
+  constexpr int steps = 6;
   const double reach2 = prefer_shift * spread.trace() / load;
   convex::SymmetricMatrix both = spread;
   both.add(reach2, across);

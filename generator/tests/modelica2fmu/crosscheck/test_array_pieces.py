@@ -36,6 +36,7 @@ end Arrays;
 """
 VECTORS = "give the array a name"
 NESTED = "with the last iterator outermost"
+ROWS = "{{1, 2}, ones(2)}, and its name"
 
 
 def written(folder, text):
@@ -54,6 +55,8 @@ def written(folder, text):
         ("Scalar o[2, 2](k = [{1, 2}, {3, 4}]);", VECTORS),
         ("Scalar o[2, 2](k = {10*i + j for i in 1:2, j in 1:2});", NESTED),
         ("Scalar o[2, 2](x(start = {10*i + j for i in 1:2, j in 1:2}));", NESTED),
+        ("Scalar o[2, 2](k = {{5, -2}, ones(2)});", ROWS),
+        ("Scalar o[2, 2](k = {{5, -2}, {3*i for i in 1:2}});", ROWS),
     ],
 )
 def test_arrays_that_the_front_end_takes_apart_wrongly_are_refused(text, remedy, tmp_path):
@@ -71,6 +74,8 @@ def test_arrays_of_numbers_and_names_are_taken_apart(tmp_path, fmu_cache):
         tmp_path,
         "parameter Real rows[2, 2] = [{1, 2}, {3, 4}];"
         " Vector named[2](k = rows); Vector each_[2](each k = {1, 2}); Scalar m[2, 2](k = [1, 2.5e0; 3, 4]);"
+        " parameter Real mixed[:, :] = {{5, -2}, ones(2)}; Scalar s[2, 2](k = mixed);"
+        " Vector w[2](k = {{5, -2}, ones(2)});"
         " parameter Real more[:, :] = {{10*i + j for i in 1:2} for j in 1:2}; Scalar n[2, 2](k = more);",
     )
     build_fmu("Arrays.M", [file], tmp_path / "m.fmu", BuildOptions(cache=fmu_cache))
@@ -81,6 +86,9 @@ def test_arrays_of_numbers_and_names_are_taken_apart(tmp_path, fmu_cache):
         "m[1,2].x": 2.5,
         "m[2,1].x": 3,
         "n[1,2].x": 21,
+        "s[1,2].x": -2,
+        "s[2,1].x": 1,
+        "w[2].x[1]": 1,
     }
     result = simulate_fmu(str(tmp_path / "m.fmu"), output=list(wanted), stop_time=1)
     assert {name: result[name][-1] for name in wanted} == pytest.approx(wanted, rel=1e-6)
