@@ -339,9 +339,13 @@ static int choose_order(fmurt_solver *solver) {
 static int start(fmurt_solver *solver) {
   load_point(solver);
   set_tolerances(solver);
-  int flag = solver->initialized ? CV_SUCCESS : first_start(solver);
-  /* The first time too: CVODE takes the growth after a start over here alone, and a saved state has to go on as it did at first. */
-  if (flag == CV_SUCCESS) flag = CVodeReInit(solver->memory, solver->instance->values.time, solver->state);
+  const int is_first = !solver->initialized;
+  int flag = is_first ? first_start(solver) : CV_SUCCESS;
+  /* CVODE takes the growth after a start over here alone. Behind explicit steps its first start is one like all others, so that what goes on
+   * from a saved state repeats it. */
+  if (flag == CV_SUCCESS && (!is_first || solver->explicit_steps != NULL)) {
+    flag = CVodeReInit(solver->memory, solver->instance->values.time, solver->state);
+  }
   if (flag == CV_SUCCESS) flag = choose_order(solver);
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinConvCoef(solver->memory, usual_newton_share);
   memset(solver->counted, 0, sizeof solver->counted);
