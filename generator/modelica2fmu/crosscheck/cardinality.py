@@ -19,7 +19,7 @@ from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.connect_check import Connect, connects, parts_of
 from modelica2fmu.crosscheck.flat_reading import FlatReading
-from modelica2fmu.crosscheck.own_classes import model_class, own_classes
+from modelica2fmu.crosscheck.own_classes import own_classes_of
 from modelica2fmu.library.class_text import without_comments_and_strings
 
 _ASSERTED: Final = re.compile(r"cardinality ?\( ?(\w+) ?\) ?> ?0")
@@ -78,10 +78,7 @@ def check_counted_arrays(model: str, library: ClassLibrary, own: Path, place_of:
     Raises:
         UnsupportedModelError: there is one.
     """
-    root = model_class(model, library)
-    if root is None:
-        return
-    for scope in own_classes(root, own):
+    for scope in own_classes_of(model, library, own):
         for connect in connects(scope, library):
             for end in connect.ends:
                 counting = _counting(scope, end, library)

@@ -17,7 +17,7 @@ from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import ComponentDeclaration, Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
-from modelica2fmu.crosscheck.own_classes import found_class, model_class, own_classes
+from modelica2fmu.crosscheck.own_classes import found_class, own_classes_of
 
 SIZE_OF_COMPONENTS: Final = (
     "name the number, parameter Integer n = 3; parameter Real k[n] = {1, 2, 3}; and write it as the size: g[n](k = k)"
@@ -40,10 +40,7 @@ def check_component_sizes(model: str, library: ClassLibrary, own: Path, place_of
     Raises:
         UnsupportedModelError: a class that the model uses declares one.
     """
-    root = model_class(model, library)
-    if root is None:
-        return
-    for scope in own_classes(root, own):
+    for scope in own_classes_of(model, library, own):
         for component in scope.definition.components.values():
             if _is_asked(component, scope, library) and _is_of_components(scope, component):
                 raise UnsupportedModelError(

@@ -14,7 +14,7 @@ from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
-from modelica2fmu.crosscheck.own_classes import model_class, own_classes
+from modelica2fmu.crosscheck.own_classes import model_class, own_classes_of
 from modelica2fmu.library.class_text import without_comments_and_strings
 
 _END: Final = r"([A-Za-z_]\w*(?:\[[^\[\]]*\])?(?:\s*\.\s*[A-Za-z_]\w*(?:\[[^\[\]]*\])?)*)"
@@ -53,10 +53,7 @@ def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Calla
     Raises:
         InputError: two connectors have different elements.
     """
-    root = model_class(model, library)
-    if root is None:
-        return
-    for scope in own_classes(root, own):
+    for scope in own_classes_of(model, library, own):
         for connect in connects(scope, library):
             try:
                 first, second = (_described(_class_of(scope, end), library) for end in connect.ends)

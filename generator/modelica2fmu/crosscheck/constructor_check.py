@@ -13,7 +13,7 @@ from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import ComponentDeclaration, Extent, Modifier
 from modelica2fmu.crosscheck.class_tokens import Call, UnreadableError, calls_of
-from modelica2fmu.crosscheck.own_classes import found_class, model_class, own_classes
+from modelica2fmu.crosscheck.own_classes import found_class, own_classes_of
 
 
 def check_constructors(model: str, library: ClassLibrary, own: Path, place_of: Callable[[Extent], Place]) -> None:
@@ -28,11 +28,8 @@ def check_constructors(model: str, library: ClassLibrary, own: Path, place_of: C
     Raises:
         InputError: an argument names no field.
     """
-    root = model_class(model, library)
-    if root is None:
-        return
     check = _ConstructorCheck(model, library, place_of)
-    for scope in own_classes(root, own):
+    for scope in own_classes_of(model, library, own):
         for extent in _expressions(scope):
             check.expression(extent, scope)
 

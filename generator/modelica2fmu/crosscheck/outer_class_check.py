@@ -16,7 +16,7 @@ from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import ComponentDeclaration, Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
-from modelica2fmu.crosscheck.own_classes import found_class, model_class, own_classes
+from modelica2fmu.crosscheck.own_classes import found_class, own_classes_of
 
 
 def check_outer_elements(model: str, library: ClassLibrary, own: Path, place_of: Callable[[Extent], Place]) -> None:
@@ -31,10 +31,7 @@ def check_outer_elements(model: str, library: ClassLibrary, own: Path, place_of:
     Raises:
         UnsupportedModelError: a class that the model uses declares one.
     """
-    root = model_class(model, library)
-    if root is None:
-        return
-    for scope in own_classes(root, own):
+    for scope in own_classes_of(model, library, own):
         for each in scope.definition.classes.values():
             if each.is_outer:
                 raise UnsupportedModelError(

@@ -18,6 +18,19 @@ def model_class(model: str, library: ClassLibrary) -> ClassInstance | None:
         return None
 
 
+def own_classes_of(model: str, library: ClassLibrary, own: Path) -> Iterator[ClassInstance]:
+    """``own_classes`` of a full name; none if it is not found.
+
+    Args:
+        model: full name.
+        library: the sources.
+        own: file or folder of the user's own classes; others are left out.
+    """
+    root = model_class(model, library)
+    if root is not None:
+        yield from own_classes(root, own)
+
+
 def own_classes(root: ClassInstance, own: Path) -> Iterator[ClassInstance]:
     """The model, what it extends and the classes of its components, each once; what is not found is left out.
 

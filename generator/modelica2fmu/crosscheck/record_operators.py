@@ -13,7 +13,7 @@ from contact_foundation.errors import Place, UnsupportedModelError
 from modelica2fmu.crosscheck.class_instances import ClassInstance
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
-from modelica2fmu.crosscheck.own_classes import found_class, model_class, own_classes
+from modelica2fmu.crosscheck.own_classes import found_class, own_classes_of
 
 _KIND: Final = "operator"  # of operator records, and of operators, which no component is
 _OPERATOR: Final = r"\.?[-+*/^]"
@@ -31,10 +31,7 @@ def check_record_operators(model: str, library: ClassLibrary, own: Path, place_o
     Raises:
         UnsupportedModelError: a class that the model uses writes one.
     """
-    root = model_class(model, library)
-    if root is None:
-        return
-    for scope in own_classes(root, own):
+    for scope in own_classes_of(model, library, own):
         names, types = _records(scope)
         if not names:
             continue
