@@ -20,9 +20,6 @@ void mesh_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose
     case PairMethod::sphere_mesh:
       mesh::sphere_contact(pose_a.translation, a.body.radius, mesh, pose_b, scratch, result);
       return;
-    case PairMethod::capsule_mesh:
-      mesh::capsule_contact(a.body.radius, 2.0 * a.body.half.z, pose_a, mesh, pose_b, scratch, result);
-      return;
     case PairMethod::polytope_mesh:
       if (a.mesh && a.polytope->geometry().vertices().size() > most_corners) {
         mesh::mesh_pair_contact(*a.mesh, pose_a, mesh, pose_b, scratch, result);

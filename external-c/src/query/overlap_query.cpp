@@ -186,7 +186,6 @@ std::optional<ShapeOverlap> shapes(const Shape &a, const Pose &pose_a, const Sha
     case PairMethod::round_halfspace: return curved_and_halfspace(a, pose_a, pose_b);
     case PairMethod::mesh_halfspace: return mesh_with_halfspace(a, pose_a, pose_b);
     case PairMethod::sphere_mesh:
-    case PairMethod::capsule_mesh:
     case PairMethod::polytope_mesh:
     case PairMethod::round_mesh:
     case PairMethod::mesh_mesh: return with_mesh(a, pose_a, b, pose_b);

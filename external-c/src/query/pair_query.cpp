@@ -87,7 +87,6 @@ void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const 
     case PairMethod::round_halfspace: halfspace_contact(a, pose_a, world_plane(pose_b), result); return;
     case PairMethod::mesh_halfspace: mesh_halfspace_contact(a, pose_a, world_plane(pose_b), result); return;
     case PairMethod::sphere_mesh:
-    case PairMethod::capsule_mesh:
     case PairMethod::polytope_mesh:
     case PairMethod::round_mesh:
     case PairMethod::mesh_mesh: mesh_contact(a, pose_a, b, pose_b, scratch.mesh, result); return;

@@ -7,17 +7,16 @@
 
 namespace cmb {
 
-// A method by its pair of kinds, the first shape first. "Round" is an ellipsoid, cylinder or cone; "polytope" a box or hull.
+// A method by its pair of kinds, the first shape first. "Round" is an ellipsoid, cylinder, cone or capsule; "polytope" a box or hull.
 enum class PairMethod : std::uint8_t {
   none,  // two half-spaces never touch
   // with a half-space as the second shape
   sphere_halfspace,
   polytope_halfspace,
-  round_halfspace,  // a capsule, too
+  round_halfspace,
   mesh_halfspace,
   // with a mesh as the second shape
   sphere_mesh,
-  capsule_mesh,
   polytope_mesh,
   round_mesh,
   mesh_mesh,
@@ -49,7 +48,6 @@ constexpr PairEntry p_h = in_order(M::polytope_halfspace), h_p = exchanged(M::po
 constexpr PairEntry r_h = in_order(M::round_halfspace), h_r = exchanged(M::round_halfspace);
 constexpr PairEntry m_h = in_order(M::mesh_halfspace), h_m = exchanged(M::mesh_halfspace);
 constexpr PairEntry s_m = in_order(M::sphere_mesh), m_s = exchanged(M::sphere_mesh);
-constexpr PairEntry c_m = in_order(M::capsule_mesh), m_c = exchanged(M::capsule_mesh);
 constexpr PairEntry p_m = in_order(M::polytope_mesh), m_p = exchanged(M::polytope_mesh);
 constexpr PairEntry r_m = in_order(M::round_mesh), m_r = exchanged(M::round_mesh);
 constexpr PairEntry m_m = in_order(M::mesh_mesh), s_s = in_order(M::sphere_sphere), c_c = in_order(M::capsule_capsule);
@@ -64,12 +62,12 @@ constexpr PairEntry entries[kinds][kinds] = {
     /* halfspace */ {none,    h_s,    h_p,    h_r,    h_p,    h_r,      h_r,     h_r,    h_m},
     /* sphere    */ {s_h,     s_s,    s_k,    s_c,    convex, convex,   s_k,     s_k,    s_m},
     /* box       */ {p_h,     k_s,    p_p,    convex, p_p,    convex,   convex,  convex, p_m},
-    /* capsule   */ {r_h,     c_s,    convex, c_c,    convex, convex,   convex,  convex, c_m},
+    /* capsule   */ {r_h,     c_s,    convex, c_c,    convex, convex,   convex,  convex, r_m},
     /* hull      */ {p_h,     convex, p_p,    convex, p_p,    convex,   convex,  convex, p_m},
     /* ellipsoid */ {r_h,     convex, convex, convex, convex, convex,   convex,  convex, r_m},
     /* cylinder  */ {r_h,     k_s,    convex, convex, convex, convex,   convex,  convex, r_m},
     /* cone      */ {r_h,     k_s,    convex, convex, convex, convex,   convex,  convex, r_m},
-    /* mesh      */ {m_h,     m_s,    m_p,    m_c,    m_p,    m_r,      m_r,     m_r,    m_m},
+    /* mesh      */ {m_h,     m_s,    m_p,    m_r,    m_p,    m_r,      m_r,     m_r,    m_m},
 };
 static_assert(static_cast<int>(ShapeKind::mesh) == kinds - 1, "the table has a row and a column for each kind");
 

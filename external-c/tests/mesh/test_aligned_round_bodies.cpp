@@ -27,8 +27,9 @@ struct Body {
 
 Body any_body(Random &random, double scale) {
   const double a = scale * random.log_uniform(1e-2, 1), b = scale * random.log_uniform(1e-2, 1), c = scale * random.log_uniform(1e-2, 1);
-  switch (random.integer(0, 2)) {
+  switch (random.integer(0, 3)) {
     case 0: return {cmb::convex::make_ellipsoid({a, b, c}), std::min({a, b, c})};
+    case 3: return {cmb::convex::make_capsule(a, b), a};
     case 1: return {cmb::convex::make_cylinder(a, b), std::min(a, b)};
     default: return {cmb::convex::make_cone(a, b), std::min(a, b)};
   }
@@ -127,7 +128,7 @@ TEST(AlignedRoundBodies, AreNoDeeperThanTheyAreLarge) {
     smooth_contact(body.shape, pose, meshes[static_cast<std::size_t>(k) % meshes.size()], {}, scratch, set);
     if (set.distance < 0.0) ++touching;
     for (const ContactPoint &point : set.points) {
-      ASSERT_LE(point.depth, 3.0 * size + norm(pose.translation) + core_radius(body.shape)) << k << ", weight " << point.weight;
+      ASSERT_LE(point.depth, 3.0 * size + norm(pose.translation) + core_radius(body.shape) + body.shape.radius) << k << ", weight " << point.weight;
       ASSERT_TRUE(std::isfinite(point.weight)) << k;
     }
   }
@@ -141,10 +142,11 @@ TEST(AlignedRoundBodies, TouchWhereTheyAre) {
   cmb::mesh::MeshContactScratch scratch;
   const auto hills = [](double x, double y) { return 0.12 * std::sin(3.6 * x) * std::cos(2.8 * y); };
   const TriangleMesh mesh = mesh_samples::mesh(mesh_samples::sheet_mesh(2.0, 17, hills));
-  const ConvexBody bodies[] = {cmb::convex::make_cone(0.1, 0.1), cmb::convex::make_cylinder(0.1, 0.1), cmb::convex::make_ellipsoid({0.15, 0.1, 0.07})};
+  const ConvexBody bodies[] = {cmb::convex::make_cone(0.1, 0.1), cmb::convex::make_cylinder(0.1, 0.1), cmb::convex::make_ellipsoid({0.15, 0.1, 0.07}),
+                               cmb::convex::make_capsule(0.05, 0.15)};
   int touching = 0;
   for (int k = 0; k < 6000; ++k) {
-    const ConvexBody &body = bodies[k % 3];
+    const ConvexBody &body = bodies[k % 4];
     Pose pose{random_bodies::random_rotation(random), {random.uniform(-1, 1), random.uniform(-1, 1), 1.0}};
     const double deep = random.log_uniform(1e-5, 1e-2);
     ContactSet set;
@@ -157,7 +159,7 @@ TEST(AlignedRoundBodies, TouchWhereTheyAre) {
     }
     if (set.distance < 0.0) ++touching;
     for (const ContactPoint &point : set.points) {
-      ASSERT_LT(norm(point.position - pose.translation), 5.0 * core_radius(body)) << k << ", load " << point.weight * point.depth;
+      ASSERT_LT(norm(point.position - pose.translation), 5.0 * (core_radius(body) + body.radius)) << k << ", load " << point.weight * point.depth;
     }
   }
   EXPECT_GT(touching, 5000);

@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Gradients, Elastic,
                                          Pair{"hull-20", "torus-mesh"}, Pair{"box", "heightfield"}, Pair{"hull-20", "angle-mesh"},
                                          Pair{"ellipsoid", "divided-box-mesh"}, Pair{"capsule", "sphere-mesh"},
                                          Pair{"box-mesh", "divided-box-mesh"}, Pair{"sphere-mesh", "sphere-mesh"},
-                                         Pair{"divided-box-mesh", "angle-mesh"}, Pair{"cylinder", "torus-mesh"}));
+                                         Pair{"divided-box-mesh", "angle-mesh"}, Pair{"cylinder", "torus-mesh"}, Pair{"capsule", "torus-mesh"}));
 
 class ElasticBodies : public testing::TestWithParam<Pair> {};
 
@@ -123,7 +123,8 @@ INSTANTIATE_TEST_SUITE_P(AllMeshes, ElasticBodies,
                                          Pair{"box", "angle-mesh"}, Pair{"ellipsoid", "sphere-mesh"}, Pair{"capsule", "divided-box-mesh"}));
 
 INSTANTIATE_TEST_SUITE_P(RoundOnMeshes, ElasticBodies,
-                         testing::Values(Pair{"ellipsoid", "angle-mesh"}, Pair{"cylinder", "angle-mesh"}, Pair{"cone", "heightfield"}));
+                         testing::Values(Pair{"ellipsoid", "angle-mesh"}, Pair{"cylinder", "angle-mesh"}, Pair{"cone", "heightfield"},
+                                         Pair{"capsule", "angle-mesh"}, Pair{"capsule", "heightfield"}));
 
 INSTANTIATE_TEST_SUITE_P(AllPolytopes, ElasticBodies,
                          testing::Values(Pair{"box", "box"}, Pair{"box", "prism"}, Pair{"prism", "prism"}, Pair{"box", "hull-20"},

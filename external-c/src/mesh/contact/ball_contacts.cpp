@@ -4,6 +4,12 @@
 
 namespace cmb::mesh {
 
+namespace {
+
+// Lengths of the mesh's scale below which places count as one.
+double place_tolerance(const TriangleMesh &mesh) { return 1e-9 * mesh.bound_radius(); }
+
+// Whether the point `off` beyond a point of an edge or vertex has it as nearest point of the triangles around it.
 bool edge_is_nearest(const TriangleMesh &mesh, std::uint32_t t, std::size_t side, const Vec3 &off, double slack) {
   const Vec3 along = normalized(mesh.corner(t, side + 1) - mesh.corner(t, side));
   if (dot(off, cross(mesh.face_normal(t), along)) > slack) return false;
@@ -21,6 +27,8 @@ bool vertex_is_nearest(const TriangleMesh &mesh, std::uint32_t v, const Vec3 &of
   return dot(off, mesh.vertex_normal(v)) > 0.0;
 }
 
+// What an edge or vertex carries of a load along the unit `direction`: less than 1 beside the rim of a sheet only,
+// falling to 0 perpendicular to the sheet's normal.
 double edge_share(const TriangleMesh &mesh, std::uint32_t t, std::size_t side, const Vec3 &direction) {
   if (mesh.neighbour(t, side) >= 0) return 1.0;
   return std::fmin(1.0, std::fmax(0.0, dot(direction, mesh.face_normal(t))));
@@ -36,8 +44,6 @@ double vertex_share(const TriangleMesh &mesh, std::uint32_t v, const Vec3 &direc
   }
   return 1.0;
 }
-
-namespace {
 
 // Whether the point whose offset from corner 0 is `off` lies over the triangle.
 bool over_face(const TriangleMesh &mesh, std::uint32_t t, const Vec3 &p, double slack) {
@@ -91,8 +97,7 @@ void add_places(const Vec3 &center, double radius, const TriangleMesh &mesh, std
   }
 }
 
-}  // namespace
-
+// The share of the nearest place.
 double nearest_share(const TriangleMesh &mesh, const NearestPoint &nearest) {
   const std::uint32_t t = nearest.triangle;
   const TrianglePoint at = nearest_on_triangle(nearest.point, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
@@ -100,6 +105,8 @@ double nearest_share(const TriangleMesh &mesh, const NearestPoint &nearest) {
   return at.feature == TriangleFeature::edge ? edge_share(mesh, t, at.index, nearest.normal)
                                              : vertex_share(mesh, mesh.triangles()[t][at.index], nearest.normal);
 }
+
+}  // namespace
 
 double ball_contacts(const Vec3 &center, double radius, const TriangleMesh &mesh, const NearestPoint &nearest,
                      SharedLoad &shared) {

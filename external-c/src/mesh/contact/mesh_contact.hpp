@@ -11,7 +11,6 @@
 #include "mesh/elastic/wedge_overlap.hpp"
 #include "mesh/contact/pair_patches.hpp"
 #include "mesh/contact/patch_load.hpp"
-#include "mesh/contact/rod_load.hpp"
 #include "mesh/contact/shared_load.hpp"
 #include "mesh/core/triangle_mesh.hpp"
 #include "narrowphase/convex_distance.hpp"
@@ -19,32 +18,9 @@
 
 namespace cmb::mesh {
 
-// What of a capsule's axis runs over one plane.
-struct PlaneStretch {
-  struct End {
-    double part, height;  // along the axis, 0 to 1; m over the plane
-  };
-  Vec3 normal;
-  double offset;
-  End begin, end;
-};
-
-// And beside one side of a triangle.
-struct EdgeStretch {
-  std::uint64_t edge;
-  double begin, end, nearest;  // along the axis, 0 to 1
-  Vec3 corner, side, pushed;   // pushed: the normal of the side of a concave edge that reaches on
-  std::uint32_t triangle;
-  std::size_t side_number;
-  bool round;  // pushes away from the edge
-};
-
 // Room that queries work in; one for each thread. Grows in the first calls.
 struct MeshContactScratch {
   SharedLoad shared;
-  RodLoad rod;
-  std::vector<PlaneStretch> planes;
-  std::vector<EdgeStretch> edges;
   std::vector<Vec3> body_vertices, body_normals;  // in the mesh's frame
   PatchScratch patch;
   OverlapScratch overlap;
@@ -62,20 +38,14 @@ struct MeshContactScratch {
 void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh, const Pose &pose,
                     MeshContactScratch &scratch, ContactSet &result);
 
-// A capsule along z of `body_pose`, of the given length between the ends' centres. Every stretch of its axis over a face, an
-// edge or a corner is a contact, and they share the load as RodLoad says: on a plane, whatever its triangulation, as on a
-// half-space.
-void capsule_contact(double radius, double length, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
-                     MeshContactScratch &scratch, ContactSet &result);
-
 // A convex polytope. Its overlap with the triangles' wedges stores an energy, whose gradient are force and torque of the points
 // (WedgeOverlap, append_elastic_points). Neither depends on how a face is cut into triangles (of faces that are not convex within
 // the depth of a sharp edge they do). Depths count down to half the thickness of what lies behind a triangle.
 void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                       MeshContactScratch &scratch, ContactSet &result);
 
-// An ellipsoid, a cylinder or a cone: the same, by its exact overlap (RoundOverlap). On a plane an ellipsoid has depth, normal and,
-// shallow, weight of the ellipsoid on a half-space; cylinders and cones push as on a box.
+// An ellipsoid, a cylinder, a cone or a capsule: the same, by its exact overlap (RoundOverlap). On a plane an ellipsoid, and a capsule that
+// lies, has depth, normal and, shallow, weight of that on a half-space; cylinders and cones push as on a box.
 void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                     MeshContactScratch &scratch, ContactSet &result);
 

@@ -48,12 +48,16 @@ class SmoothQuery {
       const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
       const double enough = nearest.distance();
       if (std::min({dot(towards, a), dot(towards, b), dot(towards, c)}) - reach > enough) return;
-      if (!nearest.offer(triangle_convex_gap(a, b, c, body_, place_, enough), t)) return;
+      // Of a capsule that to its axis, from which directions are known however near its surface is.
+      TriangleGap gap = triangle_convex_gap(a, b, c, body_, place_, enough + body_.radius);
+      gap.distance = std::max(0.0, gap.distance - body_.radius);
+      if (!nearest.offer(gap, t)) return;
       towards = -nearest.direction();
       reach = sectioned_.reach(towards);
     };
     const bool none_meets = nearest.search(box_, first, offer);
     nearest.write(pose_, result_);
+    result_.witness = result_.witness - (0.5 * body_.radius) * result_.normal;
     return none_meets;
   }
 

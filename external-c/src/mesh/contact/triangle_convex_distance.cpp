@@ -154,7 +154,8 @@ TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, con
   const Vec3 corner[3] = {a, b, c};
   double lower;
   Vec3 parting;
-  return hull_convex_gap(corner, body, body_in_mesh, enough, tolerance, lower, parting);
+  return hull_convex_gap(corner, body, body_in_mesh, enough, is_polyhedral(body.core) ? polyhedral_tolerance : tolerance, lower,
+                         parting);
 }
 
 TriangleGap triangle_polytope_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::Polytope &body,

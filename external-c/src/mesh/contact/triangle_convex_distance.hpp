@@ -6,9 +6,9 @@
 
 namespace cmb::mesh {
 
-// By the Gilbert-Johnson-Keerthi algorithm, to 1e-10 of the body's size unless rounding ends the search before (1.5e-7 of
-// the size in the worst of 30 000 random cases); or a value greater than `enough` where the
-// distance is (its points are then of no use). Where the two meet the points are some that are near each other.
+// Of the body's core, by the Gilbert-Johnson-Keerthi algorithm, to rounding where that has corners only, else to 1e-10 of the body's
+// size, unless rounding ends the search before (1.5e-7 of the size in the worst of 30 000 random cases); or a value greater than
+// `enough` where the distance is (its points are then of no use). Where the two meet the points are some that are near each other.
 // `body_in_mesh` is the body's pose in the triangle's frame.
 TriangleGap triangle_convex_gap(const Vec3 &a, const Vec3 &b, const Vec3 &c, const convex::ConvexBody &body,
                                 const Pose &body_in_mesh, double enough);

@@ -12,51 +12,73 @@ namespace {
 
 using convex::CoreShape;
 
-bool is_ellipsoid(const convex::ConvexBody &body) { return body.core == CoreShape::ellipsoid; }
-
 // How thick overlaps are, by the body's radius: the square of that is as good as rounding, and much greater.
 constexpr double hardly_known = 2e-8, well_known = 2e-7;
 
-// The mean of the square of the depth over a shallow cap of an ellipsoid is a sixth of that of its greatest depth: a third of a face's.
-double factor_of(const convex::ConvexBody &body) { return is_ellipsoid(body) ? 2.0 : 1.0; }
+// What a body stores on a plane, by d^2/2, is 1 then. Of a shallow cap of an ellipsoid the mean of the square of the depth is a third of a
+// face's, of a lying cylinder's segment 24/35; a cylinder keeps that, as on a box.
+double factor_of(const convex::ConvexBody &body) {
+  switch (body.core) {
+    case CoreShape::ellipsoid: return 2.0;
+    case CoreShape::segment: return 35.0 / 24.0;
+    default: return 1.0;
+  }
+}
+
+double radius_of(const convex::ConvexBody &body) { return convex::core_radius(body) + body.radius; }
 
 }  // namespace
 
 RoundOverlap::RoundOverlap(const convex::ConvexBody &body, const Pose &place, const TriangleMesh &mesh, RoundOverlapScratch &scratch)
-    : WedgeIntegrals(mesh, convex::core_radius(body), factor_of(body)),
+    : WedgeIntegrals(mesh, radius_of(body), factor_of(body)),
       body_(body),
-      place_(place),
-      to_body_(place.inverse()),
-      revolved_(body),
-      scratch_(scratch) {}
-
-double RoundOverlap::reach(const Vec3 &direction) const {
-  const Vec3 local = transposed_times(place_.rotation, direction);
-  return dot(direction, place_.translation) + dot(local, convex::core_support(body_, local).point);
+      center_(place.translation),
+      rotation_(place.rotation),
+      scratch_(scratch) {
+  set_parts();
 }
 
-// Whether what of the body is below the triangle at hand lies beyond a side of its wedge. Below the plane n . x = o, m . x is at most
-// h(m - l n) + l o for all l >= 0, h being the body's support function.
-bool RoundOverlap::is_beyond(const WedgeSide &side, double offset_of_front) const {
-  for (const double part : {16.0, 4.0, 1.0}) {
-    if (reach(side.normal - part * face_normal()) + part * offset_of_front < side.offset) return true;
+void RoundOverlap::set_parts() {
+  const convex::ConvexBody &body = body_;
+  const Vec3 &center = center_;
+  if (body.core != CoreShape::segment) {
+    parts_[count_++] = {body, center};
+    return;
+  }
+  const double r = body.radius, half = body.half.z;
+  const Vec3 to_end = half * rotation_.column(2);
+  const convex::ConvexBody ball = convex::make_ellipsoid({r, r, r});
+  parts_[count_++] = {ball, center + to_end, 0.0, HUGE_VAL};
+  parts_[count_++] = {ball, center - to_end, -HUGE_VAL, 0.0};
+  constexpr double shortest = 1e-9;
+  if (half > shortest * r) parts_[count_++] = {convex::make_cylinder(r, 2.0 * half), center, -half, half};
+}
+
+double RoundOverlap::reach(const convex::ConvexBody &body, const Vec3 &center, const Vec3 &direction) const {
+  const Vec3 local = transposed_times(rotation_, direction);
+  const double around = body.radius > 0.0 ? body.radius * norm(direction) : 0.0;
+  return dot(direction, center) + dot(local, convex::core_support(body, local).point) + around;
+}
+
+// Whether what of a body is below the triangle at hand lies beyond a side of its wedge, or nothing is there. Below the plane n . x = o, m . x
+// is at most h(m - l n) + l o for all l >= 0, h being the body's support function.
+bool RoundOverlap::is_outside(const convex::ConvexBody &body, const Vec3 &center) const {
+  if (!(offset_of_front_ + reach(body, center, -face_normal()) > 0.0)) return true;
+  for (const WedgeSide &side : mesh().wedge_sides(triangle())) {
+    for (const double share : {16.0, 4.0, 1.0}) {
+      if (reach(body, center, side.normal - share * face_normal()) + share * offset_of_front_ < side.offset) return true;
+    }
   }
   return false;
 }
 
-// The part of the wedge about the body; false where the body is outside.
-bool RoundOverlap::set_cell() {
-  const Vec3 &center = place_.translation;
-  const double offset_of_front = dot(face_normal(), mesh().corner(triangle(), 0));
-  if (is_out_of_reach(center)) return false;
-  const double deepest = offset_of_front + reach(-face_normal());
-  if (!(deepest > 0.0)) return false;
+// What of the wedge is about the part; false where there is nothing.
+bool RoundOverlap::set_cell(const Part &part) {
+  const Vec3 &center = part.center;
+  const double deepest = offset_of_front_ + reach(part, -face_normal());
   deepest_below_ = std::min(deepest, mesh().depth_limit(triangle()));
-  for (const WedgeSide &side : mesh().wedge_sides(triangle())) {
-    if (is_beyond(side, offset_of_front)) return false;
-  }
   scratch_.planes.clear();
-  scratch_.cell.start(center, 1.1 * radius());
+  scratch_.cell.start(center, 1.1 * radius_of(part.body));
   // A plane that would cut through a corner of the cell is moved by as little as that.
   const auto cut = [&](const Vec3 &plane_normal, double offset) {
     for (const double shift : {0.0, 1e-11, -1e-11, 1e-10}) {
@@ -65,17 +87,25 @@ bool RoundOverlap::set_cell() {
     }
     return false;
   };
-  if (!cut(-face_normal(), -offset_of_front)) return false;
+  if (!cut(-face_normal(), -offset_of_front_)) return false;
+  const auto limit = [&](double along, double offset) {
+    scratch_.planes.push_back({Vec3{0.0, 0.0, along}, offset, false});
+    const Vec3 normal = along * rotation_.column(2);
+    return cut(normal, offset + dot(normal, center));
+  };
+  if (std::isfinite(part.low) && !limit(1.0, part.low)) return false;
+  if (std::isfinite(part.high) && !limit(-1.0, -part.high)) return false;
   // An end of the body that lies in a side would count for both wedges, or for none: so sides are moved by more than rounding, both
   // wedges' the same way.
   const double aside = 1e-11 * radius();
   return visit_wedge_planes(mesh(), triangle(), deepest, [&](const WedgePlane &plane) {
     const double offset = plane.offset + (plane.strict ? aside : -aside);
-    if (reach(plane.normal) <= offset) return false;
-    if (-reach(-plane.normal) >= offset) return true;
-    const WedgePlane in_body{transposed_times(place_.rotation, plane.normal), offset - dot(plane.normal, center), false};
+    if (reach(part, plane.normal) <= offset) return false;
+    if (-reach(part, -plane.normal) >= offset) return true;
+    const WedgePlane in_body{transposed_times(rotation_, plane.normal), offset - dot(plane.normal, center), false};
     for (const WedgePlane &other : scratch_.planes) {
       if (coincide(in_body, other, radius())) return true;
+      if (coincide({-in_body.normal, -in_body.offset}, other, radius())) return false;
     }
     scratch_.planes.push_back(in_body);
     return cut(plane.normal, offset);
@@ -84,19 +114,23 @@ bool RoundOverlap::set_cell() {
 
 // From a place in the cell first. What is thin by the way from there, or open by that way, is looked at once more from itself; and where
 // rounding is in the way at all, from a little aside.
-bool RoundOverlap::find_surface() {
+bool RoundOverlap::find_surface(const Part &part) {
   constexpr double thin = 1e-5, open = 1e-9;
+  // A mantle that goes on as another part does not end at once.
+  convex::ConvexBody body = part.body;
+  if (std::isfinite(part.high) && !part.is_ellipsoid()) body.half.z += body.half.x;
+  const RevolvedBody revolved(body);
   const convex::PolytopeView cell = scratch_.cell.surface();
   OverlapSurface &surface = scratch_.surface;
   Vec3 place;
   for (const Vec3 &v : cell.vertices) place = place + v;
-  place = transposed_times(place_.rotation, (1.0 / static_cast<double>(cell.vertices.size())) * place - place_.translation);
-  Pose in_body = to_body_;
+  place = transposed_times(rotation_, (1.0 / static_cast<double>(cell.vertices.size())) * place - part.center);
+  Pose in_body{transposed(rotation_), -transposed_times(rotation_, part.center)};
   constexpr int attempts = 8;
   double aside = 1e-10 * radius();
   for (int attempt = 1; attempt <= attempts; ++attempt) {
-    const bool found = is_ellipsoid(body_) ? scratch_.ball.find(body_.half, cell, in_body, place, surface)
-                                           : scratch_.revolved.find(revolved_, cell, in_body, place, surface);
+    const bool found = part.is_ellipsoid() ? scratch_.ball.find(body.half, cell, in_body, place, surface)
+                                           : scratch_.revolved.find(revolved, cell, in_body, place, surface);
     if (surface.of_a().empty() && surface.of_b().empty()) return false;
     const Vec3 nearer = surface.place() + surface.middle();
     const double way = norm(nearer - place), volume = surface.volume();
@@ -112,16 +146,22 @@ bool RoundOverlap::find_surface() {
 
 void RoundOverlap::add(std::uint32_t t) {
   look_at(t);
-  if (!set_cell() || !find_surface()) return;
-  begin(place_(scratch_.surface.place() + scratch_.surface.middle()));
-  integrate();
+  if (is_out_of_reach(center_)) return;
+  offset_of_front_ = dot(face_normal(), mesh().corner(t, 0));
+  if (is_outside(body_, center_)) return;
+  for (std::size_t k = 0; k < count_; ++k) {
+    const Part &part = parts_[k];
+    if ((count_ > 1 && is_outside(part.body, part.center)) || !set_cell(part) || !find_surface(part)) continue;
+    begin(to_mesh(part, scratch_.surface.place() + scratch_.surface.middle()));
+    integrate(part);
+  }
 }
 
-// The greatest depth of the body below the triangle at hand, and its place in the body's frame; 0 where it is not above `enough`.
-double RoundOverlap::deepest_of_overlap(const Vec3 &local, double enough, Vec3 &deepest_place) const {
-  const double center_depth = depth(place_.translation);
+// The greatest depth of the part below the triangle at hand, and its place in the part's frame; 0 where it is not above `enough`.
+double RoundOverlap::deepest_of_overlap(const Part &part, const Vec3 &local, double enough, Vec3 &deepest_place) const {
+  const double center_depth = depth(part.center);
   const auto depth_of = [&](const Vec3 &at) { return center_depth - dot(local, at); };
-  switch (deepest_within(body_, -local, scratch_.planes, enough - center_depth, deepest_place)) {
+  switch (deepest_within(part.body, -local, scratch_.planes, enough - center_depth, deepest_place)) {
     case Deepest::none: return 0.0;
     case Deepest::found: return depth_of(deepest_place);
     case Deepest::on_edges: break;
@@ -130,7 +170,7 @@ double RoundOverlap::deepest_of_overlap(const Vec3 &local, double enough, Vec3 &
   const auto offer = [&](const Vec3 &at) {
     if (depth_of(at) > deepest) deepest = depth_of(at), deepest_place = at;
   };
-  if (is_ellipsoid(body_)) {
+  if (part.is_ellipsoid()) {
     scratch_.ball.visit_edge_ends(offer);
   } else {
     scratch_.revolved.visit_edge_ends(offer);
@@ -141,23 +181,23 @@ double RoundOverlap::deepest_of_overlap(const Vec3 &local, double enough, Vec3 &
 // Of the depth, `at_middle` being that of the overlap's middle and `local` the triangle's normal in the body's frame. The overlap is convex,
 // between a cone on the triangle's plane, with a tenth of the square of its height, and one that stands on its tip: what is so thin that
 // rounding counts keeps within these.
-double RoundOverlap::mean_square(double at_middle, const Vec3 &local) const {
+double RoundOverlap::mean_square(const Part &part, double at_middle, const Vec3 &local) const {
   constexpr double thin = 1e-6, least = 0.1, most = 0.6;
   const OverlapSurface &surface = scratch_.surface;
   const double square = at_middle * at_middle + dot(local, convex::times(surface.spread(), local));
   if (surface.volume() > thin * radius() * surface.area_a()) return square;
   Vec3 deepest_place;
-  const double deepest = deepest_of_overlap(local, 0.0, deepest_place);
+  const double deepest = deepest_of_overlap(part, local, 0.0, deepest_place);
   return std::clamp(square, least * deepest * deepest, most * deepest * deepest);
 }
 
-void RoundOverlap::integrate() {
+void RoundOverlap::integrate(const Part &part) {
   const OverlapSurface &surface = scratch_.surface;
-  const Vec3 origin = place_(surface.place()), from_patches = origin - patches().origin();
-  const Vec3 local = transposed_times(place_.rotation, face_normal());
+  const Vec3 origin = to_mesh(part, surface.place()), from_patches = origin - patches().origin();
+  const Vec3 local = transposed_times(rotation_, face_normal());
   const double at_place = depth(origin), at_middle = at_place - dot(local, surface.middle());
   first_.integral += surface.volume();
-  third_.integral += 3.0 * surface.volume() * mean_square(at_middle, local);
+  third_.integral += 3.0 * surface.volume() * mean_square(part, at_middle, local);
   Wrench first, third;  // torques about the surface's place
   PatchSums patch;
   for (const OverlapSurface::Node &node : surface.of_a()) {
@@ -165,15 +205,15 @@ void RoundOverlap::integrate() {
     const Vec3 torque = cross(node.at, node.area);
     first.force = first.force + node.area, first.torque = first.torque + torque;
     third.force = third.force + squares * node.area, third.torque = third.torque + squares * torque;
-    patch.add_place(-dot(local, node.area), from_patches + place_.rotation * node.at, deep);
+    patch.add_place(-dot(local, node.area), from_patches + rotation_ * node.at, deep);
   }
   volume_ += surface.volume(), area_ += norm(first.force);
   const double thickness = volume_ / (area_ * radius());
   set_known_part(1.0 - convex::falling_smoothstep(std::max(0.0, std::log(thickness / hardly_known) / std::log(well_known / hardly_known))));
   const auto add = [&](const Wrench &sum, Integral &integral) {
-    const Vec3 force = place_.rotation * sum.force;
+    const Vec3 force = rotation_ * sum.force;
     integral.gradient.add(force, from_patches);
-    integral.gradient.torque = integral.gradient.torque + place_.rotation * sum.torque;
+    integral.gradient.torque = integral.gradient.torque + rotation_ * sum.torque;
   };
   add(first, first_);
   add(third, third_);
@@ -184,11 +224,11 @@ void RoundOverlap::integrate() {
   patch.load = std::max(patch.load, 0.0);
   if (patch.load > deepest_below_ * patch.area) patch.scale(deepest_below_ * patch.area / patch.load);
   patch.energy = std::clamp(patch.energy, 0.0, deepest_below_ * patch.load);
-  add_patch(patch, place_(surface.place() + surface.middle()));
+  add_patch(patch, to_mesh(part, surface.place() + surface.middle()));
   if (!(patch.load > 0.0)) return;
   Vec3 deepest_place;
-  const double deep = deepest_of_overlap(local, deepest(), deepest_place);
-  if (deep > deepest()) offer_deepest(deep, place_(deepest_place));
+  const double deep = deepest_of_overlap(part, local, deepest(), deepest_place);
+  if (deep > deepest()) offer_deepest(deep, to_mesh(part, deepest_place));
 }
 
 }  // namespace cmb::mesh

@@ -1,6 +1,8 @@
-// What of an ellipsoid, a cylinder or a cone lies behind the triangles of a mesh, as an elastic solid.
+// What of a round body lies behind the triangles of a mesh, as an elastic solid.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -24,34 +26,50 @@ struct RoundOverlapScratch {
 };
 
 // A wedge is cut out of a cube about the body, and the surface of what both have in common is exact, as for convex bodies
-// (manifold/revolved/). An ellipsoid on a plane stores d^2/2, as on a half-space.
+// (manifold/revolved/). Of a capsule it is that of a cylinder and two half balls, each cut out of a cube of its own. On a plane an ellipsoid
+// stores d^2/2, as on a half-space, and a capsule that lies.
 //
 // Borrows all it is given.
 class RoundOverlap : public WedgeIntegrals {
  public:
-  // `place`: the body's pose in the mesh's frame.
+  // `body`: an ellipsoid, a cylinder, a cone or a capsule. `place`: its pose in the mesh's frame.
   RoundOverlap(const convex::ConvexBody &body, const Pose &place, const TriangleMesh &mesh, RoundOverlapScratch &scratch);
 
   // What lies behind triangle t.
   void add(std::uint32_t t);
 
  private:
-  bool set_cell();
-  bool is_beyond(const WedgeSide &side, double offset_of_front) const;
-  bool find_surface();
-  double deepest_of_overlap(const Vec3 &local, double enough, Vec3 &deepest_place) const;
-  double mean_square(double at_middle, const Vec3 &local) const;
-  void integrate();
-  // How far the body reaches along a direction of the mesh's frame.
-  double reach(const Vec3 &direction) const;
+  // What is asked by itself, with its axes along the body's.
+  struct Part {
+    convex::ConvexBody body;  // an ellipsoid, a cylinder or a cone
+    Vec3 center;              // in the mesh's frame
+    double low = -HUGE_VAL, high = HUGE_VAL;  // heights between which it counts, where it goes on as another part
+
+    bool is_ellipsoid() const { return body.core == convex::CoreShape::ellipsoid; }
+  };
+
+  void set_parts();
+  bool is_outside(const convex::ConvexBody &body, const Vec3 &center) const;
+  bool set_cell(const Part &part);
+  bool find_surface(const Part &part);
+  double deepest_of_overlap(const Part &part, const Vec3 &local, double enough, Vec3 &deepest_place) const;
+  double mean_square(const Part &part, double at_middle, const Vec3 &local) const;
+  void integrate(const Part &part);
+  // How far a body about `center` reaches along a direction, in the mesh's frame.
+  double reach(const convex::ConvexBody &body, const Vec3 &center, const Vec3 &direction) const;
+  double reach(const Part &part, const Vec3 &direction) const { return reach(part.body, part.center, direction); }
+  Vec3 to_mesh(const Part &part, const Vec3 &at) const { return part.center + rotation_ * at; }
 
   const convex::ConvexBody &body_;
-  const Pose &place_;
-  const Pose to_body_;
-  const RevolvedBody revolved_;  // of cylinders and cones
+  const Vec3 center_;    // in the mesh's frame
+  const Mat3 rotation_;  // there
+  std::array<Part, 3> parts_;  // the first count_
+  std::size_t count_ = 0;
   RoundOverlapScratch &scratch_;
   double volume_ = 0.0, area_ = 0.0;  // of all overlaps, of the body's surface there as seen along it
-  double deepest_below_ = 0.0;  // below the triangle at hand no place counts as deeper
+  // Of the triangle at hand; in the second case, of the part:
+  double offset_of_front_ = 0.0;
+  double deepest_below_ = 0.0;  // no place counts as deeper
 };
 
 }  // namespace cmb::mesh
