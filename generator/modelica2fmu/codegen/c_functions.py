@@ -35,6 +35,7 @@ class Function:
         executions: how often it is executed in one evaluation.
         kept: offsets of the vectors that it keeps in the work array for later functions.
         executed: number of lines that one execution goes through.
+        on_request: as for statements.
     """
 
     name: str
@@ -44,6 +45,7 @@ class Function:
     executions: int = 1
     kept: tuple[int, ...] = ()
     executed: int = 0
+    on_request: bool = False
 
 
 @dataclass
@@ -54,6 +56,7 @@ class _Chunk:
     group: Group | None
     calls_model: bool
     is_loop: bool
+    on_request: bool = False
     statements: list[Statement] = field(default_factory=list)
     size: int = 0
 
@@ -63,6 +66,7 @@ class _Chunk:
             not self.calls_model
             and not statement.calls_model
             and self.is_discrete == statement.is_discrete
+            and self.on_request == statement.on_request
             and self.is_loop == (statement.executed > 0)
             and self.group == statement.group
             and self.size + size <= _STATEMENTS_PER_FUNCTION
@@ -90,7 +94,7 @@ class FunctionFrame:
 
 def single_function(name: str, statements: Sequence[Statement], frame: FunctionFrame) -> Function:
     """One function that executes the statements in order, however many they are."""
-    chunk = _Chunk(False, None, False, False, list(statements))
+    chunk = _Chunk(False, None, False, False, statements=list(statements))
     return _functions([chunk], [name], _lane_nodes(statements, frame.is_lane_symbol), frame, Arrangement([]))[0]
 
 
@@ -153,7 +157,10 @@ def _functions(
         )
         executions = chunk.group.executions if chunk.group is not None else 1
         stored = tuple(kept.get(position, ()))
-        result.append(Function(name, text, chunk.is_discrete, len(lines), executions, stored, body.executed))
+        size, executed = len(lines), body.executed
+        result.append(
+            Function(name, text, chunk.is_discrete, size, executions, stored, executed, on_request=chunk.on_request)
+        )
     return result
 
 
@@ -176,7 +183,8 @@ def _chunks(arrangement: Arrangement, lane_nodes: Collection[Node]) -> list[_Chu
         size += statement.executed // _LINES_PER_STATEMENT
         if not chunks or not chunks[-1].takes(statement, size):
             is_loop = statement.executed > 0
-            chunks.append(_Chunk(statement.is_discrete, statement.group, statement.calls_model, is_loop))
+            discrete, calls_model = statement.is_discrete, statement.calls_model
+            chunks.append(_Chunk(discrete, statement.group, calls_model, is_loop, statement.on_request))
         chunks[-1].statements.append(statement)
         chunks[-1].size += size
     return chunks or [_Chunk(False, None, False, False)]

@@ -24,7 +24,7 @@ from modelica2fmu.codegen.slots import Slots, assign_slots
 from modelica2fmu.codegen.statements import Statement, WorkSpace
 from modelica2fmu.codegen.symbol_places import SymbolPlaces
 from modelica2fmu.equations.alias import ReducedModel
-from modelica2fmu.equations.blocks import Assignment, Block, block_roots, block_targets, needed_blocks
+from modelica2fmu.equations.blocks import Assignment, Block, block_roots, block_targets, divided_blocks, needed_blocks
 from modelica2fmu.equations.sorting import solve_order
 from modelica2fmu.equations.systems import PlaceOf, Systems
 from modelica2fmu.equations.tangents import tangents
@@ -98,10 +98,9 @@ class _Generator:
         frame = self._places.frame()
         self._add("fmurt_part_parameters", self._parameters(), frame)
         self._add("fmurt_part_initialize", self._initialize(self._initialization), frame)
-        simulation = [statement for block in self._simulation for statement in self._blocks.statements(block)]
-        simulating = functions_of("fmurt_part_simulate", [*simulation, *self._negated_statements()], frame)
-        self._functions.extend(simulating)
         asserts, warnings = self._watched(is_warning=False), self._watched(is_warning=True)
+        simulating = functions_of("fmurt_part_simulate", self._simulate([*asserts, *warnings]), frame)
+        self._functions.extend(simulating)
         self._add("fmurt_part_assert", [assert_statement(item, "FMURT_RESULT_DISCARD") for item in asserts], frame)
         self._add("fmurt_part_warn", warning_statements(warnings, self._places), frame)
         events = self._places.frame(", int *states_changed", ("  (void)states_changed;",))
@@ -110,7 +109,8 @@ class _Generator:
         self._add("fmurt_part_indicators", indicator_statements(self._model), indicators)
         jacobian = self._jacobian()
         self._functions.extend(self._blocks.functions)
-        operations = sum(item.executed * item.executions for item in simulating if not item.is_discrete)
+        integrated = [item for item in simulating if not item.is_discrete and not item.on_request]
+        operations = sum(item.executed * item.executions for item in integrated)
         return self._assemble(jacobian, operations)
 
     def _add(self, prefix: str, statements: Sequence[Statement], frame: FunctionFrame) -> None:
@@ -138,6 +138,21 @@ class _Generator:
         derivatives = dict.fromkeys(derivative_name(name) for name in self._states)
         derivatives.update(dict.fromkeys(name for name in (*used, *self._states) if unwrapped(name)[0] == "der"))
         return assign_slots(self._reduced, list(derivatives))
+
+    # --- simulation ---
+
+    def _simulate(self, watched: Sequence[ScalarAssert]) -> list[Statement]:
+        """What an integrator needs at each point, what is done at events, and last what is only looked at."""
+        model = self._model
+        wanted = [derivative_name(name) for name in self._states]
+        wanted += ex.symbols(*(item.indicator for item in model.relations))
+        wanted += ex.symbols(*(root for item in watched for root in (item.condition, item.trigger or 0)))
+        wanted += ex.symbols(*(part for item in watched for part in item.message.parts if isinstance(part, Node)))
+        needed, others = divided_blocks(self._simulation, wanted)
+        statements = [statement for block in needed for statement in self._blocks.statements(block)]
+        last = [statement for block in others for statement in self._blocks.statements(block)]
+        last += self._negated_statements()
+        return [*statements, *(replace(statement, on_request=True) for statement in last)]
 
     # --- parameters ---
 

@@ -62,13 +62,9 @@ def _is_length(model: ScalarModel, name: str) -> bool:
     return variable is not None and not variable.nominal and declaration is not None and declaration.unit == "m"
 
 
-def function_calls(functions: Iterable[Function], prefix: str, args: str = "v", with_discrete: bool = True) -> str:
+def function_calls(functions: Iterable[Function], prefix: str, args: str = "v") -> str:
     """C that calls the functions ``prefix_1``, ``prefix_2``, ... one after the other."""
-    names = [
-        function.name
-        for function in functions
-        if function.name.startswith(prefix + "_") and (with_discrete or not function.is_discrete)
-    ]
+    names = [function.name for function in functions if function.name.startswith(prefix + "_")]
     return "".join(
         f"  if ((result = {name}({args})) != FMURT_RESULT_OK) return (fmurt_result)result;\n" for name in names
     )
@@ -87,7 +83,9 @@ def model_file(parts: ModelParts) -> str:
     parameters = function_calls(functions, "fmurt_part_parameters")
     asserts = function_calls(functions, "fmurt_part_assert")
     initialize = function_calls(functions, "fmurt_part_initialize") + asserts
-    continuous = function_calls(functions, "fmurt_part_simulate", with_discrete=False) + asserts
+    integrated = [item for item in functions if not item.is_discrete and not item.on_request]
+    continuous = function_calls(integrated, "fmurt_part_simulate") + asserts
+    remaining = function_calls([item for item in functions if item.on_request], "fmurt_part_simulate")
     discrete = function_calls(functions, "fmurt_part_simulate")
     discrete += function_calls(functions, "fmurt_part_event", "v, states_changed")
     indicators = function_calls(functions, "fmurt_part_indicators", "v, indicator")
@@ -123,6 +121,12 @@ static fmurt_result continuous(fmurt_values *v)
 {{
   int result = FMURT_RESULT_OK;
 {continuous}  return (fmurt_result)result;
+}}
+
+static inline fmurt_result remaining(fmurt_values *v)
+{{
+  int result = FMURT_RESULT_OK;
+{remaining}  return (fmurt_result)result;
 }}
 
 static fmurt_result indicators(fmurt_values *v, double *indicator)
@@ -182,6 +186,7 @@ static inline fmurt_result warnings(fmurt_values *v)
   .followed = followed,
   .warnings = {"warnings" if warnings else "NULL"},
   .jacobian = {"jacobian" if parts.jacobian else "NULL"},
+  .remaining = {"remaining" if remaining else "NULL"},
 }};
 """
 

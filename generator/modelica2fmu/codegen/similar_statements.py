@@ -60,6 +60,14 @@ def arranged(
 
 
 @dataclass(frozen=True)
+class _Kind:
+    """What the statements of a stretch have in common, as for statements."""
+
+    group: Group | None
+    on_request: bool
+
+
+@dataclass(frozen=True)
 class _Unit:
     """A statement, or a shared node that is computed.
 
@@ -102,7 +110,7 @@ class _Arranger:
         self._location = location
         self._work = work
         self._lane_nodes = lane_nodes
-        self._segments, self._groups = _segments(statements)
+        self._segments, self._kinds = _segments(statements)
         shared = shared_nodes(statements)
         self._place = {item.node: len(statements) + k for k, item in enumerate(shared)}
         self._forms = ExpressionForms(self._place, lane_nodes, location)
@@ -194,7 +202,7 @@ class _Arranger:
         for segment in sorted(of_segment):
             units = of_segment[segment]
             for together in Schedule(self._needs(units), self._families, is_discrete, _LEAST).run():
-                self._emit(together, self._groups[segment])
+                self._emit(together, self._kinds[segment])
         return self._result
 
     def _needs(self, units: Sequence[int]) -> dict[int, list[int]]:
@@ -215,17 +223,19 @@ class _Arranger:
 
     # --- statements ---
 
-    def _emit(self, together: Sequence[int], group: Group | None) -> None:
+    def _emit(self, together: Sequence[int], kind: _Kind) -> None:
         statements = self._result.statements
         if len(together) > 1:
             units = sorted((self._units[position] for position in together), key=self._index)
-            statements.append(self._loop(units, group))
+            statements.append(self._loop(units, kind))
             return
         unit = self._units[together[0]]
         if unit.statement is not None:
             statements.append(unit.statement)
         elif unit.shared is not None and (unit.shared.node in self._needed or together[0] in self._families):
-            statements.append(Statement((unit.shared.node,), lambda _: [], group=group))
+            statements.append(
+                Statement((unit.shared.node,), lambda _: [], group=kind.group, on_request=kind.on_request)
+            )
 
     def _index(self, unit: _Unit) -> int:
         """Where a unit's place, or what it reads first, stands in its array."""
@@ -233,7 +243,7 @@ class _Arranger:
         places += [self._location(leaf.name) for leaf in unit.leaves if leaf.op == "symbol"]
         return next((found[1] for place in places if (found := split_place(place)) is not None), 0)
 
-    def _loop(self, units: Sequence[_Unit], group: Group | None) -> Statement:
+    def _loop(self, units: Sequence[_Unit], kind: _Kind) -> Statement:
         targets, put = self._targets(units), units[0].put
         stored = Stored.NUMBER if put is None else put.stored
         read = tuple(dict.fromkeys(leaf for unit in units for leaf in unit.leaves if leaf in self._place))
@@ -246,7 +256,15 @@ class _Arranger:
 
         executed = len(units) * (1 + sum(isinstance(step, Operation) and step.is_shared for step in form))
         keeps = tuple(unit.shared.node for unit in units if unit.shared is not None)
-        return Statement(read, lines, units[0].is_discrete, group, executed=executed, keeps=keeps)
+        return Statement(
+            read,
+            lines,
+            units[0].is_discrete,
+            kind.group,
+            executed=executed,
+            keeps=keeps,
+            on_request=kind.on_request,
+        )
 
     def _leaf(self, leaf: Node, write: Write) -> str:
         if leaf.op == "constant":
@@ -270,17 +288,18 @@ class _Arranger:
         return result
 
 
-def _segments(statements: Sequence[Statement]) -> tuple[list[int], list[Group | None]]:
-    """For each statement the number of the stretch in which it may move, and the groups of these stretches.
+def _segments(statements: Sequence[Statement]) -> tuple[list[int], list[_Kind]]:
+    """For each statement the number of the stretch in which it may move, and the kinds of these stretches.
 
     A statement that does more than to store a value is a stretch of its own.
     """
     segments: list[int] = []
-    groups: list[Group | None] = []
+    kinds: list[_Kind] = []
     before: Statement | None = None
     for statement in statements:
-        if before is None or statement.put is None or before.put is None or statement.group != before.group:
-            groups.append(statement.group)
-        segments.append(len(groups) - 1)
+        kind = _Kind(statement.group, statement.on_request)
+        if before is None or statement.put is None or before.put is None or kind != kinds[-1]:
+            kinds.append(kind)
+        segments.append(len(kinds) - 1)
         before = statement
-    return segments, groups
+    return segments, kinds

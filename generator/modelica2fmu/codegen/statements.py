@@ -69,6 +69,7 @@ class Statement:
         put: what it does if that is no more than to store a value; else it stays where it is.
         executed: number of lines that a loop executes; 0 for a statement that is none.
         keeps: nodes that a loop stores in the work array.
+        on_request: = true, if it is executed only where somebody looks at the variables; such statements come last.
     """
 
     roots: tuple[float | Node, ...]
@@ -79,6 +80,7 @@ class Statement:
     put: Put | None = None
     executed: int = 0
     keeps: tuple[Node, ...] = ()
+    on_request: bool = False
 
 
 @dataclass

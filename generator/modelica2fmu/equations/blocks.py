@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from modelica2fmu.expand.scalar_model import ExternalCall
 from modelica2fmu.library.source_map import Span
@@ -119,3 +119,37 @@ def needed_blocks(blocks: Sequence[Block], wanted: Iterable[str]) -> list[Block]
             kept.append(block)
             needed.update(ex.symbols(*block_roots(block)))
     return kept[::-1]
+
+
+def divided_blocks(blocks: Sequence[Block], wanted: Iterable[str]) -> tuple[list[Block], list[Assignment]]:
+    """The blocks that ``wanted`` needs or that may fail or have memory, and the assignments that come after them.
+
+    Discrete assignments, calls and what is solved are among the first; a linear system leaves to the second the
+    unknowns that follow from its solution and that nothing else needs.
+    """
+    needed = set(wanted)
+    first: list[Block] = []
+    last: list[Assignment] = []
+    for block in reversed(blocks):
+        kept: Block = block
+        if isinstance(block, LinearBlock) and block.system is not None:
+            inner = _divided_steps(block.inner, needed, last)
+            kept = replace(block, inner=tuple(inner))
+        elif isinstance(block, Assignment) and not block.is_discrete and block.target not in needed:
+            last.append(block)
+            continue
+        first.append(kept)
+        needed.update(ex.symbols(*block_roots(kept)))
+    return first[::-1], last[::-1]
+
+
+def _divided_steps(steps: Sequence[Assignment], needed: set[str], last: list[Assignment]) -> list[Assignment]:
+    """Those of a system's explicit steps that are needed, as their symbols are then; the others go to ``last``."""
+    first = []
+    for step in reversed(steps):
+        if step.target in needed:
+            first.append(step)
+            needed.update(ex.symbols(*entry_roots(step)))
+        else:
+            last.append(step)
+    return first[::-1]

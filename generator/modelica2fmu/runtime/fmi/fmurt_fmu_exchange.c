@@ -29,7 +29,7 @@ fmurt_fmu_status fmurt_fmu_completed_step(fmurt_fmu *fmu, const char *call) {
     return FMURT_FMU_OK;
   }
   /* What cannot be evaluated is told when it is read. */
-  if (fmurt_update_values(instance) != FMURT_RESULT_OK) return FMURT_FMU_OK;
+  if (fmurt_update_for_rates(instance) != FMURT_RESULT_OK) return FMURT_FMU_OK;
   if (instance->values.strayed) {
     snprintf(instance->message, sizeof instance->message,
              "At time %.9g a nonlinear system cannot be followed from the last completed step: a loop may have come to another "
@@ -77,7 +77,7 @@ fmurt_fmu_status fmurt_fmu_get_states(fmurt_fmu *fmu, const char *call, double *
 
 fmurt_fmu_status fmurt_fmu_get_derivatives(fmurt_fmu *fmu, const char *call, double *derivative, size_t count) {
   if (!accepts(fmu, call, EVALUATION_PHASES, derivative, count, fmurt_model.state_count)) return FMURT_FMU_ERROR;
-  const fmurt_result result = fmurt_update_values(fmu->instance);
+  const fmurt_result result = fmurt_update_for_rates(fmu->instance);
   for (size_t i = 0; result == FMURT_RESULT_OK && i < count; ++i) {
     derivative[i] = fmu->instance->values.real[fmurt_model.derivative[i]];
   }

@@ -41,6 +41,7 @@ static fmurt_result dispatch(fmurt_values *values, fmurt_model_function function
     case FMURT_CALL_JACOBIAN: return fmurt_model.jacobian(values, argument);
     case FMURT_CALL_SETTLE: return fmurt_model.settle(values);
     case FMURT_CALL_WARNINGS: return fmurt_model.warnings != NULL ? fmurt_model.warnings(values) : FMURT_RESULT_OK;
+    case FMURT_CALL_REMAINING: return fmurt_model.remaining != NULL ? fmurt_model.remaining(values) : FMURT_RESULT_OK;
   }
   return FMURT_RESULT_ERROR;
 }

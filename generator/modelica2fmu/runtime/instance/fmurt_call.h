@@ -16,7 +16,8 @@ typedef enum fmurt_model_function {
   FMURT_CALL_DISCRETE,   /* argument: int *states_changed */
   FMURT_CALL_JACOBIAN,   /* argument: double [state_count * state_count]; fmurt_model.jacobian must be there */
   FMURT_CALL_SETTLE,     /* fmurt_model.settle must be there */
-  FMURT_CALL_WARNINGS
+  FMURT_CALL_WARNINGS,
+  FMURT_CALL_REMAINING
 } fmurt_model_function;
 
 /* Calls one function of fmurt_model. ModelicaError in it gives FMURT_RESULT_DISCARD, as a failing assertion in

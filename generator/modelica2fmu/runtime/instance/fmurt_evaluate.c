@@ -110,9 +110,10 @@ fmurt_result fmurt_update_initialization(fmurt_instance *instance) {
   return FMURT_RESULT_ERROR;
 }
 
-fmurt_result fmurt_update_continuous(fmurt_instance *instance) {
+fmurt_result fmurt_update_rates(fmurt_instance *instance) {
   if (!instance->situation.continuous_stale) return FMURT_RESULT_OK;
   instance->values.strayed = 0;
+  instance->situation.remaining_stale = 1;
   const fmurt_result result = fmurt_call_model(instance, FMURT_CALL_CONTINUOUS, NULL);
   if (result != FMURT_RESULT_OK) return result;
   for (size_t i = 0; i < fmurt_model.state_count; ++i) {
@@ -126,7 +127,15 @@ fmurt_result fmurt_update_continuous(fmurt_instance *instance) {
   return FMURT_RESULT_OK;
 }
 
-fmurt_result fmurt_update_values(fmurt_instance *instance) {
+fmurt_result fmurt_update_continuous(fmurt_instance *instance) {
+  fmurt_result result = fmurt_update_rates(instance);
+  if (result != FMURT_RESULT_OK || !instance->situation.remaining_stale) return result;
+  result = fmurt_call_model(instance, FMURT_CALL_REMAINING, NULL);
+  if (result == FMURT_RESULT_OK) instance->situation.remaining_stale = 0;
+  return result;
+}
+
+static fmurt_result update_by_phase(fmurt_instance *instance, fmurt_result (*update)(fmurt_instance *)) {
   fmurt_result result;
   switch (instance->situation.phase) {
     case FMURT_PHASE_INSTANTIATED: return fmurt_update_parameters(instance);
@@ -135,10 +144,16 @@ fmurt_result fmurt_update_values(fmurt_instance *instance) {
     case FMURT_PHASE_CONTINUOUS:
     case FMURT_PHASE_STEP:
       result = fmurt_update_parameters(instance);
-      return result == FMURT_RESULT_OK ? fmurt_update_continuous(instance) : result;
+      return result == FMURT_RESULT_OK ? update(instance) : result;
     default: return FMURT_RESULT_OK; /* the last values, whatever they are */
   }
 }
+
+fmurt_result fmurt_update_values(fmurt_instance *instance) {
+  return update_by_phase(instance, fmurt_update_continuous);
+}
+
+fmurt_result fmurt_update_for_rates(fmurt_instance *instance) { return update_by_phase(instance, fmurt_update_rates); }
 
 void fmurt_set_point(fmurt_instance *instance, double time, const double *state) {
   int changed = instance->values.time != time;

@@ -11,12 +11,17 @@ fmurt_result fmurt_update_parameters(fmurt_instance *instance);
 /* Solves the initialization problem if anything was set since; the relations follow the indicators. */
 fmurt_result fmurt_update_initialization(fmurt_instance *instance);
 
-/* Computes derivatives and algebraic variables if anything was set since. A derivative that is not finite
- * is FMURT_RESULT_DISCARD. */
+/* Computes derivatives, and what of the algebraic variables they and the event indicators need, if anything was set since.
+ * A derivative that is not finite is FMURT_RESULT_DISCARD. */
+fmurt_result fmurt_update_rates(fmurt_instance *instance);
+
+/* The same with all algebraic variables. */
 fmurt_result fmurt_update_continuous(fmurt_instance *instance);
 
-/* Whatever of these the instance's phase needs before values are read. */
+/* Whatever of these the instance's phase needs before values are read; `..._for_rates`, before derivatives and indicators
+ * are. */
 fmurt_result fmurt_update_values(fmurt_instance *instance);
+fmurt_result fmurt_update_for_rates(fmurt_instance *instance);
 
 /* The values at hand are those of an accepted step: nonlinear systems are followed from them, and assertions at level
  * warning are checked. */

@@ -13,7 +13,7 @@
 enum { MAXIMUM_EVENT_ITERATIONS = 100, MAXIMUM_SETTLING_ITERATIONS = 30 };
 
 static fmurt_result compute_indicators(fmurt_instance *instance) {
-  fmurt_result result = fmurt_update_values(instance);
+  fmurt_result result = fmurt_update_for_rates(instance);
   if (result == FMURT_RESULT_OK) result = fmurt_call_model(instance, FMURT_CALL_INDICATORS, instance->indicator);
   if (result != FMURT_RESULT_OK) return result;
   for (size_t i = 0; i < fmurt_model.indicator_count; ++i) {

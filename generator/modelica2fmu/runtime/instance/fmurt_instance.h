@@ -63,6 +63,7 @@ typedef struct fmurt_situation {
   int parameters_stale;     /* a parameter was set since fmurt_model.parameters ran */
   int initialization_stale; /* something was set since fmurt_model.initialize ran */
   int continuous_stale;     /* something was set since fmurt_model.continuous ran */
+  int remaining_stale;      /* fmurt_model.continuous ran since fmurt_model.remaining */
   int event_pending;        /* co-simulation: an input or parameter was set, events must be looked for */
   int terminate_requested;  /* the model called terminate() */
   int initial, terminal;    /* as in fmurt_values */

@@ -100,7 +100,7 @@ static fmurt_result derivatives_at(void *context, double time, const double *sta
   fmurt_solver *solver = context;
   fmurt_instance *instance = solver->instance;
   fmurt_set_point(instance, time, state);
-  const fmurt_result result = fmurt_update_continuous(instance);
+  const fmurt_result result = fmurt_update_rates(instance);
   if (result != FMURT_RESULT_OK) return result;
   if (solver->state_count == 0) derivative[0] = 0.0;
   for (size_t i = 0; i < solver->state_count; ++i) derivative[i] = instance->values.real[fmurt_model.derivative[i]];

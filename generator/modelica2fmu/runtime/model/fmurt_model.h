@@ -128,7 +128,7 @@ typedef struct fmurt_model_description {
   /* Solves the initialization problem: states, algebraics, discrete start values. values->initial is 1. */
   fmurt_result (*initialize)(fmurt_values *values);
   /* From time, states, inputs, parameters, discrete values and frozen relations: all derivatives and
-   * continuous algebraics. */
+   * continuous algebraics but those of `remaining`. */
   fmurt_result (*continuous)(fmurt_values *values);
   /* The indicators, [indicator_count], for the values after `continuous`. */
   fmurt_result (*indicators)(fmurt_values *values, double *indicator);
@@ -141,7 +141,7 @@ typedef struct fmurt_model_description {
 
   const double *indicator_nominal;   /* [indicator_count] sizes for the hysteresis; 1 where left out */
   const char *const *indicator_text; /* [indicator_count] the relations as the modeller wrote them, for messages */
-  /* d(derivative)/d(state) at the values after `continuous`, relations and discrete variables held:
+  /* d(derivative)/d(state) at the values after `continuous` and `remaining`, relations and discrete variables held:
    * jacobian[i + j * state_count] is the derivative of derivative i by state j. */
   fmurt_result (*jacobian)(fmurt_values *values, double *jacobian);
   /* The equations of `discrete`, without its actions: reinitializations, assertions, terminations, next_time_event. The
@@ -152,6 +152,9 @@ typedef struct fmurt_model_description {
   /* Assertions at level warning that hold all the time, for the values after `continuous`: reports each that is violated,
    * once. Called where a step is accepted and after events, not at trial points. */
   fmurt_result (*warnings)(fmurt_values *values);
+  /* After `continuous`: the algebraics that neither derivatives nor indicators, assertions or discrete equations need. An
+   * integrator does without; `jacobian` does not. */
+  fmurt_result (*remaining)(fmurt_values *values);
 } fmurt_model_description;
 
 extern const fmurt_model_description fmurt_model;

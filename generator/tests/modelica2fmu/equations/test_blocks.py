@@ -7,7 +7,15 @@ import pytest
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from modelica2fmu.equations.blocks import Assignment, LinearBlock, NonlinearBlock, Residual, needed_blocks
+from modelica2fmu.equations.blocks import (
+    Assignment,
+    LinearBlock,
+    NonlinearBlock,
+    Residual,
+    block_targets,
+    divided_blocks,
+    needed_blocks,
+)
 from modelica2fmu.equations.sorting import solve_order
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.linear_form import LinearForms, solved_for
@@ -71,6 +79,30 @@ def test_torn_linear_systems_have_the_solution_of_the_whole(seed, size):
     blocks = solve_order(entries, names, [], nowhere)
     values = execute(blocks, {"p": 1.5})
     assert [values[name] for name in names] == pytest.approx(list(np.linalg.solve(matrix, 1.5 * right)), abs=1e-9)
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.integers(0, 10**6), st.integers(4, 12))
+def test_divided_blocks_give_what_is_wanted_first_and_then_the_rest(seed, size):
+    random = np.random.default_rng(seed)
+    names = [f"x{number}" for number in range(2 * size)]
+    entries = []
+    for row, name in enumerate(names):  # each of those before, and half of them of others behind
+        others = [other for k, other in enumerate(names) if k < row or (k % 2 and random.random() < 0.3)]
+        chosen = random.choice(others, min(2, len(others)), replace=False) if others else []
+        total = ex.subtract(ex.multiply(7.0, ex.symbol(name)), ex.symbol("p"))
+        for other in chosen:
+            total = ex.subtract(total, ex.symbol(str(other)))
+        entries.append(Residual(total))
+    blocks = solve_order(entries, names, [], nowhere)
+    wanted = [str(name) for name in random.choice(names, 2, replace=False)]
+    first, last = divided_blocks(blocks, wanted)
+    early = execute(first, {"p": 1.5})
+    whole = execute(blocks, {"p": 1.5})
+    assert all(early[name] == whole[name] for name in wanted)
+    assert execute(last, early) == whole
+    needed = {name for block in needed_blocks(first, wanted) for name in block_targets(block)}
+    assert all(target in needed for block in first if isinstance(block, Assignment) for target in block_targets(block))
 
 
 def test_long_chains_are_evaluated_from_their_equations_and_short_ones_in_closed_form():
