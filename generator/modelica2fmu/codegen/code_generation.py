@@ -24,7 +24,15 @@ from modelica2fmu.codegen.slots import Slots, assign_slots
 from modelica2fmu.codegen.statements import Statement, WorkSpace
 from modelica2fmu.codegen.symbol_places import SymbolPlaces
 from modelica2fmu.equations.alias import ReducedModel
-from modelica2fmu.equations.blocks import Assignment, Block, block_roots, block_targets, divided_blocks, needed_blocks
+from modelica2fmu.equations.blocks import (
+    Assignment,
+    Block,
+    block_roots,
+    block_targets,
+    blocks_around,
+    divided_blocks,
+    needed_blocks,
+)
 from modelica2fmu.equations.sorting import solve_order
 from modelica2fmu.equations.systems import PlaceOf, Systems
 from modelica2fmu.equations.tangents import tangents
@@ -90,6 +98,7 @@ class _Generator:
         self._place = place
         self._thicknesses = thicknesses
         self._functions: list[Function] = []
+        self._is_simulated_at_start = False
         self._simulation, self._initialization = self._needed()
         self._places = SymbolPlaces(self._assigned_slots(), WorkSpace())
         self._blocks = BlockCode(self._places, self._model.variables, self._simulation, place)
@@ -97,7 +106,7 @@ class _Generator:
     def run(self) -> GeneratedModel:
         frame = self._places.frame()
         self._add("fmurt_part_parameters", self._parameters(), frame)
-        self._add("fmurt_part_initialize", self._initialize(self._initialization), frame)
+        self._add_initialization(frame)
         asserts, warnings = self._watched(is_warning=False), self._watched(is_warning=True)
         simulating = functions_of("fmurt_part_simulate", self._simulate([*asserts, *warnings]), frame)
         self._functions.extend(simulating)
@@ -204,6 +213,18 @@ class _Generator:
 
     # --- initialization ---
 
+    def _add_initialization(self, frame: FunctionFrame) -> None:
+        """Adds what is solved at initialization; what is solved while simulating, too, is not written twice."""
+        around = blocks_around(self._initialization, self._simulation)
+        self._is_simulated_at_start = around is not None
+        before, after = around or (self._initialization, [])
+        self._add("fmurt_part_initialize", self._initialize(before), frame)
+        self._add("fmurt_part_initialized", [*self._solved(after), *self._checked_at_start()], frame)
+
+    def _solved(self, blocks: Sequence[Block]) -> list[Statement]:
+        """The statements of blocks, all of which are executed at initialization."""
+        return [replace(item, is_discrete=False) for block in blocks for item in self._blocks.statements(block)]
+
     def _initialize(self, blocks: Sequence[Block]) -> list[Statement]:
         names = ex.symbols(*(root for block in blocks for root in block_roots(block)))
         starts = [name[6:-1] for name in names if name.startswith("start(")]
@@ -211,15 +232,15 @@ class _Generator:
         for name in starts:
             place, value = self._places.location(start_name(name)), self._places.location(name)
             statements.append(fixed_statement(f"{place} = {value};"))
-        for block in blocks:
-            statements.extend(replace(item, is_discrete=False) for item in self._blocks.statements(block))
-        statements.extend(self._negated_statements())
-        statements.extend(
+        return [*statements, *self._solved(blocks)]
+
+    def _checked_at_start(self) -> list[Statement]:
+        asserts = [
             assert_statement(item, "FMURT_RESULT_ERROR")
             for item in lasting_asserts(self._model)
             if self._is_invariant(item.condition)
-        )
-        return statements
+        ]
+        return [*self._negated_statements(), *asserts]
 
     # --- Jacobian ---
 
@@ -248,6 +269,7 @@ class _Generator:
                 work.integers,
                 self._blocks.followed,
                 [slots.of[name].index for name in self._thicknesses if name in slots.of],
+                self._is_simulated_at_start,
             )
         )
         sources = [GeneratedSource("model_parts.h", model_header(self._functions)), *self._part_files()]

@@ -31,6 +31,7 @@ class ModelParts:
         integers: size of that of integers.
         followed: slots of the unknowns of nonlinear systems.
         thicknesses: slots of the thicknesses of what may touch.
+        is_simulated_at_start: whether initialization solves the blocks of the simulation between its own.
     """
 
     reduced: ReducedModel
@@ -42,6 +43,7 @@ class ModelParts:
     integers: int
     followed: Sequence[int]
     thicknesses: Sequence[int]
+    is_simulated_at_start: bool
 
 
 def model_header(functions: Iterable[Function]) -> str:
@@ -82,10 +84,13 @@ def model_file(parts: ModelParts) -> str:
     rates = [str(slots.of[derivative_name(name)].index) for name in states]
     parameters = function_calls(functions, "fmurt_part_parameters")
     asserts = function_calls(functions, "fmurt_part_assert")
-    initialize = function_calls(functions, "fmurt_part_initialize") + asserts
     integrated = [item for item in functions if not item.is_discrete and not item.on_request]
     continuous = function_calls(integrated, "fmurt_part_simulate") + asserts
     remaining = function_calls([item for item in functions if item.on_request], "fmurt_part_simulate")
+    initialize = function_calls(functions, "fmurt_part_initialize")
+    if parts.is_simulated_at_start:
+        initialize += function_calls(integrated, "fmurt_part_simulate") + remaining
+    initialize += function_calls(functions, "fmurt_part_initialized") + asserts
     discrete = function_calls(functions, "fmurt_part_simulate")
     discrete += function_calls(functions, "fmurt_part_event", "v, states_changed")
     indicators = function_calls(functions, "fmurt_part_indicators", "v, indicator")

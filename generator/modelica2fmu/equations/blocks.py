@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from modelica2fmu.expand.scalar_model import ExternalCall
@@ -153,3 +153,33 @@ def _divided_steps(steps: Sequence[Assignment], needed: set[str], last: list[Ass
         else:
             last.append(step)
     return first[::-1]
+
+
+def blocks_around(blocks: Sequence[Block], others: Sequence[Block]) -> tuple[list[Block], list[Block]] | None:
+    """What of ``blocks`` comes before and after ``others``, whose continuous ones are all among ``blocks``.
+
+    ``None`` if they are not, or if some of them need what needs others of them.
+    """
+    common = {_identity(block): block for block in others if not (isinstance(block, Assignment) and block.is_discrete)}
+    own = [block for block in blocks if _identity(block) not in common]
+    if not common or len(blocks) - len(own) < len(common):
+        return None
+    later = {name for block in common.values() for name in block_targets(block)}
+    before: list[Block] = []
+    after: list[Block] = []
+    waiting: set[str] = set()
+    for block in own:
+        if later.isdisjoint(names := ex.symbols(*block_roots(block))) and waiting.isdisjoint(names):
+            before.append(block)
+        else:
+            after.append(block)
+            waiting.update(block_targets(block))
+    used = ex.symbols(*(root for block in common.values() for root in block_roots(block)))
+    if not waiting.isdisjoint(used) or any(name.startswith("start(") for name in used):
+        return None
+    return before, after
+
+
+def _identity(block: Block) -> Hashable:
+    """The same for blocks that do the same: equal expressions are one node."""
+    return type(block), tuple(block_targets(block)), tuple(block_roots(block))

@@ -13,6 +13,7 @@ from modelica2fmu.equations.blocks import (
     NonlinearBlock,
     Residual,
     block_targets,
+    blocks_around,
     divided_blocks,
     needed_blocks,
 )
@@ -101,8 +102,21 @@ def test_divided_blocks_give_what_is_wanted_first_and_then_the_rest(seed, size):
     whole = execute(blocks, {"p": 1.5})
     assert all(early[name] == whole[name] for name in wanted)
     assert execute(last, early) == whole
-    needed = {name for block in needed_blocks(first, wanted) for name in block_targets(block)}
+    solved = [name for block in first if isinstance(block, LinearBlock) for name in block.torn]
+    needed = {name for block in needed_blocks(first, [*wanted, *solved]) for name in block_targets(block)}
     assert all(target in needed for block in first if isinstance(block, Assignment) for target in block_targets(block))
+
+
+def test_blocks_that_two_systems_have_in_common_are_left_out_where_the_others_stand_around_them():
+    x, y, z = (ex.symbol(name) for name in "xyz")
+    simulation = [Assignment("y", ex.multiply(x, x)), Assignment("z", ex.add(y, x))]
+    start, told = Assignment("x", ex.symbol("start(x)")), Assignment("told", z, is_discrete=True)
+    assert blocks_around([start, *simulation, told], simulation) == ([start], [told])
+    # What the simulation needs must not need it: then all is solved in its own order.
+    between = Assignment("x", ex.subtract(ex.symbol("p"), y))
+    assert blocks_around([simulation[0], between, simulation[1]], simulation) is None
+    other = [start, Assignment("y", x), simulation[1]]
+    assert blocks_around(other, simulation) is None
 
 
 def test_long_chains_are_evaluated_from_their_equations_and_short_ones_in_closed_form():
