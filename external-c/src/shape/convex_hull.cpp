@@ -6,7 +6,6 @@
 
 #include "math/index.hpp"
 #include "shape/incremental_hull.hpp"
-#include "shape/point_groups.hpp"
 
 namespace cmb::convex {
 
@@ -194,13 +193,8 @@ bool attempt(const std::vector<Vec3> &points, double extent, double tolerance, P
   std::vector<Vec3> vertices;
   for (std::int32_t v : used) vertices.push_back(hull.point(v));
   Polytope built;
-  if (!Polytope::build(vertices, faces, built, &problem, 100.0 * tolerance)) return false;
-  const PointGroups groups(points);
-  for (const Polytope::Face &f : built.faces()) {
-    if (!groups.any_beyond(f.normal, f.offset + 100.0 * tolerance * extent)) continue;
-    problem = "a point is left outside by rounding";
-    return false;
-  }
+  // No point may be left outside by rounding.
+  if (!Polytope::build(vertices, faces, built, &problem, 100.0 * tolerance, &points)) return false;
   result = std::move(built);
   if (kept != nullptr) {
     kept->clear();

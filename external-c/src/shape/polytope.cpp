@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <unordered_map>
 #include <utility>
 
 #include "math/index.hpp"
@@ -44,7 +44,7 @@ Vec3 cube_direction(int side, double u, double v) {
 }  // namespace
 
 bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::vector<std::int32_t>> &faces,
-                     Polytope &result, std::string *problem, double tolerance) {
+                     Polytope &result, std::string *problem, double tolerance, const std::vector<Vec3> *inside) {
   if (vertices.size() < 4 || faces.size() < 4) return fail(problem, "a polytope has at least 4 vertices and 4 faces");
   Polytope built;
   built.vertices_ = vertices;
@@ -60,9 +60,13 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
   }
   const double extent = norm(high - low);
   const double slack = tolerance * extent;
-  const PointGroups groups(vertices);
+  const PointGroups groups(inside == nullptr ? vertices : *inside);
 
-  std::map<std::pair<std::int32_t, std::int32_t>, std::pair<std::int32_t, std::int32_t>> directed;  // -> face, edge
+  std::unordered_map<std::uint64_t, std::int32_t> edge_from;  // the edge of two vertices, by direction
+  edge_from.reserve(6 * vertices.size());
+  const auto direction = [](std::int32_t from, std::int32_t to) {
+    return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint64_t>(to);
+  };
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const std::vector<std::int32_t> &corner = faces[f];
     if (corner.size() < 3) return fail(problem, "a face has fewer than 3 corners");
@@ -92,17 +96,21 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
       }
     }
     if (groups.any_beyond(face.normal, face.offset + slack)) {
-      return fail(problem, "the faces are not those of a convex solid");
+      return fail(problem, inside == nullptr ? "the faces are not those of a convex solid"
+                                             : "a point is left outside by rounding");
     }
     for (std::size_t k = 0; k < corner.size(); ++k) {
       const std::int32_t a = corner[k], b = corner[(k + 1) % corner.size()];
-      if (a == b || directed.count({a, b}) != 0) return fail(problem, "an edge is used twice in the same sense");
-      const auto twin = directed.find({b, a});
+      const auto twin = edge_from.find(direction(b, a));
+      const bool is_new = twin == edge_from.end();
+      const std::int32_t edge_index = is_new ? static_cast<std::int32_t>(built.edges_.size()) : twin->second;
+      if (a == b || !edge_from.emplace(direction(a, b), edge_index).second) {
+        return fail(problem, "an edge is used twice in the same sense");
+      }
       const std::int32_t face_index = static_cast<std::int32_t>(f);
-      if (twin != directed.end()) {
-        built.edges_[index(twin->second.second)].face[1] = face_index;
-        directed[{a, b}] = {face_index, twin->second.second};
-        built.face_edges_.push_back(twin->second.second);
+      built.face_edges_.push_back(edge_index);
+      if (!is_new) {
+        built.edges_[index(edge_index)].face[1] = face_index;
         continue;
       }
       Edge edge;
@@ -110,8 +118,6 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
       edge.vertex[1] = b;
       edge.face[0] = face_index;
       edge.face[1] = -1;
-      directed[{a, b}] = {face_index, static_cast<std::int32_t>(built.edges_.size())};
-      built.face_edges_.push_back(static_cast<std::int32_t>(built.edges_.size()));
       built.edges_.push_back(edge);
       built.edge_directions_.push_back(normalized(vertices[index(b)] - vertices[index(a)]));
     }

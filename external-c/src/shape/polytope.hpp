@@ -28,9 +28,11 @@ class Polytope {
   // planes are fitted to the corners). Returns false, with the reason in `problem` (may be null), and
   // leaves `result` unchanged where that is not the closed surface of a convex solid: each edge shared
   // by two faces in opposite sense, no vertex farther than `tolerance` (relative to the extent)
-  // outside any face plane or off the plane of its own face. Allocates.
+  // outside any face plane or off the plane of its own face. Other points that must not lie outside either may be given
+  // as `inside`, with all the vertices among them. Allocates.
   static bool build(const std::vector<Vec3> &vertices, const std::vector<std::vector<std::int32_t>> &faces,
-                    Polytope &result, std::string *problem, double tolerance = 1e-9);
+                    Polytope &result, std::string *problem, double tolerance = 1e-9,
+                    const std::vector<Vec3> *inside = nullptr);
 
   // The box of full lengths `size` (all > 0), centred at the origin. Vertex v has the coordinate signs
   // of v's bits (bit 0: x, set = positive); faces come in the order -x, +x, -y, +y, -z, +z.
