@@ -67,6 +67,44 @@ def test_random_systems_are_solved_to_rounding(solve: Callable[[Array, Array], t
         assert np.allclose(found, x, rtol=0.0, atol=1e-14 * n * np.linalg.cond(a))
 
 
+def eliminated(a: Array) -> tuple[Array, list[int]]:
+    """Factors and pivots by elimination column after column, in the order of operations that the library promises."""
+    a, pivots = a.copy(), []
+    for k in range(len(a)):
+        for j, row in enumerate(pivots):
+            a[[j, row], k] = a[[row, j], k]
+        for j in range(k):
+            a[j + 1 :, k] -= a[j, k] * a[j + 1 :, j]
+        row = k + int(np.argmax(np.abs(a[k:, k])))
+        pivots.append(row)
+        a[[k, row], : k + 1] = a[[row, k], : k + 1]
+        a[k + 1 :, k] /= a[k, k]
+    return a, pivots
+
+
+def test_factors_are_those_of_one_column_after_the_other_to_the_last_bit(library: ctypes.CDLL) -> None:
+    """However many columns are eliminated at once, and however wide the registers are."""
+    random = np.random.default_rng(8)
+    for n in (1, 2, 3, 4, 5, 6, 7, 8, 11, 24, 61):
+        for density in (0.2, 1.0):
+            a = np.where(random.random((n, n)) < density, random.standard_normal((n, n)), 0.0) + np.eye(n)
+            a *= np.exp2(random.integers(-60, 60, n))[:, None]
+            matrix, scale, pivot = np.array(a, order="F"), np.zeros(n), np.zeros(n, dtype=np.int32)
+            assert library.fmurt_factorize(n, pointer(matrix), pointer(scale), pointer(pivot)) == 0
+            factors, pivots = eliminated(a * scale[:, None])
+            assert np.array_equal(matrix, factors)
+            assert list(pivot) == pivots
+
+
+def test_rows_are_scaled_by_powers_of_two_to_sizes_next_to_one(library: ctypes.CDLL) -> None:
+    sizes = np.array([5e-324, 1e-310, 2.2250738585072014e-308, 1e-300, 1e-9, 0.5, 1.0, 3.0, 1e9, 1e300, 1.7e308])
+    n = len(sizes)
+    matrix, scale, pivot = np.array(np.diag(sizes), order="F"), np.zeros(n), np.zeros(n, dtype=np.int32)
+    library.fmurt_factorize(n, pointer(matrix), pointer(scale), pointer(pivot))
+    exponents = np.frexp(sizes)[1]
+    assert np.array_equal(scale, np.ldexp(1.0, np.minimum(-exponents, 1000)))
+
+
 def test_many_right_hand_sides_are_solved_at_once(library: ctypes.CDLL) -> None:
     random = np.random.default_rng(3)
     lanes = 4

@@ -1,39 +1,12 @@
 /* fmurt_linear.c - dense linear systems for generated code. */
 #include <float.h>
-#include <math.h>
 #include <string.h>
 
 #include "fmurt_lu.h"
 #include "fmurt_model.h"
 
-/* Scales every row of A by the power of two next to its largest entry: exact, and pivots of rows in different units
- * become comparable. */
-static void scale_rows(int n, double *a, double *scale) {
-  const size_t rows = (size_t)n;
-  for (int i = 0; i < n; ++i) scale[i] = 0.0;
-  for (int j = 0; j < n; ++j) {
-    const double *column = a + (size_t)j * rows;
-    for (int i = 0; i < n; ++i) {
-      const double size = fabs(column[i]);
-      scale[i] = size > scale[i] ? size : scale[i]; /* passes over NaN */
-    }
-  }
-  for (int i = 0; i < n; ++i) {
-    const double largest = scale[i];
-    scale[i] = 1.0;
-    if (!(largest > 0.0) || !isfinite(largest)) continue;
-    int exponent;
-    frexp(largest, &exponent);
-    scale[i] = ldexp(1.0, exponent > -1000 ? -exponent : 1000); /* finite for subnormal rows too */
-  }
-  for (int j = 0; j < n; ++j) {
-    double *column = a + (size_t)j * rows;
-    for (int i = 0; i < n; ++i) column[i] *= scale[i];
-  }
-}
-
 int fmurt_factorize(int n, double *a, double *scale, int *pivot) {
-  scale_rows(n, a, scale);
+  fmurt_lu_scale_rows(n, a, scale);
   return fmurt_lu_factorize(n, a, pivot, n * DBL_EPSILON);
 }
 

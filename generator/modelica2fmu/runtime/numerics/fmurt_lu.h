@@ -8,6 +8,10 @@
  * larger than `least` times the column's largest element before the elimination. */
 int fmurt_lu_factorize(int n, double *a, int *pivot, double least);
 
+/* Scales every row of `a` (n x n) by the power of two next to its largest entry, kept in `scale`: exact, and pivots of rows in
+ * different units become comparable. */
+void fmurt_lu_scale_rows(int n, double *a, double *scale);
+
 /* Solves A x = b with these factors: b in, x out. */
 void fmurt_lu_solve(int n, const double *a, const int *pivot, double *b);
 
