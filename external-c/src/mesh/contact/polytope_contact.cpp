@@ -32,9 +32,10 @@ class PolytopeQuery {
     const NearestPoint nearest = mesh_.nearest(0.5 * (box_.low + box_.high));
     // A body that no triangle meets touches only what its middle is in, or nothing.
     if (!(nearest.distance < 0.0 && mesh_.closed()) && apart(nearest.triangle)) return;
-    WedgeOverlap overlap(body_, scratch_.body_vertices, scratch_.body_normals, mesh_, 0.5 * (box_.low + box_.high), size_,
+    WedgeOverlap overlap(body_, place_, scratch_.body_vertices, scratch_.body_normals, mesh_, 0.5 * (box_.low + box_.high), size_,
                          scratch_.overlap);
-    mesh_.hierarchy().visit_near(box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { overlap.add(t); });
+    mesh_.visit_wedges(
+        box_, size_, [&](const Vec3 &d) { return farthest_vertex(d); }, [&](std::uint32_t t) { overlap.add(t); });
     const SectionedBody body(body_, place_, scratch_.body_vertices, scratch_.body_normals, scratch_.patch.polygon,
                              scratch_.patch.clipped);
     if (!append_overlap_contact(overlap, body, mesh_, pose_, scratch_.loads, result_)) apart(nearest.triangle);
@@ -56,10 +57,11 @@ class PolytopeQuery {
       return lowest - highest;
     }
   };
-  Extent extent_along(const Vec3 &direction) const {
-    const Vec3 local = transposed_times(place_.rotation, -direction);
-    return {direction, dot(direction, scratch_.body_vertices[static_cast<std::size_t>(body_.support_vertex(local))])};
+  const Vec3 &farthest_vertex(const Vec3 &direction) const {
+    const Vec3 local = transposed_times(place_.rotation, direction);
+    return scratch_.body_vertices[static_cast<std::size_t>(body_.support_vertex(local))];
   }
+  Extent extent_along(const Vec3 &direction) const { return {direction, dot(direction, farthest_vertex(-direction))}; }
 
   // Whether no triangle meets the body; sets distance, normal and witness then. The search begins with triangle `first`.
   bool apart(std::uint32_t first) {

@@ -34,7 +34,11 @@ class SmoothQuery {
     // A body that no triangle meets touches only what its middle is in, or nothing.
     if (!(nearest.distance < 0.0 && mesh_.closed()) && apart(nearest.triangle)) return;
     RoundOverlap overlap(body_, place_, mesh_, scratch_.round);
-    mesh_.hierarchy().visit_near(box_, [&] { return size_ * size_; }, [&](std::uint32_t t) { overlap.add(t); });
+    const auto support = [&](const Vec3 &d) {
+      const Vec3 on_core = place_(convex::core_support(body_, transposed_times(place_.rotation, d)).point);
+      return body_.radius > 0.0 ? on_core + (body_.radius / norm(d)) * d : on_core;
+    };
+    mesh_.visit_wedges(box_, size_, support, [&](std::uint32_t t) { overlap.add(t); });
     if (!append_overlap_contact(overlap, sectioned_, mesh_, pose_, scratch_.loads, result_)) apart(nearest.triangle);
   }
 

@@ -74,6 +74,12 @@ class TriangleHierarchy {
   // The same, but for nodes of whose boxes skip(bounds) says, asked anew at each node, that nothing in them matters.
   template <typename Reach, typename Skip, typename Visit>
   void visit_near_unless(const Bounds &box, Reach &&reach, Skip &&skip, Visit &&visit) const {
+    visit_nodes(box, reach, [&](std::uint32_t node) { return skip(nodes_[node].bounds); }, visit);
+  }
+
+  // The same, skip being asked by the node's number.
+  template <typename Reach, typename Skip, typename Visit>
+  void visit_nodes(const Bounds &box, Reach &&reach, Skip &&skip, Visit &&visit) const {
     struct Entry {
       std::uint32_t node;
       double distance2;
@@ -84,8 +90,8 @@ class TriangleHierarchy {
     while (size > 0) {
       const Entry entry = stack[--size];
       if (entry.distance2 > reach()) continue;
+      if (skip(entry.node)) continue;
       const Node &node = nodes_[entry.node];
-      if (skip(node.bounds)) continue;
       if (node.count > 0) {
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) visit(order_[i]);
         continue;

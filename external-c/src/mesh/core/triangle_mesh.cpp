@@ -85,6 +85,7 @@ void TriangleMesh::build_wedge_sides() {
   for (std::uint32_t t = 0; t < triangles().size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) wedge_sides_[t][k] = make_wedge_side(*this, t, k);
   }
+  wedge_reach_ = WedgeReach(data_, face_normals_, wedge_sides_, hierarchy_);
 }
 
 void TriangleMesh::build_vertex_triangles() {

@@ -10,6 +10,7 @@
 #include "mesh/core/mesh_data.hpp"
 #include "mesh/core/planar_faces.hpp"
 #include "mesh/core/triangle_hierarchy.hpp"
+#include "mesh/core/wedge_reach.hpp"
 
 namespace cmb::mesh {
 
@@ -36,12 +37,6 @@ struct NearestPoint {
   Vec3 point;             // of the mesh
   Vec3 normal;            // unit; from the surface at `point` to where the distance grows fastest
   std::uint32_t triangle = 0;
-};
-
-// A plane between what lies behind two neighbours (see make_wedge_side).
-struct WedgeSide {
-  Vec3 normal;  // inward, unit
-  double offset = 0.0;
 };
 
 // Immutable; shared by threads. All in the mesh's frame.
@@ -75,6 +70,21 @@ class TriangleMesh {
 
   // Of what lies behind triangle t, one for each side.
   const std::array<WedgeSide, 3> &wedge_sides(std::uint32_t t) const { return wedge_sides_[t]; }
+
+  // Calls visit(triangle) for the triangles of all leaves that are within `farthest` of the box and in whose wedges some of a convex body in
+  // the box may be, the nearer ones first. support(d) is a place of the body farthest along d.
+  template <typename Support, typename Visit>
+  void visit_wedges(const Bounds &box, double farthest, Support &&support, Visit &&visit) const {
+    hierarchy_.visit_nodes(
+        box, [&] { return farthest * farthest; }, [&](std::uint32_t node) { return !wedge_reach_.may_meet(node, support); }, visit);
+  }
+
+  // The same for triangles that the body, of which reach(d) is the greatest d . x, may touch, until stop().
+  template <typename Stop, typename Reach, typename Visit>
+  void visit_touched(const Bounds &box, Stop &&stop, Reach &&reach, Visit &&visit) const {
+    hierarchy_.visit_nodes(
+        box, [&] { return stop() ? -1.0 : 0.0; }, [&](std::uint32_t node) { return !wedge_reach_.may_touch(node, reach); }, visit);
+  }
 
   // Flat faces of several triangles.
   const PlanarFaces &faces() const { return faces_; }
@@ -115,6 +125,7 @@ class TriangleMesh {
   std::vector<Vec3> face_normals_, vertex_normals_;
   std::vector<double> depth_limits_, clear_depths_;
   std::vector<std::array<WedgeSide, 3>> wedge_sides_;
+  WedgeReach wedge_reach_;
   std::vector<Vec3> interior_points_;
   MassProperties mass_properties_;
   double area_ = 0.0;

@@ -31,51 +31,36 @@ double radius_of(const convex::ConvexBody &body) { return convex::core_radius(bo
 
 RoundOverlap::RoundOverlap(const convex::ConvexBody &body, const Pose &place, const TriangleMesh &mesh, RoundOverlapScratch &scratch)
     : WedgeIntegrals(mesh, radius_of(body), factor_of(body)),
-      body_(body),
-      center_(place.translation),
-      rotation_(place.rotation),
+      whole_{body, place},
       scratch_(scratch) {
-  set_parts();
-}
-
-void RoundOverlap::set_parts() {
-  const convex::ConvexBody &body = body_;
-  const Vec3 &center = center_;
   if (body.core != CoreShape::segment) {
-    parts_[count_++] = {body, center};
+    parts_[count_++] = whole_;
     return;
   }
   const double r = body.radius, half = body.half.z;
-  const Vec3 to_end = half * rotation_.column(2);
   const convex::ConvexBody ball = convex::make_ellipsoid({r, r, r});
-  parts_[count_++] = {ball, center + to_end, 0.0, HUGE_VAL};
-  parts_[count_++] = {ball, center - to_end, -HUGE_VAL, 0.0};
+  parts_[count_++] = {ball, {place.rotation, place({0.0, 0.0, half})}, 0.0, HUGE_VAL};
+  parts_[count_++] = {ball, {place.rotation, place({0.0, 0.0, -half})}, -HUGE_VAL, 0.0};
   constexpr double shortest = 1e-9;
-  if (half > shortest * r) parts_[count_++] = {convex::make_cylinder(r, 2.0 * half), center, -half, half};
+  if (half > shortest * r) parts_[count_++] = {convex::make_cylinder(r, 2.0 * half), place, -half, half};
 }
 
-double RoundOverlap::reach(const convex::ConvexBody &body, const Vec3 &center, const Vec3 &direction) const {
-  const Vec3 local = transposed_times(rotation_, direction);
-  const double around = body.radius > 0.0 ? body.radius * norm(direction) : 0.0;
-  return dot(direction, center) + dot(local, convex::core_support(body, local).point) + around;
-}
-
-// Whether what of a body is below the triangle at hand lies beyond a side of its wedge, or nothing is there. Below the plane n . x = o, m . x
-// is at most h(m - l n) + l o for all l >= 0, h being the body's support function.
-bool RoundOverlap::is_outside(const convex::ConvexBody &body, const Vec3 &center) const {
-  if (!(offset_of_front_ + reach(body, center, -face_normal()) > 0.0)) return true;
-  for (const WedgeSide &side : mesh().wedge_sides(triangle())) {
-    for (const double share : {16.0, 4.0, 1.0}) {
-      if (reach(body, center, side.normal - share * face_normal()) + share * offset_of_front_ < side.offset) return true;
-    }
-  }
-  return false;
+bool RoundOverlap::is_outside(const Part &part) const {
+  const double around = part.body.radius;
+  return WedgeIntegrals::is_outside(part.place, [&](const Vec3 &d) {
+    return dot(d, convex::core_support(part.body, d).point) + (around > 0.0 ? around * norm(d) : 0.0);
+  });
 }
 
 // What of the wedge is about the part; false where there is nothing.
 bool RoundOverlap::set_cell(const Part &part) {
-  const Vec3 &center = part.center;
-  const double deepest = offset_of_front_ + reach(part, -face_normal());
+  const Vec3 &center = part.place.translation;
+  // How far the part reaches along a direction.
+  const auto reach = [&](const Vec3 &direction) {
+    const Vec3 local = transposed_times(part.place.rotation, direction);
+    return dot(direction, center) + dot(local, convex::core_support(part.body, local).point);
+  };
+  const double offset_of_front = dot(face_normal(), mesh().corner(triangle(), 0)), deepest = offset_of_front + reach(-face_normal());
   deepest_below_ = std::min(deepest, mesh().depth_limit(triangle()));
   scratch_.planes.clear();
   scratch_.cell.start(center, 1.1 * radius_of(part.body));
@@ -87,10 +72,10 @@ bool RoundOverlap::set_cell(const Part &part) {
     }
     return false;
   };
-  if (!cut(-face_normal(), -offset_of_front_)) return false;
+  if (!cut(-face_normal(), -offset_of_front)) return false;
   const auto limit = [&](double along, double offset) {
     scratch_.planes.push_back({Vec3{0.0, 0.0, along}, offset, false});
-    const Vec3 normal = along * rotation_.column(2);
+    const Vec3 normal = along * part.place.rotation.column(2);
     return cut(normal, offset + dot(normal, center));
   };
   if (std::isfinite(part.low) && !limit(1.0, part.low)) return false;
@@ -100,9 +85,9 @@ bool RoundOverlap::set_cell(const Part &part) {
   const double aside = 1e-11 * radius();
   return visit_wedge_planes(mesh(), triangle(), deepest, [&](const WedgePlane &plane) {
     const double offset = plane.offset + (plane.strict ? aside : -aside);
-    if (reach(part, plane.normal) <= offset) return false;
-    if (-reach(part, -plane.normal) >= offset) return true;
-    const WedgePlane in_body{transposed_times(rotation_, plane.normal), offset - dot(plane.normal, center), false};
+    if (reach(plane.normal) <= offset) return false;
+    if (-reach(-plane.normal) >= offset) return true;
+    const WedgePlane in_body{transposed_times(part.place.rotation, plane.normal), offset - dot(plane.normal, center), false};
     for (const WedgePlane &other : scratch_.planes) {
       if (coincide(in_body, other, radius())) return true;
       if (coincide({-in_body.normal, -in_body.offset}, other, radius())) return false;
@@ -124,8 +109,8 @@ bool RoundOverlap::find_surface(const Part &part) {
   OverlapSurface &surface = scratch_.surface;
   Vec3 place;
   for (const Vec3 &v : cell.vertices) place = place + v;
-  place = transposed_times(rotation_, (1.0 / static_cast<double>(cell.vertices.size())) * place - part.center);
-  Pose in_body{transposed(rotation_), -transposed_times(rotation_, part.center)};
+  place = transposed_times(part.place.rotation, (1.0 / static_cast<double>(cell.vertices.size())) * place - part.place.translation);
+  Pose in_body = part.place.inverse();
   constexpr int attempts = 8;
   double aside = 1e-10 * radius();
   for (int attempt = 1; attempt <= attempts; ++attempt) {
@@ -146,20 +131,18 @@ bool RoundOverlap::find_surface(const Part &part) {
 
 void RoundOverlap::add(std::uint32_t t) {
   look_at(t);
-  if (is_out_of_reach(center_)) return;
-  offset_of_front_ = dot(face_normal(), mesh().corner(t, 0));
-  if (is_outside(body_, center_)) return;
+  if (is_out_of_reach(whole_.place.translation) || is_outside(whole_)) return;
   for (std::size_t k = 0; k < count_; ++k) {
     const Part &part = parts_[k];
-    if ((count_ > 1 && is_outside(part.body, part.center)) || !set_cell(part) || !find_surface(part)) continue;
-    begin(to_mesh(part, scratch_.surface.place() + scratch_.surface.middle()));
+    if ((count_ > 1 && is_outside(part)) || !set_cell(part) || !find_surface(part)) continue;
+    begin(part.place(scratch_.surface.place() + scratch_.surface.middle()));
     integrate(part);
   }
 }
 
 // The greatest depth of the part below the triangle at hand, and its place in the part's frame; 0 where it is not above `enough`.
 double RoundOverlap::deepest_of_overlap(const Part &part, const Vec3 &local, double enough, Vec3 &deepest_place) const {
-  const double center_depth = depth(part.center);
+  const double center_depth = depth(part.place.translation);
   const auto depth_of = [&](const Vec3 &at) { return center_depth - dot(local, at); };
   switch (deepest_within(part.body, -local, scratch_.planes, enough - center_depth, deepest_place)) {
     case Deepest::none: return 0.0;
@@ -193,8 +176,8 @@ double RoundOverlap::mean_square(const Part &part, double at_middle, const Vec3 
 
 void RoundOverlap::integrate(const Part &part) {
   const OverlapSurface &surface = scratch_.surface;
-  const Vec3 origin = to_mesh(part, surface.place()), from_patches = origin - patches().origin();
-  const Vec3 local = transposed_times(rotation_, face_normal());
+  const Vec3 origin = part.place(surface.place()), from_patches = origin - patches().origin();
+  const Vec3 local = transposed_times(part.place.rotation, face_normal());
   const double at_place = depth(origin), at_middle = at_place - dot(local, surface.middle());
   first_.integral += surface.volume();
   third_.integral += 3.0 * surface.volume() * mean_square(part, at_middle, local);
@@ -205,15 +188,15 @@ void RoundOverlap::integrate(const Part &part) {
     const Vec3 torque = cross(node.at, node.area);
     first.force = first.force + node.area, first.torque = first.torque + torque;
     third.force = third.force + squares * node.area, third.torque = third.torque + squares * torque;
-    patch.add_place(-dot(local, node.area), from_patches + rotation_ * node.at, deep);
+    patch.add_place(-dot(local, node.area), from_patches + part.place.rotation * node.at, deep);
   }
   volume_ += surface.volume(), area_ += norm(first.force);
   const double thickness = volume_ / (area_ * radius());
   set_known_part(1.0 - convex::falling_smoothstep(std::max(0.0, std::log(thickness / hardly_known) / std::log(well_known / hardly_known))));
   const auto add = [&](const Wrench &sum, Integral &integral) {
-    const Vec3 force = rotation_ * sum.force;
+    const Vec3 force = part.place.rotation * sum.force;
     integral.gradient.add(force, from_patches);
-    integral.gradient.torque = integral.gradient.torque + rotation_ * sum.torque;
+    integral.gradient.torque = integral.gradient.torque + part.place.rotation * sum.torque;
   };
   add(first, first_);
   add(third, third_);
@@ -224,11 +207,11 @@ void RoundOverlap::integrate(const Part &part) {
   patch.load = std::max(patch.load, 0.0);
   if (patch.load > deepest_below_ * patch.area) patch.scale(deepest_below_ * patch.area / patch.load);
   patch.energy = std::clamp(patch.energy, 0.0, deepest_below_ * patch.load);
-  add_patch(patch, to_mesh(part, surface.place() + surface.middle()));
+  add_patch(patch, part.place(surface.place() + surface.middle()));
   if (!(patch.load > 0.0)) return;
   Vec3 deepest_place;
   const double deep = deepest_of_overlap(part, local, deepest(), deepest_place);
-  if (deep > deepest()) offer_deepest(deep, to_mesh(part, deepest_place));
+  if (deep > deepest()) offer_deepest(deep, part.place(deepest_place));
 }
 
 }  // namespace cmb::mesh

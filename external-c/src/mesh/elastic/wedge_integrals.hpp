@@ -1,6 +1,7 @@
 // What the overlaps behind a mesh's triangles store together, as an elastic solid.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -62,6 +63,26 @@ class WedgeIntegrals {
   void look_at(std::uint32_t t);
   // Whether the body's ball, about `center`, lies before it or beyond a side of its wedge.
   bool is_out_of_reach(const Vec3 &center) const;
+  // Whether nothing of a body is below it, or that lies beyond a side of its wedge. support(d) is the greatest d . x of the body in its own
+  // frame, h(d), and `place` its pose. Below the plane n . x = o, m . x is at most h(m - l n) + l o for all l >= 0.
+  template <typename Support>
+  bool is_outside(const Pose &place, Support &&support) const {
+    const Vec3 normal = transposed_times(place.rotation, normal_);
+    const double front = depth(place.translation);
+    if (!(front + support(-normal) > 0.0)) return true;
+    // The side that the body is farthest beyond comes first.
+    const std::array<WedgeSide, 3> &sides = mesh_.wedge_sides(triangle_);
+    double offset[3];
+    for (std::size_t k = 0; k < 3; ++k) offset[k] = sides[k].offset - dot(sides[k].normal, place.translation);
+    const std::size_t first = offset[0] > offset[1] ? (offset[0] > offset[2] ? 0 : 2) : (offset[1] > offset[2] ? 1 : 2);
+    for (std::size_t k = first; k < first + 3; ++k) {
+      const Vec3 inward = transposed_times(place.rotation, sides[k % 3].normal);
+      for (const double share : {4.0, 16.0, 1.0}) {
+        if (support(inward - share * normal) + share * front < offset[k % 3]) return true;
+      }
+    }
+    return false;
+  }
   // Before its parts are added. `place`: near its overlap.
   void begin(const Vec3 &place);
   // What faces the triangle at hand, places relative to the patches' origin; about its `middle` it is asked whether the triangle is the

@@ -70,7 +70,8 @@ bool WedgeOverlap::offer(const Plane &plane) {
 // The planes that cut the body; false where nothing of it is left. The triangle's own comes first.
 bool WedgeOverlap::set_planes(std::uint32_t t) {
   look_at(t);
-  if (is_out_of_reach(center_)) return false;
+  const auto support = [&](const Vec3 &d) { return dot(d, body_.vertices()[static_cast<std::size_t>(body_.support_vertex(d))]); };
+  if (is_out_of_reach(center_) || is_outside(place_, support)) return false;
   scratch_.depths.clear();
   const double limit = mesh().depth_limit(t);
   double deepest = 0.0, shallowest = limit;

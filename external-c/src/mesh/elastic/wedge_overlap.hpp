@@ -39,10 +39,10 @@ struct OverlapScratch {
 // Everything in the mesh's frame. Borrows all it is given.
 class WedgeOverlap : public WedgeIntegrals {
  public:
-  // `vertices`, `normals`: the body's, placed. `center`: of its box; `radius`: of a ball about it that holds the body.
-  WedgeOverlap(const convex::Polytope &body, const std::vector<Vec3> &vertices, const std::vector<Vec3> &normals,
+  // `vertices`, `normals`: the body's at `place`. `center`: of its box; `radius`: of a ball about it that holds the body.
+  WedgeOverlap(const convex::Polytope &body, const Pose &place, const std::vector<Vec3> &vertices, const std::vector<Vec3> &normals,
                const TriangleMesh &mesh, const Vec3 &center, double radius, OverlapScratch &scratch)
-      : WedgeIntegrals(mesh, radius, 1.0), body_(body), vertices_(vertices), normals_(normals), center_(center), scratch_(scratch) {}
+      : WedgeIntegrals(mesh, radius, 1.0), body_(body), place_(place), vertices_(vertices), normals_(normals), center_(center), scratch_(scratch) {}
 
   // What lies behind triangle t.
   void add(std::uint32_t t);
@@ -54,6 +54,7 @@ class WedgeOverlap : public WedgeIntegrals {
   void integrate(const OverlapScratch::Piece &piece);
 
   const convex::Polytope &body_;
+  const Pose &place_;
   const std::vector<Vec3> &vertices_, &normals_;
   Vec3 center_;
   OverlapScratch &scratch_;

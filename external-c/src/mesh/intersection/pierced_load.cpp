@@ -53,7 +53,8 @@ constexpr double most_sections = 64.0;
 // the body, whose box is `box`, until `stop`.
 template <typename Act>
 void visit_sections(const SectionedBody &body, const Bounds &box, const TriangleMesh &mesh, const bool &stop, Act &&act) {
-  mesh.hierarchy().visit_near(box, [&] { return stop ? -1.0 : 0.0; }, [&](std::uint32_t t) {
+  const auto reach = [&](const Vec3 &d) { return body.reach(d); };
+  mesh.visit_touched(box, [&] { return stop; }, reach, [&](std::uint32_t t) {
     const Vec3 corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
     if (stop || distance2(bounds_of(corner), box) > 0.0) return;
     const Vec3 &normal = mesh.face_normal(t);
