@@ -146,6 +146,19 @@ CMB_API cmb_status cmb_evaluate_response(cmb_broadphase broadphase, const cmb_co
                                          const cmb_body_properties *properties, const cmb_motion *motion,
                                          double *force, double *torque, cmb_response_sums *sums);
 
+/* The contact forces on some bodies, were there no others; for integrators that follow bodies which are out of each other's reach
+ * with steps of their own. Arrays are those of all bodies; the rows of others are neither read nor written. The work
+ * grows with the number of the bodies in the list.
+ * bodies  [count] 1-based, ascending */
+CMB_API cmb_status cmb_evaluate_response_among(cmb_broadphase broadphase, const cmb_contact_law *law,
+                                               const cmb_body_properties *properties, const cmb_motion *motion,
+                                               const int *bodies, size_t count, double *force, double *torque,
+                                               cmb_response_sums *sums);
+
+/* Radii of balls about the origins of the bodies' frames that hold them; infinite for half-spaces.
+ * radius  [body_count] m */
+CMB_API cmb_status cmb_body_radii(cmb_broadphase broadphase, size_t body_count, double *radius);
+
 #ifdef __cplusplus
 }
 #endif

@@ -28,6 +28,19 @@ void cmb_modelica_response(int broadphase, const double *position, size_t body_c
                            double *force, double *torque, double *elastic_energy, double *contact_count,
                            double *largest_depth, double *relative_depth);
 
+/* Forces on some of the bodies, were there no others; see cmb_evaluate_response_among. For the integrator of an FMU, with the
+ * arguments of cmb_modelica_response but for its sums. */
+void cmb_modelica_response_among(int broadphase, const int *bodies, size_t count, const double *position,
+                                 size_t body_count, const double *rotation, const double *velocity,
+                                 const double *angular_velocity, const double *mass, const double *center_of_mass,
+                                 const double *inertia, const double *stiffness, const double *modulus,
+                                 const double *curvature, const double *restitution, const double *mu_static,
+                                 const double *mu_dynamic, const int *choice, const double *number, double *force,
+                                 double *torque);
+
+/* Radii of the bodies; see cmb_body_radii. */
+void cmb_modelica_body_radii(int broadphase, size_t body_count, double *radius);
+
 #ifdef __cplusplus
 }
 #endif

@@ -87,8 +87,40 @@ cmb_status check_query(cmb_broadphase handle, const cmb_poses *poses, const Broa
   return CMB_OK;
 }
 
+// Checks the bodies that a query is about, and sets scratch.among and their poses.
+cmb_status check_among(const BroadPhase &broad_phase, const cmb_motion &motion, const int *bodies, size_t count,
+                       cmb::ResponseScratch &scratch) {
+  scratch.among.clear();
+  scratch.broad_phase.body_poses.resize(broad_phase.body_count());
+  int last = 0;
+  for (size_t k = 0; k < count; ++k) {
+    if (bodies[k] <= last || static_cast<size_t>(bodies[k]) > broad_phase.body_count()) {
+      return fail(CMB_ERROR_ARGUMENT, "body " + std::to_string(bodies[k]) + " in the list of bodies; they ascend from 1 to " +
+                                          std::to_string(broad_phase.body_count()));
+    }
+    last = bodies[k];
+    const std::size_t body = static_cast<std::size_t>(last) - 1;
+    const cmb_status status = cmb::read_body_pose(body, motion.poses.position, motion.poses.rotation,
+                                                  scratch.broad_phase.body_poses[body]);
+    if (status != CMB_OK) return status;
+    scratch.among.push_back(static_cast<std::uint32_t>(body));
+  }
+  return CMB_OK;
+}
+
 bool finite_row(const double *array, std::size_t row) {
   return std::isfinite(array[3 * row]) && std::isfinite(array[3 * row + 1]) && std::isfinite(array[3 * row + 2]);
+}
+
+cmb_status check_velocity(const cmb_motion &motion, size_t body) {
+  if (finite_row(motion.velocity, body) && finite_row(motion.angular_velocity, body)) return CMB_OK;
+  return fail(CMB_ERROR_POSE, "body " + std::to_string(body + 1) +
+                                  " has a velocity that is not finite; check the initial values, or the step "
+                                  "size of the integrator");
+}
+
+void write_row(const Vec3 &row, double *target) {
+  for (int axis = 0; axis < 3; ++axis) target[axis] = row[axis];
 }
 
 void write_rows(const std::vector<Vec3> &rows, double *target) {
@@ -212,11 +244,8 @@ cmb_status cmb_evaluate_response(cmb_broadphase broadphase, const cmb_contact_la
       return fail(CMB_ERROR_ARGUMENT, "velocity, angular_velocity, force or torque is NULL");
     }
     for (size_t body = 0; body < body_count; ++body) {
-      if (!finite_row(motion->velocity, body) || !finite_row(motion->angular_velocity, body)) {
-        return fail(CMB_ERROR_POSE, "body " + std::to_string(body + 1) +
-                                        " has a velocity that is not finite; check the initial values, or the step "
-                                        "size of the integrator");
-      }
+      const cmb_status finite = check_velocity(*motion, body);
+      if (finite != CMB_OK) return finite;
     }
     try {
       cmb::ResponseScratch &scratch = cmb::response_scratch();
@@ -229,6 +258,56 @@ cmb_status cmb_evaluate_response(cmb_broadphase broadphase, const cmb_contact_la
     } catch (const cmb::ResponseError &error) {
       return fail(CMB_ERROR_ARGUMENT, error.what());
     }
+  });
+}
+
+cmb_status cmb_evaluate_response_among(cmb_broadphase broadphase, const cmb_contact_law *law,
+                                       const cmb_body_properties *properties, const cmb_motion *motion,
+                                       const int *bodies, size_t count, double *force, double *torque,
+                                       cmb_response_sums *sums) {
+  return guarded([&] {
+    if (law == nullptr || properties == nullptr || motion == nullptr) {
+      return fail(CMB_ERROR_ARGUMENT, "law, properties or motion is NULL");
+    }
+    const BroadPhase *found = registry().find(broadphase.number);
+    if (found == nullptr) return unknown_broadphase(broadphase);
+    cmb_status status = cmb::check_poses(&motion->poses, found->body_count());
+    if (status != CMB_OK) return status;
+    if (count > 0 && (bodies == nullptr || motion->velocity == nullptr || motion->angular_velocity == nullptr ||
+                      force == nullptr || torque == nullptr)) {
+      return fail(CMB_ERROR_ARGUMENT, "bodies, velocity, angular_velocity, force or torque is NULL");
+    }
+    cmb::ResponseScratch &scratch = cmb::response_scratch();
+    status = check_among(*found, *motion, bodies, count, scratch);
+    if (status != CMB_OK) return status;
+    for (const std::uint32_t body : scratch.among) {
+      status = check_velocity(*motion, body);
+      if (status != CMB_OK) return status;
+    }
+    try {
+      const cmb_response_sums result =
+          cmb::evaluate_response_among(*found, *law, *properties, *motion, scratch, cmb::query_scratch());
+      for (const std::uint32_t body : scratch.among) {
+        write_row(scratch.force[body], force + 3 * body);
+        write_row(scratch.torque[body], torque + 3 * body);
+      }
+      if (sums != nullptr) *sums = result;
+      return CMB_OK;
+    } catch (const cmb::ResponseError &error) {
+      return fail(CMB_ERROR_ARGUMENT, error.what());
+    }
+  });
+}
+
+cmb_status cmb_body_radii(cmb_broadphase broadphase, size_t body_count, double *radius) {
+  return guarded([&] {
+    const BroadPhase *found = registry().find(broadphase.number);
+    if (found == nullptr) return unknown_broadphase(broadphase);
+    if (body_count != found->body_count() || (body_count > 0 && radius == nullptr)) {
+      return fail(CMB_ERROR_ARGUMENT, "radius is NULL, or not that of all bodies");
+    }
+    for (size_t body = 0; body < body_count; ++body) radius[body] = found->radius_about_origin(body);
+    return CMB_OK;
   });
 }
 

@@ -117,4 +117,20 @@ cmb_response_sums evaluate_response(const BroadPhase &broad_phase, const cmb_con
   return evaluation.sums();
 }
 
+cmb_response_sums evaluate_response_among(const BroadPhase &broad_phase, const cmb_contact_law &law,
+                                          const cmb_body_properties &properties, const cmb_motion &motion,
+                                          ResponseScratch &scratch, QueryScratch &query) {
+  scratch.laws.prepare_among(law, properties, broad_phase.filter(), scratch.among);
+  scratch.force.resize(broad_phase.body_count());
+  scratch.torque.resize(broad_phase.body_count());
+  for (const std::uint32_t body : scratch.among) scratch.force[body] = scratch.torque[body] = {};
+  Evaluation evaluation(broad_phase, law, properties, motion, scratch);
+  broad_phase.find_candidates_among(scratch.among, scratch.broad_phase);
+  visit_touching(broad_phase, scratch.broad_phase, query,
+                 [&](std::size_t a, std::size_t b, const std::vector<ContactPoint> &points) {
+                   evaluation.add(a, b, points);
+                 });
+  return evaluation.sums();
+}
+
 }  // namespace cmb

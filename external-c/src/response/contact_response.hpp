@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "broadphase/broad_phase.hpp"
@@ -17,16 +18,16 @@ struct ResponseScratch {
   PairLaws laws;
   std::vector<double> deceleration;
   std::vector<Vec3> force, torque;
+  std::vector<std::uint32_t> among;
 };
 
 // This thread's scratch.
 ResponseScratch &response_scratch();
 
-// Calls visit(body_a, body_b, points) for each pair of bodies that touches, sorted, body_a < body_b, 0-based.
-// `points` is a std::vector<ContactPoint>, valid during the call. scratch.body_poses says where the bodies are.
+// Calls visit(body_a, body_b, points) for each pair of bodies of scratch.candidates that touches, sorted, body_a < body_b, 0-based.
+// `points` is a std::vector<ContactPoint>, valid during the call.
 template <typename Visit>
-void visit_contacts(const BroadPhase &broad_phase, BroadPhaseScratch &scratch, QueryScratch &query, Visit &&visit) {
-  broad_phase.find_candidates(scratch);
+void visit_touching(const BroadPhase &broad_phase, BroadPhaseScratch &scratch, QueryScratch &query, Visit &&visit) {
   const Scene &scene = broad_phase.scene();
   const std::vector<Candidate> &candidates = scratch.candidates;
   for (std::size_t i = 0; i < candidates.size();) {
@@ -48,10 +49,22 @@ void visit_contacts(const BroadPhase &broad_phase, BroadPhaseScratch &scratch, Q
   }
 }
 
+// The same for all pairs that touch where scratch.body_poses says that the bodies are.
+template <typename Visit>
+void visit_contacts(const BroadPhase &broad_phase, BroadPhaseScratch &scratch, QueryScratch &query, Visit &&visit) {
+  broad_phase.find_candidates(scratch);
+  visit_touching(broad_phase, scratch, query, visit);
+}
+
 // Fills scratch.force and scratch.torque, of each body; scratch.broad_phase.body_poses are those of the motion. Arguments are
 // valid but for what PairLaws complains of: throws ResponseError.
 cmb_response_sums evaluate_response(const BroadPhase &broad_phase, const cmb_contact_law &law,
                                     const cmb_body_properties &properties, const cmb_motion &motion,
                                     ResponseScratch &scratch, QueryScratch &query);
+
+// The same were there no other bodies than scratch.among, 0-based and ascending: nothing is read or written of others.
+cmb_response_sums evaluate_response_among(const BroadPhase &broad_phase, const cmb_contact_law &law,
+                                          const cmb_body_properties &properties, const cmb_motion &motion,
+                                          ResponseScratch &scratch, QueryScratch &query);
 
 }  // namespace cmb

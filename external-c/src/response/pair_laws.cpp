@@ -43,6 +43,14 @@ void choices_of(const cmb_contact_law &law, const cmb_body_properties &propertie
 // Compared bit by bit: a number that is none is the same as itself.
 bool same(const double *a, const double *b, std::size_t count) { return std::memcmp(a, b, count * sizeof *a) == 0; }
 
+// The same without a call.
+bool same_number(const double *a, const double *b) {
+  std::uint64_t x = 0, y = 0;
+  std::memcpy(&x, a, sizeof x);
+  std::memcpy(&y, b, sizeof y);
+  return x == y;
+}
+
 }  // namespace
 
 bool PairLaws::holds(const std::vector<double> &choices, const CollisionFilter &filter) const {
@@ -57,6 +65,25 @@ bool PairLaws::holds(const std::vector<double> &choices, const CollisionFilter &
     const std::size_t count = column.each * bodies;
     if (!same(column.numbers, kept, count)) return false;
     kept += count;
+  }
+  return true;
+}
+
+bool PairLaws::holds_among(const std::vector<double> &choices, const CollisionFilter &filter,
+                           const std::vector<std::uint32_t> &bodies) const {
+  if (!kept_ || fixed_.size() != filter.body_count() || !same(choices.data(), choices_.data(), choices.size())) return false;
+  for (const std::uint32_t body : bodies) {
+    if ((fixed_[body] != 0) != filter.fixed(body)) return false;
+  }
+  const double *kept = numbers_.data();
+  for (const Column &column : columns_of(*properties_)) {
+    if (column.numbers == nullptr) continue;
+    for (const std::uint32_t body : bodies) {
+      for (std::size_t k = column.each * body; k < column.each * (body + 1); ++k) {
+        if (!same_number(column.numbers + k, kept + k)) return false;
+      }
+    }
+    kept += column.each * fixed_.size();
   }
   return true;
 }
@@ -113,6 +140,14 @@ void PairLaws::prepare(const cmb_contact_law &law, const cmb_body_properties &pr
   kept_ = false;
   for (std::size_t body = 0; body < filter.body_count(); ++body) check_body(law, properties, body, filter.fixed(body));
   keep(asked_, filter);
+}
+
+void PairLaws::prepare_among(const cmb_contact_law &law, const cmb_body_properties &properties,
+                             const CollisionFilter &filter, const std::vector<std::uint32_t> &bodies) {
+  law_ = &law;
+  properties_ = &properties;
+  choices_of(law, properties, asked_);
+  if (!holds_among(asked_, filter, bodies)) prepare(law, properties, filter);
 }
 
 const PairLaw &PairLaws::of(std::size_t a, std::size_t b) {

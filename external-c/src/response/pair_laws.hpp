@@ -20,10 +20,17 @@ class PairLaws {
   // properties are borrowed until the next call.
   void prepare(const cmb_contact_law &law, const cmb_body_properties &properties, const CollisionFilter &filter);
 
+  // The same before the laws of pairs among some bodies, 0-based: those of others need not be as they were, and are not looked at
+  // where what is kept does for these.
+  void prepare_among(const cmb_contact_law &law, const cmb_body_properties &properties, const CollisionFilter &filter,
+                     const std::vector<std::uint32_t> &bodies);
+
   // Bodies are 0-based. Valid until the next call. Throws ResponseError where the stiffness is not finite.
   const PairLaw &of(std::size_t a, std::size_t b);
 
  private:
+  bool holds_among(const std::vector<double> &choices, const CollisionFilter &filter,
+                   const std::vector<std::uint32_t> &bodies) const;
   bool holds(const std::vector<double> &choices, const CollisionFilter &filter) const;
   void keep(const std::vector<double> &choices, const CollisionFilter &filter);
   void sort_materials();

@@ -1,6 +1,7 @@
 // The compiled response: laws against closed forms, mechanics' invariants, and restitution delivered by integration.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <random>
 #include <thread>
@@ -594,6 +595,100 @@ TEST(Response, SaysWhatIsWrong) {
   refused("body 2 has a velocity", CMB_ERROR_POSE);
   ball.motion.rotation[0] = 0.5;
   refused("body 1 has a rotation", CMB_ERROR_POSE);
+}
+
+// The bodies of a list alone: as where all others are far away, to the bit. Nothing is read or written of others.
+TEST(Response, AmongSomeBodiesIsAsWithoutOthers) {
+  std::mt19937 random(11);
+  int touching = 0;
+  for (int repetition = 0; repetition < 40; ++repetition) {
+    Bodies bodies = random_bodies(random, repetition % 4 < 2 ? 14 : 60);
+    if (repetition % 2 == 1) bodies.law = random_law(random);
+    Motion motion = random_motion(random, bodies), alone = motion;
+    std::vector<int> listed;
+    for (std::size_t i = 0; i < bodies.count(); ++i) {
+      if (i + 1 == bodies.count() || random() % 2 == 0) {
+        listed.push_back(static_cast<int>(i) + 1);
+      } else {
+        Motion::set_row(alone.position, i, {100.0 * static_cast<double>(i + 1), 0, 100});
+        Motion::set_row(motion.position, i, {NAN, NAN, NAN});
+        Motion::set_row(motion.velocity, i, {NAN, NAN, NAN});
+      }
+    }
+    const Wrenches expected(bodies, alone);
+    const cmb_body_properties properties = bodies.properties();
+    const cmb_motion view = motion.view();
+    std::vector<double> force(3 * bodies.count(), 7.0), torque(3 * bodies.count(), 7.0);
+    cmb_response_sums sums{};
+    ASSERT_EQ(cmb_evaluate_response_among(bodies.broadphase, &bodies.law, &properties, &view, listed.data(),
+                                          listed.size(), force.data(), torque.data(), &sums),
+              CMB_OK);
+    for (std::size_t i = 0; i < bodies.count(); ++i) {
+      const bool is_listed = std::find(listed.begin(), listed.end(), static_cast<int>(i) + 1) != listed.end();
+      for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
+        EXPECT_EQ(force[k], is_listed ? expected.force[k] : 7.0);
+        EXPECT_EQ(torque[k], is_listed ? expected.torque[k] : 7.0);
+      }
+    }
+    EXPECT_EQ(sums.contact_count, expected.sums.contact_count);
+    EXPECT_EQ(sums.elastic_energy, expected.sums.elastic_energy);
+    touching += static_cast<int>(sums.contact_count);
+  }
+  EXPECT_GT(touching, 100);
+}
+
+TEST(Response, AmongSomeBodiesSeesEveryNumberThatChanges) {
+  std::mt19937 random(12);
+  Bodies bodies = random_bodies(random, 14);
+  const Motion motion = random_motion(random, bodies);
+  std::vector<int> listed = {1, 2, 3, 5, 8, 13, 15};
+  std::vector<double> *const changed[] = {&bodies.mass,        &bodies.center_of_mass, &bodies.inertia,   &bodies.stiffness,
+                                          &bodies.restitution, &bodies.mu_static,      &bodies.mu_dynamic};
+  const auto answer = [&] {
+    const cmb_body_properties properties = bodies.properties();
+    const cmb_motion view = motion.view();
+    std::vector<double> force(3 * bodies.count()), torque(3 * bodies.count());
+    EXPECT_EQ(cmb_evaluate_response_among(bodies.broadphase, &bodies.law, &properties, &view, listed.data(), listed.size(),
+                                          force.data(), torque.data(), nullptr),
+              CMB_OK);
+    force.insert(force.end(), torque.begin(), torque.end());
+    return force;
+  };
+  for (int repetition = 0; repetition < 60; ++repetition) {
+    if (repetition % 3 == 0) bodies.law = random_law(random);
+    std::vector<double> &column = *changed[random() % 7];
+    const std::size_t each = column.size() / bodies.count(), body = random() % (bodies.count() - 1);
+    column[each * body] *= uniform(random, 0.9, 0.99);
+    const std::vector<double> asked = answer();
+    std::thread([&] { EXPECT_EQ(asked, answer()) << repetition; }).join();
+  }
+}
+
+TEST(Response, AmongSomeBodiesRefusesWhatIsNoList) {
+  BallOnFloor ball;
+  double force[6] = {}, torque[6] = {};
+  const auto refused = [&](std::vector<int> listed) {
+    const cmb_body_properties properties = ball.bodies.properties();
+    const cmb_motion motion = ball.motion.view();
+    EXPECT_EQ(cmb_evaluate_response_among(ball.bodies.broadphase, &ball.bodies.law, &properties, &motion, listed.data(),
+                                          listed.size(), force, torque, nullptr),
+              CMB_ERROR_ARGUMENT);
+  };
+  for (const std::vector<int> &listed : {std::vector<int>{0}, {3}, {1, 1}, {2, 1}, {-1, 2}}) refused(listed);
+}
+
+TEST(Response, RadiiHoldTheBodies) {
+  Bodies bodies;
+  bodies.add("cmb/1 sphere radius=0.2 position=0.2,0,0;cmb/1 box size=0.4,0.2,0.3", 1, {1, 1, 1}, 1e4);
+  bodies.add_sphere(0.3, 1, 1e4);
+  bodies.add_fixed("cmb/1 halfspace");
+  bodies.intern();
+  double radius[3] = {};
+  ASSERT_EQ(cmb_body_radii(bodies.broadphase, 3, radius), CMB_OK);
+  EXPECT_GE(radius[0], 0.4);
+  EXPECT_LE(radius[0], 0.5);
+  EXPECT_NEAR(radius[1], 0.3, 1e-15);
+  EXPECT_EQ(radius[2], HUGE_VAL);
 }
 
 TEST(Response, NeedsNoMassesWithoutRestitution) {

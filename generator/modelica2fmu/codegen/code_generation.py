@@ -20,6 +20,7 @@ from modelica2fmu.codegen.event_code import (
 from modelica2fmu.codegen.generated_source import GeneratedSource
 from modelica2fmu.codegen.jacobian_code import jacobian_code
 from modelica2fmu.codegen.model_file import GUID_PLACE, ModelParts, model_file, model_header
+from modelica2fmu.codegen.part_code import PartCode, part_code
 from modelica2fmu.codegen.slots import Slots, assign_slots
 from modelica2fmu.codegen.statements import Statement, WorkSpace
 from modelica2fmu.codegen.symbol_places import SymbolPlaces
@@ -33,6 +34,7 @@ from modelica2fmu.equations.blocks import (
     divided_blocks,
     needed_blocks,
 )
+from modelica2fmu.equations.parts import find_parts
 from modelica2fmu.equations.sorting import solve_order
 from modelica2fmu.equations.systems import PlaceOf, Systems
 from modelica2fmu.equations.tangents import tangents
@@ -117,10 +119,14 @@ class _Generator:
         indicators = self._places.frame(", double *indicator", ("  (void)indicator;",))
         self._add("fmurt_part_indicators", indicator_statements(self._model), indicators)
         jacobian = self._jacobian()
+        parts = PartCode()
+        if not asserts:
+            parts = part_code(find_parts(self._simulation, self._states, self._model), self._places)
+        self._functions.extend(parts.functions)
         self._functions.extend(self._blocks.functions)
         integrated = [item for item in simulating if not item.is_discrete and not item.on_request]
         operations = sum(item.executed * item.executions for item in integrated)
-        return self._assemble(jacobian, operations)
+        return self._assemble(jacobian, parts.tables, operations)
 
     def _add(self, prefix: str, statements: Sequence[Statement], frame: FunctionFrame) -> None:
         self._functions.extend(functions_of(prefix, statements, frame))
@@ -256,7 +262,7 @@ class _Generator:
 
     # --- files ---
 
-    def _assemble(self, jacobian: str, operations: int) -> GeneratedModel:
+    def _assemble(self, jacobian: str, parts: str, operations: int) -> GeneratedModel:
         work, slots = self._places.work, self._places.slots
         main = model_file(
             ModelParts(
@@ -265,6 +271,7 @@ class _Generator:
                 self._states,
                 self._functions,
                 jacobian,
+                parts,
                 work.reals,
                 work.integers,
                 self._blocks.followed,

@@ -27,6 +27,7 @@ class ModelParts:
         states: names of the states, in order.
         functions: all of the model, of which ``model.c`` calls those with the prefixes of its tables.
         jacobian: text of the function ``jacobian``; empty if there is none.
+        parts: text of the description ``parts``; empty if there is none.
         reals: size of the work array.
         integers: size of that of integers.
         followed: slots of the unknowns of nonlinear systems.
@@ -39,6 +40,7 @@ class ModelParts:
     states: Sequence[str]
     functions: Sequence[Function]
     jacobian: str
+    parts: str
     reals: int
     integers: int
     followed: Sequence[int]
@@ -158,7 +160,7 @@ static inline fmurt_result warnings(fmurt_values *v)
 {warnings}  return (fmurt_result)result;
 }}
 
-{parts.jacobian}const fmurt_model_description fmurt_model = {{
+{parts.jacobian}{parts.parts}const fmurt_model_description fmurt_model = {{
   .name = {c_text(model.name)},
   .guid = "{GUID_PLACE}",
   .real_count = {counts[Store.REAL]},
@@ -192,6 +194,7 @@ static inline fmurt_result warnings(fmurt_values *v)
   .warnings = {"warnings" if warnings else "NULL"},
   .jacobian = {"jacobian" if parts.jacobian else "NULL"},
   .remaining = {"remaining" if remaining else "NULL"},
+  .parts = {"&parts" if parts.parts else "NULL"},
 }};
 """
 

@@ -40,6 +40,7 @@ static fmurt_result dispatch(fmurt_values *values, fmurt_model_function function
       return fmurt_model.discrete != NULL ? fmurt_model.discrete(values, argument) : FMURT_RESULT_OK;
     case FMURT_CALL_JACOBIAN: return fmurt_model.jacobian(values, argument);
     case FMURT_CALL_SETTLE: return fmurt_model.settle(values);
+    case FMURT_CALL_GUARDED: return ((const fmurt_guarded *)argument)->run(values, ((const fmurt_guarded *)argument)->context);
     case FMURT_CALL_WARNINGS: return fmurt_model.warnings != NULL ? fmurt_model.warnings(values) : FMURT_RESULT_OK;
     case FMURT_CALL_REMAINING: return fmurt_model.remaining != NULL ? fmurt_model.remaining(values) : FMURT_RESULT_OK;
   }
@@ -97,7 +98,7 @@ fmurt_result fmurt_call_model(fmurt_instance *instance, fmurt_model_function fun
   fmurt_offer_solved(instance);
   fmurt_result result = call_in_frame(&frame, function, argument);
   current_frame = frame.outer;
-  if (fmurt_model.string_count > 0) {
+  if (fmurt_model.string_count > 0 && function != FMURT_CALL_GUARDED) {
     const fmurt_result adopted = adopt_strings(instance);
     if (result == FMURT_RESULT_OK) result = adopted;
   }

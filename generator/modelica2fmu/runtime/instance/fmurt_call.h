@@ -17,8 +17,15 @@ typedef enum fmurt_model_function {
   FMURT_CALL_JACOBIAN,   /* argument: double [state_count * state_count]; fmurt_model.jacobian must be there */
   FMURT_CALL_SETTLE,     /* fmurt_model.settle must be there */
   FMURT_CALL_WARNINGS,
-  FMURT_CALL_REMAINING
+  FMURT_CALL_REMAINING,
+  FMURT_CALL_GUARDED /* argument: fmurt_guarded *, which changes no text */
 } fmurt_model_function;
+
+/* Something that calls functions of fmurt_model itself. */
+typedef struct fmurt_guarded {
+  fmurt_result (*run)(fmurt_values *values, void *context);
+  void *context;
+} fmurt_guarded;
 
 /* Calls one function of fmurt_model. ModelicaError in it gives FMURT_RESULT_DISCARD, as a failing assertion in
  * Modelica does; the text is in instance->message. */

@@ -12,6 +12,7 @@
 #include <sunlinsol/sunlinsol_spgmr.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
+#include "fmurt_apart.h"
 #include "fmurt_call.h"
 #include "fmurt_dense.h"
 #include "fmurt_evaluate.h"
@@ -65,6 +66,7 @@ struct fmurt_solver {
   SUNNonlinearSolver newton;
   fmurt_watch *watch;
   fmurt_explicit *explicit_steps; /* NULL where CVODE alone integrates */
+  fmurt_apart *apart;             /* explicit steps where the model has parts; else NULL */
   N_Vector between; /* states within a step */
   int quotients; /* how many of the next Jacobians are computed by difference quotients */
   double *entry; /* [state_count] states at the start of an advance */
@@ -236,7 +238,9 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
   }
   const int races = solver->state_count >= STATES_OF_A_RACE && fmurt_model.indicator_count == 0;
   if (races) solver->explicit_steps = fmurt_explicit_create(solver->state_count);
-  if ((races && solver->explicit_steps == NULL) || solver->entry == NULL ||
+  const int has_parts = races && fmurt_model.parts != NULL;
+  if (has_parts) solver->apart = fmurt_apart_create(instance);
+  if ((races && solver->explicit_steps == NULL) || (has_parts && solver->apart == NULL) || solver->entry == NULL ||
       solver->rest.place == NULL || solver->state == NULL ||
       solver->tolerance == NULL || solver->between == NULL || solver->watch == NULL || solver->memory == NULL ||
       solver->linear == NULL || solver->newton == NULL ||
@@ -258,16 +262,22 @@ void fmurt_solver_destroy(fmurt_solver *solver) {
   if (solver->between != NULL) N_VDestroy(solver->between);
   fmurt_watch_destroy(solver->watch);
   fmurt_explicit_destroy(solver->explicit_steps);
+  fmurt_apart_destroy(solver->apart);
   free(solver->rest.place);
   free(solver->entry);
   SUNContext_Free(&solver->context);
   free(solver);
 }
 
+static void restart_explicit_steps(fmurt_solver *solver) {
+  if (solver->explicit_steps != NULL) fmurt_explicit_restart(solver->explicit_steps);
+  if (solver->apart != NULL) fmurt_apart_restart(solver->apart);
+}
+
 void fmurt_solver_restart_after_event(fmurt_solver *solver) {
   solver->restart = 1;
   solver->rest.intervals = solver->rest.rests = 0;
-  if (solver->explicit_steps != NULL) fmurt_explicit_restart(solver->explicit_steps);
+  restart_explicit_steps(solver);
 }
 
 void fmurt_solver_restart(fmurt_solver *solver) {
@@ -513,15 +523,18 @@ static int integrate_explicitly(fmurt_solver *solver, double end, double largest
     const double begin = time;
     const fmurt_explicit_work allowed = {solver->steps_left, fmurt_race_left(race, jacobian), 0};
     fmurt_explicit_work done;
-    const fmurt_explicit_outcome outcome = fmurt_explicit_advance(
-        solver->explicit_steps, &model, &time, NV_DATA_S(solver->state), end, largest_step, allowed, &done);
+    double *const state = NV_DATA_S(solver->state);
+    const fmurt_explicit_outcome outcome =
+        solver->apart != NULL
+            ? fmurt_apart_advance(solver->apart, &model, &time, state, end, largest_step, allowed, &done)
+            : fmurt_explicit_advance(solver->explicit_steps, &model, &time, state, end, largest_step, allowed, &done);
     counters[FMURT_SOLVER_STEPS] += (int)done.steps;
     counters[FMURT_SOLVER_EVALUATIONS] += (int)done.evaluations;
     counters[FMURT_SOLVER_ERROR_TEST_FAILURES] += (int)done.rejected;
     solver->steps_left -= done.steps;
     if (fmurt_race_add(race, jacobian, done.evaluations, time - begin)) tell_method(solver, time);
     if (outcome == FMURT_EXPLICIT_STUCK) fmurt_race_give_up(race);
-    if (race->method != FMURT_METHOD_EXPLICIT) fmurt_explicit_restart(solver->explicit_steps);
+    if (race->method != FMURT_METHOD_EXPLICIT) restart_explicit_steps(solver);
     *reached = time;
     fmurt_set_point(instance, time, NV_DATA_S(solver->state));
     if (outcome == FMURT_EXPLICIT_ERROR) {

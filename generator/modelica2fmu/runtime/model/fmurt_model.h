@@ -106,6 +106,37 @@ int fmurt_follow_nonlinear(fmurt_values *values, int offset, const void *context
 int fmurt_report_unsolved(fmurt_values *values, fmurt_residual residual, int n, const double *x, double *r,
                           const char *const *unknown, const char *const *equation, int result);
 
+/* A model of many parts that act on each other through contacts alone: those that are out of each other's reach may be looked
+ * at each at a time of its own. Functions work in a memory of the caller's, `m`: positions of all bodies [body_count][3],
+ * rotations [][9], velocities [][3] and angular velocities [][3], then forces [][3] and torques [][3], and what the model itself
+ * keeps there. Bodies are 0-based. */
+typedef int (*fmurt_part_function)(fmurt_values *values, const unsigned *slot, const int *body, const double *restrict state,
+                                   double *restrict m, double *restrict rate);
+typedef struct fmurt_part_kind {
+  int state_count, body_count;
+  fmurt_part_function motion; /* of the part's bodies, from its states */
+  fmurt_part_function rates;  /* its states' derivatives, from states, forces and torques */
+} fmurt_part_kind;
+typedef struct fmurt_part {
+  const fmurt_part_kind *kind;
+  const int *state; /* [state_count] numbers of its states; each state belongs to one part */
+  const int *body;  /* [body_count] */
+  const unsigned *slot; /* value references of the parameters that the functions read */
+} fmurt_part;
+typedef struct fmurt_parts {
+  int part_count;
+  const fmurt_part *part;
+  int body_count;   /* of all parts, and the fixed ones */
+  int fixed_count;
+  const int *fixed; /* bodies that never move */
+  size_t memory_count;
+  int (*prepare)(fmurt_values *values, double *m); /* what follows from parameters, and where fixed bodies are */
+  /* Forces and torques on some bodies, were there no others: 1-based, ascending. */
+  int (*response)(fmurt_values *values, const int *bodies, size_t count, double *m);
+  /* Of balls about the bodies' origins that hold them, [body_count]; infinite for half-spaces. */
+  int (*radii)(fmurt_values *values, double *radius);
+} fmurt_parts;
+
 typedef struct fmurt_model_description {
   const char *name;
   const char *guid;
@@ -155,6 +186,8 @@ typedef struct fmurt_model_description {
   /* After `continuous`: the algebraics that neither derivatives nor indicators, assertions or discrete equations need. An
    * integrator does without; `jacobian` does not. */
   fmurt_result (*remaining)(fmurt_values *values);
+  /* What the model is made of where that is many parts, as free bodies, that act on each other through contacts alone. */
+  const fmurt_parts *parts;
 } fmurt_model_description;
 
 extern const fmurt_model_description fmurt_model;
