@@ -155,9 +155,7 @@ def test_energy_does_not_rise(simulate):
 
 @pytest.mark.parametrize("interval", [1e-3, 0.1])
 def test_a_fast_ball_meets_what_is_in_its_way(simulate, interval):
-    found = simulate(
-        ROW, ["last", "momentum"], stop=0.1, tolerance=1e-6, interval=interval, kind="CoSimulation"
-    )
+    found = simulate(ROW, ["last", "momentum"], stop=0.1, tolerance=1e-6, interval=interval, kind="CoSimulation")
     assert found["momentum"] == pytest.approx(50.0, abs=1e-9)
     assert found["last"][-1] == pytest.approx(50 * 0.95**9, rel=1e-3)  # each but the last keeps (1 - e)/2 of its speed
 
