@@ -1,6 +1,7 @@
 // Cylinders and cones on boxes and hulls: the surface of their overlap, and closed forms of what it stores.
 #include "manifold/revolved/revolved_on_polytope.hpp"
 #include "shape/contact_polytope.hpp"
+#include "support/mesh_text.hpp"
 #include "support/overlap_of.hpp"
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
@@ -249,6 +250,27 @@ TEST(RevolvedContacts, ThinOverlapsKeepTheirDigits) {
         if (k == 0) first = load;
         EXPECT_NEAR(load / first, 1.0, 1e-13 / deep) << body.text << " " << deep;
       }
+    }
+  }
+}
+
+// A cone hardly off its mantle, on its rim or its apex: what overlaps is a sliver, thinner than it is wide by a thousand and more. It pushes out,
+// across the face, and with no more than its depth.
+TEST(RevolvedContacts, ConesHardlyOffTheirMantleArePushedOutByNoMoreThanTheirDepth) {
+  Random random(6);
+  for (int body = 0; body < 20; ++body) {
+    const double r = random.log_uniform(0.01, 0.5), l = r * random.log_uniform(0.3, 5.0), size = std::max(r, l);
+    const PairScene scene("cmb/1 cone radius=" + digits(r) + " length=" + digits(l), table);
+    for (int k = 0; k < 1000; ++k) {
+      const double lift = random.log_uniform(1e-4, 0.5) * (random.integer(0, 1) == 1 ? 1.0 : -1.0), deep = size * random.log_uniform(1e-7, 1e-4);
+      const Mat3 yaw = rotation_about({0, 0, 1}, random.uniform(0, 2 * pi)), roll = rotation_about({0, 0, 1}, random.uniform(0, 2 * pi));
+      BodyPose pose{{random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.5 + 2.0 * size},
+                    product(product(yaw, rotation_about({0, 1, 0}, 0.5 * pi + std::atan2(r, l) + lift)), roll)};
+      pose.position.z -= scene.query(pose, {}, 64).distance + deep;
+      const Vec3 load = scene.query(pose, {}, 64).load();
+      EXPECT_GE(load.z, 0.0) << r << " " << l << " " << lift << " " << deep;
+      EXPECT_LE(load.z, 1.01 * deep) << r << " " << l << " " << lift << " " << deep;
+      EXPECT_LE(std::hypot(load.x, load.y), 0.05 * deep) << r << " " << l << " " << lift << " " << deep;
     }
   }
 }
