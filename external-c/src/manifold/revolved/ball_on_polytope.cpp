@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "manifold/revolved/face_polygon.hpp"
 #include "math/gauss_rule.hpp"
 #include "math/pi.hpp"
 
@@ -151,14 +152,10 @@ bool BallOnPolytope::follow_face(std::size_t index, PlaneFan &fan) {
   }
   if (passages_.empty()) {
     // All of the circle borders, or nothing.
-    const Vec3 place = center + radius * along;
-    for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
-      const auto corner = [&](std::int32_t k) {
-        return vertices_[static_cast<std::size_t>(polytope_->face_vertices[static_cast<std::size_t>(k)])].at;
-      };
-      const Vec3 p = corner(i), q = corner(i + 1 < face.first + face.count ? i + 1 : face.first);
-      if (dot(cross(q - p, place - p), plane.normal) < 0.0) return true;
-    }
+    const auto corner = [&](std::int32_t k) {
+      return vertices_[static_cast<std::size_t>(polytope_->face_vertices[static_cast<std::size_t>(face.first + k)])].at;
+    };
+    if (!is_in_polygon(face.count, corner, plane.normal, center + radius * along)) return true;
     add_arc({center, radius * along, radius * across, 0.0, 2.0 * pi}, fan);
     return true;
   }

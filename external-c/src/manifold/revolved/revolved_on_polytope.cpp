@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "manifold/revolved/face_polygon.hpp"
 #include "math/pi.hpp"
 
 namespace cmb {
@@ -228,12 +229,7 @@ bool RevolvedOnPolytope::is_in_face(std::int32_t index, const Vec3 &at) const {
   const convex::Polytope::Face &face = polytope_->faces[static_cast<std::size_t>(faces_[static_cast<std::size_t>(index)])];
   const std::int32_t *const corner = polytope_->face_vertices.data() + face.first;
   const Vec3 &normal = planes_[static_cast<std::size_t>(index)].fan.normal();
-  for (std::int32_t i = 0; i < face.count; ++i) {
-    const Vec3 &p = vertices_[static_cast<std::size_t>(corner[i])].at;
-    const Vec3 &q = vertices_[static_cast<std::size_t>(corner[i + 1 < face.count ? i + 1 : 0])].at;
-    if (dot(cross(q - p, at - p), normal) < 0.0) return false;
-  }
-  return true;
+  return is_in_polygon(face.count, [&](std::int32_t k) { return vertices_[static_cast<std::size_t>(corner[k])].at; }, normal, at);
 }
 
 }  // namespace cmb

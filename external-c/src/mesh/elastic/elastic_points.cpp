@@ -115,17 +115,14 @@ double append_elastic_points(const WedgeIntegrals &overlap, const Pose &pose, st
   const Wrench wrench = pushing(overlap, points);
   match_force(points, wrench.force, overlap.energy());
   match_torque(points, wrench.torque);
-  double stored = 0.0, deepest = 0.0;
-  for (const LoadPoint &point : points) {
-    stored += 0.5 * norm(point.force) * point.depth;
-    deepest = std::fmax(deepest, point.depth);
-  }
+  double stored = 0.0;
+  for (const LoadPoint &point : points) stored += 0.5 * norm(point.force) * point.depth;
   // Where the patches as good as vanish, as those of a wall right through the body, they cannot store the energy: on faces, edges and corners
   // of meshes points are up to 2.3 times as deep as the deepest place.
   constexpr double most_deep = 4.0;
-  const double deeper = std::fmin(overlap.energy() / stored, most_deep * overlap.deepest() / deepest);
+  const double deeper = overlap.energy() / stored, most = most_deep * overlap.deepest();
   for (const LoadPoint &point : points) {
-    const double force = norm(point.force), depth = deeper * point.depth;
+    const double force = norm(point.force), depth = std::fmin(deeper * point.depth, most);
     if (!(force > 0.0) || !(depth > 0.0)) continue;
     const Vec3 normal{point.force.x / force, point.force.y / force, point.force.z / force};
     result.points.push_back(
