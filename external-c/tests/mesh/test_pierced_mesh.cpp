@@ -120,7 +120,7 @@ TEST(PiercedBody, LoadLeadsOutOfClosedMeshes) {
         BodyPose pose{0.35 * random.uniform(0, 1) * random.direction(), random_rotation(random)};
         Contact contact = scene.query(pose, {});
         pierced += contact.distance < -0.03;
-        for (int step = 0; step < 150 && contact.distance < -1e-3; ++step) {
+        for (int step = 0; step < 1200 && contact.distance < -1e-3; ++step) {
           ASSERT_GT(contact.points.size(), 0u) << kind;
           pose.position = pose.position + 0.5 * contact.load();
           contact = scene.query(pose, {});
