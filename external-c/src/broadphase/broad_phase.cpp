@@ -10,6 +10,18 @@
 
 namespace cmb {
 
+namespace {
+
+// Whether bounds reach into a half-space; those of a ball about its origin have a radius alone.
+bool reaches(const LocalBounds &bounds, double ball_radius, const Pose &pose, const Pose &plane) {
+  const Vec3 normal = plane.rotation.column(2);
+  if (ball_radius > 0.0) return dot(normal, pose.translation - plane.translation) <= ball_radius;
+  return dot(normal, pose(bounds.center) - plane.translation) <=
+         half_extent(bounds, transposed_times(pose.rotation, normal));
+}
+
+}  // namespace
+
 BroadPhase::BroadPhase(std::shared_ptr<const Scene> given, CollisionFilter filter)
     : scene_(std::move(given)), identity_(std::make_shared<char>()), filter_(std::move(filter)) {
   const Scene &scene = *scene_;
@@ -28,8 +40,7 @@ BroadPhase::BroadPhase(std::shared_ptr<const Scene> given, CollisionFilter filte
         bounded_.push_back(proxy);
         const LocalBounds &bounds = scene.bodies[body][shape].bounds;
         local_bounds_.push_back(bounds);
-        is_ball_.push_back(norm2(bounds.half) == 0.0 && norm2(bounds.center) == 0.0 ? 1 : 0);
-        if (is_ball_.back() != 0) ball_radius_.back() = bounds.radius;
+        if (norm2(bounds.half) == 0.0 && norm2(bounds.center) == 0.0) ball_radius_.back() = bounds.radius;
       }
     }
   }
@@ -60,9 +71,9 @@ void BroadPhase::place_shapes(BroadPhaseScratch &scratch) const {
   scratch.bounds.resize(bounded_.size());
   for (std::size_t i = 0; i < bounded_.size(); ++i) {
     const Proxy &proxy = bounded_[i];
-    const Pose &pose = scratch.shape_poses[first_shape_[proxy.body] + proxy.shape];
-    if (is_ball_[i] != 0) {
-      const double radius = local_bounds_[i].radius;
+    const std::size_t shape = first_shape_[proxy.body] + proxy.shape;
+    const Pose &pose = scratch.shape_poses[shape];
+    if (const double radius = ball_radius_[shape]; radius > 0.0) {
       const Vec3 half{radius, radius, radius};
       scratch.bounds[i] = {pose.translation - half, pose.translation + half};
     } else {
@@ -80,32 +91,15 @@ void BroadPhase::find_candidates(BroadPhaseScratch &scratch) const {
       [&](std::uint32_t i, std::uint32_t j) { emit(bounded_[i], bounded_[j], scratch.found); });
   for (const Proxy &halfspace : halfspaces_) {
     const Pose &plane = scratch.shape_poses[first_shape_[halfspace.body] + halfspace.shape];
-    const Vec3 normal = plane.rotation.column(2);
     for (std::size_t i = 0; i < bounded_.size(); ++i) {
-      const Pose &pose = scratch.shape_poses[first_shape_[bounded_[i].body] + bounded_[i].shape];
-      const bool is_near = is_ball_[i] != 0
-                               ? dot(normal, pose.translation - plane.translation) <= local_bounds_[i].radius
-                               : dot(normal, pose(local_bounds_[i].center) - plane.translation) <=
-                                     half_extent(local_bounds_[i], transposed_times(pose.rotation, normal));
-      if (is_near) {
+      const std::size_t shape = first_shape_[bounded_[i].body] + bounded_[i].shape;
+      if (reaches(local_bounds_[i], ball_radius_[shape], scratch.shape_poses[shape], plane)) {
         emit(halfspace, bounded_[i], scratch.found);
       }
     }
   }
   sort_candidates(scratch);
 }
-
-namespace {
-
-// Whether bounds reach into a half-space; those of a ball about its origin have a radius alone.
-bool reaches(const LocalBounds &bounds, double ball_radius, const Pose &pose, const Pose &plane) {
-  const Vec3 normal = plane.rotation.column(2);
-  if (ball_radius > 0.0) return dot(normal, pose.translation - plane.translation) <= ball_radius;
-  return dot(normal, pose(bounds.center) - plane.translation) <=
-         half_extent(bounds, transposed_times(pose.rotation, normal));
-}
-
-}  // namespace
 
 // All pairs of shapes of two bodies.
 void BroadPhase::find_candidates_of(std::uint32_t a, std::uint32_t b, BroadPhaseScratch &scratch) const {

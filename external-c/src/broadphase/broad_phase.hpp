@@ -80,7 +80,6 @@ class BroadPhase {
   std::vector<char> is_where_body_is_;       // of all shapes
   std::vector<Proxy> bounded_, halfspaces_;  // all shapes
   std::vector<LocalBounds> local_bounds_;    // of the bounded ones
-  std::vector<char> is_ball_;                // whose bounds are a ball about its origin
 };
 
 }  // namespace cmb

@@ -112,4 +112,10 @@ inline SupportPoint core_support(const ConvexBody &body, const Vec3 &d) {
   return {};
 }
 
+// The same of the whole body, along a direction that is not zero.
+inline Vec3 swept_support(const ConvexBody &body, const Vec3 &d) {
+  const Vec3 on_core = core_support(body, d).point;
+  return body.radius > 0.0 ? on_core + (body.radius / norm(d)) * d : on_core;
+}
+
 }  // namespace cmb::convex

@@ -34,10 +34,7 @@ class SmoothQuery {
     // A body that no triangle meets touches only what its middle is in, or nothing.
     if (!(nearest.distance < 0.0 && mesh_.closed()) && apart(nearest.triangle)) return;
     RoundOverlap overlap(body_, place_, mesh_, scratch_.round);
-    const auto support = [&](const Vec3 &d) {
-      const Vec3 on_core = place_(convex::core_support(body_, transposed_times(place_.rotation, d)).point);
-      return body_.radius > 0.0 ? on_core + (body_.radius / norm(d)) * d : on_core;
-    };
+    const auto support = [&](const Vec3 &d) { return place_(convex::swept_support(body_, transposed_times(place_.rotation, d))); };
     mesh_.visit_wedges(box_, size_, support, [&](std::uint32_t t) { overlap.add(t); });
     if (!append_overlap_contact(overlap, sectioned_, mesh_, pose_, scratch_.loads, result_)) apart(nearest.triangle);
   }

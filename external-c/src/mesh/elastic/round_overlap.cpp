@@ -46,10 +46,7 @@ RoundOverlap::RoundOverlap(const convex::ConvexBody &body, const Pose &place, co
 }
 
 bool RoundOverlap::is_outside(const Part &part) const {
-  const double around = part.body.radius;
-  return WedgeIntegrals::is_outside(part.place, [&](const Vec3 &d) {
-    return dot(d, convex::core_support(part.body, d).point) + (around > 0.0 ? around * norm(d) : 0.0);
-  });
+  return WedgeIntegrals::is_outside(part.place, [&](const Vec3 &d) { return dot(d, convex::swept_support(part.body, d)); });
 }
 
 // What of the wedge is about the part; false where there is nothing.

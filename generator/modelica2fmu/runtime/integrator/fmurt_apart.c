@@ -2,7 +2,7 @@
  *
  * A window of time begins with all parts at one time. Each body gets a ball that it will not leave in the window, by its speed
  * and size; parts whose balls overlap are a group. Groups do not act on each other, whatever their times within the window are:
- * each is integrated to its end on its own, with the pair of orders 3 and 2 of fmurt_explicit.c. Where a group has many parts and
+ * each is integrated to its end on its own, with the pair of fmurt_pair.h. Where a group has many parts and
  * the window is long beside its steps, it is divided further in each half of the window, where balls are smaller. A body that
  * leaves its ball has all go back to where that window began, and it is halved. */
 #include "fmurt_apart.h"
@@ -13,11 +13,10 @@
 #include <string.h>
 
 #include "fmurt_call.h"
+#include "fmurt_pair.h"
 
-/* As in fmurt_explicit.c. */
-static const double safety = 0.9, largest_growth = 5.0, largest_shrink = 0.2;
-static const double by_last = 0.8 / 3.0, by_one_before = 0.25 / 3.0;
-static const double largest_estimate = 1.0, least_estimate = 1e-4, first_change = 0.01, least_roundings = 16.0;
+/* The estimate is the error of order 2. */
+static const double largest_estimate = 1.0;
 
 /* A body's ball: its way at the greatest speed in its group and some more, what gravity adds, and a share of its size. */
 static const double more_than_speed = 1.2, acceleration = 10.0, share_of_size = 2e-3;
@@ -392,9 +391,7 @@ static fmurt_result try_step(fmurt_apart *self, group_call *call, double step, d
     for (int k = 0; k < call->count; ++k) {
       const int end = self->offset[call->group[k] + 1];
       for (int i = self->offset[call->group[k]]; i < end; ++i) {
-        next[i] = stage == 1   ? state[i] + 0.5 * step * slope[0][i]
-                  : stage == 2 ? state[i] + 0.75 * step * slope[1][i]
-                               : state[i] + step / 9.0 * (2.0 * slope[0][i] + 3.0 * slope[1][i] + 4.0 * slope[2][i]);
+        next[i] = fmurt_pair_place(stage, step, state[i], slope, (size_t)i);
       }
     }
     call->rate = slope[stage];
@@ -407,8 +404,7 @@ static fmurt_result try_step(fmurt_apart *self, group_call *call, double step, d
   for (int k = 0; k < call->count; ++k) {
     const int begin = self->offset[call->group[k]], end = self->offset[call->group[k] + 1];
     for (int i = begin; i < end; ++i) {
-      const double difference =
-          step / 72.0 * (-5.0 * slope[0][i] + 6.0 * slope[1][i] + 8.0 * slope[2][i] - 9.0 * slope[3][i]);
+      const double difference = fmurt_pair_difference(step, slope, (size_t)i);
       const double size = fmax(fabs(state[i]), fabs(next[i]));
       const double part = difference / (self->model->relative * size + self->absolute[i]);
       sum += part * part;
@@ -423,7 +419,7 @@ static fmurt_result try_step(fmurt_apart *self, group_call *call, double step, d
 static outcome integrate(fmurt_apart *self, int depth, const int *group, int count, double span) {
   group_call call = {self, group, count, list_bodies(self, group, count), NULL, NULL};
   const double share = (double)count / self->parts->part_count;
-  double next_step = HUGE_VAL, estimate = 1.0, growth = largest_growth, gone = 0.0;
+  double next_step = HUGE_VAL, estimate = 1.0, growth = fmurt_pair_largest_growth, gone = 0.0;
   for (int k = 0; k < count; ++k) {
     if (self->step[group[k]] >= next_step) continue;
     next_step = self->step[group[k]];
@@ -439,7 +435,7 @@ static outcome integrate(fmurt_apart *self, int depth, const int *group, int cou
     if (result == FMURT_RESULT_ERROR) return FAILED;
     if (result != FMURT_RESULT_OK || !(error <= 1.0)) {
       self->rejected += share;
-      next_step = step * (isfinite(error) ? fmax(largest_shrink, safety * pow(error, -1.0 / 3.0)) : largest_shrink);
+      next_step = fmurt_pair_after_failure(step, error);
       growth = 1.0;
       continue;
     }
@@ -449,12 +445,12 @@ static outcome integrate(fmurt_apart *self, int depth, const int *group, int cou
     copy_parts(self, group, count, self->slope[0], self->slope[3]);
     gone = step == left ? span : gone + step;
     self->steps += share;
-    error = fmax(error, least_estimate);
-    const double permitted = step * fmin(growth, safety * pow(error, -by_last) * pow(estimate, by_one_before));
+    error = fmax(error, fmurt_pair_least_estimate);
+    const double permitted = fmurt_pair_permitted(step, growth, error, estimate);
     estimate = error;
     /* A step that was cut short tells little of how long the next one may be. */
     next_step = step < next_step ? fmax(next_step, permitted) : permitted;
-    growth = largest_growth;
+    growth = fmurt_pair_largest_growth;
   }
   for (int k = 0; k < count; ++k) {
     self->step[group[k]] = next_step;
@@ -518,7 +514,7 @@ static double first_step(const fmurt_apart *self, int part, double way) {
     sizes += size * size;
     rates += rate * rate;
   }
-  return rates > 0.0 && sizes > 0.0 ? fmin(way, first_change * sqrt(sizes / rates)) : 1e-3 * way;
+  return rates > 0.0 && sizes > 0.0 ? fmin(way, fmurt_pair_first_change * sqrt(sizes / rates)) : 1e-3 * way;
 }
 
 static fmurt_result begin(fmurt_apart *self, double time, const double *state, double way) {
@@ -563,7 +559,7 @@ fmurt_explicit_outcome fmurt_apart_advance(fmurt_apart *self, const fmurt_explic
                                            fmurt_explicit_work *done) {
   self->model = model;
   self->largest = largest_step;
-  self->shortest = least_roundings * DBL_EPSILON * fmax(fabs(*time), fabs(end));
+  self->shortest = fmurt_pair_least_roundings * DBL_EPSILON * fmax(fabs(*time), fabs(end));
   self->steps = self->evaluations = self->rejected = 0.0;
   self->most_steps = (double)allowed.steps;
   gather(self, self->absolute, model->absolute);

@@ -1,6 +1,4 @@
-/* fmurt_explicit.c - see fmurt_explicit.h. The pair of orders 3 and 2 of Bogacki and Shampine (Applied Mathematics Letters 2,
- * 1989): three evaluations a step, as the last one is the first of the next step. Of pairs of orders 3, 5 and 8 and of
- * stabilised ones of order 2 it needs fewest evaluations where bodies collide. */
+/* fmurt_explicit.c - see fmurt_explicit.h and fmurt_pair.h. */
 #include "fmurt_explicit.h"
 
 #include <float.h>
@@ -8,20 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the step that the error estimate permits; how much longer and shorter the next one may be. */
-static const double safety = 0.9, largest_growth = 5.0, largest_shrink = 0.2;
-/* Steps follow the last estimate and the one before (Gustafsson, ACM Transactions on Mathematical Software 17, 1991). Where stability
- * limits them, as where friction rises steeply with the sliding speed, the last one alone makes them swing about the limit: every fourth
- * is rejected, and those beyond it leave several times the error. */
-static const double by_last = 0.8 / 3.0, by_one_before = 0.25 / 3.0;
+#include "fmurt_pair.h"
+
 /* The estimate is the error of order 2; what goes on is of order 3. */
 static const double largest_estimate = 1.5;
-/* Smaller estimates, by the largest, tell nothing of the next one. */
-static const double least_estimate = 1e-4;
-/* A first step in which the states change by this part of their tolerances' scale, as their derivatives say. */
-static const double first_change = 0.01;
-/* A step of fewer roundings of the time leads nowhere. */
-static const double least_roundings = 16.0;
 
 struct fmurt_explicit {
   size_t state_count;
@@ -67,7 +55,7 @@ static double norm(const fmurt_explicit *self, const fmurt_explicit_model *model
 
 static double first_step(const fmurt_explicit *self, const fmurt_explicit_model *model, const double *state, double way) {
   const double size = norm(self, model, state, state, state), rate = norm(self, model, state, state, self->slope[0]);
-  return rate > 0.0 && size > 0.0 ? fmin(way, first_change * size / rate) : 1e-3 * way;
+  return rate > 0.0 && size > 0.0 ? fmin(way, fmurt_pair_first_change * size / rate) : 1e-3 * way;
 }
 
 /* The states at the end of the step and the slope there. `error` is the difference of both orders, by the largest permitted. */
@@ -75,23 +63,19 @@ static fmurt_result try_step(fmurt_explicit *self, const fmurt_explicit_model *m
                              double step, double *error, long *evaluations) {
   double *const *slope = self->slope, *next = self->next;
   const size_t count = self->state_count;
-  for (size_t i = 0; i < count; ++i) next[i] = state[i] + 0.5 * step * slope[0][i];
+  for (size_t i = 0; i < count; ++i) next[i] = fmurt_pair_place(1, step, state[i], slope, i);
   ++*evaluations;
   fmurt_result result = model->derivatives(model->context, time + 0.5 * step, next, slope[1]);
   if (result != FMURT_RESULT_OK) return result;
-  for (size_t i = 0; i < count; ++i) next[i] = state[i] + 0.75 * step * slope[1][i];
+  for (size_t i = 0; i < count; ++i) next[i] = fmurt_pair_place(2, step, state[i], slope, i);
   ++*evaluations;
   result = model->derivatives(model->context, time + 0.75 * step, next, slope[2]);
   if (result != FMURT_RESULT_OK) return result;
-  for (size_t i = 0; i < count; ++i) {
-    next[i] = state[i] + step / 9.0 * (2.0 * slope[0][i] + 3.0 * slope[1][i] + 4.0 * slope[2][i]);
-  }
+  for (size_t i = 0; i < count; ++i) next[i] = fmurt_pair_place(3, step, state[i], slope, i);
   ++*evaluations;
   result = model->derivatives(model->context, time + step, next, slope[3]);
   if (result != FMURT_RESULT_OK) return result;
-  for (size_t i = 0; i < count; ++i) {
-    slope[1][i] = step / 72.0 * (-5.0 * slope[0][i] + 6.0 * slope[1][i] + 8.0 * slope[2][i] - 9.0 * slope[3][i]);
-  }
+  for (size_t i = 0; i < count; ++i) slope[1][i] = fmurt_pair_difference(step, slope, i);
   *error = norm(self, model, state, next, slope[1]) / largest_estimate;
   return FMURT_RESULT_OK;
 }
@@ -115,8 +99,8 @@ fmurt_explicit_outcome fmurt_explicit_advance(fmurt_explicit *self, const fmurt_
     self->estimate = 1.0;
     self->runs = 1;
   }
-  const double shortest = least_roundings * DBL_EPSILON * fmax(fabs(*time), fabs(end));
-  double growth = largest_growth;
+  const double shortest = fmurt_pair_least_roundings * DBL_EPSILON * fmax(fabs(*time), fabs(end));
+  double growth = fmurt_pair_largest_growth;
   while (*time < end) {
     if (done->steps >= allowed.steps || done->evaluations >= allowed.evaluations) return FMURT_EXPLICIT_STOPPED;
     if (largest_step > 0.0) self->step = fmin(self->step, largest_step);
@@ -129,20 +113,19 @@ fmurt_explicit_outcome fmurt_explicit_advance(fmurt_explicit *self, const fmurt_
     if (result == FMURT_RESULT_ERROR) return FMURT_EXPLICIT_ERROR;
     if (result != FMURT_RESULT_OK || !(error <= 1.0)) {
       ++done->rejected;
-      self->step = step * (isfinite(error) ? fmax(largest_shrink, safety * pow(error, -1.0 / 3.0)) : largest_shrink);
+      self->step = fmurt_pair_after_failure(step, error);
       growth = 1.0;
       continue;
     }
     take_step(self, state);
     *time = step == left ? end : *time + step;
     ++done->steps;
-    error = fmax(error, least_estimate);
-    const double factor = safety * pow(error, -by_last) * pow(self->estimate, by_one_before);
-    const double permitted = step * fmin(growth, factor);
+    error = fmax(error, fmurt_pair_least_estimate);
+    const double permitted = fmurt_pair_permitted(step, growth, error, self->estimate);
     self->estimate = error;
     /* A step that the end cut short tells little of how long the next one may be. */
     self->step = step < self->step ? fmax(self->step, permitted) : permitted;
-    growth = largest_growth;
+    growth = fmurt_pair_largest_growth;
     if (model->accepted != NULL) model->accepted(model->context);
   }
   return FMURT_EXPLICIT_AT_END;
