@@ -159,7 +159,7 @@ TEST(AlignedRoundBodies, TouchWhereTheyAre) {
     }
     if (set.distance < 0.0) ++touching;
     for (const ContactPoint &point : set.points) {
-      ASSERT_LT(norm(point.position - pose.translation), 5.0 * (core_radius(body) + body.radius)) << k << ", load " << point.weight * point.depth;
+      ASSERT_LT(norm(point.position - pose.translation), 4.0 * (core_radius(body) + body.radius)) << k << ", load " << point.weight * point.depth;
     }
   }
   EXPECT_GT(touching, 5000);

@@ -1,10 +1,11 @@
 // Tables of what contact forces are like, over random paths and poses of all pairs of kinds of bodies:
 //
-//   contact_quality loops|jumps|frames [--paths N] [--steps N] [--seed S] [--deep part] [kind [kind]]
+//   contact_quality loops|jumps|frames|points [--paths N] [--steps N] [--seed S] [--deep part] [kind [kind]]
 //
 // loops: work around closed paths as a part of the largest elastic energy, mean and worst, at 1 % and 10 % of the size.
 // jumps: jumps of load and moment along paths, as a part of the largest load; how many paths jump by more than 1e-4.
 // frames: how much the forces change when both bodies are moved together, as a part of the load.
+// points: how many points lie farther than 1.5, 3 and 10 radii from the smaller body's middle; the farthest, and its part of the load.
 // Kinds named restrict the table to pairs with them. The table is Markdown.
 #include <cstdio>
 #include <cstdlib>
@@ -27,7 +28,7 @@ struct Options {
 };
 
 int usage() {
-  std::fprintf(stderr, "usage: contact_quality loops|jumps|frames [--paths N] [--steps N] [--seed S] [--deep part] [kind [kind]]\n");
+  std::fprintf(stderr, "usage: contact_quality loops|jumps|frames|points [--paths N] [--steps N] [--seed S] [--deep part] [kind [kind]]\n");
   std::fprintf(stderr, "kinds:");
   for (const Kind &kind : all_kinds()) std::fprintf(stderr, " %s", kind.name);
   std::fprintf(stderr, "\n");
@@ -110,6 +111,16 @@ void print_frames(const Options &options) {
   }
 }
 
+void print_points(const Options &options) {
+  std::printf("| pair | poses | points | > 1.5 | > 3 | > 10 | farthest | its load | its pose |\n|---|---|---|---|---|---|---|---|---|\n");
+  for (const KindPair &pair : pairs_of(options)) {
+    const FarPoints far = sample_far_points(pair, options.paths, options.seed);
+    std::printf("| %s, %s | %d | %d | %d | %d | %d | %.2g | %.1e | %llu |\n", pair.a->name, pair.b->name, far.poses, far.points, far.beyond[0],
+                far.beyond[1], far.beyond[2], far.farthest, far.load_there, static_cast<unsigned long long>(far.worst_seed));
+    std::fflush(stdout);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char **argv) {
@@ -121,6 +132,8 @@ int main(int argc, char **argv) {
     print_jumps(options);
   } else if (options.table == "frames") {
     print_frames(options);
+  } else if (options.table == "points") {
+    print_points(options);
   } else {
     return usage();
   }

@@ -6,8 +6,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "scene/descriptor.hpp"
 #include "support/path_sums.hpp"
 
 namespace cmb::quality {
@@ -257,6 +259,57 @@ FrameError sample_frames(const KindPair &kinds, int poses, std::uint64_t seed) {
     }
     const double known = rounding / std::fmax(load, 1e-3 * deep);
     result.worst_by_rounding = std::fmax(result.worst_by_rounding, error / std::fmax(1e-9, known));
+  }
+  return result;
+}
+
+namespace {
+
+struct Ball {
+  convex::Vec3 center;
+  double radius = 0.0;
+};
+
+// About all shapes of a body, in its frame; no radius where the body has no bounds.
+Ball ball_about(const std::string &text) {
+  Ball ball;
+  const BodyShapes shapes = parse_descriptor(text);
+  for (const Shape &shape : shapes) {
+    ball.center = ball.center + (1.0 / static_cast<double>(shapes.size())) * shape.in_body(shape.bound_center);
+  }
+  for (const Shape &shape : shapes) {
+    ball.radius = std::fmax(ball.radius, norm(shape.in_body(shape.bound_center) - ball.center) + shape.bound_radius);
+  }
+  return ball;
+}
+
+}  // namespace
+
+FarPoints sample_far_points(const KindPair &kinds, int poses, std::uint64_t seed) {
+  const std::vector<Sample> bodies = bodies_of(kinds, poses, seed);
+  std::vector<std::pair<Ball, Ball>> balls;
+  for (const Sample &sample : bodies) balls.emplace_back(ball_about(sample.a.text), ball_about(sample.b.text));
+  FarPoints result;
+  for (int k = 0; k < poses; ++k) {
+    const Sample &sample = bodies[static_cast<std::size_t>(k) % bodies.size()];
+    Random random(path_seed(seed, k));
+    const double deep = random.log_uniform(1e-7, 0.3) * sample.thickness;
+    const auto pose = touching(sample, start_rotation(random), beside_ground(kinds, random), approach(kinds, random), deep);
+    if (!pose) continue;
+    ++result.poses;
+    const auto &[a, b] = balls[static_cast<std::size_t>(k) % bodies.size()];
+    const bool of_a = kinds.b->ground || a.radius <= b.radius;
+    const convex::Vec3 center = of_a ? pose->position + pose->rotation * a.center : b.center;
+    const Contact contact = sample.scene->query(*pose, {}, capacity);
+    double load = 0.0;
+    for (const test::Point &point : contact.points) load += point.weight * point.depth;
+    for (const test::Point &point : contact.points) {
+      const double far = norm(point.position - center) / (of_a ? a.radius : b.radius);
+      ++result.points;
+      for (std::size_t i = 0; i < 3; ++i) result.beyond[i] += far > FarPoints::limits[i] ? 1 : 0;
+      if (!(far > result.farthest)) continue;
+      result.farthest = far, result.load_there = point.weight * point.depth / load, result.worst_seed = path_seed(seed, k);
+    }
   }
   return result;
 }

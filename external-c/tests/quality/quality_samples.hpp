@@ -1,4 +1,4 @@
-// Samples of what contact forces have to be: work around closed paths, jumps along paths, and the same in every frame.
+// Samples of what contact forces have to be: work around closed paths, jumps along paths, the same in every frame, at places near the bodies.
 //
 // The force is the sum of weight * depth * normal at the contact points: stiffness 1, exponent 1.
 #pragma once
@@ -44,5 +44,18 @@ struct FrameError {
 
 // Contacts of up to a twentieth of the thinner body, and both bodies moved together.
 FrameError sample_frames(const KindPair &kinds, int poses, std::uint64_t seed);
+
+// How far contact points lie from the smaller body: from the middle of its bounding sphere, by that sphere's radius.
+struct FarPoints {
+  static constexpr double limits[3] = {1.5, 3.0, 10.0};
+  int poses = 0, points = 0;
+  int beyond[3] = {};        // points farther than the limits
+  double farthest = 0.0;     // by radii
+  double load_there = 0.0;   // of the farthest point, as a part of all points'
+  std::uint64_t worst_seed = 0;
+};
+
+// Poses of all orientations, level ones and some between, A in B by 1e-7 to 0.3 times the thinner body's thickness.
+FarPoints sample_far_points(const KindPair &kinds, int poses, std::uint64_t seed);
 
 }  // namespace cmb::quality

@@ -1,4 +1,4 @@
-// A slice of what `make contact-quality` samples: contact forces are the same in every frame, do not jump, and where they are
+// A slice of what `make contact-quality` samples: contact forces are the same in every frame, do not jump, are near the bodies, and where they are
 // the gradient of an energy do no work around closed paths.
 #include <gtest/gtest.h>
 
@@ -78,6 +78,22 @@ INSTANTIATE_TEST_SUITE_P(ConvexMeshes, WithoutJumps,
                          testing::Values(Pair{"ellipsoid", "divided-box-mesh"}, Pair{"cylinder", "divided-box-mesh"},
                                          Pair{"box-mesh", "divided-box-mesh"}, Pair{"box-mesh", "sphere-mesh"},
                                          Pair{"divided-box-mesh", "angle-mesh"}));
+
+class NearBodies : public testing::TestWithParam<Pair> {};
+
+// Farther off, friction would do there what it does not do at the body. What lever a force has with its torque may be up to two radii.
+TEST_P(NearBodies, PointsAreWhereTheyTouch) {
+  const FarPoints far = sample_far_points(GetParam().kinds(), 300, 1);
+  EXPECT_GT(far.poses, 240);
+  EXPECT_LT(far.farthest, 3.0) << "at pose " << far.worst_seed << ", " << far.load_there << " of the load";
+  EXPECT_LE(far.beyond[0], far.points / 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(OnMeshes, NearBodies,
+                         testing::Values(Pair{"ellipsoid", "angle-mesh"}, Pair{"capsule", "angle-mesh"}, Pair{"cylinder", "angle-mesh"},
+                                         Pair{"box", "angle-mesh"}, Pair{"prism", "angle-mesh"}, Pair{"box-mesh", "angle-mesh"},
+                                         Pair{"hull-20", "torus-mesh"}, Pair{"cylinder", "torus-mesh"}, Pair{"box", "heightfield"},
+                                         Pair{"prism", "heightfield"}, Pair{"cone", "heightfield"}));
 
 class Elastic : public testing::TestWithParam<Pair> {};
 

@@ -35,6 +35,23 @@ void PatchSums::scale(double part) {
   for (double &sum : second) sum *= part;
 }
 
+void PatchSums::keep_within(const Vec3 &center, double radius) {
+  const Vec3 first = moment - load * center;
+  const double squares = second[0] + second[1] + second[2] - dot(center, first + moment);  // of distances from the center
+  const double most_first = load * radius, most_squares = most_first * radius;
+  double part = 1.0;
+  if (norm(first) > most_first) part = most_first / norm(first);
+  if (std::fabs(squares) * part > most_squares) part = most_squares / std::fabs(squares);
+  if (!(part < 1.0)) return;
+  const double rest = (1.0 - part) * load;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    second[i] = part * second[i] + rest * center[i] * center[i];
+    second[3 + i] = part * second[3 + i] + rest * center[j] * center[k];
+  }
+  moment = load * center + part * first;
+}
+
 void DirectionPatches::add(const PatchSums &patch, const Vec3 &normal, double share) {
   area_ += patch.area;
   carrying_area_ += share * patch.area;
@@ -55,22 +72,23 @@ void DirectionPatches::add(const PatchSums &patch, const Vec3 &normal, double sh
 namespace {
 
 // The columns of a triangular factor of the matrix (xx, yy, zz, yz, zx, xy), axes in the order that begins after `last`. Squares
-// count above `rounding`.
+// count above `rounding`; where cancelling loads leave no squares, columns are no longer than those of a matrix that is one.
 Mat3 factor(const double (&m)[6], int last, double rounding) {
   const auto root = [rounding](double square) { return std::sqrt(std::fmax(0.0, square - rounding)); };
+  const auto bounded = [](double value, double most) { return value > most ? most : value < -most ? -most : value; };
   const int i = (last + 1) % 3, j = (last + 2) % 3, k = last;
   const auto cross_term = [&](int a, int b) { return m[6 - a - b]; };  // yz = 3, zx = 4, xy = 5
   Vec3 columns[3];
   const double first = root(m[i]);
   if (first > 0.0) {
     columns[0].set(i, first);
-    columns[0].set(j, cross_term(i, j) / first);
-    columns[0].set(k, cross_term(i, k) / first);
+    columns[0].set(j, bounded(cross_term(i, j) / first, root(m[j])));
+    columns[0].set(k, bounded(cross_term(i, k) / first, root(m[k])));
   }
   const double second = root(m[j] - columns[0][j] * columns[0][j]);
   if (second > 0.0) {
     columns[1].set(j, second);
-    columns[1].set(k, (cross_term(j, k) - columns[0][j] * columns[0][k]) / second);
+    columns[1].set(k, bounded((cross_term(j, k) - columns[0][j] * columns[0][k]) / second, root(m[k] - columns[0][k] * columns[0][k])));
   }
   columns[2].set(k, root(m[k] - columns[0][k] * columns[0][k] - columns[1][k] * columns[1][k]));
   return {{columns[0], columns[1], columns[2]}};
@@ -79,10 +97,14 @@ Mat3 factor(const double (&m)[6], int last, double rounding) {
 }  // namespace
 
 void DirectionPatches::append(std::vector<LoadPoint> &points) const {
+  // Next to the others a load that is rounding has no place.
+  constexpr double rounding_load = 1e-13;
+  double load = 0.0;
+  for (const Sum &sum : sums_) load += sum.patch.load;
   const double scale = 1.0 / area();
   for (std::size_t direction = 0; direction < directions; ++direction) {
     const Sum &sum = sums_[direction];
-    if (!(sum.patch.load > 0.0)) continue;
+    if (!(sum.patch.load > rounding_load * load)) continue;
     const double part = 1.0 / sum.patch.load, depth = part * sum.patch.energy;
     const Vec3 force = scale * sum.force, middle = part * sum.patch.moment;
     if (!(norm2(force) > 0.0) || !(depth > 0.0) || !std::isfinite(part)) continue;

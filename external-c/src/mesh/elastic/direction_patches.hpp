@@ -25,6 +25,8 @@ struct PatchSums {
   void add_place(double area, const Vec3 &at, double depth);
   // Takes a part of the load, of the same area.
   void scale(double part);
+  // Where loads of both signs cancel, their places may be anywhere: moments become those of a load in a ball, and stay where they are.
+  void keep_within(const Vec3 &center, double radius);
 };
 
 // A part of a contact's load.

@@ -67,21 +67,21 @@ Vec3 center_of(const std::vector<LoadPoint> &points, double load) {
   return center;
 }
 
-// Makes their torque `torque`, which leaves the sum of forces.
-void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque) {
-  const double load = load_of(points);
-  if (!(load > 0.0)) return;
+// Shifts the points so that their torque comes near `torque`, which leaves the sum of forces. share(part) says how far a point of that load
+// goes by what the torque asks for; none goes farther than `farthest` in a step. Of points of hardly any load, whose normals differ from all
+// others', only a long way does much for the torque, and farther off friction would do there what it does not do at the body.
+template <typename Share>
+void shift(std::vector<LoadPoint> &points, const Vec3 &torque, double load, double farthest, Share &&share) {
   convex::SymmetricMatrix spread, across;
   const Vec3 center = center_of(points, load);
   for (const LoadPoint &point : points) {
     const double part = norm(point.force);
     if (!(part > 0.0)) continue;
     spread.add_inertia(part, point.place - center);
-    across.add_inertia(part, (1.0 / part) * point.force);
+    across.add_inertia(part * share(part), (1.0 / part) * point.force);
   }
-  // Shifting comes first: it counts as far as the points are apart, times this. Points of hardly any load, whose normals differ from all
-  // others', are shifted by so many times the torque's lever at most: farther off, friction would do there what it does not do at the body. In
-  // several steps what shifts along the surface have to do is done to rounding all the same.
+  // Shifting comes first: it counts as far as the points are apart, times this. In several steps what shifts along the surface have to do is
+  // done to rounding all the same.
   constexpr double prefer_shift = 20.0;
   constexpr int steps = 6;
   const double reach2 = prefer_shift * spread.trace() / load;
@@ -91,18 +91,31 @@ void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque) {
     const Vec3 turn = solve_raised(both, missing_torque(points, torque));
     for (LoadPoint &point : points) {
       const double part = norm(point.force);
-      if (part > 0.0) point.place = point.place + reach2 / part * cross(point.force, turn);
+      if (!(part > 0.0)) continue;
+      const Vec3 way = (reach2 * share(part) / part) * cross(point.force, turn);
+      const double length = norm(way);
+      point.place = point.place + (length > farthest ? farthest / length : 1.0) * way;
     }
   }
+}
+
+// Makes their torque `torque`, which leaves the sum of forces. `radius`: of the body.
+void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque, double radius) {
+  const double load = load_of(points);
+  if (!(load > 0.0)) return;
+  constexpr double held = 0.05;  // of the load: a point that carries this goes half the way
+  shift(points, torque, load, HUGE_VAL, [load](double part) { return part / (part + held * load); });
   const Vec3 shifted = center_of(points, load);
   convex::SymmetricMatrix inertia;
   for (const LoadPoint &point : points) inertia.add_inertia(norm(point.force), point.place - shifted);
   const Vec3 twist = solve_raised(inertia, missing_torque(points, torque));
-  // Normals tilt by half at most, in the mean: more is rounding.
+  // Normals tilt by half at most, in the mean.
   double tilt2 = 0.0;
   for (const LoadPoint &point : points) tilt2 += norm(point.force) / load * norm2(cross(twist, point.place - shifted));
   const double part = tilt2 > 0.25 ? 0.5 / std::sqrt(tilt2) : 1.0;
   for (LoadPoint &point : points) point.force = point.force + (part * norm(point.force)) * cross(twist, point.place - shifted);
+  // What is left is real where loads oppose each other in a tight place: all points together take it, no farther than the body is large.
+  if (part < 1.0) shift(points, torque, load, radius, [](double) { return 1.0; });
 }
 
 }  // namespace
@@ -114,7 +127,7 @@ double append_elastic_points(const WedgeIntegrals &overlap, const Pose &pose, st
   if (!(load > 0.0)) return 0.0;
   const Wrench wrench = pushing(overlap, points);
   match_force(points, wrench.force, overlap.energy());
-  match_torque(points, wrench.torque);
+  match_torque(points, wrench.torque, overlap.radius());
   double stored = 0.0;
   for (const LoadPoint &point : points) stored += 0.5 * norm(point.force) * point.depth;
   // Where the patches as good as vanish, as those of a wall right through the body, they cannot store the energy: on faces, edges and corners

@@ -14,7 +14,8 @@ namespace cmb::mesh {
 //
 // Loads begin as those of the patches. Their forces are scaled, and each gets the same part of its load in addition, until they sum
 // to the overlap's force. What torque is lacking comes from a shift of the points along the surface, as at the edge of a tilted face,
-// whose force acts at its border; what turns about the force itself from normals that tilt about it.
+// whose force acts at its border; what turns about the force itself from normals that tilt about it. Points of hardly any load stay where
+// they are.
 //
 // Where the overlap's force would pull, or depths are rounding, it is bounded by the patches' load.
 //

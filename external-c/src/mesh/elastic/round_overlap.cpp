@@ -204,6 +204,7 @@ void RoundOverlap::integrate(const Part &part) {
   patch.load = std::max(patch.load, 0.0);
   if (patch.load > deepest_below_ * patch.area) patch.scale(deepest_below_ * patch.area / patch.load);
   patch.energy = std::clamp(patch.energy, 0.0, deepest_below_ * patch.load);
+  patch.keep_within(part.place.translation - patches().origin(), radius_of(part.body));
   add_patch(patch, part.place(surface.place() + surface.middle()));
   if (!(patch.load > 0.0)) return;
   Vec3 deepest_place;
