@@ -7,7 +7,7 @@ class Numerics "Solvers, steps and what limits accuracy"
 <tr><th>setting</th><th>value</th><th>why</th></tr>
 <tr><td>solver</td><td>DASSL, IDA, CVODE (BDF), Radau</td><td>contact is stiff; explicit methods take steps of sqrt(m/K)</td></tr>
 <tr><td>tolerance</td><td>1e-6</td><td>restitution is delivered within 0.001, stops and rolling within 0.1 %; at 1e-4 too in co-simulation and by cmb simulate, which hold short steps to less than a tenth of the tolerance; by other solvers within 0.006, as each of the fifty steps of an impact may err by 1e-4 of the speed</td></tr>
-<tr><td>longest step</td><td>thickness of the thinnest wall by the greatest speed</td><td>no solver sees what happens within one step; half-spaces need no limit</td></tr>
+<tr><td>longest step</td><td>thickness of the thinnest wall by the greatest speed</td><td>other tools see nothing of what happens within one step; half-spaces need no limit. FMUs of this project find bodies that pass through each other within a step, and need none</td></tr>
 <tr><td>output interval</td><td>some rows in a contact time, &pi; sqrt(m/K)</td><td>only for plots of forces; the solver chooses its own steps</td></tr>
 <tr><td>co-simulation</td><td>an FMU with its own implicit solver</td><td>explicit Euler at the communication step diverges</td></tr>
 </table>
@@ -16,8 +16,8 @@ class Numerics "Solvers, steps and what limits accuracy"
 <li>Contact is stiff while bodies touch and absent otherwise. Use an implicit variable-step solver (DASSL, CVODE, IDA, Radau) with event detection.</li>
 <li>The force is continuous in depth and speed: zero where a contact begins, never negative, bounded damping for contacts that start at rest. Manifolds change continuously with the pose. An
 error-controlled solver therefore needs no tolerance below 1e-6 for its own sake.</li>
-<li>The event at the start of a contact is found by the sign of the signed distance. If a body crosses a thin wall within one step, no solver sees it: limit the step to thickness by speed, or give thin walls
-as half-spaces, which nothing can pass.</li>
+<li>The event at the start of a contact is found by the sign of the signed distance. If a body crosses a thin wall within one step, other tools do not see it: limit the step to thickness by speed, or give thin walls
+as half-spaces, which nothing can pass. FMUs of this project look at the ways of bodies within each step and go back to where they meet.</li>
 <li>The solution of the law is exact for a free impact. Gravity, joints and other contacts act during an impact as well; their share is of the order of g sqrt(m/K)/v<sub>0</sub>, so that slow bounces lose more than e says. Below
 <code>restSpeed</code> the damping rises until bounces die.</li>
 <li>The speed of impact is caught by an event at the first touch. <code>touches</code> tells of it later, 1e-10 m deep and past the hysteresis of events (in FMUs of this project 1e-10 m more, or a millionth of the

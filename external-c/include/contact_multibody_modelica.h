@@ -34,6 +34,14 @@ void cmb_modelica_query_volume_within(int scene, double exact_within, const doub
                                       const double *rotation, size_t pair_count, double *distance, double *depth,
                                       double *weight, double *normal, double *point);
 
+/* Bodies that pass through each other between the ends of an integrator's step; see cmb_find_passage. For the integrator of an
+ * FMU.
+ * pair    receives their 1-based numbers; 0: there are none
+ * number  receives the share of the step, the thickness of the thinner one, and how fast they come nearer there */
+void cmb_modelica_find_passage(int scene, size_t body_count, double duration, const double *begin, const double *end,
+                               int (*at)(void *context, double share, double *motion), void *context, int *pair,
+                               double *number);
+
 #ifdef __cplusplus
 }
 #endif

@@ -159,6 +159,38 @@ CMB_API cmb_status cmb_evaluate_response_among(cmb_broadphase broadphase, const 
  * radius  [body_count] m */
 CMB_API cmb_status cmb_body_radii(cmb_broadphase broadphase, size_t body_count, double *radius);
 
+/* Gives how the bodies move at a share of a step, 0 ... 1: motion is as cmb_step has it. 0 on success. */
+typedef int (*cmb_motion_at)(void *context, double share, double *motion);
+
+/* A step of an integrator. Motions are [18 * body_count]: positions [][3] and rotations [][3][3] as of cmb_poses, then velocities
+ * [][3] and angular velocities [][3] as of cmb_motion. */
+typedef struct cmb_step {
+  size_t body_count;
+  double duration;           /* s, > 0 */
+  const double *begin, *end; /* motions */
+  cmb_motion_at at;          /* not called where the motions at both ends tell that nothing can have happened */
+  void *context;
+} cmb_step;
+
+/* Two bodies that met in between. */
+typedef struct cmb_passage {
+  int body_a, body_b; /* 1-based; 0: there are none */
+  double share;       /* of the step, from which on they touch, or lie deeper in each other than at its beginning */
+  double thickness;   /* m, of the thinner one */
+  double speed;       /* m/s, by which they come nearer there at most */
+} cmb_passage;
+
+/* Looks for the first of a scene's pairs that in between the ends of a step are in each other by 2 % of the thickness of the thinner
+ * body more than at these: an integrator that looks at the ends alone takes no notice. Pairs that move against each other by less
+ * than a quarter of the thickness are not looked at: they overlap by a hundredth of it or two at most in between.
+ * passage  receives what was found; where `at` fails, none. Not NULL. */
+CMB_API cmb_status cmb_find_passage(cmb_scene scene, const cmb_step *step, cmb_passage *passage);
+
+/* The same of bodies that a filter lets touch.
+ * bodies  [count] 1-based, ascending; NULL: all */
+CMB_API cmb_status cmb_find_passage_among(cmb_broadphase broadphase, const int *bodies, size_t count, const cmb_step *step,
+                                          cmb_passage *passage);
+
 #ifdef __cplusplus
 }
 #endif

@@ -41,6 +41,13 @@ void cmb_modelica_response_among(int broadphase, const int *bodies, size_t count
 /* Radii of the bodies; see cmb_body_radii. */
 void cmb_modelica_body_radii(int broadphase, size_t body_count, double *radius);
 
+/* Bodies, all where `bodies` is NULL, that pass through each other between the ends of an integrator's step; see
+ * cmb_find_passage_among. For the integrator of an FMU. `pair` and `number`: as of cmb_modelica_find_passage. */
+void cmb_modelica_find_passage_among(int broadphase, const int *bodies, size_t count, size_t body_count, double duration,
+                                     const double *begin, const double *end,
+                                     int (*at)(void *context, double share, double *motion), void *context, int *pair,
+                                     double *number);
+
 #ifdef __cplusplus
 }
 #endif

@@ -118,7 +118,7 @@ def _translate(
         states=states,
         derivatives=tuple(derivative_name(name) for name in states),
         outputs=tuple(name for name, variable in reduced.model.variables.items() if variable.is_output),
-        indicator_count=len(systems.model.relations),
+        indicator_count=len(systems.model.relations) + generated.watches_passages,
         description=flat.description,
         enumerations=describe_enumerations(reduced),
         experiment=read_experiment(model, sources),

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "contact_multibody.h"
+#include "c_api/passage_numbers.h"
 
 /* Supplied by the Modelica tool (ModelicaUtilities.h of the Modelica specification); does not return. */
 extern void ModelicaFormatError(const char *string, ...);
@@ -107,4 +108,13 @@ void cmb_modelica_query_volume_within(int scene, double exact_within, const doub
     }
     place_points(&overlap, pair_normal, pair_point);
   }
+}
+
+void cmb_modelica_find_passage(int scene, size_t body_count, double duration, const double *begin, const double *end,
+                               int (*at)(void *context, double share, double *motion), void *context, int *pair,
+                               double *number) {
+  const cmb_step step = {body_count, duration, begin, end, at, context};
+  cmb_passage passage;
+  report(cmb_find_passage((cmb_scene){scene}, &step, &passage));
+  cmb_tell_passage(&passage, pair, number);
 }

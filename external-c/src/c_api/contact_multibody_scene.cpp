@@ -9,6 +9,7 @@
 #include "broadphase/broad_phase.hpp"
 #include "c_api/call_guard.hpp"
 #include "c_api/pose_check.hpp"
+#include "passage/passage_search.hpp"
 #include "response/contact_response.hpp"
 #include "response/pair_law.hpp"
 #include "scene/interned.hpp"
@@ -117,6 +118,19 @@ cmb_status check_velocity(const cmb_motion &motion, size_t body) {
   return fail(CMB_ERROR_POSE, "body " + std::to_string(body + 1) +
                                   " has a velocity that is not finite; check the initial values, or the step "
                                   "size of the integrator");
+}
+
+cmb_status check_step(const cmb_step *step, const cmb_passage *passage, std::size_t body_count) {
+  if (step == nullptr || passage == nullptr) return fail(CMB_ERROR_ARGUMENT, "step or passage is NULL");
+  if (step->body_count != body_count) {
+    return fail(CMB_ERROR_ARGUMENT, "a step of " + std::to_string(step->body_count) + " bodies for a scene of " +
+                                        std::to_string(body_count));
+  }
+  if (!(step->duration > 0.0)) return fail(CMB_ERROR_ARGUMENT, "the duration of the step is not positive");
+  if (body_count > 0 && (step->begin == nullptr || step->end == nullptr || step->at == nullptr)) {
+    return fail(CMB_ERROR_ARGUMENT, "begin, end or at is NULL");
+  }
+  return CMB_OK;
 }
 
 void write_row(const Vec3 &row, double *target) {
@@ -307,6 +321,39 @@ cmb_status cmb_body_radii(cmb_broadphase broadphase, size_t body_count, double *
       return fail(CMB_ERROR_ARGUMENT, "radius is NULL, or not that of all bodies");
     }
     for (size_t body = 0; body < body_count; ++body) radius[body] = found->radius_about_origin(body);
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_find_passage(cmb_scene scene, const cmb_step *step, cmb_passage *passage) {
+  return guarded([&] {
+    const Scene *const found = cmb::find_scene(scene);
+    if (found == nullptr) return fail(CMB_ERROR_ARGUMENT, "there is no scene " + std::to_string(scene.number));
+    const cmb_status status = check_step(step, passage, found->bodies.size());
+    if (status != CMB_OK) return status;
+    *passage = {};
+    cmb::PassageSearch(*found, *step).find(*passage);
+    return CMB_OK;
+  });
+}
+
+cmb_status cmb_find_passage_among(cmb_broadphase broadphase, const int *bodies, size_t count, const cmb_step *step,
+                                  cmb_passage *passage) {
+  return guarded([&] {
+    const BroadPhase *const found = registry().find(broadphase.number);
+    if (found == nullptr) return unknown_broadphase(broadphase);
+    const cmb_status status = check_step(step, passage, found->body_count());
+    if (status != CMB_OK) return status;
+    std::vector<std::uint32_t> among(bodies == nullptr ? found->body_count() : count);
+    for (std::size_t k = 0; k < among.size(); ++k) {
+      const std::size_t number = bodies == nullptr ? k + 1 : static_cast<std::size_t>(bodies[k]);
+      if (number < 1 || number > found->body_count() || (k > 0 && number <= std::size_t{among[k - 1]} + 1)) {
+        return fail(CMB_ERROR_ARGUMENT, "bodies do not ascend from 1 to " + std::to_string(found->body_count()));
+      }
+      among[k] = static_cast<std::uint32_t>(number - 1);
+    }
+    *passage = {};
+    cmb::PassageSearch(found->scene(), *step).find_among(among, found->filter(), *passage);
     return CMB_OK;
   });
 }

@@ -1,6 +1,7 @@
 #include "contact_multibody_scene_modelica.h"
 
 #include "contact_multibody_scene.h"
+#include "c_api/passage_numbers.h"
 
 /* Supplied by the Modelica tool (ModelicaUtilities.h of the Modelica specification); does not return. */
 extern void ModelicaFormatError(const char *string, ...);
@@ -93,4 +94,14 @@ void cmb_modelica_response_among(int broadphase, const int *bodies, size_t count
 
 void cmb_modelica_body_radii(int broadphase, size_t body_count, double *radius) {
   report(cmb_body_radii((cmb_broadphase){broadphase}, body_count, radius));
+}
+
+void cmb_modelica_find_passage_among(int broadphase, const int *bodies, size_t count, size_t body_count, double duration,
+                                     const double *begin, const double *end,
+                                     int (*at)(void *context, double share, double *motion), void *context, int *pair,
+                                     double *number) {
+  const cmb_step step = {body_count, duration, begin, end, at, context};
+  cmb_passage passage;
+  report(cmb_find_passage_among((cmb_broadphase){broadphase}, bodies, count, &step, &passage));
+  cmb_tell_passage(&passage, pair, number);
 }

@@ -21,6 +21,7 @@ from modelica2fmu.codegen.generated_source import GeneratedSource
 from modelica2fmu.codegen.jacobian_code import jacobian_code
 from modelica2fmu.codegen.model_file import GUID_PLACE, ModelParts, model_file, model_header
 from modelica2fmu.codegen.part_code import PartCode, part_code
+from modelica2fmu.codegen.scene_code import SceneCode, scene_code
 from modelica2fmu.codegen.slots import Slots, assign_slots
 from modelica2fmu.codegen.statements import Statement, WorkSpace
 from modelica2fmu.codegen.symbol_places import SymbolPlaces
@@ -35,6 +36,7 @@ from modelica2fmu.equations.blocks import (
     needed_blocks,
 )
 from modelica2fmu.equations.parts import find_parts
+from modelica2fmu.equations.scenes import Scene, find_scenes
 from modelica2fmu.equations.sorting import solve_order
 from modelica2fmu.equations.systems import PlaceOf, Systems
 from modelica2fmu.equations.tangents import tangents
@@ -57,7 +59,9 @@ class GeneratedModel:
         states: names of the states, in order.
         operations: number of lines of C that one evaluation of the derivatives executes.
         needs_completed_steps: whether it has to be told of accepted steps: nonlinear systems are followed from one to
-            the next, and assertions at level warning are checked.
+            the next, assertions at level warning are checked, and bodies that an importer lets pass through each other
+            are told of.
+        watches_passages: whether there is an event indicator for bodies that pass through each other.
     """
 
     sources: tuple[GeneratedSource, ...]
@@ -66,6 +70,7 @@ class GeneratedModel:
     states: tuple[str, ...]
     operations: int
     needs_completed_steps: bool
+    watches_passages: bool
 
 
 def generate(
@@ -102,6 +107,7 @@ class _Generator:
         self._functions: list[Function] = []
         self._is_simulated_at_start = False
         self._simulation, self._initialization = self._needed()
+        self._scenes = self._find_scenes()
         self._places = SymbolPlaces(self._assigned_slots(), WorkSpace())
         self._blocks = BlockCode(self._places, self._model.variables, self._simulation, place)
 
@@ -119,6 +125,8 @@ class _Generator:
         indicators = self._places.frame(", double *indicator", ("  (void)indicator;",))
         self._add("fmurt_part_indicators", indicator_statements(self._model), indicators)
         jacobian = self._jacobian()
+        scenes = scene_code(self._scenes, self._places)
+        self._functions.extend(scenes.functions)
         parts = PartCode()
         if not asserts:
             parts = part_code(find_parts(self._simulation, self._states, self._model), self._places)
@@ -126,7 +134,7 @@ class _Generator:
         self._functions.extend(self._blocks.functions)
         integrated = [item for item in simulating if not item.is_discrete and not item.on_request]
         operations = sum(item.executed * item.executions for item in integrated)
-        return self._assemble(jacobian, parts.tables, operations)
+        return self._assemble(jacobian, parts.tables, scenes, operations)
 
     def _add(self, prefix: str, statements: Sequence[Statement], frame: FunctionFrame) -> None:
         self._functions.extend(functions_of(prefix, statements, frame))
@@ -146,6 +154,12 @@ class _Generator:
         initialization = needed_blocks(systems.initialization, [*wanted, *self._states])
         return needed_blocks(systems.simulation, wanted), initialization
 
+    def _find_scenes(self) -> list[Scene]:
+        """The contact scenes, where an integrator moves their bodies."""
+        if not self._states:
+            return []
+        return find_scenes(self._simulation, self._model.variables, self._reduced.replacements)
+
     def _assigned_slots(self) -> Slots:
         blocks = [*self._simulation, *self._initialization]
         used = [name for block in blocks for name in block_targets(block)]
@@ -161,6 +175,7 @@ class _Generator:
         model = self._model
         wanted = [derivative_name(name) for name in self._states]
         wanted += ex.symbols(*(item.indicator for item in model.relations))
+        wanted += ex.symbols(*(value for scene in self._scenes for value in scene.motion))
         wanted += ex.symbols(*(root for item in watched for root in (item.condition, item.trigger or 0)))
         wanted += ex.symbols(*(part for item in watched for part in item.message.parts if isinstance(part, Node)))
         needed, others = divided_blocks(self._simulation, wanted)
@@ -262,7 +277,7 @@ class _Generator:
 
     # --- files ---
 
-    def _assemble(self, jacobian: str, parts: str, operations: int) -> GeneratedModel:
+    def _assemble(self, jacobian: str, parts: str, scenes: SceneCode, operations: int) -> GeneratedModel:
         work, slots = self._places.work, self._places.slots
         main = model_file(
             ModelParts(
@@ -272,6 +287,8 @@ class _Generator:
                 self._functions,
                 jacobian,
                 parts,
+                scenes.table,
+                scenes.count,
                 work.reals,
                 work.integers,
                 self._blocks.followed,
@@ -286,8 +303,8 @@ class _Generator:
         text = digest.hexdigest()
         guid = f"{{{text[:8]}-{text[8:12]}-{text[12:16]}-{text[16:20]}-{text[20:]}}}"
         sources.append(GeneratedSource("model.c", main.replace(GUID_PLACE, guid)))
-        told = bool(self._blocks.followed or self._watched(is_warning=True))
-        return GeneratedModel(tuple(sources), guid, slots, self._states, operations, told)
+        told = bool(self._blocks.followed or self._watched(is_warning=True) or scenes.count)
+        return GeneratedModel(tuple(sources), guid, slots, self._states, operations, told, scenes.count > 0)
 
     def _part_files(self) -> list[GeneratedSource]:
         includes = '#include "model_parts.h"\n' + "".join(f"{text}\n" for text in self._includes)

@@ -28,6 +28,8 @@ class ModelParts:
         functions: all of the model, of which ``model.c`` calls those with the prefixes of its tables.
         jacobian: text of the function ``jacobian``; empty if there is none.
         parts: text of the description ``parts``; empty if there is none.
+        scenes: text of the array ``scene``; empty if there is none.
+        scene_count: of its elements.
         reals: size of the work array.
         integers: size of that of integers.
         followed: slots of the unknowns of nonlinear systems.
@@ -41,6 +43,8 @@ class ModelParts:
     functions: Sequence[Function]
     jacobian: str
     parts: str
+    scenes: str
+    scene_count: int
     reals: int
     integers: int
     followed: Sequence[int]
@@ -160,7 +164,7 @@ static inline fmurt_result warnings(fmurt_values *v)
 {warnings}  return (fmurt_result)result;
 }}
 
-{parts.jacobian}{parts.parts}const fmurt_model_description fmurt_model = {{
+{parts.jacobian}{parts.parts}{parts.scenes}const fmurt_model_description fmurt_model = {{
   .name = {c_text(model.name)},
   .guid = "{GUID_PLACE}",
   .real_count = {counts[Store.REAL]},
@@ -195,6 +199,8 @@ static inline fmurt_result warnings(fmurt_values *v)
   .jacobian = {"jacobian" if parts.jacobian else "NULL"},
   .remaining = {"remaining" if remaining else "NULL"},
   .parts = {"&parts" if parts.parts else "NULL"},
+  .scene_count = {parts.scene_count},
+  .scene = {"scene" if parts.scenes else "NULL"},
 }};
 """
 

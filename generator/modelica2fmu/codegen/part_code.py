@@ -9,6 +9,7 @@ from typing import Final
 
 from modelica2fmu.codegen.c_functions import Function, FunctionFrame, single_function
 from modelica2fmu.codegen.rolled_code import rolled
+from modelica2fmu.codegen.scene_code import PASSAGE_PARAMETERS, passage_call
 from modelica2fmu.codegen.slots import Slots, Store
 from modelica2fmu.codegen.statements import Statement, WorkSpace, Write
 from modelica2fmu.codegen.symbol_places import PROLOGUE, SymbolPlaces
@@ -71,7 +72,7 @@ class _Writer:
 
     def run(self) -> PartCode:
         functions = [function for k, kind in enumerate(self._parts.kinds) for function in self._kind(k, kind)]
-        functions += [self._prepare(), self._response(), self._radii()]
+        functions += [self._prepare(), self._response(), self._passage(), self._radii()]
         return PartCode(tuple(functions), self._tables())
 
     # --- kinds ---
@@ -155,6 +156,16 @@ class _Writer:
         signature = "fmurt_values *v, const int *bodies, size_t count, double *m"
         return self._function("fmurt_parts_response", signature, statement, "(void)bodies; (void)count; (void)m;")
 
+    def _passage(self) -> Function:
+        handle = _numeric(self._parts.call.args[_HANDLE].values[0])
+
+        def lines(write: Write) -> list[str]:
+            return [passage_call(write(handle), "bodies", "count", self._parts.body_count)]
+
+        signature = f"fmurt_values *v, const int *bodies, size_t count, {PASSAGE_PARAMETERS}"
+        unused = "(void)bodies; (void)count;"
+        return self._function("fmurt_parts_passage", signature, Statement((handle,), lines), unused)
+
     def _radii(self) -> Function:
         handle = _numeric(self._parts.call.args[_HANDLE].values[0])
 
@@ -191,6 +202,7 @@ static const fmurt_parts parts = {{
   .memory_count = {self._size},
   .prepare = fmurt_parts_prepare,
   .response = fmurt_parts_response,
+  .passage = fmurt_parts_passage,
   .radii = fmurt_parts_radii,
 }};
 

@@ -2,6 +2,7 @@
  * Values by reference are in fmi3_values.c, what no FMU of this generator provides is in fmi3_unsupported.c. */
 #include <stdlib.h>
 
+#include "fmurt_approach.h"
 #include "fmurt_fmu.h"
 #include "fmi3Functions.h"
 
@@ -210,7 +211,7 @@ static fmi3Status tell_number(fmi3Instance c, const char *call, size_t number, s
 }
 
 fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance c, size_t *count) {
-  return tell_number(c, __func__, fmurt_model.indicator_count, count);
+  return tell_number(c, __func__, fmurt_shown_indicator_count(), count);
 }
 
 fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance c, size_t *count) {

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "fmurt_approach.h"
 #include "fmurt_fmu.h"
 #include "fmi3Functions.h"
 
@@ -41,7 +42,7 @@ static size_t slot_count(reference_kind kind) {
     case KIND_STRING: return fmurt_model.string_count;
     case KIND_SOLVER_REAL: return FMURT_SOLVER_REAL_COUNT;
     case KIND_SOLVER_INTEGER: return FMURT_SOLVER_INTEGER_COUNT;
-    case KIND_INDICATOR: return fmurt_model.indicator_count;
+    case KIND_INDICATOR: return fmurt_shown_indicator_count();
     case KIND_TIME: return 1;
     case KIND_NONE: break;
   }

@@ -1,4 +1,5 @@
 /* fmurt_fmu.c - life, modes and steps of co-simulation; see fmurt_fmu.h. */
+#include "fmurt_approach.h"
 #include "fmurt_fmu.h"
 
 #include <math.h>
@@ -116,6 +117,8 @@ fmurt_fmu_status fmurt_fmu_enter_event_mode(fmurt_fmu *fmu, const char *call) {
   if (fmu->co_simulation && !fmu->event_mode_used) {
     return fmurt_fmu_refuse(fmu, call, "this instance handles its events itself");
   }
+  const fmurt_result passed = fmurt_approach_check(fmu->instance);
+  if (passed != FMURT_RESULT_OK) return fmurt_fmu_finish(fmu, call, passed);
   fmu->instance->situation.phase = FMURT_PHASE_EVENT;
   return FMURT_FMU_OK;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fmurt_approach.h"
 #include "fmurt_call.h"
 #include "fmurt_evaluate.h"
 #include "fmurt_event.h"
@@ -22,6 +23,8 @@ static int accepts(fmurt_fmu *fmu, const char *call, int phases, const double *a
 fmurt_fmu_status fmurt_fmu_completed_step(fmurt_fmu *fmu, const char *call) {
   if (!fmurt_fmu_permits(fmu, call, FMURT_PHASE_CONTINUOUS)) return FMURT_FMU_ERROR;
   fmurt_instance *instance = fmu->instance;
+  const fmurt_result passed = fmurt_approach_check(instance);
+  if (passed != FMURT_RESULT_OK) return fmurt_fmu_finish(fmu, call, passed);
   if (fmurt_model.followed_count == 0) {
     /* The importer's last evaluation was of the end of the step, but for a correction that it takes for none: warnings are
      * checked there, without another one. */
@@ -84,20 +87,29 @@ fmurt_fmu_status fmurt_fmu_get_derivatives(fmurt_fmu *fmu, const char *call, dou
   return fmurt_fmu_finish_read(fmu, call, result);
 }
 
+/* Those of the model's relations, and the one of bodies that meet. */
+static fmurt_result all_indicators(fmurt_instance *instance, double *indicator) {
+  const fmurt_result result = fmurt_event_indicators(instance, indicator);
+  if (result == FMURT_RESULT_OK && fmurt_model.scene_count > 0) {
+    indicator[fmurt_model.indicator_count] = fmurt_approach_indicator(instance);
+  }
+  return result;
+}
+
 fmurt_fmu_status fmurt_fmu_get_indicators(fmurt_fmu *fmu, const char *call, double *indicator, size_t count) {
-  if (!accepts(fmu, call, EVALUATION_PHASES, indicator, count, fmurt_model.indicator_count)) return FMURT_FMU_ERROR;
+  if (!accepts(fmu, call, EVALUATION_PHASES, indicator, count, fmurt_shown_indicator_count())) return FMURT_FMU_ERROR;
   if (count == 0) return FMURT_FMU_OK;
-  return fmurt_fmu_finish_read(fmu, call, fmurt_event_indicators(fmu->instance, indicator));
+  return fmurt_fmu_finish_read(fmu, call, all_indicators(fmu->instance, indicator));
 }
 
 fmurt_fmu_status fmurt_fmu_get_indicator(fmurt_fmu *fmu, const char *call, size_t index, double *indicator) {
   if (!fmurt_fmu_permits(fmu, call, FMURT_ANY_PHASE)) return FMURT_FMU_ERROR;
-  if (index >= fmurt_model.indicator_count) return fmurt_fmu_refuse(fmu, call, "there is no such event indicator");
+  if (index >= fmurt_shown_indicator_count()) return fmurt_fmu_refuse(fmu, call, "there is no such event indicator");
   *indicator = 0.0;
   if (fmu->instance->situation.phase == FMURT_PHASE_INSTANTIATED) return FMURT_FMU_OK;
-  double *shifted = calloc(fmurt_model.indicator_count, sizeof *shifted);
+  double *shifted = calloc(fmurt_shown_indicator_count(), sizeof *shifted);
   if (shifted == NULL) return fmurt_fmu_refuse(fmu, call, "no memory");
-  const fmurt_result result = fmurt_event_indicators(fmu->instance, shifted);
+  const fmurt_result result = all_indicators(fmu->instance, shifted);
   *indicator = shifted[index];
   free(shifted);
   return fmurt_fmu_finish_read(fmu, call, result);

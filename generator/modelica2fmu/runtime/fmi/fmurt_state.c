@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fmurt_approach.h"
 #include "fmurt_solver.h"
 
 /* One block of bytes, the same in memory and serialized: header, situation, doubles, ints, texts. */
@@ -143,6 +144,7 @@ fmurt_result fmurt_state_restore(fmurt_instance *instance, const fmurt_state *st
   instance->values.terminal = situation->terminal;
   instance->values.terminate = situation->terminate_requested;
   instance->jacobian_is_current = 0;
+  fmurt_approach_forget(instance);
   fmurt_solver_restart(instance->solver);
   return FMURT_RESULT_OK;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "fmurt_approach.h"
 #include "fmurt_call.h"
 #include "fmurt_chatter.h"
 #include "fmurt_delay.h"
@@ -179,6 +180,7 @@ static fmurt_result iterate_events(fmurt_instance *instance, int *states_changed
 }
 
 fmurt_result fmurt_iterate_events(fmurt_instance *instance, int *states_changed) {
+  fmurt_approach_forget(instance);
   instance->at_event = 1;
   const fmurt_result result = iterate_events(instance, states_changed);
   instance->at_event = 0;

@@ -101,9 +101,15 @@ static void destroy_solver(fmurt_instance *instance) {
   instance->solver = NULL;
 }
 
+static void destroy_approach(fmurt_instance *instance) {
+  if (instance->approach != NULL) instance->destroy_approach(instance->approach);
+  instance->approach = NULL;
+}
+
 void fmurt_instance_destroy(fmurt_instance *instance) {
   if (instance == NULL) return;
   destroy_solver(instance);
+  destroy_approach(instance);
   for (size_t i = 0; i < fmurt_model.string_count; ++i) {
     if (instance->string != NULL) free(instance->string[i]);
     if (instance->start_string != NULL) free(instance->start_string[i]);
@@ -131,6 +137,7 @@ static void copy_ints(int *target, const int *source, size_t count) {
 
 fmurt_result fmurt_instance_reset(fmurt_instance *instance) {
   destroy_solver(instance);
+  destroy_approach(instance);
   memset(instance->double_block, 0, instance->double_block_count * sizeof(double));
   memset(instance->int_block, 0, instance->int_block_count * sizeof(int));
   copy_doubles(instance->start_real, fmurt_model.real_start, fmurt_model.real_count);

@@ -75,6 +75,7 @@ typedef struct fmurt_situation {
 } fmurt_situation;
 
 typedef struct fmurt_solver fmurt_solver;
+typedef struct fmurt_approach fmurt_approach;
 
 /* Events of a short time, see fmurt_chatter.h. */
 typedef struct fmurt_chatter {
@@ -115,7 +116,9 @@ typedef struct fmurt_instance {
   double *jacobian;        /* [state_count * state_count] of the last point that was asked for, see fmurt_derivative.h */
   int jacobian_is_current; /* = 1, if the model has computed nothing else since */
 
+  fmurt_approach *approach; /* model exchange; NULL until indicators are asked for */
   fmurt_solver *solver; /* co-simulation; NULL until the first step */
+  void (*destroy_approach)(fmurt_approach *approach);
   void (*destroy_solver)(fmurt_solver *solver); /* set with it: the instance owns what a layer above has made */
 
   fmurt_log_sink sink;

@@ -14,6 +14,7 @@
 
 #include "fmurt_call.h"
 #include "fmurt_pair.h"
+#include "fmurt_passage.h"
 
 /* The estimate is the error of order 2. */
 static const double largest_estimate = 1.0;
@@ -27,6 +28,8 @@ static const double window_growth = 1.5, window_shrink = 0.6, large_share = 0.25
 /* The first window, by the shortest first step. */
 static const double first_window = 16.0;
 enum { LEVELS = 16 };
+/* Numbers that tell a body's motion, at the beginning of what the model works in. */
+static const size_t motion_size = 18;
 
 typedef enum outcome { WENT, ESCAPED, STOPPED, STUCK, FAILED } outcome;
 
@@ -65,6 +68,8 @@ struct fmurt_apart {
   double *step, *estimate; /* of parts */
   double *radius, *m;      /* of bodies; what the model works in */
   double *reach, *speed;   /* of bodies */
+  double *begin, *finish;  /* motions of bodies, as at the beginning of `m`, at both ends of a step */
+  double *between;         /* [state_count] scratch: states within a step */
   double *full;            /* [state_count] in the model's order */
   double *fastest;         /* of parts: the greatest speed in the group of which it is the root */
   int *offset, *root, *number, *bodies, *all;
@@ -96,6 +101,9 @@ static void arrange(fmurt_apart *self, size_t *numbers, size_t *integers) {
   self->next = take(block, numbers, states);
   self->absolute = take(block, numbers, states);
   self->full = take(block, numbers, states);
+  self->between = take(block, numbers, states);
+  self->begin = take(block, numbers, motion_size * bodies);
+  self->finish = take(block, numbers, motion_size * bodies);
   self->step = take(block, numbers, parts);
   self->estimate = take(block, numbers, parts);
   self->radius = take(block, numbers, bodies);
@@ -415,10 +423,69 @@ static fmurt_result try_step(fmurt_apart *self, group_call *call, double step, d
   return FMURT_RESULT_OK;
 }
 
+/* Copies the motions of the bodies at hand from the model's memory. */
+static void keep_motion(fmurt_apart *self, double *motion, int body_count) {
+  static const size_t sizes[] = {3, 9, 3, 3};
+  size_t offset = 0;
+  for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) {
+    for (int j = 0; j < body_count; ++j) {
+      const size_t row = offset + sizes[k] * (size_t)(self->bodies[j] - 1);
+      memcpy(motion + row, self->m + row, sizes[k] * sizeof(double));
+    }
+    offset += sizes[k] * (size_t)self->parts->body_count;
+  }
+}
+
+/* A search for bodies of a group that pass through each other in a step. */
+typedef struct passage_call {
+  group_call group;
+  double step;
+  int pair[2];
+  double number[3];
+  int is_moved;
+} passage_call;
+
+static int motion_within(void *context, double share, double *motion) {
+  passage_call *call = context;
+  fmurt_apart *self = call->group.self;
+  double *const *slope = self->slope;
+  call->is_moved = 1;
+  for (int k = 0; k < call->group.count; ++k) {
+    const int end = self->offset[call->group.group[k] + 1];
+    for (int i = self->offset[call->group.group[k]]; i < end; ++i) {
+      self->between[i] = fmurt_between(share, call->step, self->state[i], slope[0][i], self->next[i], slope[3][i]);
+    }
+  }
+  const fmurt_result result =
+      move_bodies(&self->instance->values, self, call->group.group, call->group.count, self->between);
+  memcpy(motion, self->m, motion_size * (size_t)self->parts->body_count * sizeof(double));
+  return result == FMURT_RESULT_OK ? 0 : -1;
+}
+
+static fmurt_result run_passage(fmurt_values *values, void *context) {
+  passage_call *call = context;
+  fmurt_apart *self = call->group.self;
+  int result = self->parts->passage(values, self->bodies, (size_t)call->group.body_count, call->step, self->begin, self->finish,
+                                    motion_within, call, call->pair, call->number);
+  if (result == FMURT_RESULT_OK && call->is_moved) {
+    result = move_bodies(values, self, call->group.group, call->group.count, self->next);
+  }
+  return (fmurt_result)result;
+}
+
+/* The share of a step that was tried in which no bodies pass through each other unseen; 0: all of it. */
+static double unseen_share(fmurt_apart *self, const group_call *group, double step) {
+  passage_call call = {.group = *group, .step = step};
+  keep_motion(self, self->finish, group->body_count);
+  if (guarded(self, run_passage, &call) != FMURT_RESULT_OK || call.pair[0] == 0) return 0.0;
+  return fmin(fmax(call.number[0], DBL_EPSILON), 0.999);
+}
+
 /* Integrates a group over a time. */
 static outcome integrate(fmurt_apart *self, int depth, const int *group, int count, double span) {
   group_call call = {self, group, count, list_bodies(self, group, count), NULL, NULL};
   const double share = (double)count / self->parts->part_count;
+  keep_motion(self, self->begin, call.body_count);
   double next_step = HUGE_VAL, estimate = 1.0, growth = fmurt_pair_largest_growth, gone = 0.0;
   for (int k = 0; k < count; ++k) {
     if (self->step[group[k]] >= next_step) continue;
@@ -441,6 +508,14 @@ static outcome integrate(fmurt_apart *self, int depth, const int *group, int cou
     }
     self->escaped_from = level_left(self, depth, group, count);
     if (self->escaped_from >= 0) return ESCAPED;
+    const double seen = unseen_share(self, &call, step);
+    if (seen > 0.0) {
+      self->rejected += share;
+      next_step = fmax(seen * step, 2.0 * self->shortest);
+      growth = 1.0;
+      continue;
+    }
+    keep_motion(self, self->begin, call.body_count);
     copy_parts(self, group, count, self->state, self->next);
     copy_parts(self, group, count, self->slope[0], self->slope[3]);
     gone = step == left ? span : gone + step;

@@ -80,6 +80,20 @@ static fmurt_result try_step(fmurt_explicit *self, const fmurt_explicit_model *m
   return FMURT_RESULT_OK;
 }
 
+static void tell_start(const fmurt_explicit *self, const fmurt_explicit_model *model, double time, const double *state) {
+  if (model->unseen == NULL) return;
+  const fmurt_explicit_step none = {time, 0.0, state, self->slope[0], state, self->slope[0]};
+  (void)model->unseen(model->context, &none);
+}
+
+/* The share of the step that was tried after which it is to end; 0: it is good. */
+static double unseen_share(const fmurt_explicit *self, const fmurt_explicit_model *model, double time, const double *state,
+                           double step) {
+  if (model->unseen == NULL) return 0.0;
+  const fmurt_explicit_step tried = {time, step, state, self->slope[0], self->next, self->slope[3]};
+  return model->unseen(model->context, &tried);
+}
+
 static void take_step(fmurt_explicit *self, double *state) {
   double *first = self->slope[0];
   memcpy(state, self->next, self->state_count * sizeof(double));
@@ -98,6 +112,7 @@ fmurt_explicit_outcome fmurt_explicit_advance(fmurt_explicit *self, const fmurt_
     self->step = first_step(self, model, state, end - *time);
     self->estimate = 1.0;
     self->runs = 1;
+    tell_start(self, model, *time, state);
   }
   const double shortest = fmurt_pair_least_roundings * DBL_EPSILON * fmax(fabs(*time), fabs(end));
   double growth = fmurt_pair_largest_growth;
@@ -114,6 +129,13 @@ fmurt_explicit_outcome fmurt_explicit_advance(fmurt_explicit *self, const fmurt_
     if (result != FMURT_RESULT_OK || !(error <= 1.0)) {
       ++done->rejected;
       self->step = fmurt_pair_after_failure(step, error);
+      growth = 1.0;
+      continue;
+    }
+    const double share = unseen_share(self, model, *time, state, step);
+    if (share > 0.0) {
+      ++done->rejected;
+      self->step = fmax(share * step, 2.0 * shortest);
       growth = 1.0;
       continue;
     }

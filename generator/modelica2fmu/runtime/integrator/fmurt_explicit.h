@@ -15,9 +15,20 @@ typedef fmurt_result (*fmurt_derivatives)(void *context, double time, const doub
 /* Told of each accepted step, the derivatives at whose end were the last that were asked for. */
 typedef void (*fmurt_accepted)(void *context);
 
+/* A step by its ends, which the error test permits; states and slopes of all states. */
+typedef struct fmurt_explicit_step {
+  double time, length;
+  const double *begin, *first, *end, *last;
+} fmurt_explicit_step;
+
+/* Whether something happened in the step that its ends do not show: 0, or the share of it after which it is to end. The derivatives
+ * at its end were the last that were asked for; where `length` is 0, those of the first step's beginning. */
+typedef double (*fmurt_unseen)(void *context, const fmurt_explicit_step *step);
+
 typedef struct fmurt_explicit_model {
   fmurt_derivatives derivatives;
   fmurt_accepted accepted;
+  fmurt_unseen unseen; /* NULL: nothing can */
   void *context;
   double relative;        /* tolerance of a state by its absolute value, */
   const double *absolute; /* and beside it */

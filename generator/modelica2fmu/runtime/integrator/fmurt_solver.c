@@ -20,6 +20,7 @@
 #include "fmurt_explicit.h"
 #include "fmurt_failure.h"
 #include "fmurt_newton.h"
+#include "fmurt_passage.h"
 #include "fmurt_rest.h"
 #include "fmurt_tolerance.h"
 #include "fmurt_vector.h"
@@ -65,6 +66,11 @@ struct fmurt_solver {
   SUNLinearSolver linear;
   SUNNonlinearSolver newton;
   fmurt_watch *watch;
+  fmurt_passage *passage; /* NULL where the model has no contacts that the engine finds */
+  fmurt_meeting meeting;
+  const fmurt_explicit_step *explicit_step; /* at which it looks */
+  double looked_from, looked_to; /* ends of the step at which it looks */
+  double step_of_meeting; /* in which bodies met unseen; 0: none did since the start */
   fmurt_explicit *explicit_steps; /* NULL where CVODE alone integrates */
   fmurt_apart *apart;             /* explicit steps where the model has parts; else NULL */
   N_Vector between; /* states within a step */
@@ -128,26 +134,61 @@ static int indicators_between(void *context, double time, double *indicator) {
   return fmurt_event_indicators(solver->instance, indicator) == FMURT_RESULT_OK ? 0 : -1;
 }
 
+static int states_between(void *context, double share, double *state) {
+  fmurt_solver *solver = context;
+  const double time = solver->looked_from + share * (solver->looked_to - solver->looked_from);
+  if (CVodeGetDky(solver->memory, time, 0, solver->between) != CV_SUCCESS) return -1;
+  memcpy(state, NV_DATA_S(solver->between), solver->state_count * sizeof *state);
+  return 0;
+}
+
+/* At the start, the end of a step or a time inside that CVODE looks at before the end: whether bodies passed through each other since
+ * the time before. Earlier times, at which zeros are looked for, do nothing. */
+static void look_for_passages(fmurt_solver *solver, double time, N_Vector state, int is_start) {
+  fmurt_instance *instance = solver->instance;
+  if (solver->passage == NULL || solver->step_of_meeting > 0.0 || !(is_start || time > solver->looked_from)) return;
+  if (instance->values.time != time) fmurt_set_point(instance, time, NV_DATA_S(state));
+  if (fmurt_update_rates(instance) != FMURT_RESULT_OK) return;
+  if (is_start) {
+    fmurt_passage_begin(solver->passage);
+  } else {
+    solver->looked_to = time;
+    if (fmurt_passage_look(solver->passage, states_between, solver, &solver->meeting)) {
+      solver->step_of_meeting = time - solver->looked_from;
+    }
+  }
+  solver->looked_from = time;
+}
+
+/* For CVODE: falls through zero where bodies met. */
+static double meeting_indicator(const fmurt_solver *solver, double time) {
+  return solver->step_of_meeting > 0.0 ? (solver->meeting.time - time) / solver->step_of_meeting : 1.0;
+}
+
 static int roots(realtype time, N_Vector state, realtype *indicator, void *data) {
   fmurt_solver *solver = data;
   fmurt_set_point(solver->instance, time, NV_DATA_S(state));
   const fmurt_result result = fmurt_event_indicators(solver->instance, indicator);
   if (result == FMURT_RESULT_OK) {
-    if (is_end_of_step(solver) && solver->steps_accepted > 0) fmurt_accept(solver->instance);
+    const int is_end = is_end_of_step(solver);
+    if (is_end && solver->steps_accepted > 0) fmurt_accept(solver->instance);
+    look_for_passages(solver, time, state, is_end && solver->steps_accepted == 0);
     fmurt_watch_step(solver->watch, time, indicator, indicators_between, solver);
   }
   fmurt_watch_show(solver->watch, time, indicator);
+  if (solver->passage != NULL) indicator[fmurt_model.indicator_count] = meeting_indicator(solver, time);
   return to_cvode(solver, result);
 }
 
-/* Models without events: an indicator without zeros tells of accepted steps. The point that was evaluated last differs
+/* Models without events: an indicator, which has zeros where bodies meet unseen alone, tells of accepted steps. The point that was evaluated last differs
  * from the accepted one by a correction that the integrator takes for none. */
 static int no_roots(realtype time, N_Vector state, realtype *indicator, void *data) {
   fmurt_solver *solver = data;
-  (void)state;
-  indicator[0] = 1.0;
   const int is_there = solver->instance->values.time == time;
-  if (is_end_of_step(solver) && solver->steps_accepted > 0 && is_there) fmurt_accept(solver->instance);
+  const int is_end = is_end_of_step(solver), is_start = is_end && solver->steps_accepted == 0;
+  if (is_end && !is_start && is_there) fmurt_accept(solver->instance);
+  look_for_passages(solver, time, state, is_start);
+  indicator[0] = meeting_indicator(solver, time);
   return 0;
 }
 
@@ -218,6 +259,8 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
   solver->tolerance = N_VNew_Serial(size, solver->context);
   solver->between = N_VNew_Serial(size, solver->context);
   solver->watch = fmurt_watch_create(fmurt_model.indicator_count);
+  const int has_scenes = fmurt_model.scene_count > 0;
+  if (has_scenes) solver->passage = fmurt_passage_create(instance);
   solver->memory = CVodeCreate(CV_BDF, solver->context);
   if (solver->state != NULL) {
     fmurt_speed_up_vector(solver->state);
@@ -240,7 +283,7 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
   if (races) solver->explicit_steps = fmurt_explicit_create(solver->state_count);
   const int has_parts = races && fmurt_model.parts != NULL;
   if (has_parts) solver->apart = fmurt_apart_create(instance);
-  if ((races && solver->explicit_steps == NULL) || (has_parts && solver->apart == NULL) || solver->entry == NULL ||
+  if ((races && solver->explicit_steps == NULL) || (has_parts && solver->apart == NULL) || (has_scenes && solver->passage == NULL) || solver->entry == NULL ||
       solver->rest.place == NULL || solver->state == NULL ||
       solver->tolerance == NULL || solver->between == NULL || solver->watch == NULL || solver->memory == NULL ||
       solver->linear == NULL || solver->newton == NULL ||
@@ -261,6 +304,7 @@ void fmurt_solver_destroy(fmurt_solver *solver) {
   if (solver->tolerance != NULL) N_VDestroy(solver->tolerance);
   if (solver->between != NULL) N_VDestroy(solver->between);
   fmurt_watch_destroy(solver->watch);
+  fmurt_passage_destroy(solver->passage);
   fmurt_explicit_destroy(solver->explicit_steps);
   fmurt_apart_destroy(solver->apart);
   free(solver->rest.place);
@@ -329,9 +373,9 @@ static int first_start(fmurt_solver *solver) {
   if (flag == CV_SUCCESS) flag = CVodeSetEtaMaxFirstStep(solver->memory, growth_after_start);
   if (flag == CV_SUCCESS) flag = CVodeSetMaxHnilWarns(solver->memory, -1);
   if (flag == CV_SUCCESS && fmurt_model.indicator_count > 0) {
-    flag = CVodeRootInit(solver->memory, (int)fmurt_model.indicator_count, roots);
+    flag = CVodeRootInit(solver->memory, (int)fmurt_model.indicator_count + (solver->passage != NULL), roots);
     if (flag == CV_SUCCESS) flag = CVodeSetNoInactiveRootWarn(solver->memory);
-  } else if (flag == CV_SUCCESS && (fmurt_model.followed_count > 0 || fmurt_model.warnings != NULL)) {
+  } else if (flag == CV_SUCCESS && (fmurt_model.followed_count > 0 || fmurt_model.warnings != NULL || solver->passage != NULL)) {
     flag = CVodeRootInit(solver->memory, 1, no_roots);
   }
   solver->initialized = flag == CV_SUCCESS;
@@ -360,6 +404,7 @@ static int start(fmurt_solver *solver) {
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinConvCoef(solver->memory, usual_newton_share);
   memset(solver->counted, 0, sizeof solver->counted);
   solver->steps_accepted = -1;
+  solver->step_of_meeting = 0.0;
   fmurt_watch_restart(solver->watch);
   solver->restart = flag != CV_SUCCESS;
   return flag;
@@ -506,13 +551,39 @@ static void accept_step(void *context) {
   fmurt_accept(solver->instance);
 }
 
+static int explicit_states_between(void *context, double share, double *state) {
+  const fmurt_solver *solver = context;
+  const fmurt_explicit_step *step = solver->explicit_step;
+  for (size_t i = 0; i < solver->state_count; ++i) {
+    state[i] = fmurt_between(share, step->length, step->begin[i], step->first[i], step->end[i], step->last[i]);
+  }
+  return 0;
+}
+
+/* Bodies that pass through each other within an explicit step. */
+static double unseen_passage(void *context, const fmurt_explicit_step *step) {
+  fmurt_solver *solver = context;
+  if (step->length == 0.0) {
+    fmurt_passage_begin(solver->passage);
+    return 0.0;
+  }
+  solver->explicit_step = step;
+  fmurt_meeting meeting;
+  if (!fmurt_passage_look(solver->passage, explicit_states_between, solver, &meeting)) return 0.0;
+  return fmin(fmax((meeting.time - step->time) / step->length, DBL_EPSILON), 0.999);
+}
+
 /* Goes on by explicit steps from the instance's time, and moves the instance to where they lead. */
 static int integrate_explicitly(fmurt_solver *solver, double end, double largest_step, double *reached) {
   fmurt_instance *instance = solver->instance;
   fmurt_race *race = &instance->situation.race;
   const int is_told = fmurt_model.followed_count > 0 || fmurt_model.warnings != NULL;
   set_tolerances(solver);
-  const fmurt_explicit_model model = {derivatives_at, is_told ? accept_step : NULL, solver, solver->relative,
+  const fmurt_explicit_model model = {derivatives_at,
+                                      is_told ? accept_step : NULL,
+                                      solver->passage != NULL ? unseen_passage : NULL,
+                                      solver,
+                                      solver->relative,
                                       NV_DATA_S(solver->tolerance)};
   const long jacobian = cost_of_jacobian(solver);
   int *counters = instance->situation.solver_integer;
@@ -647,6 +718,9 @@ fmurt_result fmurt_solver_advance(fmurt_solver *solver, double target, double li
       if (rest_flag != CV_SUCCESS) return explain(solver, rest_flag, end, "");
       if (!found_root || CVodeGetLastStep(solver->memory, &solver->step_at_root) != CV_SUCCESS) {
         solver->step_at_root = 0.0;
+      }
+      if (found_root && solver->step_of_meeting > 0.0) {
+        solver->step_at_root = fmin(solver->step_at_root, solver->meeting.next_step);
       }
       if (!shortened || found_root) return FMURT_RESULT_OK;
       memcpy(instance->message, failure, sizeof failure);

@@ -106,6 +106,20 @@ int fmurt_follow_nonlinear(fmurt_values *values, int offset, const void *context
 int fmurt_report_unsolved(fmurt_values *values, fmurt_residual residual, int n, const double *x, double *r,
                           const char *const *unknown, const char *const *equation, int result);
 
+/* Motion of the bodies of a scene at a share of a step; 0 on success. */
+typedef int (*fmurt_motion_at)(void *context, double share, double *motion);
+/* Bodies that may touch. */
+typedef struct fmurt_scene {
+  int body_count;
+  /* Positions [body_count][3], rotations [][9], velocities [][3] and angular velocities [][3], for the values after `continuous`. */
+  int (*motion)(fmurt_values *values, double *motion);
+  /* Two bodies that pass through each other in a step between these motions: 1-based, 0: none; and the share of the step where they
+   * begin to touch, the thickness of the thinner one in m, and how fast they come nearer there in m/s. */
+  int (*passage)(fmurt_values *values, double duration, const double *begin, const double *end, fmurt_motion_at at,
+                 void *context, int *pair, double *number);
+  const char *name; /* of the contact manager */
+} fmurt_scene;
+
 /* A model of many parts that act on each other through contacts alone: those that are out of each other's reach may be looked
  * at each at a time of its own. Functions work in a memory of the caller's, `m`: positions of all bodies [body_count][3],
  * rotations [][9], velocities [][3] and angular velocities [][3], then forces [][3] and torques [][3], and what the model itself
@@ -133,6 +147,9 @@ typedef struct fmurt_parts {
   int (*prepare)(fmurt_values *values, double *m); /* what follows from parameters, and where fixed bodies are */
   /* Forces and torques on some bodies, were there no others: 1-based, ascending. */
   int (*response)(fmurt_values *values, const int *bodies, size_t count, double *m);
+  /* As that of fmurt_scene, of some bodies. */
+  int (*passage)(fmurt_values *values, const int *bodies, size_t count, double duration, const double *begin,
+                 const double *end, fmurt_motion_at at, void *context, int *pair, double *number);
   /* Of balls about the bodies' origins that hold them, [body_count]; infinite for half-spaces. */
   int (*radii)(fmurt_values *values, double *radius);
 } fmurt_parts;
@@ -188,6 +205,8 @@ typedef struct fmurt_model_description {
   fmurt_result (*remaining)(fmurt_values *values);
   /* What the model is made of where that is many parts, as free bodies, that act on each other through contacts alone. */
   const fmurt_parts *parts;
+  size_t scene_count; /* of the contacts that the engine finds */
+  const fmurt_scene *scene;
 } fmurt_model_description;
 
 extern const fmurt_model_description fmurt_model;
