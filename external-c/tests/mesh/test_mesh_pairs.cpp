@@ -248,7 +248,8 @@ TEST(MeshOnMesh, AngleBodyCarriesAsItsConvexPieces) {
   }
   const std::string pieces =
       "cmb/1 box size=2,1,0.5 position=1,0,0.25;cmb/1 box size=0.5,1,1.5 position=0.25,0,1.25";
-  const std::string cube = mesh_text(with_speck(box_mesh({0.4, 0.4, 0.4}, 2)));
+  // The speck is in nobody's way, and near: the larger body is the one that pushes.
+  const std::string cube = mesh_text(with_speck(box_mesh({0.4, 0.4, 0.4}, 2), {0, 0.8, 0}));
   const PairScene meshes(cube, mesh_text(angle)), convex("cmb/1 box size=0.4,0.4,0.4", pieces);
   struct Case {
     Vec3 position, force;

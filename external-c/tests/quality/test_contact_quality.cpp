@@ -73,6 +73,10 @@ INSTANTIATE_TEST_SUITE_P(RoundOnMeshes, WithoutJumps,
                          testing::Values(Pair{"ellipsoid", "heightfield"}, Pair{"cylinder", "angle-mesh"}, Pair{"flat-cone", "angle-mesh"},
                                          Pair{"slender-cone", "torus-mesh"}));
 
+INSTANTIATE_TEST_SUITE_P(MeshesWithEachOther, WithoutJumps,
+                         testing::Values(Pair{"angle-mesh", "angle-mesh"}, Pair{"torus-mesh", "torus-mesh"}, Pair{"angle-mesh", "torus-mesh"},
+                                         Pair{"torus-mesh", "heightfield"}, Pair{"sphere-mesh", "torus-mesh"}));
+
 // Convex meshes are hulls.
 INSTANTIATE_TEST_SUITE_P(ConvexMeshes, WithoutJumps,
                          testing::Values(Pair{"ellipsoid", "divided-box-mesh"}, Pair{"cylinder", "divided-box-mesh"},
@@ -113,7 +117,10 @@ INSTANTIATE_TEST_SUITE_P(Gradients, Elastic,
                                          Pair{"hull-20", "torus-mesh"}, Pair{"box", "heightfield"}, Pair{"hull-20", "angle-mesh"},
                                          Pair{"ellipsoid", "divided-box-mesh"}, Pair{"capsule", "sphere-mesh"},
                                          Pair{"box-mesh", "divided-box-mesh"}, Pair{"sphere-mesh", "sphere-mesh"},
-                                         Pair{"divided-box-mesh", "angle-mesh"}, Pair{"cylinder", "torus-mesh"}, Pair{"capsule", "torus-mesh"}));
+                                         Pair{"divided-box-mesh", "angle-mesh"}, Pair{"cylinder", "torus-mesh"}, Pair{"capsule", "torus-mesh"},
+                                         Pair{"angle-mesh", "angle-mesh"}, Pair{"angle-mesh", "torus-mesh"}, Pair{"torus-mesh", "torus-mesh"},
+                                         Pair{"angle-mesh", "heightfield"}, Pair{"torus-mesh", "heightfield"},
+                                         Pair{"sphere-mesh", "torus-mesh"}));
 
 class ElasticBodies : public testing::TestWithParam<Pair> {};
 
@@ -141,6 +148,10 @@ INSTANTIATE_TEST_SUITE_P(AllMeshes, ElasticBodies,
 INSTANTIATE_TEST_SUITE_P(RoundOnMeshes, ElasticBodies,
                          testing::Values(Pair{"ellipsoid", "angle-mesh"}, Pair{"cylinder", "angle-mesh"}, Pair{"cone", "heightfield"},
                                          Pair{"capsule", "angle-mesh"}, Pair{"capsule", "heightfield"}));
+
+INSTANTIATE_TEST_SUITE_P(MeshesWithEachOther, ElasticBodies,
+                         testing::Values(Pair{"angle-mesh", "angle-mesh"}, Pair{"angle-mesh", "torus-mesh"}, Pair{"angle-mesh", "heightfield"},
+                                         Pair{"torus-mesh", "heightfield"}, Pair{"sphere-mesh", "angle-mesh"}));
 
 INSTANTIATE_TEST_SUITE_P(AllPolytopes, ElasticBodies,
                          testing::Values(Pair{"box", "box"}, Pair{"box", "prism"}, Pair{"prism", "prism"}, Pair{"box", "hull-20"},

@@ -7,9 +7,10 @@
 
 #include "manifold/contact_set.hpp"
 #include "mesh/elastic/elastic_points.hpp"
+#include "mesh/elastic/pair_overlap.hpp"
 #include "mesh/elastic/round_overlap.hpp"
 #include "mesh/elastic/wedge_overlap.hpp"
-#include "mesh/contact/pair_patches.hpp"
+#include "mesh/contact/sheet_patches.hpp"
 #include "mesh/contact/patch_load.hpp"
 #include "mesh/contact/shared_load.hpp"
 #include "mesh/core/triangle_mesh.hpp"
@@ -26,7 +27,11 @@ struct MeshContactScratch {
   OverlapScratch overlap;
   RoundOverlapScratch round;
   std::vector<LoadPoint> loads;
-  PairScratch pair;
+  PlacedVertexScratch placed;
+  PairOverlapScratch pair_overlap;
+  Crossings crossings;
+  std::vector<std::uint8_t> components;  // of a mesh: which ones count
+  SheetPatchScratch sheets;
   ContactSet reaction;  // what the other mesh of a pair pushes
 };
 
@@ -49,10 +54,9 @@ void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const
 void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                     MeshContactScratch &scratch, ContactSet &result);
 
-// Two meshes, A and B; normals point out of B. One mesh's triangles push the other's surface as they push a polytope's:
-// a sheet's those of a closed mesh, of two closed ones the larger one's those of the smaller one. Two sheets touch where they
-// cross, and push each other, half each. Exchanging meshes gives the same points with normals reversed, but for closed meshes of
-// one size.
+// Two meshes, A and B; normals point out of B. What a closed mesh overlaps behind the triangles of the other one stores an energy as a
+// polytope does (PairOverlap): behind those of a sheet, or of two closed ones of the larger one. Two sheets touch where they cross, and
+// push each other, half each. Exchanging meshes gives the same points with normals reversed, but for closed meshes of one size.
 void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
                        MeshContactScratch &scratch, ContactSet &result);
 

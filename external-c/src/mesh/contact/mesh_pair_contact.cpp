@@ -2,10 +2,13 @@
 
 #include "math/pose_algebra.hpp"
 #include "mesh/contact/mesh_contact.hpp"
-#include "mesh/contact/pair_patches.hpp"
 #include "mesh/contact/patch_load.hpp"
+#include "mesh/contact/sheet_patches.hpp"
 #include "mesh/core/mesh_pair_distance.hpp"
+#include "mesh/elastic/elastic_points.hpp"
+#include "mesh/elastic/pair_overlap.hpp"
 #include "mesh/intersection/interior_points.hpp"
+#include "mesh/intersection/mesh_crossings.hpp"
 #include "mesh/intersection/pierced_load.hpp"
 
 namespace cmb::mesh {
@@ -27,12 +30,32 @@ struct PlacedMesh {
   const Pose &pose;
 };
 
-// Appends what the triangles of `one` push of the surface of `other`, whose pose in its frame is `place`; normals point
-// out of `one`.
-void push(const PlacedMesh &one, const TriangleMesh &other, const Pose &place, PushedSurface pushed,
-          MeshContactScratch &scratch, ContactSet &result) {
-  PatchLoad load(one.mesh, one.pose, common_center(one.mesh, other, place), scratch.patch, pushed);
-  push_pair_patches(one.mesh, other, place, scratch.pair, scratch.patch, load);
+// Appends what the overlap with the closed `other`, whose pose in the frame of `one` is `place`, stores behind the triangles of `one`;
+// normals point out of `one`.
+CarriedLoad push(const PlacedMesh &one, const TriangleMesh &other, const Pose &place, const PlacedVertices &vertices,
+            MeshContactScratch &scratch, ContactSet &result) {
+  PairOverlap overlap(one.mesh, other, place, vertices, scratch.pair_overlap);
+  // Of parts that hang together with nothing that comes through a sheet nothing says that they are behind it.
+  if (!one.mesh.closed()) {
+    scratch.components.assign(other.component_count(), 0);
+    for (const Crossings::Cut &cut : scratch.crossings.cuts) scratch.components[other.component_of(cut.pair.facet)] = 1;
+    overlap.count_only(scratch.components);
+  }
+  overlap.add_all();
+  if (!overlap.touches()) return 0.0;
+  const std::size_t begin = result.points.size();
+  const double load = append_elastic_points(overlap, one.pose, scratch.loads, result);
+  const double counted = std::fmin(load, total_load(result.points, begin));
+  return {counted, std::fmin(counted, norm(net_load(result.points, begin))), overlap.carrying_depth()};
+}
+
+// Appends what the triangles of the sheet `one` push of the sheet `other`, whose pose in its frame is `place`; normals point
+// out of `one`. Leaves their crossings in `scratch`.
+void push_sheet(const PlacedMesh &one, const TriangleMesh &other, const Pose &place, MeshContactScratch &scratch, ContactSet &result) {
+  const PlacedVertices vertices(other, place, scratch.placed);
+  find_crossings(one.mesh, other, place, vertices, scratch.crossings);
+  PatchLoad load(one.pose, common_center(one.mesh, other, place), scratch.patch);
+  push_sheet_patches(one.mesh, other, place, vertices, scratch.crossings, scratch.sheets, scratch.patch, load);
   if (load.touches()) load.finish(result);
 }
 
@@ -62,35 +85,40 @@ bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch 
   const std::size_t begin = result.points.size();
   const Pose place = relative_pose(one.pose, other.pose);
   const double nothing = rounding_of_crossings(one.mesh, other.mesh);
-  push(one, other.mesh, place, PushedSurface::of_solid, scratch, result);
-  double load = total_load(result.points, begin);
-  if (!one.mesh.closed() && load > 0.0) {
+  const PlacedVertices vertices(other.mesh, place, scratch.placed);
+  find_crossings(one.mesh, other.mesh, place, vertices, scratch.crossings);
+  CarriedLoad carried = push(one, other.mesh, place, vertices, scratch, result);
+  if (!one.mesh.closed() && carried.load > 0.0) {
     const double depths =
-        depths_of_crossings(one.mesh, other.mesh, place, scratch.pair, nothing, load / least_load_part);
-    load = limit_load(least_load_part * depths, begin, result);
+        depths_of_crossings(one.mesh, other.mesh, place, scratch.crossings, nothing, carried.load / least_load_part);
+    const double load = total_load(result.points, begin);
+    carried.scale(limit_load(least_load_part * depths / carried.load * load, begin, result) / load);
   }
-  const double enough = least_load_part * load;
-  const double crossing = deepest_crossing(one.mesh, other.mesh, place, scratch.pair, std::fmax(nothing, enough));
-  if (!one.mesh.closed() && load > 0.0 && crossing == 0.0) return true;
+  const double enough = carried.enough();
+  const double crossing = deepest_crossing(one.mesh, other.mesh, place, scratch.crossings, std::fmax(nothing, enough));
+  if (!one.mesh.closed() && carried.load > 0.0 && crossing == 0.0) return true;
   // Places inside each may lie in the other; so it is where one has swallowed the other, whether or not they are flush.
   const Pose back = place.inverse();
   const InteriorPoints in_one(one.mesh, other.mesh, place, enough), in_other(other.mesh, one.mesh, back, enough);
   const double depth = std::fmax(crossing, std::fmax(in_one.depth(), in_other.depth()));
-  if (load > 0.0 && !(depth > enough)) return true;
+  if (carried.load > 0.0 && !(depth > enough)) return true;
   if (!(depth > 0.0)) return false;
-  if (!(load > 0.0)) result.distance = 0.0;
+  if (!(carried.load > 0.0)) result.distance = 0.0;
   PiercedLoad pierced(common_center(one.mesh, other.mesh, place));
-  push_crossings(one.mesh, other.mesh, place, scratch.pair, pierced);
+  push_crossings(one.mesh, other.mesh, place, scratch.crossings, pierced);
   ContactSet &reaction = scratch.reaction;
-  const double lacking = load > 0.0 ? lacking_part(load, one.mesh.closed() ? depth : crossing) : 1.0;
+  const double through = one.mesh.closed() ? depth : crossing;
+  const double lacking = carried.load > 0.0 ? lacking_part(carried.counted(through), through) : 1.0;
   // A sheet pushes to its front alone, whatever the sides of the body that passes through it would do.
   if (one.mesh.closed()) {
     reaction.points.clear();
     reaction.distance = 0.0;
-    push(other, one.mesh, back, PushedSurface::of_solid, scratch, reaction);
+    const CarriedLoad by_other = push(other, one.mesh, back, PlacedVertices(one.mesh, back, scratch.placed), scratch, reaction);
     add_reversed(reaction, lacking, result);
+    const double both = carried.load + lacking * by_other.load;
+    carried = {both, std::fmin(both, norm(net_load(result.points, begin))), std::fmax(carried.depth, by_other.depth)};
   }
-  const double part = lacking * lacking_part(total_load(result.points, begin), depth);
+  const double part = lacking * lacking_part(carried.counted(depth), depth);
   pierced.finish(part, one.pose, result);
   in_one.push_out(crossing, part, one.pose, result);
   reaction.points.clear();
@@ -109,9 +137,9 @@ bool sheet_contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactSc
   const std::size_t begin = result.points.size();
   const Pose place = relative_pose(one.pose, other.pose), back = relative_pose(other.pose, one.pose);
   result.distance = 0.0;
-  push(one, other.mesh, place, PushedSurface::of_sheet, scratch, result);
+  push_sheet(one, other.mesh, place, scratch, result);
   PiercedLoad pierced(common_center(one.mesh, other.mesh, place)), piercing(common_center(other.mesh, one.mesh, back));
-  push_sheet_crossings(one.mesh, other.mesh, place, scratch.pair, rounding_of_crossings(one.mesh, other.mesh), pierced, piercing);
+  push_sheet_crossings(one.mesh, other.mesh, place, scratch.crossings, rounding_of_crossings(one.mesh, other.mesh), pierced, piercing);
   const double crossing = pierced.deepest();
   if (!(crossing > 0.0)) {
     result.points.resize(begin);
@@ -120,7 +148,7 @@ bool sheet_contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactSc
   ContactSet &reaction = scratch.reaction;
   reaction.points.clear();
   reaction.distance = 0.0;
-  push(other, one.mesh, back, PushedSurface::of_sheet, scratch, reaction);
+  push_sheet(other, one.mesh, back, scratch, reaction);
   scale(result.points, begin, 0.5);
   scale(reaction.points, 0, 0.5);
   const double load = total_load(result.points, begin) + total_load(reaction.points);

@@ -1,7 +1,5 @@
 #include "mesh/contact/overlap_contact.hpp"
 
-#include <cmath>
-
 #include "mesh/intersection/pierced_load.hpp"
 
 namespace cmb::mesh {
@@ -15,9 +13,7 @@ bool append_overlap_contact(const WedgeIntegrals &overlap, const SectionedBody &
     const double load = total_load(result.points, begin);
     carried *= limit_by_sections(body, mesh, begin, result) / load;
   }
-  // How deep the body's surface lies, between its deepest place and its mean: of a corner the first, which what passes through is compared
-  // with, is much more.
-  const double depth = carried > 0.0 ? std::sqrt(overlap.deepest() * overlap.surface_depth()) : 0.0;
+  const double depth = carried > 0.0 ? overlap.carrying_depth() : 0.0;
   const CarriedLoad all{carried, norm(net_load(result.points, begin)), depth};
   return complete_contact(body, mesh, pose, all, result);
 }

@@ -23,7 +23,7 @@ PatchLoad::Integral PatchLoad::integrate(const std::vector<Vec3> &polygon, const
   return sum;
 }
 
-bool PatchLoad::push(const TriangleWedge &wedge, const Vec3 &normal, double factor) {
+bool PatchLoad::push(const TriangleWedge &wedge, const Vec3 &normal) {
   std::vector<Vec3> &polygon = scratch_.polygon;
   wedge.clip(polygon, scratch_.clipped);
   if (polygon.size() < 3) return false;
@@ -31,31 +31,23 @@ bool PatchLoad::push(const TriangleWedge &wedge, const Vec3 &normal, double fact
   if (polygon.size() < 3) return true;
   const double cosine = -dot(normal, wedge.normal());
   if (cosine > 0.0) {
-    add_patch(wedge, cosine, factor);
-  } else if (pushed_ == PushedSurface::of_sheet) {
-    const double area = integrate(polygon, wedge, -cosine).area;
-    area_ += area;
-    carrying_area_ += area;
+    add_patch(wedge, cosine);
+  } else {
+    area_ += integrate(polygon, wedge, -cosine).area;
   }
   return true;
 }
 
 // The patch is scratch_.polygon.
-void PatchLoad::add_patch(const TriangleWedge &wedge, double cosine, double factor) {
+void PatchLoad::add_patch(const TriangleWedge &wedge, double cosine) {
   std::vector<Vec3> &polygon = scratch_.polygon;
-  Vec3 middle;
-  for (const Vec3 &p : polygon) middle = middle + p;
-  middle = (1.0 / static_cast<double>(polygon.size())) * middle;
-  const double frontal = pushed_ == PushedSurface::of_sheet ? std::fmin(1.0, 4.0 * cosine * cosine) : 1.0;
-  const double carried = inside_share(middle, wedge.depth(middle), wedge.triangle());
-  if (carried > 0.0) {
-    for (const Vec3 &p : polygon) {
-      const double depth = frontal * wedge.depth(p);
-      if (!(depth > deepest_)) continue;
-      deepest_ = depth;
-      deepest_place_ = p;
-      deepest_normal_ = wedge.normal();
-    }
+  const double frontal = std::fmin(1.0, 4.0 * cosine * cosine);
+  for (const Vec3 &p : polygon) {
+    const double depth = frontal * wedge.depth(p);
+    if (!(depth > deepest_)) continue;
+    deepest_ = depth;
+    deepest_place_ = p;
+    deepest_normal_ = wedge.normal();
   }
   // Two planes through the centre, along the two axes that the normal is farthest from, part the quadrants.
   const Vec3 &n = wedge.normal();
@@ -70,10 +62,7 @@ void PatchLoad::add_patch(const TriangleWedge &wedge, double cosine, double fact
   const auto take = [&](std::size_t quadrant) {
     const Integral integral = integrate(polygon, wedge, cosine);
     area_ += integral.area;
-    carrying_area_ += carried * integral.area;
-    if (!(integral.load > 0.0)) return;
-    most_carried_ = std::fmax(most_carried_, carried);
-    add(integral, quadrant, n, factor * frontal * carried);
+    if (integral.load > 0.0) add(integral, quadrant, n, frontal);
   };
   const auto split_second = [&](std::size_t quadrant) {
     const int side = side_of(polygon, second);
@@ -111,23 +100,11 @@ void PatchLoad::add(const Integral &integral, std::size_t quadrant, const Vec3 &
   sums_[quadrant].add(share * integral.load, share * integral.energy, share * moment, normal);
 }
 
-// 1 where the triangle's plane is what is nearest to a point behind it; falls to 0 where another part of the surface
-// is nearer by half, as on the far side of a thin wall. Down to the clear depth nothing is, which need not be looked up.
-double PatchLoad::inside_share(const Vec3 &p, double depth, std::uint32_t triangle) const {
-  const double clear = mesh_.clear_depth(triangle);
-  if (!mesh_.closed() || depth <= clear) return 1.0;
-  const double share =
-      std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, triangle).distance / depth - 1.0 + 1e-9));
-  return depth >= 2.0 * clear ? share : 1.0 - (depth / clear - 1.0) * (1.0 - share);
-}
-
 void PatchLoad::finish(ContactSet &result) const {
-  // Patches that belong to another side do not count, unless there are no others.
-  const double area = carrying_area_ + (1.0 - most_carried_) * area_;
   for (std::size_t direction = 0; direction < DirectionSums::directions; ++direction) {
     for (const DirectionSums &quadrant : sums_) {
       ContactPoint point;
-      if (!quadrant.point(direction, center_, 1.0 / area, point)) continue;
+      if (!quadrant.point(direction, center_, 1.0 / area_, point)) continue;
       point.normal = pose_.rotation * point.normal;
       point.position = pose_(point.position);
       result.points.push_back(point);

@@ -1,6 +1,7 @@
 #include "mesh/core/mesh_topology.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
 
 namespace cmb::mesh {
@@ -31,6 +32,28 @@ std::vector<std::array<std::int32_t, 3>> triangle_neighbours(const std::vector<T
     neighbours[b.triangle][b.side] = static_cast<std::int32_t>(a.triangle);
   }
   return neighbours;
+}
+
+std::vector<std::uint32_t> connected_components(const std::vector<std::array<std::int32_t, 3>> &neighbours) {
+  constexpr std::uint32_t unknown = UINT32_MAX;
+  std::vector<std::uint32_t> component(neighbours.size(), unknown), open;
+  std::uint32_t count = 0;
+  for (std::uint32_t first = 0; first < neighbours.size(); ++first) {
+    if (component[first] != unknown) continue;
+    component[first] = count;
+    open.push_back(first);
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (const std::int32_t other : neighbours[t]) {
+        if (other < 0 || component[static_cast<std::size_t>(other)] != unknown) continue;
+        component[static_cast<std::size_t>(other)] = count;
+        open.push_back(static_cast<std::uint32_t>(other));
+      }
+    }
+    ++count;
+  }
+  return component;
 }
 
 }  // namespace cmb::mesh

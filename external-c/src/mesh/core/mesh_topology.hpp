@@ -23,4 +23,7 @@ std::vector<Side> sorted_sides(const std::vector<Triangle> &triangles);
 // neighbours[t][k]: the triangle beyond side k of triangle t, or -1. Every edge has at most two sides.
 std::vector<std::array<std::int32_t, 3>> triangle_neighbours(const std::vector<Triangle> &triangles);
 
+// Of each triangle the number of what it hangs together with by edges, from 0, in the order of the triangles.
+std::vector<std::uint32_t> connected_components(const std::vector<std::array<std::int32_t, 3>> &neighbours);
+
 }  // namespace cmb::mesh

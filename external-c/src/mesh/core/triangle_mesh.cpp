@@ -62,6 +62,8 @@ TrianglePoint nearest_on_triangle(const Vec3 &p, const Vec3 &a, const Vec3 &b, c
 TriangleMesh::TriangleMesh(MeshData data, MeshUse use, const std::string &source)
     : data_(checked(std::move(data), use, source)),
       neighbours_(triangle_neighbours(data_.triangles)),
+      components_(connected_components(neighbours_)),
+      component_count_(1 + *std::max_element(components_.begin(), components_.end())),
       hierarchy_(data_.vertices, data_.triangles) {
   for (const auto &row : neighbours_) {
     for (const std::int32_t t : row) closed_ = closed_ && t >= 0;

@@ -50,6 +50,9 @@ class TriangleMesh {
   const Vec3 &corner(std::uint32_t t, std::size_t k) const { return data_.vertices[data_.triangles[t][k % 3]]; }
   // Triangle beyond side k of t, or -1.
   std::int32_t neighbour(std::uint32_t t, std::size_t k) const { return neighbours_[t][k]; }
+  // What hangs together by edges, numbered from 0.
+  std::uint32_t component_of(std::uint32_t t) const { return components_[t]; }
+  std::uint32_t component_count() const { return component_count_; }
   // The triangles at vertex v: vertex_triangles()[vertex_begin(v) .. vertex_begin(v + 1)).
   const std::vector<std::uint32_t> &vertex_triangles() const { return vertex_triangles_; }
   std::uint32_t vertex_begin(std::uint32_t v) const { return vertex_begin_[v]; }
@@ -119,6 +122,8 @@ class TriangleMesh {
 
   MeshData data_;
   std::vector<std::array<std::int32_t, 3>> neighbours_;
+  std::vector<std::uint32_t> components_;
+  std::uint32_t component_count_ = 0;
   TriangleHierarchy hierarchy_;
   PlanarFaces faces_;
   std::vector<std::uint32_t> vertex_triangles_, vertex_begin_;

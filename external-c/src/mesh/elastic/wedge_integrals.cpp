@@ -27,6 +27,42 @@ void WedgeIntegrals::add_patch(const PatchSums &patch, const Vec3 &middle) {
   if (patch.area > 0.0) patches_.add(patch, normal_, inside_share(middle));
 }
 
+WedgeIntegrals::PolygonSums WedgeIntegrals::add_surface(const Vec3 *polygon, std::size_t count, const Vec3 &normal, PatchSums &patch) {
+  const double cosine = -dot(normal, normal_);
+  PolygonSums sums;
+  Vec3 places, places_by_squares;
+  const Vec3 &origin = patches_.origin();
+  const Vec3 p = polygon[0] - origin;
+  const double dp = depth_behind(polygon[0]);
+  Vec3 q = polygon[1] - origin;
+  double dq = depth_behind(polygon[1]);
+  double deepest = dp >= dq ? dp : dq;
+  Vec3 deepest_place = dp >= dq ? polygon[0] : polygon[1];
+  for (std::size_t i = 2; i < count; ++i) {
+    const Vec3 r = polygon[i] - origin;
+    const double dr = depth_behind(polygon[i]);
+    const double size = 0.5 * dot(normal, cross(q - p, r - p));
+    const double depths = dp + dq + dr, of_squares = dp * dp + dq * dq + dr * dr;
+    sums.area += size;
+    sums.squares += size * (depths * depths + of_squares) / 12.0;
+    const Vec3 sum = p + q + r, weighted = dp * p + dq * q + dr * r;
+    const Vec3 by_squares = (dp * dp) * p + (dq * dq) * q + (dr * dr) * r;
+    places = places + (size / 3.0) * sum;
+    places_by_squares = places_by_squares + (size / 60.0) * ((depths * depths + of_squares) * sum + (2.0 * depths) * weighted +
+                                                              2.0 * by_squares);
+    if (cosine > 0.0) patch.add_triangle(cosine * size, p, dp, q, dq, r, dr);
+    if (dr > deepest) deepest = dr, deepest_place = polygon[i];
+    q = r;
+    dq = dr;
+  }
+  first_.gradient.force = first_.gradient.force + sums.area * normal;
+  first_.gradient.torque = first_.gradient.torque + cross(places, normal);
+  third_.gradient.force = third_.gradient.force + (3.0 * sums.squares) * normal;
+  third_.gradient.torque = third_.gradient.torque + cross(3.0 * places_by_squares, normal);
+  if (cosine > 0.0) offer_deepest(deepest, deepest_place);
+  return sums;
+}
+
 void WedgeIntegrals::offer_deepest(double depth, const Vec3 &place) {
   if (!(depth > deepest_) || !(inside_share(place) > 0.0)) return;
   deepest_ = depth;

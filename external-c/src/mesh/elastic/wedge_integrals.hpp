@@ -40,6 +40,8 @@ class WedgeIntegrals {
   double energy() const { return 0.5 * factor_ * third_.integral / first_.integral; }
   // About how deep the body's surface lies in the mesh's: of a flat face, exactly.
   double surface_depth() const { return std::sqrt(third_.integral / (factor_ * first_.integral)); }
+  // The same, between its deepest place and its mean: of a corner the first, which what passes through a body is compared with, is much more.
+  double carrying_depth() const { return std::sqrt(deepest_ * surface_depth()); }
   // On the body; torque about the patches' origin.
   Wrench wrench() const;
   double radius() const { return radius_; }
@@ -88,6 +90,13 @@ class WedgeIntegrals {
   // What faces the triangle at hand, places relative to the patches' origin; about its `middle` it is asked whether the triangle is the
   // nearest part of the mesh.
   void add_patch(const PatchSums &patch, const Vec3 &middle);
+  // Of a plane polygon.
+  struct PolygonSums {
+    double area = 0.0, squares = 0.0;  // of the depth
+  };
+  // A plane convex piece of the body's surface in the wedge, whose unit outward normal is `normal`: takes its part of the gradients, and,
+  // where it faces the triangle, of the patch.
+  PolygonSums add_surface(const Vec3 *polygon, std::size_t count, const Vec3 &normal, PatchSums &patch);
   // A place of the body's surface that faces the triangle at hand.
   void offer_deepest(double depth, const Vec3 &place);
 
@@ -97,6 +106,12 @@ class WedgeIntegrals {
   // Its normal.
   const Vec3 &face_normal() const { return normal_; }
   double depth(const Vec3 &p) const { return offset_ - dot(normal_, p); }
+
+  // Depth, no less than 0.
+  double depth_behind(const Vec3 &p) const {
+    const double deep = depth(p);
+    return deep > 0.0 ? deep : 0.0;
+  }
 
   Integral first_, third_;
 

@@ -164,51 +164,28 @@ void WedgeOverlap::keep_before(const Plane &plane) {
   scratch_.points.swap(kept);
 }
 
-void WedgeOverlap::integrate(const OverlapScratch::Piece &piece) {
-  const Vec3 *const polygon = scratch_.points.data() + piece.first;
-  const Vec3 &normal = piece.normal;
-  const double cosine = -dot(normal, face_normal());
-  double area = 0.0, squares = 0.0;
-  Vec3 places, places_by_squares;
-  const Vec3 &origin = patches().origin();
-  const Vec3 p = polygon[0] - origin;
-  const auto depth_of = [this](const Vec3 &x) {
-    const double deep = depth(x);
-    return deep > 0.0 ? deep : 0.0;
-  };
-  const double dp = depth_of(polygon[0]);
-  Vec3 q = polygon[1] - origin;
-  double dq = depth_of(polygon[1]);
-  double deepest = dp >= dq ? dp : dq;
-  Vec3 deepest_place = dp >= dq ? polygon[0] : polygon[1];
-  for (std::size_t i = 2; i < piece.count; ++i) {
-    const Vec3 r = polygon[i] - origin;
-    const double dr = depth_of(polygon[i]);
-    const double size = 0.5 * dot(normal, cross(q - p, r - p));
-    const double depths = dp + dq + dr, of_squares = dp * dp + dq * dq + dr * dr;
-    area += size;
-    squares += size * (depths * depths + of_squares) / 12.0;
-    if (piece.of_body) {
-      const Vec3 sum = p + q + r, weighted = dp * p + dq * q + dr * r;
-      const Vec3 by_squares = (dp * dp) * p + (dq * dq) * q + (dr * dr) * r;
-      places = places + (size / 3.0) * sum;
-      places_by_squares = places_by_squares + (size / 60.0) * ((depths * depths + of_squares) * sum + (2.0 * depths) * weighted +
-                                                                2.0 * by_squares);
-      if (cosine > 0.0) patch_.add_triangle(cosine * size, p, dp, q, dq, r, dr);
-      if (dr > deepest) deepest = dr, deepest_place = polygon[i];
-    }
-    q = r;
+// Of a cap.
+WedgeIntegrals::PolygonSums WedgeOverlap::sums_of(const Vec3 *polygon, std::size_t count, const Vec3 &normal) const {
+  PolygonSums sums;
+  const double dp = depth_behind(polygon[0]);
+  double dq = depth_behind(polygon[1]);
+  for (std::size_t i = 2; i < count; ++i) {
+    const double dr = depth_behind(polygon[i]);
+    const double size = 0.5 * dot(normal, cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]));
+    const double depths = dp + dq + dr;
+    sums.area += size;
+    sums.squares += size * (depths * depths + dp * dp + dq * dq + dr * dr) / 12.0;
     dq = dr;
   }
-  const double height = dot(normal, polygon[0] - apex_);
-  first_.integral += height * area / 3.0;
-  third_.integral += 0.6 * height * squares;
-  if (!piece.of_body) return;
-  first_.gradient.force = first_.gradient.force + area * normal;
-  first_.gradient.torque = first_.gradient.torque + cross(places, normal);
-  third_.gradient.force = third_.gradient.force + (3.0 * squares) * normal;
-  third_.gradient.torque = third_.gradient.torque + cross(3.0 * places_by_squares, normal);
-  if (cosine > 0.0) offer_deepest(deepest, deepest_place);
+  return sums;
+}
+
+void WedgeOverlap::integrate(const OverlapScratch::Piece &piece) {
+  const Vec3 *const polygon = scratch_.points.data() + piece.first;
+  const PolygonSums sums = piece.of_body ? add_surface(polygon, piece.count, piece.normal, patch_) : sums_of(polygon, piece.count, piece.normal);
+  const double height = dot(piece.normal, polygon[0] - apex_);
+  first_.integral += height * sums.area / 3.0;
+  third_.integral += 0.6 * height * sums.squares;
 }
 
 }  // namespace cmb::mesh

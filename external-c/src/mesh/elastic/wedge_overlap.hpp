@@ -51,6 +51,7 @@ class WedgeOverlap : public WedgeIntegrals {
   bool set_planes(std::uint32_t t);
   bool offer(const OverlapScratch::Plane &plane);
   void keep_before(const OverlapScratch::Plane &plane);
+  PolygonSums sums_of(const Vec3 *polygon, std::size_t count, const Vec3 &normal) const;
   void integrate(const OverlapScratch::Piece &piece);
 
   const convex::Polytope &body_;

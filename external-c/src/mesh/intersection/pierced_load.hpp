@@ -31,6 +31,9 @@ struct CarriedLoad {
   CarriedLoad(double only) : load(only), pushing(only) {}
   CarriedLoad(double all, double left, double deep) : load(all), pushing(left), depth(deep) {}
 
+  // Where a part of it counts.
+  void scale(double part) { load *= part, pushing *= part; }
+
   // Loads that oppose each other hold a body in a groove, but lead none off a wall that goes through it: much deeper than what
   // carries lies in that wall.
   double counted(double section) const {

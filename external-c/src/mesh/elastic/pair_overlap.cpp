@@ -1,0 +1,315 @@
+#include "mesh/elastic/pair_overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cmb::mesh {
+
+namespace {
+
+// As steep as this, lines upright on the triangle run in the plane as far as its contents are known.
+constexpr double least_slope = 1e-12;
+// Terms that cancel to this part of their size cancel.
+constexpr double rounding = 1e-12;
+
+// The greatest direction . x in a box.
+double reach(const Bounds &box, const Vec3 &direction) {
+  double most = 0.0;
+  for (int k = 0; k < 3; ++k) most += direction[k] * (direction[k] > 0.0 ? box.high[k] : box.low[k]);
+  return most;
+}
+
+}  // namespace
+
+void PairOverlap::Sum::add(const Powers &powers) {
+  sum.first += powers.first, sum.third += powers.third;
+  size.first += std::fabs(powers.first), size.third += std::fabs(powers.third);
+}
+
+// How far the body reaches at most along a direction in its own frame.
+double PairOverlap::reach(const Vec3 &direction) const {
+  return std::fmin(mesh::reach(body_.hierarchy().bounds(), direction),
+                   dot(body_.bound_center(), direction) + body_.bound_radius() * norm(direction));
+}
+
+void PairOverlap::add_all() {
+  const Bounds box = moved(body_.hierarchy().bounds(), place_);
+  const auto farthest = [&](const Vec3 &direction) {
+    const Vec3 local = transposed_times(place_.rotation, direction);
+    return center_ + ((reach(local) - dot(body_.bound_center(), local)) / norm2(local)) * direction;
+  };
+  mesh().visit_wedges(box, 0.5 * norm(box.high - box.low), farthest, [&](std::uint32_t t) { add(t); });
+}
+
+void PairOverlap::add(std::uint32_t t) {
+  look_at(t);
+  const auto support = [this](const Vec3 &direction) { return reach(direction); };
+  if (is_out_of_reach(center_) || is_outside(place_, support)) return;
+  if (!(depth(place_.translation) - support(transposed_times(place_.rotation, face_normal())) < mesh().depth_limit(t))) return;
+  const bool meets = gather();
+  if (!meets && !is_swallowed()) return;
+  set_planes();
+  patch_ = {};
+  begin(vertices_.corner(scratch_.facets[0], 0));
+  Sum inside, below;
+  measure();
+  bool in_wedge = false;
+  for (std::size_t number = 0; number < scratch_.facets.size(); ++number) in_wedge = add_inside(number, inside) || in_wedge;
+  if (meets && !in_wedge && !is_swallowed()) return;
+  for (std::size_t number = 0; number < scratch_.facets.size(); ++number) add_below(number, below);
+  first_.integral += inside.sum.first, third_.integral += inside.sum.third;
+  // What passes by below all that counts leaves nothing.
+  if (std::fabs(below.sum.first) > rounding * below.size.first) {
+    first_.integral += below.sum.first, third_.integral += below.sum.third;
+  }
+  add_patch(patch_, patch_.load > 0.0 ? patches().origin() + (1.0 / patch_.load) * patch_.moment : center_);
+}
+
+namespace {
+
+// Half-spaces that hold what is looked for: normal . x >= offset.
+template <std::size_t count>
+struct HalfSpaces {
+  Vec3 normal[count];
+  double offset[count];
+
+  HalfSpaces seen_from(const Pose &place) const {
+    HalfSpaces own;
+    for (std::size_t k = 0; k < count; ++k) {
+      own.normal[k] = transposed_times(place.rotation, normal[k]);
+      own.offset[k] = offset[k] - dot(normal[k], place.translation);
+    }
+    return own;
+  }
+  // Whether one of them holds nothing of the box, moved outwards by `slack`.
+  bool leave_out(const Bounds &box, double slack) const {
+    for (std::size_t k = 0; k < count; ++k) {
+      if (reach(box, normal[k]) < offset[k] - slack) return true;
+    }
+    return false;
+  }
+  bool leave_out(const Vec3 &p, const Vec3 &q, const Vec3 &r) const {
+    for (std::size_t k = 0; k < count; ++k) {
+      if (dot(normal[k], p) < offset[k] && dot(normal[k], q) < offset[k] && dot(normal[k], r) < offset[k]) return true;
+    }
+    return false;
+  }
+};
+
+}  // namespace
+
+// The facets that are in the wedge or may be below it. Returns whether some may be in it.
+bool PairOverlap::gather() {
+  const double front = dot(face_normal(), mesh().corner(triangle(), 0));
+  const double limit = mesh().depth_limit(triangle());
+  HalfSpaces<5> wedge{{-face_normal(), face_normal(), {}, {}, {}}, {-front, front - limit, 0.0, 0.0, 0.0}};
+  // Behind a convex side the wedge becomes narrower: what is below it is behind the side's own plane.
+  HalfSpaces<4> column{{-face_normal(), {}, {}, {}}, {-front, 0.0, 0.0, 0.0}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WedgeSide &side = mesh().wedge_sides(triangle())[k];
+    wedge.normal[k + 2] = side.normal, wedge.offset[k + 2] = side.offset;
+    const double slope = dot(side.normal, face_normal());
+    column.normal[k + 1] = slope > 0.0 ? side.normal - slope * face_normal() : side.normal;
+    column.offset[k + 1] = slope > 0.0 ? dot(column.normal[k + 1], mesh().corner(triangle(), k)) : side.offset;
+  }
+  scratch_.facets.clear();
+  deepest_corner_ = 0.0;
+  bool meets = false;
+  const HalfSpaces<4> own = column.seen_from(place_);
+  const TriangleHierarchy &hierarchy = body_.hierarchy();
+  const double slack = rounding * radius();
+  hierarchy.visit_near_unless(
+      hierarchy.bounds(), [] { return 0.0; }, [&](const Bounds &box) { return own.leave_out(box, slack); },
+      [&](std::uint32_t facet) {
+        if (components_ != nullptr && (*components_)[body_.component_of(facet)] == 0) return;
+        const Vec3 &p = vertices_.corner(facet, 0), &q = vertices_.corner(facet, 1), &r = vertices_.corner(facet, 2);
+        if (column.leave_out(p, q, r)) return;
+        meets = meets || !wedge.leave_out(p, q, r);
+        deepest_corner_ = std::max({deepest_corner_, depth(p), depth(q), depth(r)});
+        scratch_.facets.push_back(facet);
+      });
+  return meets;
+}
+
+// Where none of the body's surface is in the wedge: whether the body is. Of the facets, those that the line down from the
+// triangle's middle meets tell; facets that share a side agree on which of them it meets.
+bool PairOverlap::is_swallowed() const {
+  const Vec3 &corner = mesh().corner(triangle(), 0);
+  const Vec3 middle = (1.0 / 3.0) * (corner + mesh().corner(triangle(), 1) + mesh().corner(triangle(), 2));
+  const Vec3 along = normalized(mesh().corner(triangle(), 1) - corner, {1, 0, 0}), across = cross(face_normal(), along);
+  const double beside = dot(across, middle), begin = dot(along, middle);
+  bool inside = false;
+  for (const std::uint32_t facet : scratch_.facets) {
+    bool between = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Both facets reckon from the same corner.
+      std::uint32_t from = body_.triangles()[facet][k], to = body_.triangles()[facet][(k + 1) % 3];
+      if (to < from) std::swap(from, to);
+      const Vec3 &p = vertices_[from], &q = vertices_[to];
+      const double p_above = dot(across, p) - beside, q_above = dot(across, q) - beside;
+      if ((p_above > 0.0) == (q_above > 0.0)) continue;
+      const Vec3 place = p + (p_above / (p_above - q_above)) * (q - p);
+      if (dot(along, place) > begin) between = !between;
+    }
+    if (!between) continue;
+    const Vec3 normal = place_.rotation * body_.face_normal(facet);
+    if (dot(normal, middle - vertices_.corner(facet, 0)) / dot(normal, face_normal()) > 0.0) inside = !inside;
+  }
+  return inside;
+}
+
+void PairOverlap::set_planes() {
+  scratch_.planes.clear();
+  visit_wedge_planes(mesh(), triangle(), deepest_corner_, [&](const WedgePlane &plane) {
+    for (const Plane &other : scratch_.planes) {
+      if (coincide(plane, other, radius())) return true;
+    }
+    scratch_.planes.push_back({plane, dot(plane.normal, face_normal())});
+    return true;
+  });
+}
+
+namespace {
+
+// What lies in the plane is beyond it where the plane is strict. Of two wedges that share a plane one counts it.
+bool within(double above, const WedgePlane &plane) { return plane.strict ? above > 0.0 : above >= 0.0; }
+
+// Of three corners.
+int count_within(const double *above, const WedgePlane &plane) {
+  return (within(above[0], plane) ? 1 : 0) + (within(above[1], plane) ? 1 : 0) + (within(above[2], plane) ? 1 : 0);
+}
+
+}  // namespace
+
+// Of the corners of all facets: how deep they are, and how far above the planes.
+void PairOverlap::measure() {
+  const std::size_t planes = scratch_.planes.size();
+  scratch_.deep.resize(3 * scratch_.facets.size());
+  scratch_.above.resize(3 * planes * scratch_.facets.size());
+  double *deep = scratch_.deep.data(), *above = scratch_.above.data();
+  for (const std::uint32_t facet : scratch_.facets) {
+    const Vec3 *const corners[3] = {&vertices_.corner(facet, 0), &vertices_.corner(facet, 1), &vertices_.corner(facet, 2)};
+    for (const Vec3 *corner : corners) *deep++ = depth(*corner);
+    for (const Plane &plane : scratch_.planes) {
+      for (const Vec3 *corner : corners) *above++ = dot(plane.normal, *corner) - plane.offset;
+    }
+  }
+}
+
+// What of the facet is in the wedge; takes it on as surface, too. Returns whether something is.
+bool PairOverlap::add_inside(std::size_t number, Sum &sum) {
+  const std::size_t planes = scratch_.planes.size();
+  const double *const deep = scratch_.deep.data() + 3 * number, *const above = scratch_.above.data() + 3 * planes * number;
+  if (!(deep[0] > 0.0) && !(deep[1] > 0.0) && !(deep[2] > 0.0)) return false;
+  for (std::size_t i = 0; i < planes; ++i) {
+    if (count_within(above + 3 * i, scratch_.planes[i]) == 0) return false;
+  }
+  const std::uint32_t facet = scratch_.facets[number];
+  start_with(facet);
+  for (std::size_t i = 0; i < planes; ++i) {
+    const Plane &plane = scratch_.planes[i];
+    if (count_within(above + 3 * i, plane) < 3 && !keep(plane, true)) return false;
+  }
+  if ((deep[0] < 0.0 || deep[1] < 0.0 || deep[2] < 0.0) && !keep_where([this](const Vec3 &p) { return depth(p); })) return false;
+  add_surface(scratch_.polygon.data(), scratch_.polygon.size(), place_.rotation * body_.face_normal(facet), patch_);
+  sum.add(powers());
+  return true;
+}
+
+// What of the facet is below the wedge, and, while the wedge begins behind the triangle, what of it is in the wedge: by where the lines up
+// from there meet the wedge's planes.
+void PairOverlap::add_below(std::size_t number, Sum &sum) {
+  const std::size_t planes = scratch_.planes.size();
+  const double *const deep = scratch_.deep.data() + 3 * number, *const above = scratch_.above.data() + 3 * planes * number;
+  for (std::size_t i = 0; i < planes; ++i) {
+    const Plane &plane = scratch_.planes[i];
+    if (!(std::fabs(plane.slope) > least_slope)) continue;
+    const bool wanted = plane.slope < 0.0;
+    const int count = count_within(above + 3 * i, plane);
+    if (count == (wanted ? 0 : 3)) continue;
+    // How deep the line up from a corner meets the plane.
+    double depth_there[3];
+    int behind = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      depth_there[k] = deep[k] + above[3 * i + k] / plane.slope;
+      behind += depth_there[k] > 0.0 ? 1 : 0;
+    }
+    if (behind == 0) continue;
+    scratch_.cutting.clear();
+    bool meets = true;
+    for (std::size_t j = 0; j < planes && meets; ++j) {
+      if (j == i) continue;
+      const double slope = scratch_.planes[j].slope / plane.slope;
+      int beyond = 0;
+      for (std::size_t k = 0; k < 3; ++k) beyond += above[3 * j + k] - slope * above[3 * i + k] < 0.0 ? 1 : 0;
+      meets = beyond < 3;
+      if (beyond > 0) scratch_.cutting.push_back(j);
+    }
+    if (!meets) continue;
+    start_with(scratch_.facets[number]);
+    if (count > 0 && count < 3 && !keep(plane, wanted)) continue;
+    const auto up = [&](const Vec3 &p) { return (plane.offset - dot(plane.normal, p)) / plane.slope; };
+    if (behind < 3 && !keep_where([&](const Vec3 &p) { return depth(p) - up(p); })) continue;
+    for (Vec3 &p : scratch_.polygon) p = p + up(p) * face_normal();
+    for (const std::size_t j : scratch_.cutting) {
+      const Plane &other = scratch_.planes[j];
+      meets = meets && keep_where([&](const Vec3 &p) { return dot(other.normal, p) - other.offset; });
+    }
+    if (!meets) continue;
+    const Powers there = powers();
+    sum.add(wanted ? Powers{-there.first, -there.third} : there);
+  }
+}
+
+void PairOverlap::start_with(std::uint32_t facet) {
+  scratch_.polygon.clear();
+  for (std::size_t k = 0; k < 3; ++k) scratch_.polygon.push_back(vertices_.corner(facet, k));
+}
+
+// Keeps the part of the polygon that is within the plane, or that is not; false where that is nothing.
+bool PairOverlap::keep(const Plane &plane, bool wanted) {
+  std::size_t count = 0;
+  for (const Vec3 &p : scratch_.polygon) count += within(dot(plane.normal, p) - plane.offset, plane) == wanted ? 1 : 0;
+  if (count == 0 || count == scratch_.polygon.size()) return count > 0;
+  const double sign = wanted ? 1.0 : -1.0;
+  return keep_where([&](const Vec3 &p) { return sign * (dot(plane.normal, p) - plane.offset); });
+}
+
+// Keeps the part of the polygon where above(p), which is linear, is not negative; false where that is nothing.
+template <typename Above>
+bool PairOverlap::keep_where(Above &&above) {
+  const std::vector<Vec3> &polygon = scratch_.polygon;
+  std::vector<Vec3> &kept = scratch_.kept;
+  kept.resize(2 * polygon.size());
+  std::size_t count = 0;
+  const Vec3 *p = &polygon.back();
+  double above_p = above(*p);
+  for (const Vec3 &q : polygon) {
+    const double above_q = above(q);
+    // From the corner that is kept, as in the facet beyond the side.
+    if (above_p >= 0.0 && above_q < 0.0) kept[count++] = *p + (above_p / (above_p - above_q)) * (q - *p);
+    if (above_p < 0.0 && above_q >= 0.0) kept[count++] = q + (above_q / (above_q - above_p)) * (*p - q);
+    if (above_q >= 0.0) kept[count++] = q;
+    above_p = above_q;
+    p = &q;
+  }
+  if (count < 3) return false;
+  kept.resize(count);
+  scratch_.polygon.swap(kept);
+  return true;
+}
+
+// Of the polygon. The integral of s^3 over a triangle is its area by a tenth of the sum of all products of three of its corners' s.
+PairOverlap::Powers PairOverlap::powers() const {
+  Powers powers;
+  const std::vector<Vec3> &polygon = scratch_.polygon;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const double area = -0.5 * dot(face_normal(), cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]));
+    const double a = std::fmax(0.0, depth(polygon[0])), b = std::fmax(0.0, depth(polygon[i - 1])), c = std::fmax(0.0, depth(polygon[i]));
+    powers.first += area * (a + b + c) / 3.0;
+    powers.third += area * ((a * a + b * b + c * c) * (a + b + c) + a * b * c) / 10.0;
+  }
+  return powers;
+}
+
+}  // namespace cmb::mesh

@@ -1,0 +1,81 @@
+// What of a closed mesh lies behind the triangles of another one, as an elastic solid.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "math/pose_algebra.hpp"
+#include "mesh/core/placed_vertices.hpp"
+#include "mesh/elastic/wedge_integrals.hpp"
+#include "mesh/elastic/wedge_planes.hpp"
+
+namespace cmb::mesh {
+
+// Room for one wedge; grows in the first calls.
+struct PairOverlapScratch {
+  struct Plane : WedgePlane {
+    double slope = 0.0;  // normal . the triangle's: positive where the plane ends what is behind the triangle, negative where that begins
+  };
+  std::vector<Plane> planes;
+  std::vector<std::uint32_t> facets;
+  std::vector<Vec3> polygon, kept;
+  std::vector<double> deep, above;    // of the facets' corners
+  std::vector<std::size_t> cutting;   // planes
+};
+
+// A wedge is convex: a line upright on its triangle is in it from one depth to another. So the integral of k s^(k-1) over what the body
+// has in the wedge is one over the body's surface, by area as seen along the triangle's normal, positive where the body is above the
+// surface: the difference of s^k between the places where the line up from there leaves the wedge and where it comes into it. Every
+// part of the surface counts by itself, and changes steadily; nothing is stitched, and no inside is looked up.
+//
+// Everything in the mesh's frame. Borrows all it is given.
+class PairOverlap : public WedgeIntegrals {
+ public:
+  // `body` is closed; `place` its pose.
+  PairOverlap(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, PlacedVertices vertices, PairOverlapScratch &scratch)
+      : WedgeIntegrals(mesh, body.bound_radius(), 1.0), body_(body), place_(place), center_(place(body.bound_center())), vertices_(vertices),
+        scratch_(scratch) {}
+
+  // Of the body's components only those count that are not 0 here, which is borrowed; otherwise all do.
+  void count_only(const std::vector<std::uint8_t> &components) { components_ = &components; }
+  // What lies behind all triangles.
+  void add_all();
+
+ private:
+  using Plane = PairOverlapScratch::Plane;
+  // Integrals of s^k by area as seen along the triangle's normal, k = 1 and 3.
+  struct Powers {
+    double first = 0.0, third = 0.0;
+  };
+  // Sums of terms that may cancel to rounding.
+  struct Sum {
+    Powers sum, size;
+    void add(const Powers &powers);
+  };
+
+  double reach(const Vec3 &direction) const;
+  void add(std::uint32_t t);
+  bool gather();
+  bool is_swallowed() const;
+  void set_planes();
+  void measure();
+  bool add_inside(std::size_t number, Sum &sum);
+  void add_below(std::size_t number, Sum &sum);
+  void start_with(std::uint32_t facet);
+  bool keep(const Plane &plane, bool wanted);
+  template <typename Above>
+  bool keep_where(Above &&above);
+  Powers powers() const;
+
+  const TriangleMesh &body_;
+  const Pose &place_;
+  Vec3 center_;
+  PlacedVertices vertices_;
+  PairOverlapScratch &scratch_;
+  const std::vector<std::uint8_t> *components_ = nullptr;
+  // Of the triangle at hand:
+  double deepest_corner_ = 0.0;
+  PatchSums patch_;
+};
+
+}  // namespace cmb::mesh
