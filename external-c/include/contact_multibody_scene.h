@@ -181,7 +181,8 @@ typedef struct cmb_passage {
 } cmb_passage;
 
 /* Looks for the first of a scene's pairs that in between the ends of a step are in each other by 2 % of the thickness of the thinner
- * body more than at these: an integrator that looks at the ends alone takes no notice. Pairs that move against each other by less
+ * body more than at these, or were apart at the beginning and are not at the end: an integrator that looks at the ends alone takes no
+ * notice, or too late. Pairs that move against each other by less
  * than a quarter of the thickness are not looked at: they overlap by a hundredth of it or two at most in between.
  * passage  receives what was found; where `at` fails, none. Not NULL. */
 CMB_API cmb_status cmb_find_passage(cmb_scene scene, const cmb_step *step, cmb_passage *passage);

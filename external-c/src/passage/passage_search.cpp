@@ -60,6 +60,11 @@ double PassageSearch::distance(const WatchedPair &pair, const Moment &moment, do
   return scratch.contact.distance;
 }
 
+// Bodies that were apart and are not any more: the time at which an integrator comes by may lie within one of its steps.
+bool PassageSearch::has_met(const WatchedPair &pair) const {
+  return pair.begin >= 0.0 && -pair.end > 2.0 * just_touching * pair.thickness;
+}
+
 // Distances change by no more than the way, so that bodies get no deeper than half of what is left of it.
 bool PassageSearch::may_pass(const WatchedPair &pair, double way) const {
   if (!(way > short_way * pair.thickness)) return false;
@@ -110,33 +115,45 @@ bool PassageSearch::locate(const WatchedPair &pair, double from, double until, c
 bool PassageSearch::search(const Moment &begin, const Moment &end, const std::vector<WatchedPair> &pairs,
                            cmb_passage &passage) const {
   std::vector<double> ways;
-  std::vector<WatchedPair> open;
+  std::vector<WatchedPair> open, first, second, met;
   for (const WatchedPair &pair : pairs) {
     const double longest = way(pair, begin, end);
-    if (!may_pass(pair, longest)) continue;
+    if (has_met(pair) ? !(longest > short_way * pair.thickness) : !may_pass(pair, longest)) {
+      if (has_met(pair)) met.push_back(pair);
+      continue;
+    }
     open.push_back(pair);
     ways.push_back(longest);
   }
-  if (open.empty() || end.share - begin.share <= shortest_part) return false;
+  const bool is_last = end.share - begin.share <= shortest_part;
+  if (open.empty() || is_last) return locate_first(met, begin.share, end.share, passage);
   std::vector<double> room;
   Moment middle;
   if (!take(0.5 * (begin.share + end.share), room, middle)) return false;
-  std::vector<WatchedPair> first, second, met;
+  for (const WatchedPair &pair : met) {  // of the half in which they met
+    open.push_back(pair);
+    ways.push_back(0.0);
+  }
+  met.clear();
   for (std::size_t k = 0; k < open.size(); ++k) {
     WatchedPair before = open[k], after = open[k];
     before.end = after.begin = distance(open[k], middle, ways[k]);
-    if (-before.end > largest_overlap(open[k].begin, open[k].end) + noticed * open[k].thickness) {
+    if (before.begin < 0.0 && -before.end > largest_overlap(open[k].begin, open[k].end) + noticed * open[k].thickness) {
       met.push_back(before);
     } else {
       first.push_back(before);
       second.push_back(after);
     }
   }
-  if (search(begin, middle, first, passage)) return true;
-  if (met.empty()) return search(middle, end, second, passage);
-  for (const WatchedPair &pair : met) {
+  return search(begin, middle, first, passage) || locate_first(met, begin.share, middle.share, passage) ||
+         search(middle, end, second, passage);
+}
+
+// The first of the meetings of some pairs, all of which lie in each other at the later share.
+bool PassageSearch::locate_first(const std::vector<WatchedPair> &pairs, double from, double until, cmb_passage &passage) const {
+  for (const WatchedPair &pair : pairs) {
     cmb_passage other;
-    if (!locate(pair, begin.share, middle.share, other)) continue;
+    if (!locate(pair, from, until, other)) continue;
     if (passage.body_a == 0 || other.share < passage.share) passage = other;
   }
   return passage.body_a != 0;

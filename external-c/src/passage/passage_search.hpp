@@ -42,11 +42,13 @@ class PassageSearch {
   ClosingSpeed speed(const WatchedPair &pair, const Moment &moment) const;
   double way(const WatchedPair &pair, const Moment &begin, const Moment &end) const;
   double distance(const WatchedPair &pair, const Moment &moment, double exact_within) const;
+  bool has_met(const WatchedPair &pair) const;
   bool may_pass(const WatchedPair &pair, double way) const;
   double fastest(std::size_t body) const;
   void watch(std::size_t a, std::size_t b);
   bool take(double share, std::vector<double> &room, Moment &moment) const;
   bool search(const Moment &begin, const Moment &end, const std::vector<WatchedPair> &pairs, cmb_passage &passage) const;
+  bool locate_first(const std::vector<WatchedPair> &pairs, double from, double until, cmb_passage &passage) const;
   bool locate(const WatchedPair &pair, double from, double until, cmb_passage &passage) const;
 
   const Scene &scene_;

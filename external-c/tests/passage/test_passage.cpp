@@ -140,9 +140,20 @@ TEST(Passage, BallsThatMissEachOtherDoNotMeet) {
   EXPECT_EQ(step.find().body_a, 0);
 }
 
-TEST(Passage, ContactsThatTheEndsShowAreNotToldOf) {
-  Step step({{ball, {-0.3, 0, 0}, {50, 0, 0}}, {plate, {}, {}, {0, 0, 1}, 0, true}}, 0.289 / 50 + 1e-6);
+// The time of the end may lie within a step of the integrator, which knows nothing of the contact.
+TEST(Passage, BodiesThatLieInEachOtherAtTheEndHaveMetBefore) {
+  for (const double later : {1e-6, 2e-4}) {
+    Step step({{ball, {-0.3, 0, 0}, {50, 0, 0}}, {plate, {}, {}, {0, 0, 1}, 0, true}}, 0.289 / 50 + later);
+    const cmb_passage passage = step.find();
+    ASSERT_EQ(passage.body_a, 1);
+    EXPECT_NEAR(step.distance(passage.share), 0.0, 4e-9);
+  }
+}
+
+TEST(Passage, SlowContactsAreNotToldOf) {
+  Step step({{ball, {-0.0112, 0, 0}, {50, 0, 0}}, {plate, {}, {}, {0, 0, 1}, 0, true}}, 0.0004 / 50);
   EXPECT_EQ(step.find().body_a, 0);
+  EXPECT_EQ(step.calls, 0);
 }
 
 // A rod of 1 m that turns wholly is where it was. It has swept a ball at three quarters of its length.
@@ -233,7 +244,7 @@ TEST(Passage, RandomWaysAreFoundAsALookEverywhereFindsThem) {
     if (passage.body_a != 0) {
       ++found;
       if (step.distance(0.0) > 0.0) EXPECT_NEAR(step.distance(passage.share), 0.0, 0.016 * passage.thickness) << "sample " << sample;
-      EXPECT_GT(deepest, at_ends) << "sample " << sample;
+      EXPECT_GT(deepest, 0.0) << "sample " << sample;
     } else {
       missed += deepest > at_ends + 0.05 * 0.02;
     }

@@ -132,6 +132,17 @@ def test_balls_exchange_their_velocities_at_any_speed(built, model, mode, tolera
         assert (first, last) == pytest.approx((0.0, speed), abs=0.03 * speed)
 
 
+@pytest.mark.parametrize("part", [0.5, 0.505])
+@pytest.mark.parametrize("model", MODELS)
+def test_a_communication_point_at_which_bodies_lie_in_each_other_hides_nothing(built, model, part):
+    """There the ball is in the middle of the other one, or a little beyond it, while the integrator's step goes on."""
+    result = simulate(
+        built(MODELS[model]), signals=SIGNALS, stop=1.0 / 50, interval=part / 50, tolerance=1e-4, mode="cs"
+    )
+    first, last = result.signals["one.v_0[1]"][-1], result.signals["other.v_0[1]"][-1]
+    assert (first, last) == pytest.approx((0.0, 50.0), abs=0.5)
+
+
 @pytest.mark.parametrize("mode", ["cs", "me"])
 def test_a_rod_that_turns_fast_does_not_sweep_through_a_ball(built, mode):
     """Energy and the angular momentum about the joint stay."""
