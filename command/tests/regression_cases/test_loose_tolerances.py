@@ -100,7 +100,7 @@ KEPT_AT_LOOSE_TOLERANCE = [
     "volume_impact",
 ]
 """Errors of an impact's steps added up to more than is promised at 1e-6."""
-QUICK = {"bouncing_ball", "off_centre_impact"}
+QUICK = {"off_centre_impact"}
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ def apex(fmu_cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("mode", ["me", "cs"])
-@pytest.mark.parametrize("above", [1e-4, 1e-3, 1e-2])
+@pytest.mark.parametrize("above", [1e-4, pytest.param(1e-3, marks=pytest.mark.full), 1e-2])
 def test_a_short_stay_above_a_line_is_seen(above: float, mode: Mode, apex: Path) -> None:
     """It lasts 9 to 90 ms; steps of up to a second have both their ends below the line."""
     half = sqrt(2.0 * above / 10.0)

@@ -124,8 +124,14 @@ def test_free_bodies_are_parts_of_one_kind(built):
     "more",
     [
         "Real x(start = 0, fixed = true); equation der(x) = bodies.r[1, 1] + bodies.r[2, 1];",  # unites two
-        "Real x(start = 0, fixed = true), y(start = 0, fixed = true); equation der(x) = time; der(y) = x;",
-        "discrete Real x(start = 0, fixed = true); equation when bodies.r[1, 3] < 0.05 then x = time; end when;",
+        pytest.param(
+            "Real x(start = 0, fixed = true), y(start = 0, fixed = true); equation der(x) = time; der(y) = x;",
+            marks=pytest.mark.full,
+        ),
+        pytest.param(
+            "discrete Real x(start = 0, fixed = true); equation when bodies.r[1, 3] < 0.05 then x = time; end when;",
+            marks=pytest.mark.full,
+        ),
     ],
     ids=["state of two bodies", "time", "events"],
 )
@@ -134,8 +140,15 @@ def test_what_depends_on_more_is_no_part_of_its_own(built, more):
     assert ".part_count = 15" in text or ".parts = NULL" in text
 
 
-@pytest.mark.parametrize("model", [SPHERES, BOXES], ids=["spheres", "boxes"])
-@pytest.mark.parametrize("tolerance", [1e-3, 1e-5])
+@pytest.mark.parametrize(
+    ("model", "tolerance"),
+    [
+        pytest.param(SPHERES, 1e-3, id="spheres-0.001"),
+        pytest.param(SPHERES, 1e-5, id="spheres-1e-05", marks=pytest.mark.full),
+        pytest.param(BOXES, 1e-3, id="boxes-0.001", marks=pytest.mark.full),
+        pytest.param(BOXES, 1e-5, id="boxes-1e-05"),
+    ],
+)
 def test_bodies_go_where_another_integrator_has_them_go(simulate, model, tolerance):
     """CVODE of the importer at a much smaller tolerance, before the collisions are chaos."""
     found = simulate(model, places(), stop=0.3, tolerance=tolerance, interval=0.02, kind="CoSimulation")

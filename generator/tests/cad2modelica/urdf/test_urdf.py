@@ -357,7 +357,8 @@ def test_truncated_meshes(tmp_path: Path, encode, cut: int) -> None:
         read_mesh(tmp_path / "a.stl")
 
 
-def test_finely_tessellated_part_is_decomposed_only_if_asked(tmp_path: Path) -> None:
+@pytest.mark.parametrize("decomposed", [False, pytest.param(True, marks=pytest.mark.full)])
+def test_finely_tessellated_part_is_decomposed_only_if_asked(tmp_path: Path, decomposed: bool) -> None:
     count = 400  # corners of a star's outline: 1600 triangles
     angle = 2 * np.pi * np.arange(count) / count
     radius = 0.06 + 0.04 * np.cos(5 * angle)
@@ -377,8 +378,9 @@ def test_finely_tessellated_part_is_decomposed_only_if_asked(tmp_path: Path) -> 
     unasked = collision_geometry(part, limits)
     assert len(unasked.shapes) == 1
     assert any("1600 triangles in all" in note for note in unasked.notes)
-    asked = collision_geometry(part, DecompositionLimits(pieces=8).or_else(limits))
-    assert 3 <= len(asked.shapes) <= 8
+    if decomposed:
+        asked = collision_geometry(part, DecompositionLimits(pieces=8).or_else(limits))
+        assert 3 <= len(asked.shapes) <= 8
 
 
 @pytest.mark.parametrize(

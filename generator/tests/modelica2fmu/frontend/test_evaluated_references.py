@@ -76,12 +76,12 @@ def rates(model: str, names: list[str], parameters: dict[str, float], folder: Pa
     ("declared", "component", "parameter"),
     [
         ("A a;", "a", "a.k"),
-        ("A a(k=5);", "a", "a.k"),
+        pytest.param("A a(k=5);", "a", "a.k", marks=pytest.mark.full),
         ('A a(k(min=0)=5 /* kg */ "a;b");', "a", "a.k"),
         ("parameter Real p=3; A a(k=p);", "a", "p"),
         ("Deeper z(q=7);", "z.a", "z.q"),
         ("Changed a;", "a", "a.k"),
-        ("A a[2](each k=8);", "a[2]", "a[2].k"),
+        pytest.param("A a[2](each k=8);", "a[2]", "a[2].k", marks=pytest.mark.full),
         ("A a[2](k={8,9});", "a[1]", "a[1].k"),
     ],
 )

@@ -112,7 +112,7 @@ def test_calls_with_several_outputs(tmp_path: Path, text: str, said: str, remedy
     "given",
     ["m = 2*ones(3)", "m = 2*{1, 2, 3}", "m = 1:3", "m = 2*v", "m = -v", "m = v + v", "r = identity(3)", "u = 2*v"],
 )
-@pytest.mark.parametrize("array", ["b[3]({})", "b[3](each y(min = 0), {})"])
+@pytest.mark.parametrize("array", ["b[3]({})", pytest.param("b[3](each y(min = 0), {})", marks=pytest.mark.full)])
 def test_arrays_that_modify_arrays_of_components(tmp_path: Path, given: str, array: str) -> None:
     text = f"model M{PARTS}  parameter Real v[3] = {{1, 2, 3}};\n  Part {array.format(given)};\nend M;\n"
     error = refusal(text, tmp_path)
