@@ -163,13 +163,20 @@ void MantleSection::add_place(PlaneFan &fan, double cosine, double sine, double 
 
 bool MantleSection::follow_arcs(PlaneFan &fan) {
   double front = 0.0, back = 0.0;
-  const bool has_front = find_height(1.0, front), has_back = find_height(-1.0, back);
-  const double rounding = rounding_of(mantle_->body());
+  // What an arc goes by is between the ends. Of a plane as good as along the axis, which rounding has pass a line of the mantle twice, it may
+  // be anywhere.
+  constexpr double slack = 1e-6;
+  const RevolvedBody &body = mantle_->body();
+  const double most = body.half + slack * (body.radius + body.half);
+  const bool has_front = find_height(1.0, front) && std::fabs(front) <= most;
+  const bool has_back = find_height(-1.0, back) && std::fabs(back) <= most;
+  const double rounding = rounding_of(body);
   while (!passages_.empty()) {
     Passages::Arc arc;
     if (!passages_.take_arc(rounding, arc)) return false;
     if (!arc.round && arc.to.key == arc.from.key) continue;
     if (is_steady_) {
+      if (arc.round && !has_back) return false;
       add_swing(fan, arc.from.angle, arc.to.angle - arc.from.angle + (arc.round ? sense_ * 2.0 * pi : 0.0));
       continue;
     }

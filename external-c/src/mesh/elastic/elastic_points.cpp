@@ -103,7 +103,7 @@ void shift(std::vector<LoadPoint> &points, const Vec3 &torque, double load, doub
 void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque, double radius) {
   const double load = load_of(points);
   if (!(load > 0.0)) return;
-  constexpr double held = 0.05;  // of the load: a point that carries this goes half the way
+  constexpr double held = 0.2;  // of the load: a point that carries this goes half the way
   shift(points, torque, load, HUGE_VAL, [load](double part) { return part / (part + held * load); });
   const Vec3 shifted = center_of(points, load);
   convex::SymmetricMatrix inertia;

@@ -77,11 +77,8 @@ bool RoundOverlap::set_cell(const Part &part) {
   };
   if (std::isfinite(part.low) && !limit(1.0, part.low)) return false;
   if (std::isfinite(part.high) && !limit(-1.0, -part.high)) return false;
-  // An end of the body that lies in a side would count for both wedges, or for none: so sides are moved by more than rounding, both
-  // wedges' the same way.
-  const double aside = 1e-11 * radius();
   return visit_wedge_planes(mesh(), triangle(), deepest, [&](const WedgePlane &plane) {
-    const double offset = plane.offset + (plane.strict ? aside : -aside);
+    const double offset = moved_offset(plane);
     if (reach(plane.normal) <= offset) return false;
     if (-reach(-plane.normal) >= offset) return true;
     const WedgePlane in_body{transposed_times(part.place.rotation, plane.normal), offset - dot(plane.normal, center), false};

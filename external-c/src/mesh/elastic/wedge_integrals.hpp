@@ -7,6 +7,7 @@
 
 #include "mesh/core/triangle_mesh.hpp"
 #include "mesh/elastic/direction_patches.hpp"
+#include "mesh/elastic/wedge_planes.hpp"
 
 namespace cmb::mesh {
 
@@ -80,11 +81,15 @@ class WedgeIntegrals {
     for (std::size_t k = first; k < first + 3; ++k) {
       const Vec3 inward = transposed_times(place.rotation, sides[k % 3].normal);
       for (const double share : {4.0, 16.0, 1.0}) {
-        if (support(inward - share * normal) + share * front < offset[k % 3]) return true;
+        if (support(inward - share * normal) + share * front < offset[k % 3] - 2.0 * aside()) return true;
       }
     }
     return false;
   }
+  // A side or an end of the body that lies in a wedge's side would count for both wedges, or for none: so sides are moved by more than rounding,
+  // both wedges' the same way.
+  double aside() const { return 1e-11 * radius_; }
+  double moved_offset(const WedgePlane &plane) const { return plane.offset + (plane.strict ? aside() : -aside()); }
   // Before its parts are added. `place`: near its overlap.
   void begin(const Vec3 &place);
   // What faces the triangle at hand, places relative to the patches' origin; about its `middle` it is asked whether the triangle is the
