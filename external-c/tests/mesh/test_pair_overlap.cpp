@@ -157,6 +157,28 @@ TEST(PairOverlap, IsThatOfThePolytopeInAnyPose) {
   EXPECT_GT(touching, 150);
 }
 
+// The edges of two castings that are no more than touched, while what is below them holds other sides of the body: the depth's powers there
+// are 1e10 times as great.
+TEST(PairOverlap, ShallowContactsAreKnownToRounding) {
+  const TriangleMesh casting =
+      mesh_samples::mesh(mesh_samples::angle_prism({-0.15, 0.15, 0.15, -0.02, -0.02, -0.15}, {-0.15, -0.15, -0.02, -0.02, 0.15, 0.15}, -0.05, 0.05));
+  const cmb::convex::Mat3 rotation{{{-0.6415836871760477, -0.5023026241658443, 0.579708932228661}, {-0.49861218154342657, -0.30119969097996635, -0.812812794295266}, {0.5828861507756833, -0.810537364906566, -0.057209398915106374}}};
+  const Vec3 place{0.05213899710257607, 0.0690238454105817, 0.04921847301063768}, way{-0.8311092728031405, -0.5444780374337452, 0.11314169617312668};
+  double last = 0.0;
+  int touching = 0;
+  for (int k = 0; k < 400; ++k) {
+    const Overlap here = of_mesh(casting, casting, {rotation, place + (1e-6 * k - 1e-4) * way});
+    if (!here.touches) continue;
+    ++touching;
+    // Two edges that cross.
+    EXPECT_NEAR(here.energy / (here.deepest * here.deepest), 0.15, 0.01) << k << " " << here.deepest;
+    EXPECT_GT(here.energy, last) << k;
+    EXPECT_LT(dot(here.wrench.force, way), 0.0) << k;
+    last = here.energy;
+  }
+  EXPECT_GT(touching, 100);
+}
+
 // Central differences of the energy in all six degrees of freedom.
 TEST(PairOverlap, ItsWrenchIsTheGradientOfItsEnergy) {
   Random random(7);

@@ -47,15 +47,18 @@ void PairOverlap::add(std::uint32_t t) {
   if (is_out_of_reach(center_) || is_outside(place_, support)) return;
   if (!(depth(place_.translation) - support(transposed_times(place_.rotation, face_normal())) < mesh().depth_limit(t))) return;
   const bool meets = gather();
-  if (!meets && !is_swallowed()) return;
+  const auto in_body = [this] { return holds((1.0 / 3.0) * (mesh().corner(triangle(), 0) + mesh().corner(triangle(), 1) + mesh().corner(triangle(), 2))); };
+  if (!meets && !in_body()) return;
   set_planes();
   patch_ = {};
   begin(vertices_.corner(scratch_.facets[0], 0));
   Sum inside, below;
   measure();
   bool in_wedge = false;
+  deepest_inside_ = 0.0;
   for (std::size_t number = 0; number < scratch_.facets.size(); ++number) in_wedge = add_inside(number, inside) || in_wedge;
-  if (meets && !in_wedge && !is_swallowed()) return;
+  if (meets && !in_wedge && !in_body()) return;
+  if (in_wedge) end_below_surface();
   for (std::size_t number = 0; number < scratch_.facets.size(); ++number) add_below(number, below);
   first_.integral += inside.sum.first, third_.integral += inside.sum.third;
   // What passes by below all that counts leaves nothing.
@@ -131,12 +134,10 @@ bool PairOverlap::gather() {
   return meets;
 }
 
-// Where none of the body's surface is in the wedge: whether the body is. Of the facets, those that the line down from the
-// triangle's middle meets tell; facets that share a side agree on which of them it meets.
-bool PairOverlap::is_swallowed() const {
-  const Vec3 &corner = mesh().corner(triangle(), 0);
-  const Vec3 middle = (1.0 / 3.0) * (corner + mesh().corner(triangle(), 1) + mesh().corner(triangle(), 2));
-  const Vec3 along = normalized(mesh().corner(triangle(), 1) - corner, {1, 0, 0}), across = cross(face_normal(), along);
+// Whether a place in the wedge is in the body, where none of its surface is near. Of the facets, those that the line down from there meets
+// tell; facets that share a side agree on which of them it meets.
+bool PairOverlap::holds(const Vec3 &middle) const {
+  const Vec3 along = normalized(mesh().corner(triangle(), 1) - mesh().corner(triangle(), 0), {1, 0, 0}), across = cross(face_normal(), along);
   const double beside = dot(across, middle), begin = dot(along, middle);
   bool inside = false;
   for (const std::uint32_t facet : scratch_.facets) {
@@ -167,6 +168,31 @@ void PairOverlap::set_planes() {
     scratch_.planes.push_back({plane, dot(plane.normal, face_normal())});
     return true;
   });
+}
+
+// Where the body is not what is behind its deepest surface in the wedge, nothing counts there: what passes by below would cancel to rounding of
+// its depth.
+void PairOverlap::end_below_surface() {
+  const double limit = std::fmin(mesh().depth_limit(triangle()), deepest_corner_), front = dot(face_normal(), mesh().corner(triangle(), 0));
+  if (!(deepest_inside_ < (1.0 - 1e-6) * limit)) return;
+  const double size = radius() + mesh().bound_radius();
+  const Vec3 along = convex::any_perpendicular(face_normal()), across = cross(face_normal(), along);
+  for (const double deeper : {1.5, 1.001}) {
+    const double level = std::fmin(deeper * deepest_inside_, 0.5 * (deepest_inside_ + limit));
+    const Vec3 middle = center_ + (front - level - dot(face_normal(), center_)) * face_normal();
+    scratch_.polygon = {middle + 4.0 * size * along, middle + 4.0 * size * across, middle - 4.0 * size * along, middle - 4.0 * size * across};
+    bool is_there = true;
+    for (const Plane &plane : scratch_.planes) {
+      is_there = is_there && keep_where([&](const Vec3 &p) { return dot(plane.normal, p) - plane.offset; });
+    }
+    if (!is_there) continue;
+    Vec3 place;
+    for (const Vec3 &p : scratch_.polygon) place = place + p;
+    if (holds((1.0 / static_cast<double>(scratch_.polygon.size())) * place)) return;
+    scratch_.planes.push_back({{face_normal(), front - deepest_inside_, false}, 1.0});
+    measure();
+    return;
+  }
 }
 
 namespace {
@@ -211,6 +237,7 @@ bool PairOverlap::add_inside(std::size_t number, Sum &sum) {
     if (count_within(above + 3 * i, plane) < 3 && !keep(plane, true)) return false;
   }
   if ((deep[0] < 0.0 || deep[1] < 0.0 || deep[2] < 0.0) && !keep_where([this](const Vec3 &p) { return depth(p); })) return false;
+  for (const Vec3 &p : scratch_.polygon) deepest_inside_ = std::fmax(deepest_inside_, depth(p));
   add_surface(scratch_.polygon.data(), scratch_.polygon.size(), place_.rotation * body_.face_normal(facet), patch_);
   sum.add(powers());
   return true;

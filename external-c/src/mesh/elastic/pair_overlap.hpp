@@ -56,8 +56,9 @@ class PairOverlap : public WedgeIntegrals {
   double reach(const Vec3 &direction) const;
   void add(std::uint32_t t);
   bool gather();
-  bool is_swallowed() const;
+  bool holds(const Vec3 &place) const;
   void set_planes();
+  void end_below_surface();
   void measure();
   bool add_inside(std::size_t number, Sum &sum);
   void add_below(std::size_t number, Sum &sum);
@@ -74,7 +75,7 @@ class PairOverlap : public WedgeIntegrals {
   PairOverlapScratch &scratch_;
   const std::vector<std::uint8_t> *components_ = nullptr;
   // Of the triangle at hand:
-  double deepest_corner_ = 0.0;
+  double deepest_corner_ = 0.0, deepest_inside_ = 0.0;
   PatchSums patch_;
 };
 
