@@ -10,6 +10,8 @@ namespace {
 // As steep as this, lines upright on the triangle run in the plane as far as its contents are known.
 constexpr double least_slope = 1e-12;
 // Terms that cancel to this part of their size cancel.
+constexpr double rounding_of_sums = 1e-14;
+// By the body's radius: what boxes of facets are widened by.
 constexpr double rounding = 1e-12;
 
 // The greatest direction . x in a box.
@@ -47,9 +49,9 @@ void PairOverlap::add(std::uint32_t t) {
   if (is_out_of_reach(center_) || is_outside(place_, support)) return;
   if (!(depth(place_.translation) - support(transposed_times(place_.rotation, face_normal())) < mesh().depth_limit(t))) return;
   const bool meets = gather();
-  const auto in_body = [this] { return holds((1.0 / 3.0) * (mesh().corner(triangle(), 0) + mesh().corner(triangle(), 1) + mesh().corner(triangle(), 2))); };
-  if (!meets && !in_body()) return;
+  if (scratch_.facets.empty()) return;
   set_planes();
+  if (!meets && !is_filled()) return;
   patch_ = {};
   begin(vertices_.corner(scratch_.facets[0], 0));
   Sum inside, below;
@@ -57,12 +59,12 @@ void PairOverlap::add(std::uint32_t t) {
   bool in_wedge = false;
   deepest_inside_ = 0.0;
   for (std::size_t number = 0; number < scratch_.facets.size(); ++number) in_wedge = add_inside(number, inside) || in_wedge;
-  if (meets && !in_wedge && !in_body()) return;
+  if (meets && !in_wedge && !is_filled()) return;
   if (in_wedge) end_below_surface();
   for (std::size_t number = 0; number < scratch_.facets.size(); ++number) add_below(number, below);
   first_.integral += inside.sum.first, third_.integral += inside.sum.third;
   // What passes by below all that counts leaves nothing.
-  if (std::fabs(below.sum.first) > rounding * below.size.first) {
+  if (std::fabs(below.sum.first) > rounding_of_sums * below.size.first) {
     first_.integral += below.sum.first, third_.integral += below.sum.third;
   }
   add_patch(patch_, patch_.load > 0.0 ? patches().origin() + (1.0 / patch_.load) * patch_.moment : center_);
@@ -165,9 +167,34 @@ void PairOverlap::set_planes() {
     for (const Plane &other : scratch_.planes) {
       if (coincide(plane, other, radius())) return true;
     }
-    scratch_.planes.push_back({plane, dot(plane.normal, face_normal())});
+    scratch_.planes.push_back({plane, dot(plane.normal, face_normal()), 0.0});
     return true;
   });
+}
+
+// A place of the wedge so deep below the triangle, not at its border; false where there is none.
+bool PairOverlap::find_place(double level, Vec3 &place) {
+  const double size = 4.0 * (radius() + mesh().bound_radius());
+  const Vec3 along = convex::any_perpendicular(face_normal()), across = cross(face_normal(), along);
+  const Vec3 middle = center_ + (depth(center_) - level) * face_normal();
+  scratch_.polygon = {middle + size * along, middle + size * across, middle - size * along, middle - size * across};
+  for (const Plane &plane : scratch_.planes) {
+    if (!keep_where([&](const Vec3 &p) { return dot(plane.normal, p) - plane.offset; })) return false;
+  }
+  Vec3 sum;
+  for (const Vec3 &p : scratch_.polygon) sum = sum + p;
+  place = (1.0 / static_cast<double>(scratch_.polygon.size())) * sum;
+  return true;
+}
+
+// Where none of the body's surface is in the wedge: whether the body is. Asked behind the triangle, as a side of the body may lie in its plane.
+bool PairOverlap::is_filled() {
+  const double limit = std::fmin(mesh().depth_limit(triangle()), deepest_corner_);
+  Vec3 place;
+  for (const double part : {0.3, 0.03, 0.003}) {
+    if (find_place(part * limit, place)) return holds(place);
+  }
+  return false;
 }
 
 // Where the body is not what is behind its deepest surface in the wedge, nothing counts there: what passes by below would cancel to rounding of
@@ -175,21 +202,14 @@ void PairOverlap::set_planes() {
 void PairOverlap::end_below_surface() {
   const double limit = std::fmin(mesh().depth_limit(triangle()), deepest_corner_), front = dot(face_normal(), mesh().corner(triangle(), 0));
   if (!(deepest_inside_ < (1.0 - 1e-6) * limit)) return;
-  const double size = radius() + mesh().bound_radius();
-  const Vec3 along = convex::any_perpendicular(face_normal()), across = cross(face_normal(), along);
   for (const double deeper : {1.5, 1.001}) {
     const double level = std::fmin(deeper * deepest_inside_, 0.5 * (deepest_inside_ + limit));
-    const Vec3 middle = center_ + (front - level - dot(face_normal(), center_)) * face_normal();
-    scratch_.polygon = {middle + 4.0 * size * along, middle + 4.0 * size * across, middle - 4.0 * size * along, middle - 4.0 * size * across};
-    bool is_there = true;
-    for (const Plane &plane : scratch_.planes) {
-      is_there = is_there && keep_where([&](const Vec3 &p) { return dot(plane.normal, p) - plane.offset; });
-    }
-    if (!is_there) continue;
     Vec3 place;
-    for (const Vec3 &p : scratch_.polygon) place = place + p;
-    if (holds((1.0 / static_cast<double>(scratch_.polygon.size())) * place)) return;
-    scratch_.planes.push_back({{face_normal(), front - deepest_inside_, false}, 1.0});
+    if (!find_place(level, place)) continue;
+    if (holds(place)) return;
+    const double end = std::fmin(1.001 * deepest_inside_, level);
+    // A little below: what lies at that depth has been counted as in the wedge.
+    scratch_.planes.push_back({{face_normal(), front - end, false}, 1.0, end});
     measure();
     return;
   }
@@ -283,7 +303,7 @@ void PairOverlap::add_below(std::size_t number, Sum &sum) {
       meets = meets && keep_where([&](const Vec3 &p) { return dot(other.normal, p) - other.offset; });
     }
     if (!meets) continue;
-    const Powers there = powers();
+    const Powers there = plane.level > 0.0 ? powers_at(plane.level) : powers();
     sum.add(wanted ? Powers{-there.first, -there.third} : there);
   }
 }
@@ -324,6 +344,16 @@ bool PairOverlap::keep_where(Above &&above) {
   kept.resize(count);
   scratch_.polygon.swap(kept);
   return true;
+}
+
+// Of the polygon, which lies so deep below the triangle.
+PairOverlap::Powers PairOverlap::powers_at(double level) const {
+  const std::vector<Vec3> &polygon = scratch_.polygon;
+  double area = 0.0;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    area -= 0.5 * dot(face_normal(), cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]));
+  }
+  return {level * area, level * level * level * area};
 }
 
 // Of the polygon. The integral of s^3 over a triangle is its area by a tenth of the sum of all products of three of its corners' s.

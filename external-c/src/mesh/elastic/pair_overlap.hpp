@@ -15,6 +15,7 @@ namespace cmb::mesh {
 struct PairOverlapScratch {
   struct Plane : WedgePlane {
     double slope = 0.0;  // normal . the triangle's: positive where the plane ends what is behind the triangle, negative where that begins
+    double level = 0.0;  // how deep below the triangle the plane is, where it is level and that has to be exact
   };
   std::vector<Plane> planes;
   std::vector<std::uint32_t> facets;
@@ -58,6 +59,8 @@ class PairOverlap : public WedgeIntegrals {
   bool gather();
   bool holds(const Vec3 &place) const;
   void set_planes();
+  bool find_place(double level, Vec3 &place);
+  bool is_filled();
   void end_below_surface();
   void measure();
   bool add_inside(std::size_t number, Sum &sum);
@@ -67,6 +70,7 @@ class PairOverlap : public WedgeIntegrals {
   template <typename Above>
   bool keep_where(Above &&above);
   Powers powers() const;
+  Powers powers_at(double level) const;
 
   const TriangleMesh &body_;
   const Pose &place_;
