@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from contact_data import core_subset
+from contact_data import checkout, core_subset
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, BuildReport, Translation, build_fmu, translate
 from modelica2fmu.library.standard_library import StandardLibrary
@@ -47,6 +47,23 @@ def build(tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path, write_model
             output = tmp_path_factory.mktemp("fmu") / "model.fmu"
             reports[key] = build_fmu(model_name(text), [write_model(text)], output, BuildOptions(cache=fmu_cache))
         return reports[key]
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def built_with_library(
+    tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path, write_model: Callable[[str], Path]
+) -> Callable[[str], Path]:
+    """Builds the FMU of a text that uses ContactMultiBody; the same text is built once."""
+    fmus: dict[str, Path] = {}
+
+    def run(text: str) -> Path:
+        if text not in fmus:
+            fmus[text] = tmp_path_factory.mktemp("fmu") / "model.fmu"
+            sources = [write_model(text), checkout() / "ContactMultiBody"]
+            build_fmu(model_name(text), sources, fmus[text], BuildOptions(cache=fmu_cache))
+        return fmus[text]
 
     return run
 

@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
-
 import pytest
-from contact_data import checkout
 from fmpy import simulate_fmu
 from fmpy.fmi1 import FMICallException
 from fmu_regression.simulate.simulation import simulate
-from modelica2fmu.build import BuildOptions, build_fmu
 
 # A ball of 20 mm flies at another one, or at a plate of 5 mm; both masses are alike, so that the elastic impact
 # exchanges velocities.
@@ -95,31 +90,14 @@ end Plates;
 """
 
 
-@pytest.fixture(scope="module")
-def built(
-    tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path, write_model: Callable[[str], Path]
-) -> Callable[[str], Path]:
-    """Builds the FMU of a text with the library; the same text is built once."""
-    fmus: dict[str, Path] = {}
-
-    def run(text: str) -> Path:
-        if text not in fmus:
-            fmus[text] = tmp_path_factory.mktemp("fmu") / "model.fmu"
-            sources = [write_model(text), checkout() / "ContactMultiBody"]
-            build_fmu(text.split(None, 2)[1], sources, fmus[text], BuildOptions(cache=fmu_cache))
-        return fmus[text]
-
-    return run
-
-
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-6])
 @pytest.mark.parametrize("mode", ["cs", "me"])
 @pytest.mark.parametrize("model", MODELS)
-def test_balls_exchange_their_velocities_at_any_speed(built, model, mode, tolerance):
+def test_balls_exchange_their_velocities_at_any_speed(built_with_library, model, mode, tolerance):
     """The communication step is as long as the flight: free flight needs no step in it."""
     for speed in (3.0, 50.0, 200.0):
         result = simulate(
-            built(MODELS[model]),
+            built_with_library(MODELS[model]),
             signals=SIGNALS,
             stop=1.0 / speed,
             interval=1.0 / speed,
@@ -134,23 +112,23 @@ def test_balls_exchange_their_velocities_at_any_speed(built, model, mode, tolera
 
 @pytest.mark.parametrize("part", [0.5, 0.505])
 @pytest.mark.parametrize("model", MODELS)
-def test_a_communication_point_at_which_bodies_lie_in_each_other_hides_nothing(built, model, part):
+def test_a_communication_point_at_which_bodies_lie_in_each_other_hides_nothing(built_with_library, model, part):
     """There the ball is in the middle of the other one, or a little beyond it, while the integrator's step goes on."""
     result = simulate(
-        built(MODELS[model]), signals=SIGNALS, stop=1.0 / 50, interval=part / 50, tolerance=1e-4, mode="cs"
+        built_with_library(MODELS[model]), signals=SIGNALS, stop=1.0 / 50, interval=part / 50, tolerance=1e-4, mode="cs"
     )
     first, last = result.signals["one.v_0[1]"][-1], result.signals["other.v_0[1]"][-1]
     assert (first, last) == pytest.approx((0.0, 50.0), abs=0.5)
 
 
 @pytest.mark.parametrize("mode", ["cs", "me"])
-def test_a_rod_that_turns_fast_does_not_sweep_through_a_ball(built, mode):
+def test_a_rod_that_turns_fast_does_not_sweep_through_a_ball(built_with_library, mode):
     """Energy and the angular momentum about the joint stay."""
     for rate in (5.0, 200.0):
         names = ["joint.w", "rail.v", "rail.s"]
         flight = 1.0 / rate
         result = simulate(
-            built(ROD),
+            built_with_library(ROD),
             signals=names,
             stop=flight,
             interval=flight,
@@ -167,12 +145,12 @@ def test_a_rod_that_turns_fast_does_not_sweep_through_a_ball(built, mode):
 
 
 @pytest.mark.parametrize("mode", ["cs", "me"])
-def test_thin_plates_with_steps_of_their_own_stay_in_their_order(built, mode):
+def test_thin_plates_with_steps_of_their_own_stay_in_their_order(built_with_library, mode):
     names = [f"bodies.r[{i},1]" for i in range(1, 11)] + ["bodies.v[10,1]"]
     for speed in (10.0, 200.0):
         stop = 3.0 / speed
         result = simulate(
-            built(PLATES),
+            built_with_library(PLATES),
             signals=names,
             stop=stop,
             interval=stop,
@@ -185,9 +163,9 @@ def test_thin_plates_with_steps_of_their_own_stay_in_their_order(built, mode):
         assert result.signals["bodies.v[10,1]"][-1] == pytest.approx(speed, rel=0.05)
 
 
-def test_another_importer_that_locates_events_goes_back_to_where_bodies_meet(built):
+def test_another_importer_that_locates_events_goes_back_to_where_bodies_meet(built_with_library):
     result = simulate_fmu(
-        str(built(MODELS["CompiledBalls"])),
+        str(built_with_library(MODELS["CompiledBalls"])),
         fmi_type="ModelExchange",
         output=SIGNALS,
         stop_time=0.02,
@@ -198,12 +176,12 @@ def test_another_importer_that_locates_events_goes_back_to_where_bodies_meet(bui
     assert result["other.v_0[1]"][-1] == pytest.approx(50, rel=0.02)
 
 
-def test_an_importer_that_steps_over_a_meeting_is_told_of_it(built):
+def test_an_importer_that_steps_over_a_meeting_is_told_of_it(built_with_library):
     """Steps of a fixed length, without a search for events: 50 mm each."""
     messages: list[str] = []
     with pytest.raises(FMICallException):
         simulate_fmu(
-            str(built(MODELS["CompiledBalls"])),
+            str(built_with_library(MODELS["CompiledBalls"])),
             fmi_type="ModelExchange",
             solver="Euler",
             step_size=1e-3,
@@ -215,10 +193,10 @@ def test_an_importer_that_steps_over_a_meeting_is_told_of_it(built):
     assert any("bodies 1 and 2 of contacts pass through each other" in message for message in messages)
 
 
-def test_flights_that_miss_are_not_stopped(built):
+def test_flights_that_miss_are_not_stopped(built_with_library):
     """The second body is out of the way: the step is as long as the flight."""
     result = simulate(
-        built(MODELS["CompiledBalls"]),
+        built_with_library(MODELS["CompiledBalls"]),
         signals=["one.r_0[1]", "one.v_0[1]"],
         stop=0.02,
         interval=0.02,

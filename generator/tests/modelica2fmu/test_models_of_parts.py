@@ -10,10 +10,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from contact_data import checkout
 from fmpy import simulate_fmu
 from fmu_regression.fmi.fmu import Instance, open_fmu
-from modelica2fmu.build import BuildOptions, build_fmu
 
 THROWN = """model Thrown "Spheres thrown on a floor"
   constant Integer n = 16;
@@ -58,29 +56,12 @@ end Row;
 
 
 @pytest.fixture(scope="module")
-def built(
-    tmp_path_factory: pytest.TempPathFactory, fmu_cache: Path, write_model: Callable[[str], Path]
-) -> Callable[[str], Path]:
-    """Builds the FMU of a text with the library; the same text is built once."""
-    fmus: dict[str, Path] = {}
-
-    def run(text: str) -> Path:
-        if text not in fmus:
-            fmus[text] = tmp_path_factory.mktemp("fmu") / "model.fmu"
-            sources = [write_model(text), checkout() / "ContactMultiBody"]
-            build_fmu(text.split(None, 2)[1], sources, fmus[text], BuildOptions(cache=fmu_cache))
-        return fmus[text]
-
-    return run
-
-
-@pytest.fixture(scope="module")
-def simulate(built: Callable[[str], Path]) -> Callable[..., Any]:
+def simulate(built_with_library: Callable[[str], Path]) -> Callable[..., Any]:
     def run(
         text: str, outputs: list[str], stop: float, tolerance: float, interval: float, kind: str = "ModelExchange"
     ) -> Any:
         return simulate_fmu(
-            str(built(text)),
+            str(built_with_library(text)),
             fmi_type=kind,
             output=outputs,
             stop_time=stop,
@@ -113,8 +94,8 @@ def matrix(result: np.ndarray, names: list[str]) -> np.ndarray:
     return np.stack([result[name] for name in names], axis=1)
 
 
-def test_free_bodies_are_parts_of_one_kind(built):
-    text = source(built(SPHERES))
+def test_free_bodies_are_parts_of_one_kind(built_with_library):
+    text = source(built_with_library(SPHERES))
     assert ".part_count = 16" in text
     assert text.count("fmurt_kind_") == 2
     assert "static const int fixed_body[] = {16};" in text
@@ -135,8 +116,8 @@ def test_free_bodies_are_parts_of_one_kind(built):
     ],
     ids=["state of two bodies", "time", "events"],
 )
-def test_what_depends_on_more_is_no_part_of_its_own(built, more):
-    text = source(built(THROWN.format(geometry="sphere(0.05)", more=more)))
+def test_what_depends_on_more_is_no_part_of_its_own(built_with_library, more):
+    text = source(built_with_library(THROWN.format(geometry="sphere(0.05)", more=more)))
     assert ".part_count = 15" in text or ".parts = NULL" in text
 
 
@@ -173,11 +154,11 @@ def test_a_fast_ball_meets_what_is_in_its_way(simulate, interval):
     assert found["last"][-1] == pytest.approx(50 * 0.95**9, rel=1e-3)  # each but the last keeps (1 - e)/2 of its speed
 
 
-def test_parameters_are_those_that_were_set(built):
+def test_parameters_are_those_that_were_set(built_with_library):
     """Balls of twice the mass on the same spring: the floor gives way by more."""
 
     def depth(**start: float) -> float:
-        with started(built(SPHERES), **start) as instance:
+        with started(built_with_library(SPHERES), **start) as instance:
             variables = instance.description.variables
             read = instance.functions.reader("Real", [variables["bodies.r[1,3]"].reference])
             for step in range(60):
@@ -187,8 +168,8 @@ def test_parameters_are_those_that_were_set(built):
     assert depth(**{"bodies.bodyMass": 1.0}) == pytest.approx(2 * depth(), rel=0.05)
 
 
-def test_going_on_from_a_saved_state_repeats_to_the_bit(built):
-    with started(built(SPHERES)) as instance:
+def test_going_on_from_a_saved_state_repeats_to_the_bit(built_with_library):
+    with started(built_with_library(SPHERES)) as instance:
         functions, variables = instance.functions, instance.description.variables
         read = functions.reader("Real", [variables[name].reference for name in places()])
 

@@ -66,18 +66,6 @@ TriangleWedge::TriangleWedge(const TriangleMesh &mesh, std::uint32_t t, double d
   for (std::size_t k = 0; k < 3; ++k) build_side(mesh, k);
 }
 
-bool TriangleWedge::build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 &center,
-                                      double radius) {
-  build_front(mesh, t, deepest);
-  if (depth(center) <= -radius) return false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    build_side(mesh, k);
-    const double inside = dot(side_[k], center) - side_offset_[k];
-    if (inside < 0.0 && inside * inside > radius * radius * norm2(side_[k])) return false;
-  }
-  return true;
-}
-
 bool TriangleWedge::hull(Vec3 (&corner)[6]) const {
   constexpr double least_slope = 1e-3;
   for (std::size_t k = 0; k < 3; ++k) {

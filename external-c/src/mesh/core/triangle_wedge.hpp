@@ -22,23 +22,8 @@ class TriangleWedge {
   // `deepest`: no depth counts beyond it, nor beyond the mesh's depth limit for the triangle.
   TriangleWedge(const TriangleMesh &mesh, std::uint32_t t, double deepest);
 
-  // A wedge to be built later.
-  TriangleWedge() = default;
-  // The same, but gives up and returns false as soon as it shows that no point of the ball lies in the wedge.
-  bool build_if_it_meets(const TriangleMesh &mesh, std::uint32_t t, double deepest, const Vec3 &center, double radius);
-
   // False where all corners of a triangle lie beyond one of the wedge's planes.
   bool may_meet(const Vec3 (&corner)[3]) const;
-
-  // False where a convex body, of which reach(d) is the greatest d . x, lies beyond one of the wedge's planes.
-  template <typename Reach>
-  bool may_be_reached(Reach &&reach) const {
-    if (!(reach(-normal_) >= -offset_) || !(reach(normal_) >= offset_ - limit_)) return false;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!(reach(side_[k]) >= side_offset_[k])) return false;
-    }
-    return true;
-  }
 
   // Corners whose convex hull holds the wedge: the triangle's, and where the lines down from them end at the greatest depth.
   // False where there are none: a line runs level, or nearly.

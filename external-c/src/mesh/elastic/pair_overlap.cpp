@@ -23,11 +23,6 @@ double reach(const Bounds &box, const Vec3 &direction) {
 
 }  // namespace
 
-void PairOverlap::Sum::add(const Powers &powers) {
-  sum.first += powers.first, sum.third += powers.third;
-  size.first += std::fabs(powers.first), size.third += std::fabs(powers.third);
-}
-
 // How far the body reaches at most along a direction in its own frame.
 double PairOverlap::reach(const Vec3 &direction) const {
   return std::fmin(mesh::reach(body_.hierarchy().bounds(), direction),
@@ -54,19 +49,18 @@ void PairOverlap::add(std::uint32_t t) {
   if (!meets && !is_filled()) return;
   patch_ = {};
   begin(vertices_.corner(scratch_.facets[0], 0));
-  Sum inside, below;
+  Powers inside, below;
+  double size_below = 0.0;
   measure();
   bool in_wedge = false;
   deepest_inside_ = 0.0;
   for (std::size_t number = 0; number < scratch_.facets.size(); ++number) in_wedge = add_inside(number, inside) || in_wedge;
   if (meets && !in_wedge && !is_filled()) return;
   if (in_wedge) end_below_surface();
-  for (std::size_t number = 0; number < scratch_.facets.size(); ++number) add_below(number, below);
-  first_.integral += inside.sum.first, third_.integral += inside.sum.third;
+  for (std::size_t number = 0; number < scratch_.facets.size(); ++number) add_below(number, below, size_below);
   // What passes by below all that counts leaves nothing.
-  if (std::fabs(below.sum.first) > rounding_of_sums * below.size.first) {
-    first_.integral += below.sum.first, third_.integral += below.sum.third;
-  }
+  if (std::fabs(below.first) > rounding_of_sums * size_below) inside.add(1.0, below);
+  first_.integral += inside.first, third_.integral += inside.third;
   add_patch(patch_, patch_.load > 0.0 ? patches().origin() + (1.0 / patch_.load) * patch_.moment : center_);
 }
 
@@ -243,7 +237,7 @@ void PairOverlap::measure() {
 }
 
 // What of the facet is in the wedge; takes it on as surface, too. Returns whether something is.
-bool PairOverlap::add_inside(std::size_t number, Sum &sum) {
+bool PairOverlap::add_inside(std::size_t number, Powers &sum) {
   const std::size_t planes = scratch_.planes.size();
   const double *const deep = scratch_.deep.data() + 3 * number, *const above = scratch_.above.data() + 3 * planes * number;
   if (!(deep[0] > 0.0) && !(deep[1] > 0.0) && !(deep[2] > 0.0)) return false;
@@ -259,13 +253,13 @@ bool PairOverlap::add_inside(std::size_t number, Sum &sum) {
   if ((deep[0] < 0.0 || deep[1] < 0.0 || deep[2] < 0.0) && !keep_where([this](const Vec3 &p) { return depth(p); })) return false;
   for (const Vec3 &p : scratch_.polygon) deepest_inside_ = std::fmax(deepest_inside_, depth(p));
   add_surface(scratch_.polygon.data(), scratch_.polygon.size(), place_.rotation * body_.face_normal(facet), patch_);
-  sum.add(powers());
+  sum.add(1.0, powers());
   return true;
 }
 
 // What of the facet is below the wedge, and, while the wedge begins behind the triangle, what of it is in the wedge: by where the lines up
-// from there meet the wedge's planes.
-void PairOverlap::add_below(std::size_t number, Sum &sum) {
+// from there meet the wedge's planes. `size`: of the terms of s, which may cancel.
+void PairOverlap::add_below(std::size_t number, Powers &sum, double &size) {
   const std::size_t planes = scratch_.planes.size();
   const double *const deep = scratch_.deep.data() + 3 * number, *const above = scratch_.above.data() + 3 * planes * number;
   for (std::size_t i = 0; i < planes; ++i) {
@@ -304,7 +298,8 @@ void PairOverlap::add_below(std::size_t number, Sum &sum) {
     }
     if (!meets) continue;
     const Powers there = plane.level > 0.0 ? powers_at(plane.level) : powers();
-    sum.add(wanted ? Powers{-there.first, -there.third} : there);
+    sum.add(wanted ? -1.0 : 1.0, there);
+    size += std::fabs(there.first);
   }
 }
 

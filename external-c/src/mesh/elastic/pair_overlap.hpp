@@ -47,11 +47,7 @@ class PairOverlap : public WedgeIntegrals {
   // Integrals of s^k by area as seen along the triangle's normal, k = 1 and 3.
   struct Powers {
     double first = 0.0, third = 0.0;
-  };
-  // Sums of terms that may cancel to rounding.
-  struct Sum {
-    Powers sum, size;
-    void add(const Powers &powers);
+    void add(double factor, const Powers &other) { first += factor * other.first, third += factor * other.third; }
   };
 
   double reach(const Vec3 &direction) const;
@@ -63,8 +59,8 @@ class PairOverlap : public WedgeIntegrals {
   bool is_filled();
   void end_below_surface();
   void measure();
-  bool add_inside(std::size_t number, Sum &sum);
-  void add_below(std::size_t number, Sum &sum);
+  bool add_inside(std::size_t number, Powers &sum);
+  void add_below(std::size_t number, Powers &sum, double &size);
   void start_with(std::uint32_t facet);
   bool keep(const Plane &plane, bool wanted);
   template <typename Above>

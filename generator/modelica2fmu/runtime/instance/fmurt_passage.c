@@ -105,9 +105,9 @@ static fmurt_result run_search(fmurt_values *values, void *context) {
                                                               self->motion_end, motion_at, self, self->pair, self->number);
 }
 
-static void take_meeting(fmurt_passage *self, fmurt_meeting *meeting) {
+static void take_meeting(fmurt_passage *self, double time, fmurt_meeting *meeting) {
   const double thickness = self->number[1], speed = self->number[2];
-  meeting->time = self->time + self->number[0] * (self->end_time - self->time);
+  meeting->time = time;
   meeting->next_step = speed > 0.0 ? first_overlap * thickness / speed : self->end_time - self->time;
   snprintf(self->text, sizeof self->text, "bodies %d and %d of %.100s", self->pair[0], self->pair[1],
            fmurt_model.scene[self->scene].name);
@@ -131,9 +131,8 @@ int fmurt_passage_look(fmurt_passage *self, fmurt_states_at states_at, void *con
     self->pair[0] = 0;
     const fmurt_result result = fmurt_call_model(instance, FMURT_CALL_GUARDED, &search);
     if (result != FMURT_RESULT_OK || self->pair[0] == 0) continue;
-    fmurt_meeting other;
-    take_meeting(self, &other);
-    if (!found || other.time < meeting->time) *meeting = other;
+    const double time = self->time + self->number[0] * (self->end_time - self->time);
+    if (!found || time < meeting->time) take_meeting(self, time, meeting);
     found = 1;
   }
   if (self->is_moved) {
