@@ -91,8 +91,8 @@ bool RoundOverlap::set_cell(const Part &part) {
   });
 }
 
-// From a place in the cell first. What is thin by the way from there, or open by that way, is looked at once more from itself; and where
-// rounding is in the way at all, from a little aside.
+// From a place in the cell first. What is thin by the way from there, or open by that way, is looked at once more from itself, of which the
+// edges tell where the surface does not; and where rounding is in the way at all, from a little aside.
 bool RoundOverlap::find_surface(const Part &part) {
   constexpr double thin = 1e-5, open = 1e-9;
   // A mantle that goes on as another part does not end at once.
@@ -118,9 +118,18 @@ bool RoundOverlap::find_surface(const Part &part) {
       in_body.translation = in_body.translation + aside * Vec3{0.61, -0.53, 0.59};
       aside *= 10.0;
     }
-    place = found ? nearer : surface.place() + surface.middle_of_area();
+    place = found ? nearer : place_on_edges(part, surface.place() + surface.middle_of_area());
   }
   return false;
+}
+
+// Among the parts of the cell's edges in the part, which are in the overlap; `otherwise` where there are none.
+Vec3 RoundOverlap::place_on_edges(const Part &part, const Vec3 &otherwise) const {
+  Vec3 sum;
+  int count = 0;
+  const auto add = [&](const Vec3 &at) { sum = sum + at, ++count; };
+  visit_edge_ends(part, add);
+  return count > 0 ? (1.0 / count) * sum : otherwise;
 }
 
 void RoundOverlap::add(std::uint32_t t) {
@@ -147,11 +156,7 @@ double RoundOverlap::deepest_of_overlap(const Part &part, const Vec3 &local, dou
   const auto offer = [&](const Vec3 &at) {
     if (depth_of(at) > deepest) deepest = depth_of(at), deepest_place = at;
   };
-  if (part.is_ellipsoid()) {
-    scratch_.ball.visit_edge_ends(offer);
-  } else {
-    scratch_.revolved.visit_edge_ends(offer);
-  }
+  visit_edge_ends(part, offer);
   return deepest;
 }
 

@@ -51,6 +51,16 @@ class RoundOverlap : public WedgeIntegrals {
   bool is_outside(const Part &part) const;
   bool set_cell(const Part &part);
   bool find_surface(const Part &part);
+  Vec3 place_on_edges(const Part &part, const Vec3 &otherwise) const;
+  // Of what was found.
+  template <typename Visit>
+  void visit_edge_ends(const Part &part, Visit &&visit) const {
+    if (part.is_ellipsoid()) {
+      scratch_.ball.visit_edge_ends(visit);
+    } else {
+      scratch_.revolved.visit_edge_ends(visit);
+    }
+  }
   double deepest_of_overlap(const Part &part, const Vec3 &local, double enough, Vec3 &deepest_place) const;
   double mean_square(const Part &part, double at_middle, const Vec3 &local) const;
   void integrate(const Part &part);
