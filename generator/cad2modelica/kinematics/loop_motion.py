@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import least_squares
 
-from cad2modelica.geometry.spatial import Array, Pose, rotation_about
+from cad2modelica.geometry.spatial import Array, Pose, cross, rotation_about
 from cad2modelica.kinematics.joint_twists import RANK_TOLERANCE, Column, independent_columns, joint_twists
 from cad2modelica.kinematics.planar_loops import Loop
 
@@ -208,14 +208,14 @@ def displacement(twist: Array) -> Pose:
     axis = turn / angle
     rotation = rotation_about(axis, angle)
     pitch = float(axis @ shift) / angle
-    point = np.cross(axis, shift) / angle
+    point = cross(axis, shift) / angle
     return Pose(point - rotation @ point + pitch * angle * axis, rotation)
 
 
 def _moved(twist: Array, pose: Pose) -> Array:
     """A twist in the outer coordinates of a pose."""
     turn = pose.rotation @ twist[:3]
-    return np.concatenate([turn, pose.rotation @ twist[3:] + np.cross(pose.position, turn)])
+    return np.concatenate([turn, pose.rotation @ twist[3:] + cross(pose.position, turn)])
 
 
 def _about(matrix: Array, point: Array) -> Array:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import os
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,9 +13,13 @@ _FNV_OFFSET = 0xCBF29CE484222325
 _FNV_PRIME = 0x100000001B3
 
 
-def source_number(path: str) -> int:
-    """The front end's number of a source file: FNV-1a (64 bit) of the path it was given."""
-    number = _FNV_OFFSET
+def source_number(path: str, number: int = _FNV_OFFSET) -> int:
+    """The front end's number of a source file: FNV-1a (64 bit) of the path it was given.
+
+    Args:
+        path: its end where ``number`` is that of what stands before.
+        number: that of an empty text.
+    """
     for byte in path.encode():
         number = (number ^ byte) * _FNV_PRIME & 0xFFFFFFFFFFFFFFFF
     return number
@@ -91,10 +96,24 @@ class SourceMap:
         if self._files is None:
             self._files = dict(self._copies)
             for given, original in self._views.items():
-                for path in sorted(original.rglob("*.mo")):
-                    self._files[source_number(str(given / path.relative_to(original)))] = path
+                self._files.update(_numbered(original, {given}))
             for root in self._roots:
-                for path in sorted(root.rglob("*.mo")) if root.is_dir() else [root]:
-                    for name in {str(path), str(path.resolve())}:
-                        self._files[source_number(name)] = path
+                self._files.update(_numbered(root, {root, root.resolve()}))
         return self._files
+
+
+def _numbered(root: Path, names: Collection[Path]) -> Iterator[tuple[int, Path]]:
+    """A file, or the Modelica files below a folder, by their numbers where the root has other names."""
+    if not root.is_dir():
+        yield from ((source_number(str(name)), root) for name in names)
+        return
+    for folder, _, files in os.walk(root):
+        below = Path(folder).relative_to(root)
+        begun = [source_number(f"{name / below}{os.sep}") for name in names]
+        for file in files:
+            if file.endswith(".mo"):
+                path = Path(folder, file)
+                for number in begun:
+                    yield source_number(file, number), path
+                if path.is_symlink():
+                    yield source_number(str(path.resolve())), path

@@ -74,7 +74,8 @@ def copy_headers(dependencies: Iterable[Path], folders: Sequence[Path], sundials
         sundials: folder of SUNDIALS' headers, of which only these are copied.
         target: folder to write to.
     """
-    included = {Path(name).resolve() for path in dependencies for name in _included(path)}
+    names = {name for path in dependencies for name in _included(path)}  # most sources include the same
+    included = {Path(name).resolve() for name in names}
     roots = [*(folder.resolve() for folder in folders), sundials.resolve()]
     for header in sorted(included):
         root = next((root for root in roots if header.is_relative_to(root)), None)

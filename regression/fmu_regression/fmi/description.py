@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
+import zipfile
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -18,6 +21,7 @@ from fmu_regression.results.result import close_names_remedy
 StartValue = float | int | bool | str
 
 FMI_VERSIONS = ("2.0", "3.0")
+_MOST_KNOWN = 64
 MOST_KINDS = 4
 """How many kinds of messages a terminal takes."""
 
@@ -88,12 +92,28 @@ class ModelDescription:
     keeps_states: bool = False
 
 
+# Descriptions by the digests of their texts.
+_KNOWN: dict[bytes, ModelDescription] = {}
+
+
 def read_description(path: Path) -> ModelDescription:
-    """Reads the description of an FMU file without unpacking it.
+    """Reads the description of an FMU file without unpacking it; that of the same text is read and checked once.
 
     Raises:
         InputError: the file is missing, no FMU, or neither FMI 2.0 nor 3.0.
     """
+    with suppress(Exception):  # what is wrong with the file is told below
+        with zipfile.ZipFile(path) as archive:
+            key = hashlib.sha256(archive.read("modelDescription.xml")).digest()
+        if key not in _KNOWN:
+            if len(_KNOWN) >= _MOST_KNOWN:
+                _KNOWN.clear()
+            _KNOWN[key] = _read(path)
+        return _KNOWN[key]
+    return _read(path)
+
+
+def _read(path: Path) -> ModelDescription:
     try:
         raw = read_model_description(str(path), validate=True)
     except Exception as error:

@@ -23,6 +23,8 @@ from fmu_regression.fmi.fmi3_binding import Fmi3Binding
 _MAX_LOG_LINES = 200
 _FOLDERS = re.compile(r"(?<![\w/])/(?:[^\s/:]+/)+(?=[^\s/:])")
 _NUMBER = re.compile(r"[-+]?\d[\d.]*(?:[eE][-+]?\d+)?")
+# Folders of an FMU that are for reading and compiling (FMI 2.0.4, section 2.3; FMI 3.0.2, section 2.5.1).
+_NOT_FOR_RUNNING = ("sources/", "documentation/")
 _STATUS_NAMES = ("ok", "warning", "discard", "error", "fatal", "pending")
 _DISCARDED = "[discard]"
 
@@ -133,6 +135,11 @@ class Fmu:
             functions.free()
 
 
+def _is_for_running(name: str) -> bool:
+    """Whether a file of an FMU can matter to its binary."""
+    return not name.startswith(_NOT_FOR_RUNNING)
+
+
 def _platform(description: ModelDescription) -> str:
     """Name of this machine's folder of binaries."""
     return str(fmpy.platform if description.fmi == "2.0" else fmpy.platform_tuple)
@@ -163,7 +170,7 @@ def open_fmu(path: Path) -> Iterator[Fmu]:
     description = read_description(path)
     with scratch_folder("unpacked") as folder:
         try:
-            fmpy.extract(str(path), str(folder))
+            fmpy.extract(str(path), str(folder), _is_for_running)
         except Exception as error:
             if isinstance(error, OSError) and error.errno in NO_ROOM:
                 raise

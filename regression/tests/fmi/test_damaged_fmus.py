@@ -83,7 +83,7 @@ def test_what_is_no_archive_is_wrong_input(tmp_path: Path, capsys: pytest.Captur
 def test_a_full_disk_is_no_fault_of_the_fmu(
     bouncing_mass: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def extract(archive: str, folder: str) -> None:
+    def extract(archive: str, folder: str, _: object) -> None:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), archive, None, f"{folder}/binaries")
 
     monkeypatch.setattr(fmpy, "extract", extract)
