@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/elastic/pair_overlap.hpp"
+#include "mesh/elastic/wedge_energy.hpp"
 #include "mesh/elastic/wedge_overlap.hpp"
 #include "shape/convex_hull.hpp"
 #include "support/mesh_samples.hpp"
@@ -32,12 +33,14 @@ struct Overlap {
 
 Overlap result_of(const cmb::mesh::WedgeIntegrals &overlap) {
   Overlap result;
-  result.touches = overlap.touches();
+  static cmb::mesh::WedgeEnergyScratch scratch;
+  const cmb::mesh::WedgeEnergy stored(overlap, scratch);
+  result.touches = stored.touches();
   if (!result.touches) return result;
-  result.energy = overlap.energy();
+  result.energy = stored.energy();
   result.deepest = overlap.deepest();
-  result.wrench = overlap.wrench();
-  result.wrench.torque = result.wrench.torque + cross(overlap.patches().origin(), result.wrench.force);
+  result.wrench = stored.wrench();
+  result.wrench.torque = result.wrench.torque + cross(overlap.origin(), result.wrench.force);
   return result;
 }
 

@@ -26,7 +26,7 @@ struct MeshContactScratch {
   PatchScratch patch;
   OverlapScratch overlap;
   RoundOverlapScratch round;
-  std::vector<LoadPoint> loads;
+  ElasticScratch elastic;
   PlacedVertexScratch placed;
   PairOverlapScratch pair_overlap;
   Crossings crossings;

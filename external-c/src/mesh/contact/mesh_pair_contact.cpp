@@ -42,14 +42,15 @@ CarriedLoad push(const PlacedMesh &one, const TriangleMesh &other, const Pose &p
     overlap.count_only(scratch.components);
   }
   overlap.add_all();
-  if (!overlap.touches()) return 0.0;
+  const WedgeEnergy stored(overlap, scratch.elastic.energy);
+  if (!stored.touches()) return 0.0;
   const std::size_t begin = result.points.size();
-  const double load = append_elastic_points(overlap, one.pose, scratch.loads, result);
+  const double load = append_elastic_points(overlap, stored, one.pose, scratch.elastic.points, result);
   // Where a wide shallow contact joins a narrow deep one, it pushes less than what faces it carries, and lacks nothing; not so where it
   // hardly pushes.
   constexpr double most_lost = 5.0;
   const double counted = std::fmin(load, most_lost * total_load(result.points, begin));
-  return {counted, std::fmin(counted, norm(net_load(result.points, begin))), overlap.carrying_depth()};
+  return {counted, std::fmin(counted, norm(net_load(result.points, begin))), stored.carrying_depth()};
 }
 
 // Appends what the triangles of the sheet `one` push of the sheet `other`, whose pose in its frame is `place`; normals point

@@ -38,7 +38,7 @@ class PolytopeQuery {
         box_, size_, [&](const Vec3 &d) { return farthest_vertex(d); }, [&](std::uint32_t t) { overlap.add(t); });
     const SectionedBody body(body_, place_, scratch_.body_vertices, scratch_.body_normals, scratch_.patch.polygon,
                              scratch_.patch.clipped);
-    if (!append_overlap_contact(overlap, body, mesh_, pose_, scratch_.loads, result_)) apart(nearest.triangle);
+    if (!append_overlap_contact(overlap, body, mesh_, pose_, scratch_.elastic, result_)) apart(nearest.triangle);
   }
 
  private:

@@ -36,7 +36,7 @@ class SmoothQuery {
     RoundOverlap overlap(body_, place_, mesh_, scratch_.round);
     const auto support = [&](const Vec3 &d) { return place_(convex::swept_support(body_, transposed_times(place_.rotation, d))); };
     mesh_.visit_wedges(box_, size_, support, [&](std::uint32_t t) { overlap.add(t); });
-    if (!append_overlap_contact(overlap, sectioned_, mesh_, pose_, scratch_.loads, result_)) apart(nearest.triangle);
+    if (!append_overlap_contact(overlap, sectioned_, mesh_, pose_, scratch_.elastic, result_)) apart(nearest.triangle);
   }
 
  private:

@@ -33,6 +33,7 @@ class PlanarFaces {
               const std::vector<double> &limits, double tolerance);
 
   std::uint32_t face_of(std::uint32_t t) const { return face_of_[t]; }
+  const std::vector<std::uint32_t> &face_of() const { return face_of_; }
   const RoofPlane &plane(std::uint32_t k) const { return planes_[k]; }
   Roof roof(std::uint32_t t) const {
     return {members_.data() + first_[t], members_.data() + first_[t + 1], clear_depth_[t]};

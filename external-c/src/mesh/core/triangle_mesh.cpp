@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesh/core/mesh_topology.hpp"
+#include "mesh/core/ray_hit.hpp"
 #include "mesh/core/triangle_wedge.hpp"
 
 namespace cmb::mesh {
@@ -19,20 +20,6 @@ constexpr double flat_tolerance = 1e-9;
 MeshData checked(MeshData data, MeshUse use, const std::string &source) {
   check_mesh(data, use, source);
   return data;
-}
-
-// Where the ray meets the triangle, as a length along the unit direction; infinite where it does not.
-double ray_hit(const Vec3 &origin, const Vec3 &direction, const Vec3 &a, const Vec3 &b, const Vec3 &c) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  const Vec3 ab = b - a, ac = c - a, p = cross(direction, ac);
-  const double determinant = dot(ab, p);
-  if (determinant == 0.0) return none;
-  const Vec3 from_a = origin - a, q = cross(from_a, ab);
-  const double u = dot(from_a, p) / determinant, v = dot(direction, q) / determinant;
-  constexpr double slack = 1e-9;  // the ray must not slip through between triangles
-  if (u < -slack || v < -slack || u + v > 1.0 + slack) return none;
-  const double s = dot(ac, q) / determinant;
-  return s >= 0.0 ? s : none;
 }
 
 }  // namespace
@@ -73,6 +60,7 @@ TriangleMesh::TriangleMesh(MeshData data, MeshUse use, const std::string &source
   measure();
   build_depth_limits();
   faces_ = PlanarFaces(data_, neighbours_, face_normals_, depth_limits_, flat_tolerance * bound_radius_);
+  face_relations_ = FaceRelations(data_, neighbours_, face_normals_, faces_.face_of());
   build_clear_depths();
   build_wedge_sides();
   build_interior_points();
@@ -88,6 +76,7 @@ void TriangleMesh::build_wedge_sides() {
     for (std::size_t k = 0; k < 3; ++k) wedge_sides_[t][k] = make_wedge_side(*this, t, k);
   }
   wedge_reach_ = WedgeReach(data_, face_normals_, wedge_sides_, hierarchy_);
+  wedge_cuts_ = WedgeCuts(data_, neighbours_, face_normals_, wedge_sides_, faces_, hierarchy_, bound_radius_, depth_limits_);
 }
 
 void TriangleMesh::build_vertex_triangles() {

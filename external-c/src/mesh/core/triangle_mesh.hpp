@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "mesh/core/face_relations.hpp"
 #include "mesh/core/mesh_check.hpp"
 #include "mesh/core/mesh_data.hpp"
 #include "mesh/core/planar_faces.hpp"
 #include "mesh/core/triangle_hierarchy.hpp"
+#include "mesh/core/wedge_cuts.hpp"
 #include "mesh/core/wedge_reach.hpp"
 
 namespace cmb::mesh {
@@ -74,6 +76,9 @@ class TriangleMesh {
   // Of what lies behind triangle t, one for each side.
   const std::array<WedgeSide, 3> &wedge_sides(std::uint32_t t) const { return wedge_sides_[t]; }
 
+  // Where other sides of the mesh reach into triangle t's wedge, the planes that part it from these.
+  WedgeCuts::Planes wedge_cuts(std::uint32_t t) const { return wedge_cuts_.of(t); }
+
   // Calls visit(triangle) for the triangles of all leaves that are within `farthest` of the box and in whose wedges some of a convex body in
   // the box may be, the nearer ones first. support(d) is a place of the body farthest along d.
   template <typename Support, typename Visit>
@@ -91,6 +96,7 @@ class TriangleMesh {
 
   // Flat faces of several triangles.
   const PlanarFaces &faces() const { return faces_; }
+  const FaceRelations &face_relations() const { return face_relations_; }
 
   // A few places well inside a closed mesh, far from each other; of a sheet, one of its vertices. Never empty.
   const std::vector<Vec3> &interior_points() const { return interior_points_; }
@@ -126,11 +132,13 @@ class TriangleMesh {
   std::uint32_t component_count_ = 0;
   TriangleHierarchy hierarchy_;
   PlanarFaces faces_;
+  FaceRelations face_relations_;
   std::vector<std::uint32_t> vertex_triangles_, vertex_begin_;
   std::vector<Vec3> face_normals_, vertex_normals_;
   std::vector<double> depth_limits_, clear_depths_;
   std::vector<std::array<WedgeSide, 3>> wedge_sides_;
   WedgeReach wedge_reach_;
+  WedgeCuts wedge_cuts_;
   std::vector<Vec3> interior_points_;
   MassProperties mass_properties_;
   double area_ = 0.0;

@@ -35,6 +35,12 @@ void PatchSums::scale(double part) {
   for (double &sum : second) sum *= part;
 }
 
+void PatchSums::add(double part, const PatchSums &other) {
+  area += part * other.area, load += part * other.load, energy += part * other.energy;
+  moment = moment + part * other.moment;
+  for (int k = 0; k < 6; ++k) second[k] += part * other.second[k];
+}
+
 void PatchSums::keep_within(const Vec3 &center, double radius) {
   const Vec3 first = moment - load * center;
   const double squares = second[0] + second[1] + second[2] - dot(center, first + moment);  // of distances from the center
@@ -52,20 +58,21 @@ void PatchSums::keep_within(const Vec3 &center, double radius) {
   moment = load * center + part * first;
 }
 
-void DirectionPatches::add(const PatchSums &patch, const Vec3 &normal, double share) {
-  area_ += patch.area;
-  carrying_area_ += share * patch.area;
-  if (!(patch.load > 0.0) || !(share > 0.0)) return;
-  most_carried_ = std::fmax(most_carried_, share);
+void DirectionPatches::add(double part, const PatchSums &patch, const Vec3 &normal) {
+  if (!(patch.load > 0.0) || !(part > 0.0)) return;
   for (int axis = 0; axis < 3; ++axis) {
-    const double component = normal[axis], part = share * component * component;
-    if (!(part > 0.0)) continue;
+    const double component = normal[axis], share = part * component * component;
+    if (!(share > 0.0)) continue;
     Sum &sum = sums_[2 * axis + (component > 0.0 ? 1 : 0)];
-    sum.patch.load += part * patch.load;
-    sum.patch.energy += part * patch.energy;
-    sum.patch.moment = sum.patch.moment + part * patch.moment;
-    for (int k = 0; k < 6; ++k) sum.patch.second[k] += part * patch.second[k];
-    sum.force = sum.force + (part * patch.load) * normal;
+    sum.patch.add(share, patch);
+    sum.force = sum.force + (share * patch.load) * normal;
+  }
+}
+
+void DirectionPatches::add(double part, const DirectionPatches &patches) {
+  for (std::size_t direction = 0; direction < directions; ++direction) {
+    sums_[direction].patch.add(part, patches.sums_[direction].patch);
+    sums_[direction].force = sums_[direction].force + part * patches.sums_[direction].force;
   }
 }
 
@@ -101,12 +108,11 @@ void DirectionPatches::append(std::vector<LoadPoint> &points) const {
   constexpr double rounding_load = 1e-13;
   double load = 0.0;
   for (const Sum &sum : sums_) load += sum.patch.load;
-  const double scale = 1.0 / area();
   for (std::size_t direction = 0; direction < directions; ++direction) {
     const Sum &sum = sums_[direction];
     if (!(sum.patch.load > rounding_load * load)) continue;
     const double part = 1.0 / sum.patch.load, depth = part * sum.patch.energy;
-    const Vec3 force = scale * sum.force, middle = part * sum.patch.moment;
+    const Vec3 force = sum.force, middle = part * sum.patch.moment;
     if (!(norm2(force) > 0.0) || !(depth > 0.0) || !std::isfinite(part)) continue;
     double spread[6];
     for (int k = 0; k < 3; ++k) {

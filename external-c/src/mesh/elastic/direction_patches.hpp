@@ -25,6 +25,7 @@ struct PatchSums {
   void add_place(double area, const Vec3 &at, double depth);
   // Takes a part of the load, of the same area.
   void scale(double part);
+  void add(double part, const PatchSums &other);
   // Where loads of both signs cancel, their places may be anywhere: moments become those of a load in a ball, and stay where they are.
   void keep_within(const Vec3 &center, double radius);
 };
@@ -42,17 +43,11 @@ class DirectionPatches {
  public:
   static constexpr std::size_t directions = 6, points_each = convex::tetrahedron_corner_count;
 
-  // What places are relative to; before the first patch. Near the patches, where it costs the least rounding.
-  void set_origin(const Vec3 &origin) { origin_ = origin; }
-  const Vec3 &origin() const { return origin_; }
+  // Takes a part of the load.
+  void add(double part, const PatchSums &patch, const Vec3 &normal);
+  void add(double part, const DirectionPatches &patches);
 
-  // `share`: of the patch's load that counts.
-  void add(const PatchSums &patch, const Vec3 &normal, double share);
-
-  // Of all patches, as far as they carry.
-  double area() const { return carrying_area_ + (1.0 - most_carried_) * area_; }
-
-  // Appends the points, loads divided by the area, to `points`; places relative to the origin.
+  // Appends the points to `points`.
   void append(std::vector<LoadPoint> &points) const;
 
  private:
@@ -61,8 +56,6 @@ class DirectionPatches {
     Vec3 force;
   };
 
-  Vec3 origin_;
-  double area_ = 0.0, carrying_area_ = 0.0, most_carried_ = 0.0;
   Sum sums_[directions];
 };
 

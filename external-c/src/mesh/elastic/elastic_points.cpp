@@ -28,16 +28,16 @@ Vec3 missing_torque(const std::vector<LoadPoint> &points, const Vec3 &torque) {
 }
 
 // The overlap's wrench as far as it does not pull: where a wide shallow contact has joined a narrow deep one the energy falls with
-// depth. Then, and where depths are rounding, what the patches carry takes its place in part.
-Wrench pushing(const WedgeIntegrals &overlap, const std::vector<LoadPoint> &points) {
+// depth. Then what the patches carry takes its place in part.
+Wrench pushing(const WedgeEnergy &stored, double radius, const std::vector<LoadPoint> &points) {
   constexpr double least_push = 0.05, most_off = 4.0;  // parts of the patches' load
-  const double load = load_of(points), radius = overlap.radius();
-  const Wrench wrench = overlap.wrench();
+  const double load = load_of(points);
+  const Wrench &wrench = stored.wrench();
   Wrench patches;
   for (const LoadPoint &point : points) patches.add(point.force, point.place);
   const Vec3 force = wrench.force - patches.force, torque = wrench.torque - patches.torque;
   const double own = norm2(patches.force), along = dot(force, patches.force);
-  double part = overlap.known_part();
+  double part = 1.0;
   // Patches that oppose each other need not push together.
   const double least = (least_push - 1.0) * own - (load * load - own);
   if (part * along < least) part = least / along;
@@ -120,26 +120,27 @@ void match_torque(std::vector<LoadPoint> &points, const Vec3 &torque, double rad
 
 }  // namespace
 
-double append_elastic_points(const WedgeIntegrals &overlap, const Pose &pose, std::vector<LoadPoint> &points, ContactSet &result) {
+double append_elastic_points(const WedgeIntegrals &overlap, const WedgeEnergy &stored, const Pose &pose, std::vector<LoadPoint> &points,
+                             ContactSet &result) {
   points.clear();
-  overlap.patches().append(points);
+  stored.patches().append(points);
   const double load = load_of(points);
   if (!(load > 0.0)) return 0.0;
-  const Wrench wrench = pushing(overlap, points);
-  match_force(points, wrench.force, overlap.energy());
+  const Wrench wrench = pushing(stored, overlap.radius(), points);
+  match_force(points, wrench.force, stored.energy());
   match_torque(points, wrench.torque, overlap.radius());
-  double stored = 0.0;
-  for (const LoadPoint &point : points) stored += 0.5 * norm(point.force) * point.depth;
+  double in_points = 0.0;
+  for (const LoadPoint &point : points) in_points += 0.5 * norm(point.force) * point.depth;
   // Where the patches as good as vanish, as those of a wall right through the body, they cannot store the energy: on faces, edges and corners
   // of meshes points are up to 2.3 times as deep as the deepest place.
   constexpr double most_deep = 4.0;
-  const double deeper = overlap.energy() / stored, most = most_deep * overlap.deepest();
+  const double deeper = stored.energy() / in_points, most = most_deep * overlap.deepest();
   for (const LoadPoint &point : points) {
     const double force = norm(point.force), depth = std::fmin(deeper * point.depth, most);
     if (!(force > 0.0) || !(depth > 0.0)) continue;
     const Vec3 normal{point.force.x / force, point.force.y / force, point.force.z / force};
     result.points.push_back(
-        {depth, force / depth, pose.rotation * normal, pose(overlap.patches().origin() + point.place)});
+        {depth, force / depth, pose.rotation * normal, pose(overlap.origin() + point.place)});
   }
   result.distance = -overlap.deepest();
   result.normal = pose.rotation * overlap.deepest_normal();

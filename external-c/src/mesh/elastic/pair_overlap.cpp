@@ -60,8 +60,8 @@ void PairOverlap::add(std::uint32_t t) {
   for (std::size_t number = 0; number < scratch_.facets.size(); ++number) add_below(number, below, size_below);
   // What passes by below all that counts leaves nothing.
   if (std::fabs(below.first) > rounding_of_sums * size_below) inside.add(1.0, below);
-  first_.integral += inside.first, third_.integral += inside.third;
-  add_patch(patch_, patch_.load > 0.0 ? patches().origin() + (1.0 / patch_.load) * patch_.moment : center_);
+  part().first.integral += inside.first, part().third.integral += inside.third;
+  add_patch(patch_, patch_.load > 0.0 ? origin() + (1.0 / patch_.load) * patch_.moment : center_);
 }
 
 namespace {

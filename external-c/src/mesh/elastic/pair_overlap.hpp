@@ -22,6 +22,7 @@ struct PairOverlapScratch {
   std::vector<Vec3> polygon, kept;
   std::vector<double> deep, above;    // of the facets' corners
   std::vector<std::size_t> cutting;   // planes
+  std::vector<WedgeIntegrals::Part> parts;
 };
 
 // A wedge is convex: a line upright on its triangle is in it from one depth to another. So the integral of k s^(k-1) over what the body
@@ -34,7 +35,7 @@ class PairOverlap : public WedgeIntegrals {
  public:
   // `body` is closed; `place` its pose.
   PairOverlap(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, PlacedVertices vertices, PairOverlapScratch &scratch)
-      : WedgeIntegrals(mesh, body.bound_radius(), 1.0), body_(body), place_(place), center_(place(body.bound_center())), vertices_(vertices),
+      : WedgeIntegrals(mesh, body.bound_radius(), 1.0, 0.0, scratch.parts), body_(body), place_(place), center_(place(body.bound_center())), vertices_(vertices),
         scratch_(scratch) {}
 
   // Of the body's components only those count that are not 0 here, which is borrowed; otherwise all do.

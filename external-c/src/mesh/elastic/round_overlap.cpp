@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/smoothstep.hpp"
 #include "mesh/elastic/deepest_within.hpp"
 
 namespace cmb::mesh {
@@ -12,8 +11,8 @@ namespace {
 
 using convex::CoreShape;
 
-// How thick overlaps are, by the body's radius: the square of that is as good as rounding, and much greater.
-constexpr double hardly_known = 2e-8, well_known = 2e-7;
+// How thick overlaps are, by the body's radius, whose square is as good as rounding.
+constexpr double hardly_thick = 2e-8;
 
 // What a body stores on a plane, by d^2/2, is 1 then. Of a shallow cap of an ellipsoid the mean of the square of the depth is a third of a
 // face's, of a lying cylinder's segment 24/35; a cylinder keeps that, as on a box.
@@ -30,37 +29,37 @@ double radius_of(const convex::ConvexBody &body) { return convex::core_radius(bo
 }  // namespace
 
 RoundOverlap::RoundOverlap(const convex::ConvexBody &body, const Pose &place, const TriangleMesh &mesh, RoundOverlapScratch &scratch)
-    : WedgeIntegrals(mesh, radius_of(body), factor_of(body)),
+    : WedgeIntegrals(mesh, radius_of(body), factor_of(body), hardly_thick, scratch.parts),
       whole_{body, place},
       scratch_(scratch) {
   if (body.core != CoreShape::segment) {
-    parts_[count_++] = whole_;
+    pieces_[count_++] = whole_;
     return;
   }
   const double r = body.radius, half = body.half.z;
   const convex::ConvexBody ball = convex::make_ellipsoid({r, r, r});
-  parts_[count_++] = {ball, {place.rotation, place({0.0, 0.0, half})}, 0.0, HUGE_VAL};
-  parts_[count_++] = {ball, {place.rotation, place({0.0, 0.0, -half})}, -HUGE_VAL, 0.0};
+  pieces_[count_++] = {ball, {place.rotation, place({0.0, 0.0, half})}, 0.0, HUGE_VAL};
+  pieces_[count_++] = {ball, {place.rotation, place({0.0, 0.0, -half})}, -HUGE_VAL, 0.0};
   constexpr double shortest = 1e-9;
-  if (half > shortest * r) parts_[count_++] = {convex::make_cylinder(r, 2.0 * half), place, -half, half};
+  if (half > shortest * r) pieces_[count_++] = {convex::make_cylinder(r, 2.0 * half), place, -half, half};
 }
 
-bool RoundOverlap::is_outside(const Part &part) const {
-  return WedgeIntegrals::is_outside(part.place, [&](const Vec3 &d) { return dot(d, convex::swept_support(part.body, d)); });
+bool RoundOverlap::is_outside(const Piece &piece) const {
+  return WedgeIntegrals::is_outside(piece.place, [&](const Vec3 &d) { return dot(d, convex::swept_support(piece.body, d)); });
 }
 
-// What of the wedge is about the part; false where there is nothing.
-bool RoundOverlap::set_cell(const Part &part) {
-  const Vec3 &center = part.place.translation;
-  // How far the part reaches along a direction.
+// What of the wedge is about the piece; false where there is nothing.
+bool RoundOverlap::set_cell(const Piece &piece) {
+  const Vec3 &center = piece.place.translation;
+  // How far the piece reaches along a direction.
   const auto reach = [&](const Vec3 &direction) {
-    const Vec3 local = transposed_times(part.place.rotation, direction);
-    return dot(direction, center) + dot(local, convex::core_support(part.body, local).point);
+    const Vec3 local = transposed_times(piece.place.rotation, direction);
+    return dot(direction, center) + dot(local, convex::core_support(piece.body, local).point);
   };
   const double offset_of_front = dot(face_normal(), mesh().corner(triangle(), 0)), deepest = offset_of_front + reach(-face_normal());
   deepest_below_ = std::min(deepest, mesh().depth_limit(triangle()));
   scratch_.planes.clear();
-  scratch_.cell.start(center, 1.1 * radius_of(part.body));
+  scratch_.cell.start(center, 1.1 * radius_of(piece.body));
   // A plane that would cut through a corner of the cell is moved by as little as that.
   const auto cut = [&](const Vec3 &plane_normal, double offset) {
     for (const double shift : {0.0, 1e-11, -1e-11, 1e-10}) {
@@ -72,16 +71,16 @@ bool RoundOverlap::set_cell(const Part &part) {
   if (!cut(-face_normal(), -offset_of_front)) return false;
   const auto limit = [&](double along, double offset) {
     scratch_.planes.push_back({Vec3{0.0, 0.0, along}, offset, false});
-    const Vec3 normal = along * part.place.rotation.column(2);
+    const Vec3 normal = along * piece.place.rotation.column(2);
     return cut(normal, offset + dot(normal, center));
   };
-  if (std::isfinite(part.low) && !limit(1.0, part.low)) return false;
-  if (std::isfinite(part.high) && !limit(-1.0, -part.high)) return false;
+  if (std::isfinite(piece.low) && !limit(1.0, piece.low)) return false;
+  if (std::isfinite(piece.high) && !limit(-1.0, -piece.high)) return false;
   return visit_wedge_planes(mesh(), triangle(), deepest, [&](const WedgePlane &plane) {
     const double offset = moved_offset(plane);
     if (reach(plane.normal) <= offset) return false;
     if (-reach(-plane.normal) >= offset) return true;
-    const WedgePlane in_body{transposed_times(part.place.rotation, plane.normal), offset - dot(plane.normal, center), false};
+    const WedgePlane in_body{transposed_times(piece.place.rotation, plane.normal), offset - dot(plane.normal, center), false};
     for (const WedgePlane &other : scratch_.planes) {
       if (coincide(in_body, other, radius())) return true;
       if (coincide({-in_body.normal, -in_body.offset}, other, radius())) return false;
@@ -93,22 +92,22 @@ bool RoundOverlap::set_cell(const Part &part) {
 
 // From a place in the cell first. What is thin by the way from there, or open by that way, is looked at once more from itself, of which the
 // edges tell where the surface does not; and where rounding is in the way at all, from a little aside.
-bool RoundOverlap::find_surface(const Part &part) {
+bool RoundOverlap::find_surface(const Piece &piece) {
   constexpr double thin = 1e-5, open = 1e-9;
-  // A mantle that goes on as another part does not end at once.
-  convex::ConvexBody body = part.body;
-  if (std::isfinite(part.high) && !part.is_ellipsoid()) body.half.z += body.half.x;
+  // A mantle that goes on as another piece does not end at once.
+  convex::ConvexBody body = piece.body;
+  if (std::isfinite(piece.high) && !piece.is_ellipsoid()) body.half.z += body.half.x;
   const RevolvedBody revolved(body);
   const convex::PolytopeView cell = scratch_.cell.surface();
   OverlapSurface &surface = scratch_.surface;
   Vec3 place;
   for (const Vec3 &v : cell.vertices) place = place + v;
-  place = transposed_times(part.place.rotation, (1.0 / static_cast<double>(cell.vertices.size())) * place - part.place.translation);
-  Pose in_body = part.place.inverse();
+  place = transposed_times(piece.place.rotation, (1.0 / static_cast<double>(cell.vertices.size())) * place - piece.place.translation);
+  Pose in_body = piece.place.inverse();
   constexpr int attempts = 8;
   double aside = 1e-10 * radius();
   for (int attempt = 1; attempt <= attempts; ++attempt) {
-    const bool found = part.is_ellipsoid() ? scratch_.ball.find(body.half, cell, in_body, place, surface)
+    const bool found = piece.is_ellipsoid() ? scratch_.ball.find(body.half, cell, in_body, place, surface)
                                            : scratch_.revolved.find(revolved, cell, in_body, place, surface);
     if (surface.of_a().empty() && surface.of_b().empty()) return false;
     const Vec3 nearer = surface.place() + surface.middle();
@@ -118,17 +117,17 @@ bool RoundOverlap::find_surface(const Part &part) {
       in_body.translation = in_body.translation + aside * Vec3{0.61, -0.53, 0.59};
       aside *= 10.0;
     }
-    place = found ? nearer : place_on_edges(part, surface.place() + surface.middle_of_area());
+    place = found ? nearer : place_on_edges(piece, surface.place() + surface.middle_of_area());
   }
   return false;
 }
 
-// Among the parts of the cell's edges in the part, which are in the overlap; `otherwise` where there are none.
-Vec3 RoundOverlap::place_on_edges(const Part &part, const Vec3 &otherwise) const {
+// Among the parts of the cell's edges in the piece, which are in the overlap; `otherwise` where there are none.
+Vec3 RoundOverlap::place_on_edges(const Piece &piece, const Vec3 &otherwise) const {
   Vec3 sum;
   int count = 0;
   const auto add = [&](const Vec3 &at) { sum = sum + at, ++count; };
-  visit_edge_ends(part, add);
+  visit_edge_ends(piece, add);
   return count > 0 ? (1.0 / count) * sum : otherwise;
 }
 
@@ -136,18 +135,18 @@ void RoundOverlap::add(std::uint32_t t) {
   look_at(t);
   if (is_out_of_reach(whole_.place.translation) || is_outside(whole_)) return;
   for (std::size_t k = 0; k < count_; ++k) {
-    const Part &part = parts_[k];
-    if ((count_ > 1 && is_outside(part)) || !set_cell(part) || !find_surface(part)) continue;
-    begin(part.place(scratch_.surface.place() + scratch_.surface.middle()));
-    integrate(part);
+    const Piece &piece = pieces_[k];
+    if ((count_ > 1 && is_outside(piece)) || !set_cell(piece) || !find_surface(piece)) continue;
+    begin(piece.place(scratch_.surface.place() + scratch_.surface.middle()));
+    integrate(piece);
   }
 }
 
-// The greatest depth of the part below the triangle at hand, and its place in the part's frame; 0 where it is not above `enough`.
-double RoundOverlap::deepest_of_overlap(const Part &part, const Vec3 &local, double enough, Vec3 &deepest_place) const {
-  const double center_depth = depth(part.place.translation);
+// The greatest depth of the piece below the triangle at hand, and its place in its frame; 0 where it is not above `enough`.
+double RoundOverlap::deepest_of_overlap(const Piece &piece, const Vec3 &local, double enough, Vec3 &deepest_place) const {
+  const double center_depth = depth(piece.place.translation);
   const auto depth_of = [&](const Vec3 &at) { return center_depth - dot(local, at); };
-  switch (deepest_within(part.body, -local, scratch_.planes, enough - center_depth, deepest_place)) {
+  switch (deepest_within(piece.body, -local, scratch_.planes, enough - center_depth, deepest_place)) {
     case Deepest::none: return 0.0;
     case Deepest::found: return depth_of(deepest_place);
     case Deepest::on_edges: break;
@@ -156,30 +155,30 @@ double RoundOverlap::deepest_of_overlap(const Part &part, const Vec3 &local, dou
   const auto offer = [&](const Vec3 &at) {
     if (depth_of(at) > deepest) deepest = depth_of(at), deepest_place = at;
   };
-  visit_edge_ends(part, offer);
+  visit_edge_ends(piece, offer);
   return deepest;
 }
 
 // Of the depth, `at_middle` being that of the overlap's middle and `local` the triangle's normal in the body's frame. The overlap is convex,
 // between a cone on the triangle's plane, with a tenth of the square of its height, and one that stands on its tip: what is so thin that
 // rounding counts keeps within these.
-double RoundOverlap::mean_square(const Part &part, double at_middle, const Vec3 &local) const {
+double RoundOverlap::mean_square(const Piece &piece, double at_middle, const Vec3 &local) const {
   constexpr double thin = 1e-6, least = 0.1, most = 0.6;
   const OverlapSurface &surface = scratch_.surface;
   const double square = at_middle * at_middle + dot(local, convex::times(surface.spread(), local));
   if (surface.volume() > thin * radius() * surface.area_a()) return square;
   Vec3 deepest_place;
-  const double deepest = deepest_of_overlap(part, local, 0.0, deepest_place);
+  const double deepest = deepest_of_overlap(piece, local, 0.0, deepest_place);
   return std::clamp(square, least * deepest * deepest, most * deepest * deepest);
 }
 
-void RoundOverlap::integrate(const Part &part) {
+void RoundOverlap::integrate(const Piece &piece) {
   const OverlapSurface &surface = scratch_.surface;
-  const Vec3 origin = part.place(surface.place()), from_patches = origin - patches().origin();
-  const Vec3 local = transposed_times(part.place.rotation, face_normal());
-  const double at_place = depth(origin), at_middle = at_place - dot(local, surface.middle());
-  first_.integral += surface.volume();
-  third_.integral += 3.0 * surface.volume() * mean_square(part, at_middle, local);
+  const Vec3 place = piece.place(surface.place()), from_origin = place - origin();
+  const Vec3 local = transposed_times(piece.place.rotation, face_normal());
+  const double at_place = depth(place), at_middle = at_place - dot(local, surface.middle());
+  part().first.integral += surface.volume();
+  part().third.integral += 3.0 * surface.volume() * mean_square(piece, at_middle, local);
   Wrench first, third;  // torques about the surface's place
   PatchSums patch;
   for (const OverlapSurface::Node &node : surface.of_a()) {
@@ -187,18 +186,15 @@ void RoundOverlap::integrate(const Part &part) {
     const Vec3 torque = cross(node.at, node.area);
     first.force = first.force + node.area, first.torque = first.torque + torque;
     third.force = third.force + squares * node.area, third.torque = third.torque + squares * torque;
-    patch.add_place(-dot(local, node.area), from_patches + part.place.rotation * node.at, deep);
+    patch.add_place(-dot(local, node.area), from_origin + piece.place.rotation * node.at, deep);
   }
-  volume_ += surface.volume(), area_ += norm(first.force);
-  const double thickness = volume_ / (area_ * radius());
-  set_known_part(1.0 - convex::falling_smoothstep(std::max(0.0, std::log(thickness / hardly_known) / std::log(well_known / hardly_known))));
   const auto add = [&](const Wrench &sum, Integral &integral) {
-    const Vec3 force = part.place.rotation * sum.force;
-    integral.gradient.add(force, from_patches);
-    integral.gradient.torque = integral.gradient.torque + part.place.rotation * sum.torque;
+    const Vec3 force = piece.place.rotation * sum.force;
+    integral.gradient.add(force, from_origin);
+    integral.gradient.torque = integral.gradient.torque + piece.place.rotation * sum.torque;
   };
-  add(first, first_);
-  add(third, third_);
+  add(first, part().first);
+  add(third, part().third);
   // Surface that faces away is taken off, which leaves sums of polynomials; a wall's patches right through the body vanish so. The area is at
   // least a part of what so great a volume has at the greatest depth.
   constexpr double least_area = 0.25;
@@ -206,12 +202,12 @@ void RoundOverlap::integrate(const Part &part) {
   patch.load = std::max(patch.load, 0.0);
   if (patch.load > deepest_below_ * patch.area) patch.scale(deepest_below_ * patch.area / patch.load);
   patch.energy = std::clamp(patch.energy, 0.0, deepest_below_ * patch.load);
-  patch.keep_within(part.place.translation - patches().origin(), radius_of(part.body));
-  add_patch(patch, part.place(surface.place() + surface.middle()));
+  patch.keep_within(piece.place.translation - origin(), radius_of(piece.body));
+  add_patch(patch, piece.place(surface.place() + surface.middle()));
   if (!(patch.load > 0.0)) return;
   Vec3 deepest_place;
-  const double deep = deepest_of_overlap(part, local, deepest(), deepest_place);
-  if (deep > deepest()) offer_deepest(deep, part.place(deepest_place));
+  const double deep = deepest_of_overlap(piece, local, deepest(), deepest_place);
+  if (deep > deepest()) offer_deepest(deep, piece.place(deepest_place));
 }
 
 }  // namespace cmb::mesh

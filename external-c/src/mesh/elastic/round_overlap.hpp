@@ -23,6 +23,7 @@ struct RoundOverlapScratch {
   BallOnPolytope ball;
   OverlapSurface surface;
   std::vector<WedgePlane> planes;  // that cut the body, in its frame
+  std::vector<WedgeIntegrals::Part> parts;
 };
 
 // A wedge is cut out of a cube about the body, and the surface of what both have in common is exact, as for convex bodies
@@ -40,37 +41,36 @@ class RoundOverlap : public WedgeIntegrals {
 
  private:
   // What is asked by itself, with its axes along the body's.
-  struct Part {
+  struct Piece {
     convex::ConvexBody body;  // an ellipsoid, a cylinder or a cone
     Pose place;               // in the mesh's frame
-    double low = -HUGE_VAL, high = HUGE_VAL;  // heights between which it counts, where it goes on as another part
+    double low = -HUGE_VAL, high = HUGE_VAL;  // heights between which it counts, where it goes on as another piece
 
     bool is_ellipsoid() const { return body.core == convex::CoreShape::ellipsoid; }
   };
 
-  bool is_outside(const Part &part) const;
-  bool set_cell(const Part &part);
-  bool find_surface(const Part &part);
-  Vec3 place_on_edges(const Part &part, const Vec3 &otherwise) const;
+  bool is_outside(const Piece &piece) const;
+  bool set_cell(const Piece &piece);
+  bool find_surface(const Piece &piece);
+  Vec3 place_on_edges(const Piece &piece, const Vec3 &otherwise) const;
   // Of what was found.
   template <typename Visit>
-  void visit_edge_ends(const Part &part, Visit &&visit) const {
-    if (part.is_ellipsoid()) {
+  void visit_edge_ends(const Piece &piece, Visit &&visit) const {
+    if (piece.is_ellipsoid()) {
       scratch_.ball.visit_edge_ends(visit);
     } else {
       scratch_.revolved.visit_edge_ends(visit);
     }
   }
-  double deepest_of_overlap(const Part &part, const Vec3 &local, double enough, Vec3 &deepest_place) const;
-  double mean_square(const Part &part, double at_middle, const Vec3 &local) const;
-  void integrate(const Part &part);
+  double deepest_of_overlap(const Piece &piece, const Vec3 &local, double enough, Vec3 &deepest_place) const;
+  double mean_square(const Piece &piece, double at_middle, const Vec3 &local) const;
+  void integrate(const Piece &piece);
 
-  const Part whole_;
-  std::array<Part, 3> parts_;  // the first count_
+  const Piece whole_;
+  std::array<Piece, 3> pieces_;  // the first count_
   std::size_t count_ = 0;
   RoundOverlapScratch &scratch_;
-  double volume_ = 0.0, area_ = 0.0;  // of all overlaps, of the body's surface there as seen along it
-  double deepest_below_ = 0.0;  // below the triangle at hand no place of the part counts as deeper
+  double deepest_below_ = 0.0;  // below the triangle at hand no place of the piece counts as deeper
 };
 
 }  // namespace cmb::mesh

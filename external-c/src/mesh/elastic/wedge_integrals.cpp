@@ -19,27 +19,46 @@ bool WedgeIntegrals::is_out_of_reach(const Vec3 &center) const {
 }
 
 void WedgeIntegrals::begin(const Vec3 &place) {
-  if (!begun_) patches_.set_origin(place);
-  begun_ = true;
+  if (parts_.empty()) origin_ = place;
+  // Triangles of a face follow each other, mostly.
+  const std::uint32_t face = mesh_.faces().face_of(triangle_);
+  for (at_hand_ = parts_.size(); at_hand_ > 0; --at_hand_) {
+    if (parts_[at_hand_ - 1].face == face) break;
+  }
+  if (at_hand_ > 0) {
+    --at_hand_;
+    return;
+  }
+  at_hand_ = parts_.size();
+  parts_.push_back({face, {}, {}, {}, 0.0, 0.0, 0.0, {}});
 }
 
 void WedgeIntegrals::add_patch(const PatchSums &patch, const Vec3 &middle) {
-  if (patch.area > 0.0) patches_.add(patch, normal_, inside_share(middle));
+  if (!(patch.area > 0.0)) return;
+  const double share = inside_share(middle);
+  Part &part = parts_[at_hand_];
+  part.area += patch.area;
+  part.carrying_area += share * patch.area;
+  if (!(patch.load > 0.0) || !(share > 0.0)) return;
+  most_carried_ = std::fmax(most_carried_, share);
+  part.patches.add(share, patch, normal_);
+  part.load += share * patch.load;
+  part.push.force = part.push.force + (share * patch.load) * normal_;
+  part.push.torque = part.push.torque + share * cross(patch.moment, normal_);
 }
 
 WedgeIntegrals::PolygonSums WedgeIntegrals::add_surface(const Vec3 *polygon, std::size_t count, const Vec3 &normal, PatchSums &patch) {
   const double cosine = -dot(normal, normal_);
   PolygonSums sums;
   Vec3 places, places_by_squares;
-  const Vec3 &origin = patches_.origin();
-  const Vec3 p = polygon[0] - origin;
+  const Vec3 p = polygon[0] - origin_;
   const double dp = depth_behind(polygon[0]);
-  Vec3 q = polygon[1] - origin;
+  Vec3 q = polygon[1] - origin_;
   double dq = depth_behind(polygon[1]);
   double deepest = dp >= dq ? dp : dq;
   Vec3 deepest_place = dp >= dq ? polygon[0] : polygon[1];
   for (std::size_t i = 2; i < count; ++i) {
-    const Vec3 r = polygon[i] - origin;
+    const Vec3 r = polygon[i] - origin_;
     const double dr = depth_behind(polygon[i]);
     const double size = 0.5 * dot(normal, cross(q - p, r - p));
     const double depths = dp + dq + dr, of_squares = dp * dp + dq * dq + dr * dr;
@@ -55,10 +74,11 @@ WedgeIntegrals::PolygonSums WedgeIntegrals::add_surface(const Vec3 *polygon, std
     q = r;
     dq = dr;
   }
-  first_.gradient.force = first_.gradient.force + sums.area * normal;
-  first_.gradient.torque = first_.gradient.torque + cross(places, normal);
-  third_.gradient.force = third_.gradient.force + (3.0 * sums.squares) * normal;
-  third_.gradient.torque = third_.gradient.torque + cross(3.0 * places_by_squares, normal);
+  Wrench &first = part().first.gradient, &third = part().third.gradient;
+  first.force = first.force + sums.area * normal;
+  first.torque = first.torque + cross(places, normal);
+  third.force = third.force + (3.0 * sums.squares) * normal;
+  third.torque = third.torque + cross(3.0 * places_by_squares, normal);
   if (cosine > 0.0) offer_deepest(deepest, deepest_place);
   return sums;
 }
@@ -77,12 +97,6 @@ double WedgeIntegrals::inside_share(const Vec3 &p) const {
   if (!mesh_.closed() || deep <= clear) return 1.0;
   const double share = std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, triangle_).distance / deep - 1.0 + 1e-9));
   return deep >= 2.0 * clear ? share : 1.0 - (deep / clear - 1.0) * (1.0 - share);
-}
-
-Wrench WedgeIntegrals::wrench() const {
-  const double part = 0.5 * factor_ / first_.integral, mean = third_.integral / first_.integral;
-  return {-part * (third_.gradient.force - mean * first_.gradient.force),
-          -part * (third_.gradient.torque - mean * first_.gradient.torque)};
 }
 
 }  // namespace cmb::mesh

@@ -1,9 +1,10 @@
-// What the overlaps behind a mesh's triangles store together, as an elastic solid.
+// What the overlap with the wedge behind each triangle of a mesh stores, as an elastic solid.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "mesh/core/triangle_mesh.hpp"
 #include "mesh/elastic/direction_patches.hpp"
@@ -21,47 +22,49 @@ struct Wrench {
   }
 };
 
-// With the depth s below the triangle in whose wedge a place lies, the overlap O of body and mesh stores
-//
-//   E = factor 3/2 (mean of s^2 over O) = factor I3 / (2 I1),   Ik = integral over O of k s^(k-1):
-//
-// by factor 1 a face pressed in flat d^2/2, whatever its area. Wedges are regions of the mesh's frame, so only the body's surface moves
-// their contents: the gradient of Ik is the integral of k s^(k-1) times the normal over the body's surface in the wedges, exact
-// for any wedges. Where wedges share their sides s is continuous, and the force with it.
+// Integrals over the overlap with the wedge behind triangle t, s being the depth below it: Ik = integral of k s^(k-1). Wedges are regions of
+// the mesh's frame, so only the body's surface moves their contents: the gradient of Ik is the integral of k s^(k-1) times the normal over
+// the body's surface in the wedge.
 //
 // Everything in the mesh's frame. Borrows the mesh.
 class WedgeIntegrals {
  public:
-  // `radius`: of a ball that holds the body.
-  WedgeIntegrals(const TriangleMesh &mesh, double radius, double factor) : mesh_(mesh), radius_(radius), factor_(factor) {}
+  // I1 or I3 and its gradient by the body's pose; torques about the origin of places.
+  struct Integral {
+    double integral = 0.0;
+    Wrench gradient;
+  };
+  // What is behind one flat face, or a triangle by itself.
+  struct Part {
+    std::uint32_t face;
+    Integral first, third;
+    DirectionPatches patches;  // that face it, as far as they carry
+    double load = 0.0, carrying_area = 0.0, area = 0.0;  // of these; of all of them
+    Wrench push;                                         // depth by area along the normals; torque about the origin
+  };
 
-  // Whether the mesh's front pushes surface that faces it.
-  bool touches() const { return deepest_ > 0.0 && patches_.area() > 0.0 && first_.integral > 0.0; }
+  // `radius`: of a ball that holds the body. `factor`: of the energy (WedgeEnergy). Of overlaps as thin as `hardly_known`, by the radius, the
+  // gradient is rounding; 0 where that is known of all. `parts`: room, which is overwritten.
+  WedgeIntegrals(const TriangleMesh &mesh, double radius, double factor, double hardly_known, std::vector<Part> &parts)
+      : mesh_(mesh), radius_(radius), factor_(factor), hardly_known_(hardly_known), parts_(parts) {
+    parts_.clear();
+  }
 
-  double energy() const { return 0.5 * factor_ * third_.integral / first_.integral; }
-  // About how deep the body's surface lies in the mesh's: of a flat face, exactly.
-  double surface_depth() const { return std::sqrt(third_.integral / (factor_ * first_.integral)); }
-  // The same, between its deepest place and its mean: of a corner the first, which what passes through a body is compared with, is much more.
-  double carrying_depth() const { return std::sqrt(deepest_ * surface_depth()); }
-  // On the body; torque about the patches' origin.
-  Wrench wrench() const;
+  const std::vector<Part> &parts() const { return parts_; }
+  const TriangleMesh &mesh() const { return mesh_; }
+  // What places are relative to: near the overlaps.
+  const Vec3 &origin() const { return origin_; }
+  // The greatest part of a patch that carries.
+  double most_carried() const { return most_carried_; }
   double radius() const { return radius_; }
-  // From 0, where what is so thin that its gradient is rounding, to 1.
-  double known_part() const { return known_part_; }
-  // The patches that face the triangles, by depth and area.
-  const DirectionPatches &patches() const { return patches_; }
+  double factor() const { return factor_; }
+  double hardly_known() const { return hardly_known_; }
 
   double deepest() const { return deepest_; }
   const Vec3 &deepest_place() const { return deepest_place_; }
   const Vec3 &deepest_normal() const { return deepest_normal_; }
 
  protected:
-  // I1 or I3 and its gradient by the body's pose; torques about the patches' origin.
-  struct Integral {
-    double integral = 0.0;
-    Wrench gradient;
-  };
-
   // What follows is of triangle t.
   void look_at(std::uint32_t t);
   // Whether the body's ball, about `center`, lies before it or beyond a side of its wedge.
@@ -90,10 +93,10 @@ class WedgeIntegrals {
   // both wedges' the same way.
   double aside() const { return 1e-11 * radius_; }
   double moved_offset(const WedgePlane &plane) const { return plane.offset + (plane.strict ? aside() : -aside()); }
-  // Before its parts are added. `place`: near its overlap.
+  // Before what follows is called. `place`: near its overlap.
   void begin(const Vec3 &place);
-  // What faces the triangle at hand, places relative to the patches' origin; about its `middle` it is asked whether the triangle is the
-  // nearest part of the mesh.
+  Part &part() { return parts_[at_hand_]; }
+  // What faces the triangle at hand; about its `middle` it is asked whether the triangle is the nearest part of the mesh.
   void add_patch(const PatchSums &patch, const Vec3 &middle);
   // Of a plane polygon.
   struct PolygonSums {
@@ -105,8 +108,6 @@ class WedgeIntegrals {
   // A place of the body's surface that faces the triangle at hand.
   void offer_deepest(double depth, const Vec3 &place);
 
-  void set_known_part(double part) { known_part_ = part; }
-  const TriangleMesh &mesh() const { return mesh_; }
   std::uint32_t triangle() const { return triangle_; }
   // Its normal.
   const Vec3 &face_normal() const { return normal_; }
@@ -118,17 +119,15 @@ class WedgeIntegrals {
     return deep > 0.0 ? deep : 0.0;
   }
 
-  Integral first_, third_;
-
  private:
   double inside_share(const Vec3 &p) const;
 
   const TriangleMesh &mesh_;
-  double radius_, factor_;
-  DirectionPatches patches_;
-  double known_part_ = 1.0;
-  bool begun_ = false;
-  double deepest_ = 0.0;
+  double radius_, factor_, hardly_known_;
+  std::vector<Part> &parts_;
+  std::size_t at_hand_ = 0;
+  Vec3 origin_;
+  double most_carried_ = 0.0, deepest_ = 0.0;
   Vec3 deepest_place_, deepest_normal_;
   // Of the triangle at hand:
   std::uint32_t triangle_ = 0;

@@ -135,7 +135,7 @@ void WedgeOverlap::add(std::uint32_t t) {
   apex_ = place + depth(place) * face_normal();
   begin(place);
   for (const OverlapScratch::Piece &piece : scratch_.pieces) integrate(piece);
-  add_patch(patch_, patch_.load > 0.0 ? patches().origin() + (1.0 / patch_.load) * patch_.moment : center_);
+  add_patch(patch_, patch_.load > 0.0 ? origin() + (1.0 / patch_.load) * patch_.moment : center_);
 }
 
 // Cuts all pieces; where the plane is capped, adds the cap as triangles from that corner of it which is least deep. Where the
@@ -187,8 +187,8 @@ void WedgeOverlap::integrate(const OverlapScratch::Piece &piece) {
   const Vec3 *const polygon = scratch_.points.data() + piece.first;
   const PolygonSums sums = piece.of_body ? add_surface(polygon, piece.count, piece.normal, patch_) : sums_of(polygon, piece.count, piece.normal);
   const double height = dot(piece.normal, polygon[0] - apex_);
-  first_.integral += height * sums.area / 3.0;
-  third_.integral += 0.6 * height * sums.squares;
+  part().first.integral += height * sums.area / 3.0;
+  part().third.integral += 0.6 * height * sums.squares;
 }
 
 }  // namespace cmb::mesh

@@ -31,6 +31,7 @@ struct OverlapScratch {
   std::vector<Piece> pieces;
   std::vector<Vec3> points, kept;
   std::vector<Edge> edges;  // of a cap
+  std::vector<WedgeIntegrals::Part> parts;
 };
 
 // Volumes are sums of cones from a point in the triangle's plane, over the body's faces and over the caps that the wedge's sides
@@ -42,7 +43,7 @@ class WedgeOverlap : public WedgeIntegrals {
   // `vertices`, `normals`: the body's at `place`. `center`: of its box; `radius`: of a ball about it that holds the body.
   WedgeOverlap(const convex::Polytope &body, const Pose &place, const std::vector<Vec3> &vertices, const std::vector<Vec3> &normals,
                const TriangleMesh &mesh, const Vec3 &center, double radius, OverlapScratch &scratch)
-      : WedgeIntegrals(mesh, radius, 1.0), body_(body), place_(place), vertices_(vertices), normals_(normals), center_(center), scratch_(scratch) {}
+      : WedgeIntegrals(mesh, radius, 1.0, 0.0, scratch.parts), body_(body), place_(place), vertices_(vertices), normals_(normals), center_(center), scratch_(scratch) {}
 
   // What lies behind triangle t.
   void add(std::uint32_t t);

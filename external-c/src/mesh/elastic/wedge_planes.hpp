@@ -21,7 +21,7 @@ inline bool coincide(const WedgePlane &p, const WedgePlane &q, double size) {
   return norm2(p.normal - q.normal) < tolerance * tolerance && std::fabs(p.offset - q.offset) < tolerance * size;
 }
 
-// Visits all but the triangle's own: the wedge's sides, where nothing counts any deeper, and the roof of its flat face; those that may cut
+// Visits all but the triangle's own: the wedge's sides, where nothing counts any deeper, the roof of its flat face and what parts it from other sides of the mesh; those that may cut
 // what is less than `deepest` below the triangle. Stops, and returns false, where visit(plane) does.
 template <typename Visit>
 bool visit_wedge_planes(const TriangleMesh &mesh, std::uint32_t t, double deepest, Visit &&visit) {
@@ -37,6 +37,10 @@ bool visit_wedge_planes(const TriangleMesh &mesh, std::uint32_t t, double deepes
     const RoofPlane &plane = mesh.faces().plane(*k);
     const double scale = 1.0 / norm(plane.normal);
     if (!visit(WedgePlane{scale * plane.normal, scale * plane.offset, plane.beyond < mesh.faces().face_of(t)})) return false;
+  }
+  const WedgeCuts::Planes cuts = mesh.wedge_cuts(t);
+  for (const WedgeCuts::Plane *cut = cuts.begin; cut != cuts.end; ++cut) {
+    if (deepest > cut->clear_depth && !visit(WedgePlane{cut->normal, cut->offset, cut->beyond < mesh.faces().face_of(t)})) return false;
   }
   return true;
 }
