@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import subprocess
 import zipfile
@@ -12,7 +13,8 @@ import fmpy
 import pytest
 from contact_foundation.cache import user_cache
 
-# What takes longest, by processor time, comes first, so that no process is left alone with it at last (scripts/test).
+# What takes longest comes first, so that no process is left alone with it at last (scripts/test); browsers apart from
+# each other.
 LONGEST_FIRST = (
     # of the full tier
     "command/tests/regression_cases/test_loose_tolerances.py",
@@ -21,28 +23,44 @@ LONGEST_FIRST = (
     "generator/tests/cad2modelica/kinematics/test_every_loop.py",
     "command/tests/generation/test_anton.py",
     # of both
+    "generator/tests/modelica2fmu/test_fast_bodies.py",
+    "viewer/tests/test_viewer_in_browser.py",
     "command/tests/regression_cases/test_known_answers.py",
-    "generator/tests/cad2modelica/test_generation.py",
-    "library-tests/text/test_flatten.py",
     "command/tests/generation/test_hammer.py",
-    "generator/tests/modelica2fmu/test_models_of_parts.py",
     "generator/tests/modelica2fmu/frontend/test_connections.py",
+    "generator/tests/modelica2fmu/test_models_of_parts.py",
+    "generator/tests/cad2modelica/test_generation.py",
+    "teleoperation/tests/depth/test_page_in_browser.py",
+    "command/tests/fmus/test_hand_written_scene.py",
     "generator/tests/modelica2fmu/frontend/test_evaluated_references.py",
+    "generator/tests/modelica2fmu/test_simulated_models.py",
+    "generator/tests/fmi_runtime/test_sanitizers.py",
+    "command/tests/regression_cases/test_any_size.py",
     "Resources/tests/test_core_motion.py",
+    "regression/tests/report/test_report_in_browser.py",
     "library-tests/simulation/test_laws.py",
-    "generator/tests/modelica2fmu/expand/test_geometry_files.py",
-    "generator/tests/fmi_runtime/test_built_fmus.py",
+    "library-tests/text/test_flatten.py",
     "generator/tests/cad2modelica/kinematics/test_joints_and_loops.py",
+    "generator/tests/fmi_runtime/test_built_fmus.py",
+    "generator/tests/modelica2fmu/expand/test_geometry_files.py",
+    "teleoperation/tests/drive/test_drive_in_browser.py",
+    "generator/tests/modelica2fmu/frontend/test_remedies.py",
+    "generator/tests/modelica2fmu/crosscheck/test_modifiers.py",
+    "regression/tests/accuracy_study/test_study_runs.py",
+    "command/tests/studies/test_study_command.py",
+    "generator/tests/fmi_runtime/test_packaging.py",
     "generator/tests/modelica2fmu/codegen/test_jacobian.py",
+    "generator/tests/cad2modelica/mjcf/test_mjcf.py",
+    "generator/tests/modelica2fmu/frontend/test_concatenation.py",
+    "generator/tests/modelica2fmu/expand/test_bounds.py",
     "command/tests/regression_cases/test_library_cases.py",
     "generator/tests/modelica2fmu/crosscheck/test_redeclarations.py",
     "generator/tests/cad2modelica/kinematics/test_loops.py",
     "generator/tests/cad2modelica/collision/test_decomposition.py",
+    "command/tests/test_release.py",
     "command/tests/fmus/test_fmi_versions.py",
-    "generator/tests/fmi_runtime/test_sanitizers.py",
     "generator/tests/cad2modelica/kinematics/test_overconstrained_loops.py",
     "Resources/tests/test_core_drives.py",
-    "regression/tests/accuracy_study/test_study_runs.py",
 )
 
 
@@ -50,6 +68,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Puts the longest files first; the rest stays in its order."""
     place = {name: number for number, name in enumerate(LONGEST_FIRST)}
     items.sort(key=lambda item: place.get(item.nodeid.split("::")[0], len(place)))
+
+
+def pytest_collection_finish() -> None:
+    """Takes what was collected, thousands of tests that all stay, out of the work of the garbage collector."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")

@@ -75,7 +75,20 @@ def draw(solids: Sequence[Solid], up: Array, around: Sequence[Solid] = ()) -> by
     corners[..., 1] = size[1] - corners[..., 1]
     color = np.repeat([solid.color for solid in solids], [len(item) for item in seen], axis=0)
     color, corners = _coarsened(color, corners)
-    return _png(_averaged(_painted(corners, color, int(size[0]), int(size[1]))))
+    image = np.full((HEIGHT, WIDTH, 3), float(BACKGROUND))
+    columns, rows = _extent(corners[..., 0], WIDTH), _extent(corners[..., 1], HEIGHT)
+    corners = corners - [columns.start * FINER, rows.start * FINER, 0]  # whole numbers: no bit of a difference is lost
+    width, height = ((places.stop - places.start) * FINER for places in (columns, rows))
+    image[rows, columns] = _averaged(_painted(corners, color, width, height))
+    return _png(image)
+
+
+def _extent(coordinates: Array, count: int) -> slice:
+    """Which of a picture's rows or columns are painted: those of the solids and one more on either side."""
+    if not coordinates.size:
+        return slice(0, 1)
+    first, last = (int(np.clip(value // FINER, 0, count - 1)) for value in (coordinates.min(), coordinates.max()))
+    return slice(max(first - 1, 0), min(last + 2, count))
 
 
 def _coarsened(color: Array, corners: Array) -> tuple[Array, Array]:
@@ -167,7 +180,8 @@ def _edges(normal: Array, owner: Numbers, depth: Array) -> Mask:
 
 
 def _averaged(image: Array) -> Array:
-    return np.asarray(image.reshape(HEIGHT, FINER, WIDTH, FINER, 3).mean(axis=(1, 3)))
+    height, width = image.shape[:2]
+    return np.asarray(image.reshape(height // FINER, FINER, width // FINER, FINER, 3).mean(axis=(1, 3)))
 
 
 def _png(image: Array) -> bytes:

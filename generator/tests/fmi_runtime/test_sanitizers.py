@@ -34,7 +34,7 @@ def build(tmp_path_factory: pytest.TempPathFactory) -> Builder:
     objects: dict[str, list[Path]] = {}
     sundials = find_sundials()
     includes = [f"-I{path}" for path in (*runtime_folders(), models.FIXTURES, find_fmi_headers(), sundials.include)]
-    common = ["gcc", "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O1", "-g", "-fno-sanitize-recover=all", *includes]
+    common = ["gcc", "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O0", "-g1", "-fno-sanitize-recover=all", *includes]
 
     def run(*command: str | Path, folder: Path) -> None:
         subprocess.run([str(part) for part in command], check=True, cwd=folder)
