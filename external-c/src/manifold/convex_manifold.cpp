@@ -10,12 +10,11 @@ namespace cmb {
 
 namespace {
 
-// Two cones' mantles, and that of a needle with any other, may cross in more curves than are followed.
-bool mantles_cross_simply(const Shape &a, const Shape &b) {
-  constexpr double needle = 0.1;
-  const bool cone_a = a.kind == ShapeKind::cone, cone_b = b.kind == ShapeKind::cone;
-  const auto is_needle = [](const Shape &cone) { return cone.body.half.x < needle * 2.0 * cone.body.half.z; };
-  return !(cone_a && cone_b) && !(cone_a && is_needle(a)) && !(cone_b && is_needle(b));
+// Borders of two blunt cones cut slivers out of each other that are next to rounding.
+bool both_are_blunt(const Shape &a, const Shape &b) {
+  constexpr double blunt = 3.7;  // the tangent of the half-angle, 75 degrees
+  const auto is_blunt = [](const Shape &shape) { return shape.kind == ShapeKind::cone && shape.body.half.x > blunt * 2.0 * shape.body.half.z; };
+  return is_blunt(a) && is_blunt(b);
 }
 
 // What a ball touches in one point alone: another ball, or any body with no second separating direction nearly as short.
@@ -42,6 +41,38 @@ bool is_of_depth(const std::vector<ContactPoint> &points, const SignedDistance &
   return along > 0.0 && load <= deepest;
 }
 
+bool is_more_than_rounding(const Shape &a, const Shape &b, const SignedDistance &answer, const ContactSet &result) {
+  constexpr double shallow = 1e-6;  // by the smaller body's radius
+  const double smaller = std::min(a.bound_radius, b.bound_radius);
+  return !(-answer.distance < shallow * smaller) || is_of_depth(result.points, answer, result.witness, 4.0 * smaller);
+}
+
+double stored(const std::vector<ContactPoint> &points, std::size_t begin) {
+  double energy = 0.0;
+  for (std::size_t k = begin; k < points.size(); ++k) energy += 0.5 * points[k].weight * points[k].depth * points[k].depth;
+  return energy;
+}
+
+void scale_weights(double part, std::vector<ContactPoint> &points, std::size_t begin, std::size_t end) {
+  for (std::size_t k = begin; k < end; ++k) points[k].weight *= part;
+}
+
+// Of two cylinders or cones. What rounding leaves of their load's way is that of contact directions, as much as stores the energy.
+void revolved_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
+                      convex::DistanceScratch &distance, ManifoldScratch &scratch, ContactSet &result) {
+  std::vector<ContactPoint> &points = result.points;
+  PairLoad load = revolved_pair_contact(a, pose_a, b, pose_b, answer.point_a, answer.point_b, scratch.revolved, points);
+  if (load.known > 0.0 && !is_more_than_rounding(a, b, answer, result)) load.known = 0.0;
+  if (load.known == 1.0) return;
+  if (load.known == 0.0) points.clear();
+  const std::size_t found = points.size();
+  scale_weights(load.known, points, 0, found);
+  curved_contact(a, pose_a, b, pose_b, answer, distance, scratch.curved, points);
+  const double would_store = stored(points, found);
+  const double part = load.energy > 0.0 && load.energy < would_store ? load.energy / would_store : 1.0;
+  scale_weights((1.0 - load.known) * part, points, found, points.size());
+}
+
 }  // namespace
 
 void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const SignedDistance &answer,
@@ -61,13 +92,6 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   }
   const bool revolved_a = is_revolved(a), revolved_b = is_revolved(b);
   bool touches = false;
-  const auto leave_out_rounding = [&] {
-    constexpr double shallow = 1e-6;  // by the smaller body's radius
-    const double smaller = std::min(a.bound_radius, b.bound_radius);
-    if (!touches || !(-answer.distance < shallow * smaller)) return;
-    touches = is_of_depth(result.points, answer, result.witness, 4.0 * smaller);
-    if (!touches) result.points.clear();
-  };
   if (a.polytope && b.polytope) {
     touches = elastic_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.normal, result.witness, scratch.polytopes, result.points);
   } else if (revolved_a && b.polytope) {
@@ -75,13 +99,14 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   } else if (revolved_b && a.polytope) {
     touches = revolved_on_polytope_contact(b, pose_b, *a.polytope, pose_a, result.witness, -1.0, scratch.revolved, result.points);
   } else {
-    touches = revolved_a && revolved_b && mantles_cross_simply(a, b) &&
-              revolved_pair_contact(a, pose_a, b, pose_b, answer.point_a, answer.point_b, scratch.revolved, result.points);
-    leave_out_rounding();
-    if (!touches) curved_contact(a, pose_a, b, pose_b, answer, distance, scratch.curved, result.points);
+    if (revolved_a && revolved_b && !both_are_blunt(a, b)) {
+      revolved_contact(a, pose_a, b, pose_b, answer, distance, scratch, result);
+    } else {
+      curved_contact(a, pose_a, b, pose_b, answer, distance, scratch.curved, result.points);
+    }
     return;
   }
-  leave_out_rounding();
+  if (touches && !is_more_than_rounding(a, b, answer, result)) touches = false, result.points.clear();
   // Else an overlap by rounding, or a library's.
   if (!touches) result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
 }

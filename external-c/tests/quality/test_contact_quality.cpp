@@ -59,7 +59,9 @@ INSTANTIATE_TEST_SUITE_P(Polytopes, WithoutJumps,
 INSTANTIATE_TEST_SUITE_P(Cones, WithoutJumps,
                          testing::Values(Pair{"flat-cone", "box"}, Pair{"flat-cone", "capsule"}, Pair{"flat-cone", "hull-20"},
                                          Pair{"flat-cone", "cylinder"}, Pair{"flat-cone", "flat-cone"},
-                                         Pair{"slender-cone", "box"}));
+                                         Pair{"slender-cone", "box"}, Pair{"cone", "cone"}, Pair{"cone", "flat-cone"},
+                                         Pair{"cone", "slender-cone"}, Pair{"cylinder", "slender-cone"},
+                                         Pair{"flat-cone", "slender-cone"}, Pair{"slender-cone", "slender-cone"}));
 
 INSTANTIATE_TEST_SUITE_P(OnMeshes, WithoutJumps,
                          testing::Values(Pair{"capsule", "box-mesh"}, Pair{"capsule", "divided-box-mesh"},
@@ -152,6 +154,10 @@ INSTANTIATE_TEST_SUITE_P(RoundOnMeshes, ElasticBodies,
 INSTANTIATE_TEST_SUITE_P(MeshesWithEachOther, ElasticBodies,
                          testing::Values(Pair{"angle-mesh", "angle-mesh"}, Pair{"angle-mesh", "torus-mesh"}, Pair{"angle-mesh", "heightfield"},
                                          Pair{"torus-mesh", "heightfield"}, Pair{"sphere-mesh", "angle-mesh"}));
+
+INSTANTIATE_TEST_SUITE_P(Revolved, ElasticBodies,
+                         testing::Values(Pair{"cylinder", "cylinder"}, Pair{"cylinder", "cone"}, Pair{"cone", "cone"},
+                                         Pair{"cylinder", "slender-cone"}, Pair{"cone", "slender-cone"}, Pair{"cone", "flat-cone"}));
 
 INSTANTIATE_TEST_SUITE_P(AllPolytopes, ElasticBodies,
                          testing::Values(Pair{"box", "box"}, Pair{"box", "prism"}, Pair{"prism", "prism"}, Pair{"box", "hull-20"},

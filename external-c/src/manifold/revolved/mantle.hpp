@@ -11,6 +11,11 @@ namespace cmb {
 
 using convex::Pose;
 
+struct BorderPlace {
+  Vec3 outward;
+  double height, turn;
+};
+
 // A border's place counts by the angle that it turns through about the axis times what is between a height and its own: so the parts of
 // a border come in whatever order, and may go round the axis.
 class Mantle {
@@ -19,29 +24,34 @@ class Mantle {
   // third degree, those of what is stored in another mantle of the fifth; along a cone one more.
   enum class Partner { polytope, revolved };
   // `in_common`: from the body's frame to the axes of the nodes, `place` (there) where their places are from. `to_apex`: whether a cone's
-  // apex is in the other body, or its border turns there. Heights then count from there; else from the place.
+  // apex is in the other body, or its border turns there. Heights then count from there; else from the border's mean one, so that no more is
+  // added than has to be. `border`: room to work in.
   Mantle(const RevolvedBody &body, const Pose &in_common, const Vec3 &place, bool to_apex, Partner partner,
-         std::vector<OverlapSurface::Node> &nodes);
+         std::vector<BorderPlace> &border, std::vector<OverlapSurface::Node> &nodes);
 
   const RevolvedBody &body() const { return *body_; }
   const Pose &in_common() const { return in_common_; }
-  // A border's place at `height`, to which `outward` (unit) points from the axis; it turns by `turn`, counter-clockwise about the plane
-  // side that borders there, clockwise about the mantle.
-  void add_border_node(const Vec3 &outward, double height, double turn);
-  // The same for a place and its way in the nodes' axes.
-  void add_border_node(const Vec3 &at, const Vec3 &step);
+  // A border's place at `height`, to which `outward` (unit, in the body's frame) points from the axis; it turns by `turn`, counter-clockwise
+  // about the plane side that borders there, clockwise about the mantle.
+  void add_border_place(const Vec3 &outward, double height, double turn);
+  std::vector<BorderPlace> &border() { return *border_; }
+  bool counts_from_apex() const { return to_apex_; }
+  // Adds the nodes, once the border is whole.
+  void integrate();
+  // What a border's place at this height adds by its turn, as much as counts; from `begin` on where it is the first one.
+  double width_at(double height, double begin) const {
+    const double from = to_apex_ ? body_->half : border_->empty() ? begin : border_->front().height;
+    return (height - from) * 0.5 * (body_->radius_at(height) + body_->radius_at(from));
+  }
 
  private:
-  // `outward` in the nodes' axes.
-  void add_nodes(const Vec3 &outward, double height, double turn);
-
   const RevolvedBody *body_;
   Pose in_common_;
+  std::vector<BorderPlace> *border_;
   std::vector<OverlapSurface::Node> *nodes_;
   Vec3 axis_, from_place_;  // in the nodes' axes; to the body's origin
-  double from_ = 0.0;  // the height that is counted from
-  const double *part_, *weight_;  // of the rule from there to the border
-  std::size_t parts_;
+  bool to_apex_;
+  Partner partner_;
 };
 
 }  // namespace cmb

@@ -10,239 +10,279 @@ namespace cmb {
 
 namespace {
 
-constexpr int most_steps = 1000;
-constexpr double straight = 0.85;  // the cosine of how much the curve may turn in a step, itself and about the axes
+constexpr std::size_t node_count = 8;
 
-// By a step's length: how far a cubic may be from it. Of cones the curve may nearly meet itself.
-constexpr double bent_of_cylinders = 2e-3, bent_of_cones = 2e-4;
+// Between -pi and pi.
+double wrapped(double angle) { return angle - 2.0 * pi * std::round(angle / (2.0 * pi)); }
+
+double within(double height, const RevolvedBody &body) { return std::clamp(height, -body.half, body.half); }
+
+// sin(x) / x
+double sine_ratio(double x) { return std::fabs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
+
+// What turns values at a Gauss rule's places to the last two coefficients of the series of Legendre's polynomials through them.
+template <std::size_t n>
+struct LegendreTail {
+  double last[n], next[n];
+  LegendreTail() {
+    const overlap::GaussRule<static_cast<int>(n)> rule;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double x = 2.0 * rule.node[k] - 1.0;
+      double before = 1.0, value = x;
+      for (std::size_t j = 2; j < n; ++j) {
+        const double degree = static_cast<double>(j), after = ((2.0 * degree - 1.0) * x * value - (degree - 1.0) * before) / degree;
+        before = value, value = after;
+      }
+      last[k] = (2.0 * static_cast<double>(n) - 1.0) * rule.weight[k] * value;
+      next[k] = (2.0 * static_cast<double>(n) - 3.0) * rule.weight[k] * before;
+    }
+  }
+};
+const LegendreTail<node_count> legendre_tail;
 
 }  // namespace
 
-MantleCrossing::Side::Side(Mantle &m)
-    : mantle(&m),
-      axis(m.in_common().rotation.column(2)),
-      center(m.in_common().translation),
-      slope(m.body().slope),
-      radius(m.body().radius_at(0.0)),
-      half(m.body().half) {}
-
-double MantleCrossing::Side::beyond(const Vec3 &p) const {
-  const Vec3 way = p - center;
-  const double z = dot(axis, way), r = radius + slope * z;
-  return norm2(way - z * axis) - r * r;
+MantleCrossing::MantleCrossing(Mantle &ruled, Mantle &other, const Pose &in_other, Cuts &cuts)
+    : ruled_(ruled), other_(other), in_other_(in_other), rulings_(ruled.body(), other.body(), in_other),
+      size_(ruled.body().radius + ruled.body().half + other.body().radius + other.body().half) {
+  for (int k = 0; k < 2; ++k) {
+    cuts.on[k].clear();
+    strand_[k].cuts = &cuts.on[k];
+  }
+  find_strands();
 }
 
-Vec3 MantleCrossing::Side::gradient(const Vec3 &p) const {
-  const Vec3 way = p - center;
-  const double z = dot(axis, way), r = radius + slope * z;
-  return 2.0 * (way - (z + slope * r) * axis);
+double MantleCrossing::Strand::steepness(double angle, double above, double below) const {
+  const double rest = 0.5 * factor.at(std::cos(angle), std::sin(angle)) * sine_ratio(0.5 * above) * sine_ratio(0.5 * below);
+  return std::sqrt(std::max(rest, 1e-300));
 }
 
-double MantleCrossing::Side::turn(const Vec3 &p, const Vec3 &q) const {
-  const auto outward = [&](const Vec3 &place) {
-    const Vec3 way = place - center;
-    return normalized(way - dot(axis, way) * axis);
+void MantleCrossing::find_strands() {
+  constexpr double middle = 0.3;  // of a half circle, so that its ends are no roots of symmetric poses
+  constexpr int most = 8;
+  const TrigonometricPolynomial &discriminant = rulings_.discriminant();
+  double root[most];
+  int count = 0;
+  for (const double ahead : {middle, middle + pi}) {
+    const int more = discriminant.from(ahead).sign_changes_ahead(root + count);
+    for (int k = count; k < count + more; ++k) root[k] += ahead;
+    count += more;
+  }
+  // Between roots; in one place it may touch zero.
+  const auto is_positive = [&](double from, double to) {
+    double sum = 0.0;
+    for (const double part : {0.3, 0.5, 0.7}) sum += rulings_.discriminant_on(rulings_.ruling(from + part * (to - from)));
+    return sum > 0.0;
   };
-  return dot(outward(p), outward(q));
-}
-
-double MantleCrossing::Side::way_out(const Vec3 &p, const Vec3 &ray, bool &through_mantle) const {
-  const Pose &pose = mantle->in_common();
-  return mantle->body().way_out(transposed_times(pose.rotation, p - pose.translation), transposed_times(pose.rotation, ray), through_mantle);
-}
-
-MantleCrossing::MantleCrossing(Mantle &a, Mantle &b, std::vector<Piece> &followed)
-    : a_(a),
-      b_(b),
-      size_(a.body().radius + a.body().half + b.body().radius + b.body().half),
-      bent_(a.body().is_cylinder() && b.body().is_cylinder() ? bent_of_cylinders : bent_of_cones),
-      followed_(followed) {
-  followed_.clear();
-}
-
-// Counter-clockwise about A's mantle, clockwise about B's.
-Vec3 MantleCrossing::tangent(const Vec3 &p) const { return normalized(cross(a_.gradient(p), b_.gradient(p))); }
-
-// Moves the place within the plane of this normal onto both mantles.
-bool MantleCrossing::correct(const Vec3 &normal, Vec3 &p) const {
-  double last = HUGE_VAL;
-  for (int round = 0; round < 12; ++round) {
-    const double beyond_a = a_.beyond(p), beyond_b = b_.beyond(p);
-    const Vec3 of_a = a_.gradient(p), of_b = b_.gradient(p), across = cross(of_b, normal);
-    const double whole = dot(of_a, across);
-    if (whole == 0.0) return false;
-    const Vec3 move = (-1.0 / whole) * (beyond_a * across + beyond_b * cross(normal, of_a));
-    const double length = norm(move);
-    if (!(length < size_)) return false;
-    p = p + move;
-    // Moves fall by their squares, at last to rounding.
-    const double next = length * (length / last) * (length / last);
-    if (length <= 1e-15 * size_ || (length <= 1e-9 * size_ && (length >= 0.5 * last || next <= 1e-17 * size_))) return true;
-    last = length;
+  if (count == 0) {
+    if (!is_positive(0.0, 2.0 * pi)) return;
+    strand_[0].sense = 1.0, strand_[1].sense = -1.0, strands_ = 2;
+    return;
   }
-  return false;
-}
-
-bool MantleCrossing::step(const Vec3 &from, const Vec3 &way, double &length, Vec3 &to, Vec3 &way_there, double sense) const {
-  for (; length > 1e-13 * size_; length *= 0.5) {
-    to = from + length * way;
-    const Vec3 ahead = to;
-    if (!correct(way, to) || !(norm(to - ahead) < 0.4 * length)) continue;
-    way_there = sense * tangent(to);
-    if (!(dot(way, way_there) > straight) || !(a_.turn(from, to) > straight) || !(b_.turn(from, to) > straight)) continue;
-    const Piece piece(from, way, to, way_there);
-    const Vec3 guess = piece.at(0.5);
-    Vec3 middle = guess;
-    if (piece.ahead && correct(piece.along, middle) && norm(middle - guess) < bent_ * piece.length) return true;
+  // Between which of them it is positive; what rounding has change its sign for nothing is no end.
+  bool positive[most];
+  for (int k = 0; k < count; ++k) positive[k] = is_positive(root[k], k + 1 < count ? root[k + 1] : root[0] + 2.0 * pi);
+  int first = 0;
+  while (first < count && !(positive[first] && !positive[(first + count - 1) % count])) ++first;
+  if (first == count) {
+    if (!positive[0]) return;
+    strand_[0].sense = 1.0, strand_[1].sense = -1.0, strands_ = 2;
+    return;
   }
-  return false;
-}
-
-MantleCrossing::Piece::Piece(const Vec3 &begin, const Vec3 &way, const Vec3 &end, const Vec3 &way_there)
-    : from(begin), chord(end - begin), along(normalized(chord)), length(norm(chord)) {
-  const double here = dot(way, along), there = dot(way_there, along);
-  ahead = here > 0.1 && there > 0.1;
-  lean = (1.0 / here) * way - along, lean_there = (1.0 / there) * way_there - along;
-}
-
-Vec3 MantleCrossing::Piece::at(double part) const {
-  const double rest = 1.0 - part;
-  return from + part * chord + (length * part * rest) * (rest * lean - part * lean_there);
-}
-
-// `part`: where along the piece.
-bool MantleCrossing::is_on(const Piece &piece, const Vec3 &place, double &part) const {
-  part = dot(place - piece.from, piece.along) / piece.length;
-  if (!(part >= -1e-9) || !(part <= 1.0 + 1e-9)) return false;
-  Vec3 at = piece.at(part);
-  if (!(norm(at - place) < 0.1 * piece.length + 1e-9 * size_) || !correct(piece.along, at)) return false;
-  return norm(at - place) < 1e-7 * size_;
-}
-
-// The first corner on the way; corners.size() for none.
-std::size_t MantleCrossing::corner_on(const Piece &piece, const std::vector<Corner> &corners) const {
-  std::size_t first = corners.size();
-  double nearest = HUGE_VAL, part = 0.0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    if (is_on(piece, corners[k].at, part) && part < nearest) first = k, nearest = part;
+  for (int k = 0; k < count && strands_ < 2; ++k) {
+    const int begin = (first + k) % count;
+    if (!positive[begin] || positive[(begin + count - 1) % count]) continue;
+    int end = begin;
+    while (positive[end]) end = (end + 1) % count;
+    const double from = root[begin], to = root[end] + (root[end] > from ? 0.0 : 2.0 * pi);
+    Strand &strand = strand_[strands_++];
+    strand.middle = 0.5 * (from + to), strand.half = 0.5 * (to - from);
+    const TrigonometricPolynomial whole = discriminant.from(strand.middle);
+    strand.factor.cosine = 2.0 * whole.cosine2, strand.factor.sine = 2.0 * whole.sine2;
+    strand.factor.constant = whole.cosine + std::cos(strand.half) * strand.factor.cosine;
   }
-  return first;
 }
 
-// Whichever way it was followed, a piece counts along the tangent.
-bool MantleCrossing::add_piece(const Piece &piece) {
-  if (!(piece.length > 1e-14 * size_)) return true;
-  if (!piece.ahead) return piece.length < 1e-9 * size_;
-  const overlap::GaussNodes rule =
-      bent_ == bent_of_cylinders ? overlap::GaussNodes(overlap::gauss_rule<7>) : overlap::GaussNodes(overlap::gauss_rule<8>);
-  for (std::size_t k = 0; k < rule.count; ++k) {
-    Vec3 at = piece.at(rule.node[k]);
-    if (!correct(piece.along, at)) return false;
-    const Vec3 direction = tangent(at);
-    const Vec3 step = (piece.length * rule.weight[k] / std::fabs(dot(direction, piece.along))) * direction;
-    a_.mantle->add_border_node(at, -step);
-    b_.mantle->add_border_node(at, step);
+bool MantleCrossing::find_place(const Strand &strand, double parameter, Place &place) const {
+  double angle = strand.sense * parameter, growth = 0.0, speed = 0.0;  // the turn by the growth
+  place.turn = strand.sense;
+  if (strand.is_oval()) {
+    const double s = std::sin(parameter), c = std::cos(parameter);
+    const double above = s > 0.0 ? 1.0 + s : c * c / (1.0 - s), below = s > 0.0 ? c * c / (1.0 + s) : 1.0 - s;
+    const double steepness = strand.steepness(strand.half * s, strand.half * above, strand.half * below);
+    angle = strand.middle + strand.half * s, growth = strand.half * c * steepness, speed = 1.0 / steepness;
+    place.turn = strand.half * c;
   }
-  followed_.push_back(piece);
+  const MantleRulings::Ruling ruling = rulings_.ruling(angle);
+  // Where it is no small difference, the discriminant is known best as one.
+  constexpr double clear = 1e4;
+  const double discriminant = rulings_.discriminant_on(ruling), rounding = rulings_.rounding_on(ruling);
+  if (!strand.is_oval() || discriminant > clear * rounding) {
+    const double root = std::sqrt(std::max({discriminant, rounding, 1e-300}));
+    growth = place.turn > 0.0 ? root : -root, speed = place.turn / growth;
+  }
+  const RevolvedBody &body = ruled_.body();
+  const double on_ruling = rulings_.place_on(ruling, growth), height = rulings_.height_at(on_ruling);
+  if (!std::isfinite(height) || !rulings_.is_on_this_side(on_ruling)) return false;
+  double rise = -0.5 * speed * rulings_.change(ruling, on_ruling) * rulings_.rise(on_ruling);
+  double c = ruling.cosine, s = ruling.sine;
+  place.height = height;
+  // Of flat cones terms are great that cancel: so onto the curve the shortest way, by what is known there.
+  const auto look = [&] {
+    const double radius = body.radius_at(place.height);
+    place.at = {radius * c, radius * s, place.height};
+    place.in_other = in_other_(place.at);
+  };
+  look();
+  const Vec3 &p = place.in_other;
+  const RevolvedBody &other = other_.body();
+  const double beyond = other.beyond_mantle(p);
+  const Vec3 slant = transposed_times(in_other_.rotation, Vec3{2.0 * p.x, 2.0 * p.y, -2.0 * other.slope * other.radius_at(p.z)});
+  const double by_turn = c * slant.y - s * slant.x, by_ruling = body.across * (body.slope * (c * slant.x + s * slant.y) + slant.z);
+  const double back = -beyond / (by_turn * by_turn + by_ruling * by_ruling);
+  const double turn = back * by_turn / body.radius_at(height), up = back * by_ruling * body.across;
+  if (std::fabs(turn) + std::fabs(up) / body.half < 1e-7) {
+    const double c_before = c;
+    c -= turn * s, s += turn * c_before, place.height += up;
+    look();
+  }
+  // So is the curve's direction, but where it is as good as along the ruling.
+  constexpr double along = 0.01;
+  const double around = body.radius_at(place.height) * place.turn;
+  if (std::fabs(by_ruling) > along * std::fabs(by_turn)) rise = -by_turn / by_ruling * around * body.across;
+  const double wider = body.slope * rise;
+  place.angle_cosine = c, place.angle_sine = s;
+  const Vec3 step = in_other_.rotation * Vec3{wider * c - around * s, wider * s + around * c, rise};
+  place.turn_in_other = (p.x * step.y - p.y * step.x) / (p.x * p.x + p.y * p.y);
   return true;
 }
 
-bool MantleCrossing::follow(const Corner &from, std::vector<Corner> &left) {
-  const double sense = dot(tangent(from.at), from.normal) < 0.0 ? 1.0 : -1.0;
-  Vec3 at = from.at, way = sense * tangent(from.at);
-  double length = 0.5 * std::min(a_.mantle->body().radius, b_.mantle->body().radius);
-  const double longest = 0.25 * size_;
-  for (int k = 0; k < most_steps; ++k) {
-    Vec3 to, way_there;
-    if (!step(at, way, length, to, way_there, sense)) return false;
-    const Piece piece(at, way, to, way_there);
-    const std::size_t corner = corner_on(piece, left);
-    if (corner < left.size()) {
-      const Vec3 end = left[corner].at;
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(corner));
-      return add_piece({at, way, end, sense * tangent(end)});
-    }
-    if (std::fabs(a_.height(to)) > a_.half || std::fabs(b_.height(to)) > b_.half || !add_piece(piece)) return false;
-    at = to, way = way_there;
-    length = std::min(longest, 2.0 * length);
+// Of an arc that passes no end; in one place it may touch one.
+bool MantleCrossing::is_between_ends(const Strand &strand, double from, double to) const {
+  int between = 0;
+  for (const double part : {0.3, 0.5, 0.7}) {
+    Place place;
+    const bool found = find_place(strand, from + part * (to - from), place);
+    between += found && std::fabs(place.height) <= ruled_.body().half && std::fabs(place.in_other.z) <= other_.body().half ? 1 : 0;
   }
-  return false;
+  return between >= 2;
 }
 
-bool MantleCrossing::follow_loop_from(const Vec3 &start) {
-  const Vec3 first_way = tangent(start);
-  Vec3 at = start, way = first_way;
-  double length = 0.5 * std::min(a_.mantle->body().radius, b_.mantle->body().radius);
-  const double longest = 0.25 * size_;
-  for (int k = 0; k < most_steps; ++k) {
-    Vec3 to, way_there;
-    if (!step(at, way, length, to, way_there, 1.0)) return false;
-    if (std::fabs(a_.height(to)) > a_.half || std::fabs(b_.height(to)) > b_.half) return false;
-    const Vec3 rest = start - at;
-    const double ahead = dot(rest, way);
-    if (k > 1 && ahead > 0.0 && ahead <= length && norm(rest) < 1.2 * ahead && dot(way, first_way) > 0.5) {
-      return add_piece({at, way, start, first_way});
-    }
-    if (!add_piece({at, way, to, way_there})) return false;
-    at = to, way = way_there;
-    length = std::min(longest, 1.5 * length);
+void MantleCrossing::add_corner(const Vec3 &at) {
+  if (strands_ == 0) return;
+  const double angle = std::atan2(at.y, at.x);
+  const double growth = rulings_.growth_at(rulings_.ruling(angle), rulings_.place_at(at.z));
+  const bool grows = growth > 0.0;
+  if (!strand_[0].is_oval()) {
+    const Strand &strand = strand_[grows ? 0 : 1];
+    strand.cuts->push_back({strand.sense * angle, at});
+    return;
   }
-  return false;
+  // Between ovals rounding may put it.
+  const auto off = [&](const Strand &strand) { return std::fabs(wrapped(angle - strand.middle)) - strand.half; };
+  const Strand &strand = strand_[strands_ == 2 && off(strand_[1]) < off(strand_[0]) ? 1 : 0];
+  const double ahead = std::clamp(wrapped(angle - strand.middle), -strand.half, strand.half), s = ahead / strand.half;
+  constexpr double turns = 0.9;  // nearer to an end the growth tells where
+  double parameter = grows ? std::asin(s) : pi - std::asin(s);
+  if (std::fabs(s) > turns) {
+    const double c = growth / (strand.half * strand.steepness(ahead, strand.half + ahead, strand.half - ahead));
+    parameter = std::fabs(c) < 1.0 ? std::atan2(std::copysign(std::sqrt(1.0 - c * c), s), c) : parameter;
+  }
+  strand.cuts->push_back({parameter, at});
 }
 
-bool MantleCrossing::follow_loop(const Vec3 &place) {
-  Vec3 at;
-  if (a_.holds(place) && b_.holds(place) && find_loop(place, at)) return follow_loop_from(at);
-  for (const Side *side : {&a_, &b_}) {
-    // The middle of the axis in the other body.
-    const Side &other = side == &a_ ? b_ : a_;
-    const Pose &pose = other.mantle->in_common();
-    double middle = 0.0;
-    const bool meets = other.mantle->body().middle_of(transposed_times(pose.rotation, side->center - pose.translation),
-                                                      transposed_times(pose.rotation, side->axis), middle);
-    const Vec3 inside = side->center + middle * side->axis;
-    if (meets && side->holds(inside) && find_loop(inside, at)) return follow_loop_from(at);
-  }
-  return false;
+void MantleCrossing::follow() {
+  for (int k = 0; k < strands_; ++k) follow_strand(strand_[k]);
 }
 
-bool MantleCrossing::find_loop(const Vec3 &inside, Vec3 &at) const {
-  const Vec3 poles[] = {normalized(normalized(a_.gradient(inside)) - normalized(b_.gradient(inside))), a_.axis, -a_.axis, b_.axis, -b_.axis};
-  for (const Vec3 &pole : poles) {
-    const Vec3 side = convex::any_perpendicular(pole), other = cross(pole, side);
-    for (const Vec3 &equator : {side, other, -side, -other}) {
-      double part = 0.0;
-      if (!find(inside, pole, equator, at)) continue;
-      if (std::none_of(followed_.begin(), followed_.end(), [&](const Piece &piece) { return is_on(piece, at, part); })) return true;
-    }
-  }
-  return false;
-}
-
-// Rays from the place leave one body through its mantle along the pole, the other one elsewhere; between these ways both at once.
-bool MantleCrossing::find(const Vec3 &inside, const Vec3 &pole, const Vec3 &equator, Vec3 &at) const {
-  // 1: through A's mantle; -1: through B's; 0: through an end.
-  const auto leaves = [&](double angle) {
-    const Vec3 ray = std::cos(angle) * pole + std::sin(angle) * equator;
-    bool mantle_a = false, mantle_b = false;
-    const double way_a = a_.way_out(inside, ray, mantle_a), way_b = b_.way_out(inside, ray, mantle_b);
-    at = inside + std::min(way_a, way_b) * ray;
-    return way_a < way_b ? (mantle_a ? 1 : 0) : (mantle_b ? -1 : 0);
+void MantleCrossing::follow_strand(const Strand &strand) {
+  std::vector<Cut> &cuts = *strand.cuts;
+  const auto add = [&](double from, double to) {
+    constexpr double widest = 1.6;  // a quarter of a strand, and rounding
+    const int parts = 1 + static_cast<int>((to - from) / widest);
+    const double width = (to - from) / parts;
+    for (int k = 0; k < parts; ++k) add_arc(strand, from + k * width, from + (k + 1) * width, 0, {HUGE_VAL, HUGE_VAL});
   };
-  double low = 0.0, high = 0.5 * pi;
-  const int first = leaves(low);
-  if (first == 0) return false;
-  if (leaves(high) != -first) {
-    low = high, high = pi;
-    if (leaves(low) != first || leaves(high) != -first) return false;
+  if (cuts.empty()) {
+    if (is_between_ends(strand, -0.5 * pi, 1.5 * pi)) add(-0.5 * pi, 1.5 * pi);
+    return;
   }
-  for (int round = 0; round < 50; ++round) {
-    const double middle = 0.5 * (low + high);
-    const int through = leaves(middle);
-    if (through == 0) return false;
-    (through == first ? low : high) = middle;
+  for (Cut &cut : cuts) cut.parameter = wrapped(cut.parameter);
+  std::sort(cuts.begin(), cuts.end(), [](const Cut &p, const Cut &q) { return p.parameter < q.parameter; });
+  for (std::size_t k = 0; k < cuts.size(); ++k) {
+    const Cut &first = cuts[k], &last = cuts[(k + 1) % cuts.size()];
+    const double from = first.parameter, to = k + 1 < cuts.size() ? last.parameter : last.parameter + 2.0 * pi;
+    constexpr double empty = 1e-13;
+    if (!(to - from > empty) || !is_between_ends(strand, from, to)) continue;
+    const std::size_t begin = ruled_.border().size(), begin_in_other = other_.border().size();
+    add(from, to);
+    fit_turn(first.at, last.at, begin, ruled_.border());
+    fit_turn(in_other_(last.at), in_other_(first.at), begin_in_other, other_.border());
   }
-  return correct(tangent(at), at) && std::fabs(a_.height(at)) < a_.half && std::fabs(b_.height(at)) < b_.half;
+}
+
+// The turn between the ends of a part of a border is that of its places: so rounding leaves it closed. More may be left of turns about an apex
+// that is in the other body, where they count for nothing.
+void MantleCrossing::fit_turn(const Vec3 &from, const Vec3 &to, std::size_t begin, std::vector<BorderPlace> &border) {
+  double sum = 0.0, whole = 0.0;
+  for (std::size_t k = begin; k < border.size(); ++k) sum += border[k].turn, whole += std::fabs(border[k].turn);
+  const double left = wrapped(std::atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y) - sum) / whole;
+  constexpr double by_rounding = 1e-7;
+  if (!(std::fabs(left) < by_rounding)) return;
+  for (std::size_t k = begin; k < border.size(); ++k) border[k].turn += left * std::fabs(border[k].turn);
+}
+
+// Halves an arc until polynomials of one degree less than there are places are as good as the curve, or rounding is all that is unknown.
+void MantleCrossing::add_arc(const Strand &strand, double from, double to, int depth, const Unknown &before) {
+  constexpr double rough = 1e-4, rough_area = 1e-5, little = 1e-9, falls = 0.7, by_rounding = 1e-9;
+  constexpr int deepest = 30;
+  const overlap::GaussNodes rule(overlap::gauss_rule<static_cast<int>(node_count)>);
+  const double width = to - from;
+  Place place[node_count];
+  bool found = true;
+  for (std::size_t k = 0; k < node_count; ++k) found = find_place(strand, from + rule.node[k] * width, place[k]) && found;
+  if (depth < deepest && arcs_left_ > 0) {
+    Vec3 last, next, low = place[0].at, high = low;
+    double last_area = 0.0, next_area = 0.0, most_area = 0.0, last_turn = 0.0, next_turn = 0.0;
+    for (std::size_t k = 0; k < node_count; ++k) {
+      const Vec3 &at = place[k].at;
+      last = last + legendre_tail.last[k] * at, next = next + legendre_tail.next[k] * at;
+      const double turn = width * place[k].turn_in_other, across = other_.width_at(height_in_other(place[k]), height_in_other(place[0]));
+      const double area = turn * across;
+      last_turn += legendre_tail.last[k] * turn, next_turn += legendre_tail.next[k] * turn;
+      last_area += legendre_tail.last[k] * area, next_area += legendre_tail.next[k] * area;
+      widest_ = std::max(widest_, std::fabs(across));
+      low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+      high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
+      most_area = std::max(most_area, std::fabs(area));
+    }
+    const double extent = norm(high - low);
+    // Where it counts from is not known before all of the border is.
+    const double turn = other_.counts_from_apex() ? 0.0 : widest_ * std::max(std::fabs(last_turn), std::fabs(next_turn));
+    const Unknown unknown{std::max(norm(last), norm(next)), turn + std::max(std::fabs(last_area), std::fabs(next_area))};
+    most_area_ = std::max(most_area_, most_area);
+    const bool is_smooth = unknown.way <= rough * extent && unknown.area <= rough_area * most_area_;
+    const bool is_little = std::max(unknown.way * extent, unknown.area) <= little * most_area_;
+    const bool is_rounding = unknown.way <= by_rounding * size_ && unknown.area <= by_rounding * size_ * size_ &&
+                             unknown.way > falls * before.way && unknown.area > falls * before.area;
+    if (!found || !(is_smooth || is_little || is_rounding)) {
+      --arcs_left_;
+      const double middle = 0.5 * (from + to);
+      add_arc(strand, from, middle, depth + 1, unknown);
+      add_arc(strand, middle, to, depth + 1, unknown);
+      return;
+    }
+  }
+  if (!found) return;
+  for (std::size_t k = 0; k < node_count; ++k) {
+    const Place &at = place[k];
+    const double part = width * rule.weight[k];
+    ruled_.add_border_place({at.angle_cosine, at.angle_sine, 0.0}, within(at.height, ruled_.body()), part * at.turn);
+    const Vec3 &p = at.in_other;
+    const double across = std::sqrt(p.x * p.x + p.y * p.y);
+    if (!(across > 0.0)) continue;
+    other_.add_border_place({p.x / across, p.y / across, 0.0}, within(height_in_other(at), other_.body()), -part * at.turn_in_other);
+  }
 }
 
 }  // namespace cmb

@@ -1,70 +1,74 @@
 // The curve where two mantles cross.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include "manifold/revolved/mantle.hpp"
+#include "manifold/revolved/mantle_rulings.hpp"
 
 namespace cmb {
 
-// Followed from place to place: each next one lies in a plane across the curve, a step ahead, where Newton's method finds both mantles;
-// steps are so short that the curve turns little. Adds what it follows to both mantles.
+// By the rulings of one mantle, each of which the other one crosses twice or not at all: so the curve consists of ovals, one over each interval
+// of angles in which the discriminant is positive, or of two rings round the mantle. Corners, where it passes the bodies' ends, cut out of
+// these what is between all ends.
 class MantleCrossing {
  public:
-  // Of a curve, with the ways at its ends; of no use where it is not ahead all along.
-  struct Piece {
-    Vec3 from, chord, along, lean, lean_there;
-    double length;
-    bool ahead;
-    Piece(const Vec3 &begin, const Vec3 &way, const Vec3 &end, const Vec3 &way_there);
-    // By Hermite's cubic, which is as good as on the curve.
-    Vec3 at(double part) const;
+  // Where a corner is on a strand of the curve; its place is in the frame of the mantle whose rulings serve.
+  struct Cut {
+    double parameter;
+    Vec3 at;
+  };
+  // Room to work in; it grows in the first calls.
+  struct Cuts {
+    std::vector<Cut> on[2];
   };
 
-  // Both in common axes. `followed`: room to work in, which grows in the first calls.
-  MantleCrossing(Mantle &a, Mantle &b, std::vector<Piece> &followed);
+  // `in_other`: from the frame of the mantle whose rulings serve to that of the other one.
+  MantleCrossing(Mantle &ruled, Mantle &other, const Pose &in_other, Cuts &cuts);
 
-  // A place of the curve where it comes between the ends of both bodies, and the outward normal of the end that it passes there.
-  struct Corner {
-    Vec3 at, normal;
-  };
-  // From a corner on to the next one, which is taken out of those that are left. False where the curve leads to none.
-  bool follow(const Corner &from, std::vector<Corner> &left);
-  // A loop between the ends that was not followed yet and is seen from `place`, or where one body's axis is in the other. False where there
-  // is none, or it leaves the ends.
-  bool follow_loop(const Vec3 &place);
+  // In the frame of the mantle whose rulings serve.
+  void add_corner(const Vec3 &at);
+  // Adds the curve, as far as it is between the ends, to both mantles.
+  void follow();
 
  private:
-  struct Side {
-    Mantle *mantle;
-    Vec3 axis, center;
-    double slope, radius, half;  // radius in the middle
-    explicit Side(Mantle &m);
-    double height(const Vec3 &p) const { return dot(axis, p - center); }
-    // Negative inside.
-    double beyond(const Vec3 &p) const;
-    Vec3 gradient(const Vec3 &p) const;
-    // The cosine of the angle between two places about the axis.
-    double turn(const Vec3 &p, const Vec3 &q) const;
-    bool holds(const Vec3 &p) const { return std::fabs(height(p)) <= half && beyond(p) <= 0.0; }
-    // Where the ray from `p`, inside, leaves the body; whether through the mantle.
-    double way_out(const Vec3 &p, const Vec3 &ray, bool &through_mantle) const;
-  };
-  Vec3 tangent(const Vec3 &p) const;
-  bool correct(const Vec3 &normal, Vec3 &p) const;
-  bool step(const Vec3 &from, const Vec3 &way, double &length, Vec3 &to, Vec3 &way_there, double sense) const;
-  bool is_on(const Piece &piece, const Vec3 &place, double &part) const;
-  std::size_t corner_on(const Piece &piece, const std::vector<Corner> &corners) const;
-  bool add_piece(const Piece &piece);
-  bool find_loop(const Vec3 &inside, Vec3 &at) const;
-  bool find(const Vec3 &inside, const Vec3 &pole, const Vec3 &equator, Vec3 &at) const;
-  bool follow_loop_from(const Vec3 &start);
+  // By a parameter of period 2 pi. Of an oval the angle is middle + half * sin(parameter), of a ring (half = 0) sense * parameter.
+  struct Strand {
+    double middle = 0.0, half = 0.0, sense = 1.0;
+    TrigonometricPolynomial factor;  // the discriminant by cos(angle) - cos(half), angles counting from the middle
+    std::vector<Cut> *cuts = nullptr;
 
-  const Side a_, b_;
-  const double size_, bent_;
-  std::vector<Piece> &followed_;
+    bool is_oval() const { return half > 0.0; }
+    // The root of the discriminant by half * cos(parameter), by the angle from the middle and how far it is from both ends.
+    double steepness(double angle, double above, double below) const;
+  };
+  // With its changes by the parameter.
+  struct Place {
+    double angle_cosine, angle_sine, height, turn;
+    Vec3 at, in_other;  // in both frames
+    double turn_in_other;
+  };
+
+  double height_in_other(const Place &place) const { return other_.body().height_on_mantle(place.in_other); }
+  void find_strands();
+  bool find_place(const Strand &strand, double parameter, Place &place) const;
+  bool is_between_ends(const Strand &strand, double from, double to) const;
+  void follow_strand(const Strand &strand);
+  // What is not known of an arc by its places, of its way and of what it adds to the other mantle's area.
+  struct Unknown {
+    double way, area;
+  };
+  // `before`: of the arc that this is a half of.
+  void add_arc(const Strand &strand, double from, double to, int depth, const Unknown &before);
+  static void fit_turn(const Vec3 &from, const Vec3 &to, std::size_t begin, std::vector<BorderPlace> &border);
+
+  Mantle &ruled_, &other_;
+  const Pose in_other_;
+  const MantleRulings rulings_;
+  const double size_;
+  Strand strand_[2];
+  int strands_ = 0, arcs_left_ = 200;  // the latter that may be halved
+  double most_area_ = 0.0, widest_ = 0.0;  // that an arc has added to the other mantle's area, and as far as one came from its first place
 };
 
 }  // namespace cmb

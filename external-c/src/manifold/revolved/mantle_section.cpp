@@ -104,9 +104,10 @@ bool MantleSection::find_height(double cosine, double &height) const {
 void MantleSection::add_passage(const Vec3 &at, bool to_curve) {
   // A cone's apex is where the first axis points, for all planes that meet there.
   const Vec3 radial = at.x == 0.0 && at.y == 0.0 ? Vec3{1.0, 0.0, 0.0} : at;
-  const double angle = std::atan2(dot(across_, radial), dot(along_, radial)), beyond = at.z - front_;
+  const double height = std::clamp(mantle_->body().height_on_mantle(at), -mantle_->body().half, mantle_->body().half);
+  const double angle = std::atan2(dot(across_, radial), dot(along_, radial)), beyond = height - front_;
   // Where the plane is as good as parallel to the axis the height tells how far along the conic a place is; elsewhere both do.
-  passages_.add({sense_ * mantle_->body().radius * angle + std::copysign(beyond, beyond >= 0.0 ? angle : -angle), angle, at.z, to_curve});
+  passages_.add({sense_ * mantle_->body().radius * angle + std::copysign(beyond, beyond >= 0.0 ? angle : -angle), angle, height, to_curve});
 }
 
 bool MantleSection::find_loop(Vec3 &at) const {
@@ -158,7 +159,7 @@ void MantleSection::add_place(PlaneFan &fan, double cosine, double sine, double 
   Vec3 step = (radius * turn) * around + (body.slope * rise) * outward;
   step.z = rise;
   fan.add_curve_node(in_common({radius * outward.x, radius * outward.y, height}), in_common.rotation * step);
-  mantle_->add_border_node(outward, height, turn);
+  mantle_->add_border_place(outward, height, turn);
 }
 
 bool MantleSection::follow_arcs(PlaneFan &fan) {
@@ -227,7 +228,7 @@ void Rim::add_place(PlaneFan &fan, double cosine, double sine, double step) {
   const Pose &in_common = mantle_->in_common();
   const double way = radius_ * step;
   fan.add_curve_node(in_common({radius_ * cosine, radius_ * sine, height_}), in_common.rotation * Vec3{-way * sine, way * cosine, 0.0});
-  mantle_->add_border_node({cosine, sine, 0.0}, height_, step);
+  mantle_->add_border_place({cosine, sine, 0.0}, height_, step);
 }
 
 bool Rim::follow_arcs(PlaneFan &fan) {
@@ -276,7 +277,7 @@ void MantleSection::add_way_by_apex(PlaneFan &fan, double angle0, double height0
   const double turn = angle1 - angle0, height = std::max(height0, height1);
   const GaussNodes rule = rule_for(std::fabs(turn));
   for (std::size_t k = 0; k < rule.count; ++k) {
-    mantle_->add_border_node(outward(angle0 + rule.node[k] * turn), height, rule.weight[k] * turn);
+    mantle_->add_border_place(outward(angle0 + rule.node[k] * turn), height, rule.weight[k] * turn);
   }
 }
 

@@ -27,6 +27,8 @@ struct RevolvedBody {
     const double r = radius_at(p.z);
     return p.x * p.x + p.y * p.y - r * r;
   }
+  // Of a place on the mantle: of a flat cone's by its distance from the axis, which tells better.
+  double height_on_mantle(const convex::Vec3 &p) const { return slope < -1.0 ? half + std::sqrt(p.x * p.x + p.y * p.y) / slope : p.z; }
   // Of a cone's apex: what is nearer may have its border turn in it, as good as.
   double near_apex() const { return 0.02 * (radius + half); }
   bool holds(const convex::Vec3 &p) const { return std::fabs(p.z) <= half && beyond_mantle(p) <= 0.0; }

@@ -25,8 +25,13 @@ bool revolved_on_polytope_contact(const Shape &revolved, const Pose &revolved_po
                                   const Pose &polytope_pose, const Vec3 &witness, double sense, RevolvedScratch &scratch,
                                   std::vector<ContactPoint> &points);
 
-// The same of two bodies of revolution, by the places of each that are deepest in the other; false also where they pierce each other.
-bool revolved_pair_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const Vec3 &deepest_a,
-                           const Vec3 &deepest_b, RevolvedScratch &scratch, std::vector<ContactPoint> &points);
+struct PairLoad {
+  double energy = 0.0;  // none where the bodies overlap by rounding alone
+  double known = 0.0;   // the part of the points that is more than rounding: of two thin borders through each other their load may be none
+};
+
+// The same of two bodies of revolution, by the places of each that are deepest in the other.
+PairLoad revolved_pair_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b, const Vec3 &deepest_a,
+                               const Vec3 &deepest_b, RevolvedScratch &scratch, std::vector<ContactPoint> &points);
 
 }  // namespace cmb

@@ -84,7 +84,7 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
 bool RevolvedOnPolytope::integrate(const Pose &in_frame, const Vec3 &place, bool to_apex, OverlapSurface &surface) {
   surface.start(place);
   for (Plane &plane : planes_) plane.fan = {plane.fan.normal(), place, surface.of_b()};
-  Mantle mantle(*body_, {}, place, to_apex, Mantle::Partner::polytope, surface.of_a());
+  Mantle mantle(*body_, {}, place, to_apex, Mantle::Partner::polytope, border_, surface.of_a());
   PlaneFan end_fan[ends] = {{{0.0, 0.0, -1.0}, place, surface.of_a()}, {{0.0, 0.0, 1.0}, place, surface.of_a()}};
   for (const End end : {base, top}) rim_[end].start(mantle, end);
   for (std::size_t k = 0; k < faces_.size(); ++k) {
@@ -95,6 +95,7 @@ bool RevolvedOnPolytope::integrate(const Pose &in_frame, const Vec3 &place, bool
     // What does not reach beyond an end does not hold its rim, which rounding may deny where a face lies in the end.
     if ((beyond_any_ & bit_of(end)) != 0 && !rim_[end].follow(end_fan[end], in_polytope)) return false;
   }
+  mantle.integrate();
   return surface.sum();
 }
 

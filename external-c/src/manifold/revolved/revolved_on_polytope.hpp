@@ -56,7 +56,7 @@ class RevolvedOnPolytope {
     PlaneFan fan;
   };
 
-  // All of the surface, the mantle from the apex on or from the place.
+  // All of the surface, the mantle from the apex on or from its border's height.
   bool integrate(const Pose &in_frame, const Vec3 &place, bool to_apex, OverlapSurface &surface);
   const EdgePart &part_of(std::int32_t edge);
   Stretch in_mantle(const Vec3 &p, bool p_inside, const Vec3 &q, bool q_inside) const;
@@ -82,6 +82,7 @@ class RevolvedOnPolytope {
   std::vector<std::int32_t> faces_;  // that may bound the overlap
   std::vector<Plane> planes_;        // in step
   MantleSection section_;
+  std::vector<BorderPlace> border_;
   Rim rim_[ends];
 };
 

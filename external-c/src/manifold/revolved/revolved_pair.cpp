@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/pi.hpp"
-#include "math/polynomial_roots.hpp"
+#include "math/trigonometric_polynomial.hpp"
 
 namespace cmb {
 
@@ -40,20 +40,36 @@ Vec3 place_in_both(const RevolvedBody &a, const Pose &pose_a, const RevolvedBody
 
 }  // namespace
 
-RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, const RevolvedBody &other, const Pose &in_other, const Vec3 &place,
-                         std::vector<OverlapSurface::Node> &nodes)
+RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, const Vec3 &place, bool to_apex,
+                         std::vector<BorderPlace> &border, std::vector<OverlapSurface::Node> &nodes)
     : body(of),
       pose(in_common),
-      mantle(body, in_common, place, !body.is_cylinder() && other.holds(in_other({0.0, 0.0, body.half})),
-             Mantle::Partner::revolved, nodes),
+      mantle(body, in_common, place, to_apex, Mantle::Partner::revolved, border, nodes),
       fan{{-in_common.rotation.column(2), place, nodes}, {in_common.rotation.column(2), place, nodes}} {}
 
 bool RevolvedPair::find(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &deepest_a, const Vec3 &deepest_b,
                         OverlapSurface &surface) {
   const Vec3 place = place_in_both(a, {}, b, b_in_a, deepest_a, deepest_b);
+  const Pose a_in_b = b_in_a.inverse();
+  const bool apex_a = !a.is_cylinder() && b.holds(a_in_b({0.0, 0.0, a.half}));
+  const bool apex_b = !b.is_cylinder() && a.holds(b_in_a({0.0, 0.0, b.half}));
+  const bool found = integrate(a, b, b_in_a, place, apex_a, apex_b, surface);
+  // Where the border as good as turns in an apex that is outside, more than the overlap's is added and taken off: so much counts by rounding.
+  constexpr double cancels = 3.0;
+  const double area_a = surface.area_a(), area_b = surface.area_b();
+  const bool from_apex_a = !a.is_cylinder() && !apex_a && area_a > cancels * area_b;
+  const bool from_apex_b = !b.is_cylinder() && !apex_b && area_b > cancels * area_a;
+  if (!from_apex_a && !from_apex_b) return found;
+  const bool found_from_apex = integrate(a, b, b_in_a, place, apex_a || from_apex_a, apex_b || from_apex_b, surface);
+  return surface.area_a() + surface.area_b() < area_a + area_b ? found_from_apex : integrate(a, b, b_in_a, place, apex_a, apex_b, surface);
+}
+
+bool RevolvedPair::integrate(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &place, bool apex_a, bool apex_b,
+                             OverlapSurface &surface) {
   surface.start(place);
   const Pose a_in_b = b_in_a.inverse();
-  Side side_a(shrunk(a), {}, b, a_in_b, place, surface.of_a()), side_b(b, b_in_a, a, b_in_a, place, surface.of_b());
+  Side side_a(shrunk(a), {}, place, apex_a, of_a_.border, surface.of_a());
+  Side side_b(b, b_in_a, place, apex_b, of_b_.border, surface.of_b());
   const auto start = [](Side &side, Borders &borders, Side &other, const Pose &in_other) {
     for (const End end : {base, top}) {
       const Vec3 normal = (end == base ? -1.0 : 1.0) * in_other.rotation.column(2);
@@ -73,8 +89,11 @@ bool RevolvedPair::find(const RevolvedBody &a, const RevolvedBody &b, const Pose
     if (side_a.has(end)) add_rim_passages(side_a, of_a_, end, side_b, a_in_b);
     if (side_b.has(end)) add_rim_passages(side_b, of_b_, end, side_a, b_in_a);
   }
-  return follow_ends(side_a, of_a_, side_b) && follow_ends(side_b, of_b_, side_a) && follow_crossing(side_a, side_b, place, surface) &&
-         surface.sum();
+  if (!follow_ends(side_a, of_a_, side_b) || !follow_ends(side_b, of_b_, side_a)) return false;
+  follow_crossing(side_a, side_b, b_in_a);
+  side_a.mantle.integrate();
+  side_b.mantle.integrate();
+  return surface.sum();
 }
 
 // The line of two ends' planes, as far as it is in both.
@@ -110,8 +129,8 @@ void RevolvedPair::add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Bo
   pass(last, half_a < place_b + half_b, true);
 }
 
-// Where a rim passes the other body's mantle: a trigonometric polynomial of the second degree changes its sign, which by the tangent of half
-// the angle is one of the fourth. Angles from where the other body is, and beyond a right angle from the other side.
+// Where a rim passes the other body's mantle: a trigonometric polynomial of the second degree changes its sign. Angles from where the other body
+// is, and beyond a right angle from the other side.
 void RevolvedPair::add_rim_passages(Side &side, Borders &borders, End end, const Side &other, const Pose &in_other) {
   const Vec3 center = in_other({0.0, 0.0, side.height(end)}), u = in_other.rotation.column(0), v = in_other.rotation.column(1);
   const double radius = side.body.radius, slope = other.body.slope, at_center = other.body.radius_at(center.z);
@@ -129,20 +148,27 @@ void RevolvedPair::add_rim_passages(Side &side, Borders &borders, End end, const
     const double cosine2 = 0.5 * square * (product(out, out) - product(on, on)), sine2 = square * product(out, on);
     const double front = other.body.beyond_mantle(center + radius * out), back = other.body.beyond_mantle(center - radius * out);
     const double constant = 0.5 * (front + back) - cosine2;
-    const double coefficient[5] = {front, 2.0 * sine + 4.0 * sine2, 2.0 * constant - 6.0 * cosine2, 2.0 * sine - 4.0 * sine2, back};
-    double root[4];
-    const int count = overlap::sign_changes(coefficient, 4, -1.0, 1.0, root);
+    const TrigonometricPolynomial beyond{constant, 0.5 * (front - back), sine, cosine2, sine2};
+    double angles[4];
+    const int count = beyond.sign_changes_ahead(angles);
     for (int k = 0; k < count; ++k) {
-      const double angle = 2.0 * std::atan(root[k]);
-      const Vec3 outward = std::cos(angle) * out + std::sin(angle) * on, around = std::cos(angle) * on - std::sin(angle) * out;
-      const Vec3 at = center + radius * outward;
+      double angle = angles[k], growth = 0.0;
+      Vec3 at;
+      const auto look = [&] {
+        const Vec3 outward = std::cos(angle) * out + std::sin(angle) * on, around = std::cos(angle) * on - std::sin(angle) * out;
+        at = center + radius * outward;
+        growth = at.x * around.x + at.y * around.y - other.body.radius_at(at.z) * slope * around.z;
+      };
+      look();
+      // Of a flat cone terms are great that cancel: where they do they are known better.
+      const double nearer = 0.5 * other.body.beyond_mantle(at) / (radius * growth);
+      if (std::fabs(nearer) < 1e-6) angle -= nearer, look();
       if (std::fabs(at.z) > other.body.half) continue;
-      const double growth = at.x * around.x + at.y * around.y - other.body.radius_at(at.z) * slope * around.z;
       const bool enters = (growth < 0.0) == (end == top);  // counter-clockwise about the end
       const Vec3 common = other.pose(at);
       borders.rim[end].add_passage(side.in_frame(common), enters);
       borders.section[end].add_passage(at, !enters);
-      corners_.push_back({common, side.fan[end].normal()});
+      corners_.push_back(common);
     }
   }
 }
@@ -160,18 +186,18 @@ bool RevolvedPair::follow_ends(Side &side, Borders &borders, const Side &other) 
   return true;
 }
 
-bool RevolvedPair::follow_crossing(Side &a, Side &b, const Vec3 &place, const OverlapSurface &surface) {
-  MantleCrossing crossing(a.mantle, b.mantle, followed_);
-  while (!corners_.empty()) {
-    const MantleCrossing::Corner from = corners_.back();
-    corners_.pop_back();
-    if (!crossing.follow(from, corners_)) return false;
-  }
-  constexpr int most_loops = 2;
-  for (int k = 0; k < most_loops && !surface.is_closed(); ++k) {
-    if (!crossing.follow_loop(place)) return false;
-  }
-  return true;
+void RevolvedPair::follow_crossing(Side &a, Side &b, const Pose &b_in_a) {
+  // Of cones that whose apex is nearer to the other mantle: so what little there is about an apex is known by its own size.
+  const auto beyond_apex = [](const Side &side, const Side &in) {
+    if (side.body.is_cylinder()) return HUGE_VAL;
+    const Vec3 apex = in.in_frame(side.pose({0.0, 0.0, side.body.half}));
+    return std::fabs(in.body.beyond_mantle(apex)) * in.body.across * in.body.across;
+  };
+  const bool b_is_ruled = beyond_apex(b, a) < beyond_apex(a, b);
+  Side &ruled = b_is_ruled ? b : a, &other = b_is_ruled ? a : b;
+  MantleCrossing crossing(ruled.mantle, other.mantle, b_is_ruled ? b_in_a : b_in_a.inverse(), cuts_);
+  for (const Vec3 &corner : corners_) crossing.add_corner(ruled.in_frame(corner));
+  crossing.follow();
 }
 
 }  // namespace cmb

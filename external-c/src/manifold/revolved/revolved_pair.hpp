@@ -13,8 +13,8 @@ namespace cmb {
 // Room to work in; it grows in the first calls.
 class RevolvedPair {
  public:
-  // In A's frame; `deepest_a`, `deepest_b`: the places of A and B that are deepest in the other body. False where what meets does not fit
-  // together: by rounding, or as bodies pierce each other.
+  // In A's frame; `deepest_a`, `deepest_b`: the places of A and B that are deepest in the other body. False where, by rounding, what meets does not
+  // fit together.
   bool find(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &deepest_a, const Vec3 &deepest_b,
             OverlapSurface &surface);
 
@@ -28,8 +28,7 @@ class RevolvedPair {
     Pose pose;  // in common axes
     Mantle mantle;
     PlaneFan fan[ends];
-    // `in_other`: from the body's frame to the other one's.
-    Side(const RevolvedBody &of, const Pose &in_common, const RevolvedBody &other, const Pose &in_other, const Vec3 &place,
+    Side(const RevolvedBody &of, const Pose &in_common, const Vec3 &place, bool to_apex, std::vector<BorderPlace> &border,
          std::vector<OverlapSurface::Node> &nodes);
     double height(End end) const { return end == base ? -body.half : body.half; }
     Vec3 center(End end) const { return pose({0.0, 0.0, height(end)}); }
@@ -40,16 +39,20 @@ class RevolvedPair {
   struct Borders {
     MantleSection section[ends];  // of this body's ends with the other's mantle
     Rim rim[ends];
+    std::vector<BorderPlace> border;  // of this body's mantle
   };
 
+  // All of the surface, each mantle from its apex on or from its border's height.
+  bool integrate(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &place, bool apex_a, bool apex_b,
+                 OverlapSurface &surface);
   static void add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Borders &borders_b, End end_b);
   void add_rim_passages(Side &side, Borders &borders, End end, const Side &other, const Pose &in_other);
   static bool follow_ends(Side &side, Borders &borders, const Side &other);
-  bool follow_crossing(Side &a, Side &b, const Vec3 &place, const OverlapSurface &surface);
+  void follow_crossing(Side &a, Side &b, const Pose &b_in_a);
 
   Borders of_a_, of_b_;
-  std::vector<MantleCrossing::Piece> followed_;
-  std::vector<MantleCrossing::Corner> corners_;  // where a rim passes the other body's mantle
+  MantleCrossing::Cuts cuts_;
+  std::vector<Vec3> corners_;  // where a rim passes the other body's mantle, in common axes
 };
 
 }  // namespace cmb
