@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/core/mesh_pair_distance.hpp"
 #include "mesh/core/triangle_hierarchy.hpp"
+#include "mesh/distance/mesh_pair_distance.hpp"
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 

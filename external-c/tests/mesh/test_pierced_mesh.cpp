@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mesh/contact/triangle_convex_distance.hpp"
-#include "mesh/core/mesh_pair_distance.hpp"
+#include "mesh/distance/mesh_pair_distance.hpp"
 #include "mesh/intersection/triangle_crossing.hpp"
 #include "mesh/intersection/triangle_section.hpp"
 #include "support/mesh_text.hpp"

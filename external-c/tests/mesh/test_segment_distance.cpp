@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "mesh/core/segment_distance.hpp"
+#include "mesh/distance/segment_distance.hpp"
 #include "support/random_bodies.hpp"
 #include "support/reference_segments.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "math/pose_algebra.hpp"
-#include "mesh/core/mesh_pair_distance.hpp"
+#include "mesh/distance/mesh_pair_distance.hpp"
 #include "support/level_sheets.hpp"
 #include "support/mesh_text.hpp"
 #include "support/path_sums.hpp"

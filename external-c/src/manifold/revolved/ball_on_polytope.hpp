@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "manifold/revolved/overlap_surface.hpp"
 #include "manifold/revolved/passages.hpp"
-#include "manifold/revolved/plane_fan.hpp"
+#include "manifold/surface/overlap_surface.hpp"
+#include "manifold/surface/plane_fan.hpp"
 #include "shape/polytope_view.hpp"
 
 namespace cmb {

@@ -1,8 +1,8 @@
 // How deep an overlap is in a cylinder or cone, by the soft least mean square below its ends and its mantle.
 #pragma once
 
-#include "manifold/revolved/overlap_surface.hpp"
 #include "manifold/revolved/revolved_body.hpp"
+#include "manifold/surface/overlap_surface.hpp"
 
 namespace cmb {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "manifold/revolved/overlap_surface.hpp"
 #include "manifold/revolved/revolved_body.hpp"
+#include "manifold/surface/overlap_surface.hpp"
 
 namespace cmb {
 

@@ -5,7 +5,7 @@
 
 #include "manifold/revolved/mantle.hpp"
 #include "manifold/revolved/passages.hpp"
-#include "manifold/revolved/plane_fan.hpp"
+#include "manifold/surface/plane_fan.hpp"
 
 namespace cmb {
 

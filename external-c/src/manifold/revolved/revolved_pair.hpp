@@ -5,7 +5,7 @@
 
 #include "manifold/revolved/mantle_crossing.hpp"
 #include "manifold/revolved/mantle_section.hpp"
-#include "manifold/revolved/overlap_surface.hpp"
+#include "manifold/surface/overlap_surface.hpp"
 
 namespace cmb {
 

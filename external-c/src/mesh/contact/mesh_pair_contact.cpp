@@ -4,7 +4,7 @@
 #include "mesh/contact/mesh_contact.hpp"
 #include "mesh/contact/patch_load.hpp"
 #include "mesh/contact/sheet_patches.hpp"
-#include "mesh/core/mesh_pair_distance.hpp"
+#include "mesh/distance/mesh_pair_distance.hpp"
 #include "mesh/elastic/elastic_points.hpp"
 #include "mesh/elastic/pair_overlap.hpp"
 #include "mesh/intersection/interior_points.hpp"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/core/segment_distance.hpp"
 #include "mesh/core/triangle_mesh.hpp"
 #include "mesh/core/triangle_wedge.hpp"
+#include "mesh/distance/segment_distance.hpp"
 
 namespace cmb::mesh {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/core/dual_traversal.hpp"
+#include "mesh/distance/dual_traversal.hpp"
 #include "mesh/intersection/sheet_crossing.hpp"
 #include "mesh/intersection/triangle_crossing.hpp"
 

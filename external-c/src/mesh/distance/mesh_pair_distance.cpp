@@ -1,11 +1,11 @@
-#include "mesh/core/mesh_pair_distance.hpp"
+#include "mesh/distance/mesh_pair_distance.hpp"
 
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "mesh/core/dual_traversal.hpp"
-#include "mesh/core/segment_distance.hpp"
+#include "mesh/distance/dual_traversal.hpp"
+#include "mesh/distance/segment_distance.hpp"
 
 namespace cmb::mesh {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "manifold/revolved/overlap_surface.hpp"
+#include "manifold/surface/overlap_surface.hpp"
 
 namespace cmb {
 

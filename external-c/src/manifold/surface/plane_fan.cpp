@@ -1,4 +1,4 @@
-#include "manifold/revolved/plane_fan.hpp"
+#include "manifold/surface/plane_fan.hpp"
 
 namespace cmb {
 

@@ -1,4 +1,4 @@
-#include "manifold/revolved/overlap_surface.hpp"
+#include "manifold/surface/overlap_surface.hpp"
 
 #include <cmath>
 

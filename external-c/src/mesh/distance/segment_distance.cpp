@@ -1,4 +1,4 @@
-#include "mesh/core/segment_distance.hpp"
+#include "mesh/distance/segment_distance.hpp"
 
 #include <cmath>
 
