@@ -39,20 +39,23 @@ std::vector<Vec3> outermost(const std::vector<Vec3> &corners, const Vec3 &normal
 FaceRelations::FaceRelations(const MeshData &data, const std::vector<std::array<std::int32_t, 3>> &neighbours,
                              const std::vector<Vec3> &normals, const std::vector<std::uint32_t> &face_of) {
   const auto triangles = static_cast<std::uint32_t>(data.triangles.size());
+  constexpr double least_fold = 1e-9;  // sine
+  for (std::uint32_t t = 0; t < triangles && all_together_; ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t other = neighbours[t][k];
+      if (other < 0) continue;
+      const Vec3 along = data.vertices[data.triangles[t][(k + 1) % 3]] - data.vertices[data.triangles[t][k]];
+      const double fold = dot(cross(normals[t], normals[static_cast<std::size_t>(other)]), normalized(along));
+      all_together_ = all_together_ && fold > -least_fold;
+    }
+  }
+  if (all_together_) return;  // nothing else is asked
   std::vector<std::vector<Vec3>> corners(1 + *std::max_element(face_of.begin(), face_of.end()));
   faces_.resize(corners.size());
-  constexpr double least_fold = 1e-9;  // sine
   for (std::uint32_t t = 0; t < triangles; ++t) {
     Face &face = faces_[face_of[t]];
     if (corners[face_of[t]].empty()) face.normal = normals[t], face.offset = dot(normals[t], data.vertices[data.triangles[t][0]]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 &p = data.vertices[data.triangles[t][k]], &q = data.vertices[data.triangles[t][(k + 1) % 3]];
-      corners[face_of[t]].push_back(p);
-      const std::int32_t other = neighbours[t][k];
-      if (other < 0) continue;
-      const double fold = dot(cross(normals[t], normals[static_cast<std::size_t>(other)]), normalized(q - p));
-      all_together_ = all_together_ && fold > -least_fold;
-    }
+    for (const std::uint32_t v : data.triangles[t]) corners[face_of[t]].push_back(data.vertices[v]);
   }
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     Face &face = faces_[f];

@@ -18,6 +18,7 @@ class FaceRelations {
 
   // Whether contacts with two faces are one: 1 where their normals are less than 45 degrees apart, and of faces of a convex edge; 0 for a floor and a
   // wall, which lie before each other. Symmetric; the same for every cut of the faces into triangles.
+  // Not to be asked where all_together().
   double together(std::uint32_t a, std::uint32_t b) const;
   // No face lies before its neighbour: all contacts are one.
   bool all_together() const { return all_together_; }
