@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Final
 
 PREDEFINED: Final = frozenset({"Real", "Integer", "Boolean", "String", "ExternalObject", "StateSelect", "Clock"})
+
+_SIZED: Final = re.compile(r"\w+\s*\[")
 
 
 @dataclass(frozen=True)
@@ -92,6 +95,11 @@ class ComponentDeclaration:
     redeclares: bool = False
     may_be_absent: bool = False
     constraint: Constraint | None = None
+
+
+def is_array(component: ComponentDeclaration, text: str) -> bool:
+    """= true, if a component is declared with subscripts; ``text`` is that of its extent."""
+    return component.sizes_of_type is not None or _SIZED.match(text) is not None
 
 
 @dataclass(frozen=True)

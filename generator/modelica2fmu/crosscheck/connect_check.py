@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
-from contact_foundation.errors import InputError, Place
+from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
-from modelica2fmu.crosscheck.class_syntax import Extent
+from modelica2fmu.crosscheck.class_syntax import Extent, is_array
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.own_classes import model_class, own_classes_of
 from modelica2fmu.library.class_text import without_comments_and_strings
@@ -52,9 +52,17 @@ def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Calla
 
     Raises:
         InputError: two connectors have different elements.
+        UnsupportedModelError: a subscript is a vector, of which the front end takes no notice.
     """
     for scope in own_classes_of(model, library, own):
         for connect in connects(scope, library):
+            listed = next((text for end in connect.ends for text in _vector_subscripts(end, scope, library)), None)
+            if listed is not None:
+                raise UnsupportedModelError(
+                    f"{listed} in connect({', '.join(connect.ends)}) is a vector of subscripts, which is not covered",
+                    place=replace(place_of(connect.extent), component=model),
+                    remedy="connect element by element, connect(a[3].y, b[1]); or name a range, as in a[1:2]",
+                )
             try:
                 first, second = (_described(_class_of(scope, end), library) for end in connect.ends)
             except (UnknownError, UnreadableError, RecursionError):
@@ -87,7 +95,7 @@ def check_connect_sizes(
         InputError: two arrays of connectors have different sizes.
     """
     root = model_class(model, library)
-    arrays = _arrays(variables)
+    arrays = array_sizes(variables)
     for connect in connects(root, library) if root is not None and arrays else ():
         first, second = (_sizes(end, arrays) for end in connect.ends)
         if first is None or second is None or first == second:
@@ -100,7 +108,19 @@ def check_connect_sizes(
         )
 
 
-def _arrays(variables: Mapping[str, Mapping[str, Any]]) -> dict[str, int | None]:
+def _vector_subscripts(end: str, scope: ClassInstance, library: ClassLibrary) -> Iterator[str]:
+    """Subscripts of an end that are lists, or variables of the class that are vectors."""
+    for _, subscripts in _PART.findall(end):
+        if "{" in subscripts:
+            yield subscripts[1:-1].strip()
+            continue
+        for subscript in subscripts[1:-1].split(","):
+            component = scope.definition.components.get(subscript.strip())
+            if component is not None and is_array(component, library.text(component.extent)):
+                yield subscript.strip()
+
+
+def array_sizes(variables: Mapping[str, Mapping[str, Any]]) -> dict[str, int | None]:
     """Sizes of all arrays of components and of variables, by their names without subscripts; None: matrices."""
     sizes: dict[str, int | None] = {}
     for name, variable in variables.items():

@@ -13,6 +13,7 @@ from contact_foundation.errors import InputError, Place
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.collider_order import MisplacedRow
 from modelica2fmu.crosscheck.near_names import near_names
+from modelica2fmu.frontend.brackets import end_of_bracket, parts_between_commas
 from modelica2fmu.frontend.call_errors import call_error
 from modelica2fmu.frontend.piece import Piece
 from modelica2fmu.frontend.runner import LAYOUT, Answer
@@ -68,6 +69,8 @@ _RANK: Final = re.compile(
 )
 _RANKS: Final = ("a number", "a vector", "a matrix")
 _MISSHAPEN: Final = "expression shape mismatch"
+# ... where a vector of records has another size than it is declared with.
+_ROLE: Final = "has the wrong DAE coordinate role"
 _IN_FUNCTION: Final = re.compile(r"unsupported Flat semantic owner `function [^`]*`: (?P<words>`.*)", re.DOTALL)
 _SHAPE_ASSIGNED: Final = "assigns a value of shape"
 _SIZES: Final = (
@@ -149,7 +152,7 @@ def front_end_error(answer: Answer, model: str, file: Path, library: ClassLibrar
 
 def is_vague(error: InputError) -> bool:
     """= true, if an error names no line, or the first that mentions a name where the front end compares sizes."""
-    words = (SHAPES, _SHAPE_ASSIGNED)
+    words = (SHAPES, _SHAPE_ASSIGNED, _ROLE)
     return error.place is None or error.place.line is None or any(each in error.message for each in words)
 
 
@@ -187,10 +190,19 @@ def piece_error(piece: Piece, place: Place) -> InputError:
             place=place,
             remedy="Write the loop as one equation: y = {sum(x[j]*i for j in 1:n) for i in 1:n}.",
         )
+    name, _, value = text.partition("=")
+    given = _element_count(value.strip())
+    is_of_sizes = given is not None or _MISSHAPEN in said or _ROLE in said
+    if piece.wanted is not None and given != piece.wanted and is_of_sizes:
+        has = "another size" if given is None else _counted(given)
+        return InputError(
+            f"{name.strip()} has {_counted(piece.wanted)}, and what it is given has {has}: {shown}",
+            place=place,
+            remedy="give each element its value, as many as there are",
+        )
     if _MISSHAPEN not in said and _SHAPE_ASSIGNED not in said:
         return InputError(f"{shown}: {said}", place=place)
     if piece.array:
-        name, _, value = text.partition("=")
         prefix = "" if re.search(r"\btime\b", value) else "parameter "
         return InputError(
             f"of {shown} the front end does not give each element of the array {piece.array} its own",
@@ -206,6 +218,17 @@ def piece_error(piece: Piece, place: Place) -> InputError:
             remedy=_CONVERSIONS[kind],
         )
     return InputError(f"sizes of arrays do not fit each other in: {shown}", place=place, remedy=_SIZES)
+
+
+def _element_count(value: str) -> int | None:
+    """How many elements an array has that is written out; None for other expressions."""
+    if not value.startswith("{") or end_of_bracket(value, 0) != len(value) or " for " in value:
+        return None
+    return len(parts_between_commas(value, 1, len(value) - 1))
+
+
+def _counted(count: int) -> str:
+    return "one element" if count == 1 else f"{count} elements"
 
 
 def _of_rank(rank: str) -> str:

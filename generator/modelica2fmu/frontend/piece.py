@@ -17,6 +17,7 @@ class Piece:
         said: what the front end says of it.
         array: the array of components that a modifier is one of; empty for others.
         counted: the variable of type Integer, Boolean or String that is given a value, with its type; empty for others.
+        wanted: the number of elements of the vector that a modifier is of, where that is known.
     """
 
     extent: Extent
@@ -24,3 +25,4 @@ class Piece:
     said: str
     array: str = ""
     counted: tuple[str, str] | None = None
+    wanted: int | None = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from contact_foundation.errors import InputError, UnsupportedModelError
 
 from modelica2fmu.interpreter.arrays import Value
@@ -40,6 +41,8 @@ class TranslationValues:
             value = self._host.constant(value, span, "an array size, index or loop bound")
         if isinstance(value, float | int) and float(value).is_integer():
             return int(value)
+        if isinstance(value, np.ndarray):
+            raise self.wrong(f"one whole number is needed here, not a vector of {value.size}, as of subscripts", span)
         raise self.wrong(f"a whole number is needed here, not {value!r}", span)
 
     def number(self, value: Value, span: Span | None, purpose: str) -> float:

@@ -110,6 +110,24 @@ def test_balls_exchange_their_velocities_at_any_speed(built_with_library, model,
         assert (first, last) == pytest.approx((0.0, speed), abs=0.03 * speed)
 
 
+@pytest.mark.parametrize("mode", ["cs", "me"])
+def test_a_step_that_cannot_be_looked_through_is_told(built_with_library, mode):
+    """An assertion fails in the midst of the flight, where no integrator looks but the search for the meeting does."""
+    model = MODELS["CompiledBalls"].replace("CompiledBalls", "Guarded")
+    guarded = model.replace("equation\n", 'equation\n  assert(abs(one.r_0[1]) > 0.03, "one is too near");\n', 1)
+    result = simulate(
+        built_with_library(guarded),
+        signals=SIGNALS,
+        stop=1.0 / 50,
+        interval=1.0 / 50,
+        tolerance=1e-4,
+        mode=mode,
+    )
+    told = [str(each) for each in result.log if "may have passed through each other" in each]
+    assert len(told) == 1
+    assert "one is too near" in told[0]
+
+
 @pytest.mark.parametrize("part", [0.5, 0.505])
 @pytest.mark.parametrize("model", MODELS)
 def test_a_communication_point_at_which_bodies_lie_in_each_other_hides_nothing(built_with_library, model, part):

@@ -21,12 +21,14 @@ struct fmurt_passage {
   double *kept;             /* [state_count] at the end of the step, where the instance was moved from there */
   double *block;
   int is_moved;
+  int is_told;  /* that a step could not be looked through */
   /* The search at hand. */
   double end_time;
   size_t scene;
   fmurt_states_at states_at;
   void *context;
   const double *motion_begin, *motion_end;
+  int is_blind; /* the model could not be evaluated somewhere */
   int pair[2];
   double number[3];
   char text[200];
@@ -93,10 +95,14 @@ static int motion_at(void *context, double share, double *motion) {
   fmurt_passage *self = context;
   fmurt_instance *instance = self->instance;
   keep_end(self);
-  if (self->states_at(self->context, share, self->state) != 0) return -1;
-  fmurt_set_point(instance, self->time + share * (self->end_time - self->time), self->state);
-  if (fmurt_update_rates(instance) != FMURT_RESULT_OK) return -1;
-  return fmurt_model.scene[self->scene].motion(&instance->values, motion);
+  int is_known = self->states_at(self->context, share, self->state) == 0;
+  if (is_known) {
+    fmurt_set_point(instance, self->time + share * (self->end_time - self->time), self->state);
+    is_known = fmurt_update_rates(instance) == FMURT_RESULT_OK &&
+               fmurt_model.scene[self->scene].motion(&instance->values, motion) == FMURT_RESULT_OK;
+  }
+  if (!is_known) self->is_blind = 1;
+  return is_known ? 0 : -1;
 }
 
 static fmurt_result run_search(fmurt_values *values, void *context) {
@@ -111,6 +117,16 @@ static void take_meeting(fmurt_passage *self, double time, fmurt_meeting *meetin
   meeting->next_step = speed > 0.0 ? first_overlap * thickness / speed : self->end_time - self->time;
   snprintf(self->text, sizeof self->text, "bodies %d and %d of %.100s", self->pair[0], self->pair[1],
            fmurt_model.scene[self->scene].name);
+}
+
+void fmurt_tell_unsearched(fmurt_instance *instance, double begin, double end, int *is_told) {
+  if (*is_told) return;
+  *is_told = 1;
+  const int has_cause = instance->message[0] != '\0';
+  fmurt_log(instance, FMURT_LOG_WARNING, FMURT_LOG_STATUS_WARNING,
+            "Between time %.9g and %.9g bodies may have passed through each other unseen: the model could not be evaluated "
+            "there%s%s. Choose shorter communication steps or a smaller tolerance (told once)",
+            begin, end, has_cause ? ": " : "", instance->message);
 }
 
 int fmurt_passage_look(fmurt_passage *self, fmurt_states_at states_at, void *context, fmurt_meeting *meeting) {
@@ -129,8 +145,13 @@ int fmurt_passage_look(fmurt_passage *self, fmurt_states_at states_at, void *con
     self->motion_end = self->end + offset;
     offset += 18 * (size_t)fmurt_model.scene[self->scene].body_count;
     self->pair[0] = 0;
+    self->is_blind = 0;
     const fmurt_result result = fmurt_call_model(instance, FMURT_CALL_GUARDED, &search);
-    if (result != FMURT_RESULT_OK || self->pair[0] == 0) continue;
+    const int is_found = result == FMURT_RESULT_OK && self->pair[0] != 0;
+    if (!is_found && (result != FMURT_RESULT_OK || self->is_blind)) {
+      fmurt_tell_unsearched(instance, self->time, self->end_time, &self->is_told);
+    }
+    if (!is_found) continue;
     const double time = self->time + self->number[0] * (self->end_time - self->time);
     if (!found || time < meeting->time) take_meeting(self, time, meeting);
     found = 1;

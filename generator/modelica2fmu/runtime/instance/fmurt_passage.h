@@ -32,6 +32,8 @@ void fmurt_passage_go_back(fmurt_passage *self);
 /* Looks at the step that ends at the instance's time, at which its values are up to date. 1 with the first meeting, or 0, and the
  * next step begins there. */
 int fmurt_passage_look(fmurt_passage *self, fmurt_states_at states_at, void *context, fmurt_meeting *meeting);
+/* Warns that a step could not be looked through, once: is_told says so from then on. The cause is the instance's message. */
+void fmurt_tell_unsearched(fmurt_instance *instance, double begin, double end, int *is_told);
 /* The names of those that met last, for messages. */
 const char *fmurt_passage_text(const fmurt_passage *self);
 

@@ -61,6 +61,7 @@ struct fmurt_apart {
   double steps, evaluations, rejected; /* done, as shares of what all parts do */
   double most_steps;
   int escaped_from; /* level of the ball that a body left */
+  int is_told;      /* that a step could not be looked through */
   double *numbers;
   int *integers;
   /* By the states in the order of parts. */
@@ -443,6 +444,7 @@ typedef struct passage_call {
   int pair[2];
   double number[3];
   int is_moved;
+  int is_blind; /* the model could not be evaluated somewhere */
 } passage_call;
 
 static int motion_within(void *context, double share, double *motion) {
@@ -459,6 +461,7 @@ static int motion_within(void *context, double share, double *motion) {
   const fmurt_result result =
       move_bodies(&self->instance->values, self, call->group.group, call->group.count, self->between);
   memcpy(motion, self->m, motion_size * (size_t)self->parts->body_count * sizeof(double));
+  if (result != FMURT_RESULT_OK) call->is_blind = 1;
   return result == FMURT_RESULT_OK ? 0 : -1;
 }
 
@@ -477,7 +480,13 @@ static fmurt_result run_passage(fmurt_values *values, void *context) {
 static double unseen_share(fmurt_apart *self, const group_call *group, double step) {
   passage_call call = {.group = *group, .step = step};
   keep_motion(self, self->finish, group->body_count);
-  if (guarded(self, run_passage, &call) != FMURT_RESULT_OK || call.pair[0] == 0) return 0.0;
+  const fmurt_result result = guarded(self, run_passage, &call);
+  const int is_found = result == FMURT_RESULT_OK && call.pair[0] != 0;
+  if (!is_found && (result != FMURT_RESULT_OK || call.is_blind)) {
+    const double time = self->instance->values.time;
+    fmurt_tell_unsearched(self->instance, time, time + step, &self->is_told);
+  }
+  if (!is_found) return 0.0;
   return fmin(fmax(call.number[0], DBL_EPSILON), 0.999);
 }
 

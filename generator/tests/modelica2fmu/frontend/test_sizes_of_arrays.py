@@ -10,7 +10,7 @@ import random
 from pathlib import Path
 
 import pytest
-from contact_data import core_subset
+from contact_data import checkout, core_subset
 from contact_foundation.errors import InputError
 from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.translation import translate
@@ -64,7 +64,7 @@ def refusal(text: str, folder: Path) -> InputError:
             "u = {3, 4}",
             "u = {3, 4, 5}",
             12,
-            "sizes of arrays do not fit each other in: u = {3, 4, 5}",
+            "u has 2 elements, and what it is given has 3 elements: u = {3, 4, 5}",
             marks=pytest.mark.full,
         ),
         ("y := 2*u", "y := u + {1, 2}", 10, "sizes of arrays do not fit each other in: y := u + {1, 2}"),
@@ -85,6 +85,40 @@ def test_the_line_is_named(tmp_path: Path, old: str, new: str, line: int, said: 
     assert (error.place.file, error.place.line) == (tmp_path / "Sizes.mo", line)
     assert said in error.message
     assert error.remedy
+
+
+BALLS = """model Balls
+  inner Modelica.Mechanics.MultiBody.World world;
+  ContactMultiBody.Parts.FreeBody ball[3](
+    each m=1, each r_CM={0,0,0}, each geometry=ContactMultiBody.Shapes.sphere(0.1));
+  ContactMultiBody.ContactManager contacts(
+    n = 3,
+    collider = {ball[1].collider, ball[2].collider, ball[3].collider},
+    stiffnessChoice = ContactMultiBody.Types.StiffnessChoice.Given,
+    stiffness = {1e5, 1e5, 1e5});
+equation
+  connect(ball.frame_a, contacts.frame);
+end Balls;
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "said"),
+    [
+        ("{1e5, 1e5, 1e5}", "{1e5}", 9, "stiffness has 3 elements, and what it is given has one element"),
+        ("{1e5, 1e5, 1e5}", "fill(1e5, 2)", 9, "stiffness has 3 elements, and what it is given has another size"),
+        (", ball[3].collider", "", 7, "collider has 3 elements, and what it is given has 2 elements"),
+    ],
+)
+def test_the_size_that_a_contact_manager_wants_is_told(
+    tmp_path: Path, old: str, new: str, line: int, said: str
+) -> None:
+    (tmp_path / "Balls.mo").write_text(BALLS.replace(old, new))
+    with pytest.raises(InputError) as caught:
+        translate("Balls", [tmp_path / "Balls.mo", checkout() / "ContactMultiBody"], LIBRARY)
+    assert caught.value.place is not None
+    assert caught.value.place.line == line
+    assert said in caught.value.message
 
 
 def test_the_model_itself_is_right(tmp_path: Path) -> None:
