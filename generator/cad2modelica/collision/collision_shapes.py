@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from contact_foundation.errors import InputError
@@ -12,6 +13,7 @@ from cad2modelica.collision.collision_shape import CollisionShape
 from cad2modelica.collision.convex_decomposition import decompose
 from cad2modelica.collision.shape_recognition import RECOGNISERS, recognise
 from cad2modelica.geometry.convex_hull import convex_hull
+from cad2modelica.geometry.hull_coarsening import coarsened
 from cad2modelica.geometry.hull_thinning import MOST_CORNERS, share_of_corners, thinned
 from cad2modelica.geometry.mesh import Indices, bodies, is_closed, join, volume_integrals, weld
 from cad2modelica.geometry.solid_comparison import compare
@@ -27,6 +29,7 @@ DEFAULT_ERROR = 0.025  # concavity of a piece, relative to the diagonal of the b
 SMALLEST_ERROR = 0.005  # likewise: what a decomposition can resolve
 SNAP = 2e-6  # distance below which a piece's corner is one of the body's, relative to the same
 DEFAULT_PIECES = 16
+COARSE_ERROR = 0.002  # by its diagonal, of the hull of a body that would be decomposed, were it not too fine
 MAXIMUM_PIECES = 256
 MOST_SHAPES = 1024  # of a body in the contact engine's descriptors
 LISTED_BODIES = 5  # numbers of a part's bodies in a note
@@ -36,10 +39,18 @@ Body = tuple[Array, Indices]
 
 @dataclass(frozen=True, eq=False)
 class CollisionGeometry:
-    """The shapes of one part and remarks on how they differ from its geometry."""
+    """The shapes of one part and remarks on how they differ from its geometry.
+
+    Attributes:
+        shapes: they collide.
+        notes: remarks.
+        is_filled: whether a hull or another shape fills what is hollow in the part, or what may be, for its faces are
+            not closed.
+    """
 
     shapes: tuple[CollisionShape, ...]
     notes: tuple[str, ...]
+    is_filled: bool = False
 
     @property
     def descriptor(self) -> str:
@@ -57,6 +68,14 @@ class CollisionGeometry:
         return Ball(pose.point(center), radius)
 
 
+class _BodyShapes(NamedTuple):
+    """Shapes of one connected body, remarks on them, and whether they fill what is hollow."""
+
+    shapes: list[CollisionShape]
+    remarks: list[str]
+    is_filled: bool = False
+
+
 def collision_geometry(part: Part, limits: DecompositionLimits = NO_LIMITS) -> CollisionGeometry:
     """The shapes that stand for a part in contacts: one or more for each connected body of its geometry.
 
@@ -72,6 +91,7 @@ def collision_geometry(part: Part, limits: DecompositionLimits = NO_LIMITS) -> C
         return CollisionGeometry((), ())
     shapes: list[CollisionShape] = []
     remarks: list[tuple[int, str]] = []
+    is_filled = False
     vertices, triangles = weld(*join(meshes))
     found = bodies(vertices, triangles)
     kept, note = _largest(found)
@@ -85,10 +105,11 @@ def collision_geometry(part: Part, limits: DecompositionLimits = NO_LIMITS) -> C
             remarks.append((number, Lost("is flat and was left out of the contacts")))
             continue
         label = _label(part, [number], len(found))
-        own_shapes, texts = _body_shapes(part, label, hull, found[number], limits, refusal, corners)
-        shapes += own_shapes
-        remarks += [(number, text) for text in texts]
-    return CollisionGeometry(tuple(shapes), _notes(part, remarks, len(found), note))
+        own = _body_shapes(part, label, hull, found[number], limits, refusal, corners)
+        shapes += own.shapes
+        remarks += [(number, text) for text in own.remarks]
+        is_filled = is_filled or own.is_filled
+    return CollisionGeometry(tuple(shapes), _notes(part, remarks, len(found), note), is_filled)
 
 
 def _largest(found: list[Body]) -> tuple[list[int], str]:
@@ -138,7 +159,7 @@ def _notes(part: Part, remarks: list[tuple[int, str]], count: int, note: str) ->
 
 def _body_shapes(
     part: Part, label: str, hull: ConvexHull, body: Body, limits: DecompositionLimits, refusal: str, corners: int
-) -> tuple[list[CollisionShape], list[str]]:
+) -> _BodyShapes:
     """Shapes of one connected body and remarks on them.
 
     A refusal says why it is not decomposed; its hull keeps no more than so many corners.
@@ -153,7 +174,8 @@ def _body_shapes(
         )
     if not is_closed(triangles):
         kind = "convex hull" if shape is None else shape.kind
-        return _one_shape(shape, hull, corners, [f"the geometry is not closed; collides as its {kind}"])
+        remarks = [f"the geometry is not closed; collides as its {kind}"]
+        return _one_shape(shape, hull, corners, remarks, is_filled=True)
     volume = volume_integrals(vertices, triangles).volume
     remarks = ["the faces are turned inside out"] if volume < 0 else []
     added = 1.0 - abs(volume) / hull.volume
@@ -164,19 +186,26 @@ def _body_shapes(
         pieces, failure = _pieces(vertices, outward, limits)
         if pieces:
             accuracy = _accuracy(vertices, outward, pieces) + (f" ({failure})" if failure else "")
-            return [_hull_shape(piece)[0] for piece in pieces], [*remarks, accuracy]
-    if added > CONCAVITY_REMARK:
+            return _BodyShapes([_hull_shape(piece)[0] for piece in pieces], [*remarks, accuracy])
+    is_filled = added > CONCAVITY_REMARK
+    if is_filled:
         name = f"its convex hull of {len(hull.vertices)} vertices" if shape is None else f"a {shape.kind}"
         remarks.append(
             f"is not convex; collides as {name}, {100 * added:.0f} % of which is not part of the body"
             + (f" (no decomposition: {failure})" if failure else "")
         )
-    return _one_shape(shape, hull, corners, remarks)
+    is_coarse = added > DECOMPOSED and not _is_asked(part, limits)
+    return _one_shape(shape, hull, corners, remarks, is_filled=is_filled, is_coarse=is_coarse)
+
+
+def _is_asked(part: Part, limits: DecompositionLimits) -> bool:
+    """Whether someone chose how the part collides."""
+    return part.collision is not CollisionChoice.AUTO or any((limits.error, limits.pieces, limits.decomposer))
 
 
 def _too_fine(part: Part, triangles: int, limits: DecompositionLimits) -> str:
     """Why bodies of a part are not decomposed unasked; empty if they are."""
-    asked = part.collision is not CollisionChoice.AUTO or any((limits.error, limits.pieces, limits.decomposer))
+    asked = _is_asked(part, limits)
     if asked or limits.triangles is None or triangles <= limits.triangles:
         return ""
     options = "--decomposer, --collision-error or --max-pieces"
@@ -214,22 +243,36 @@ def _accuracy(vertices: Array, triangles: Indices, pieces: list[ConvexHull]) -> 
 
 
 def _one_shape(
-    shape: CollisionShape | None, hull: ConvexHull, corners: int, remarks: list[str]
-) -> tuple[list[CollisionShape], list[str]]:
-    """The recognised shape, or else the hull, and the remarks with one on a hull that has lost corners."""
+    shape: CollisionShape | None,
+    hull: ConvexHull,
+    corners: int,
+    remarks: list[str],
+    *,
+    is_filled: bool,
+    is_coarse: bool = False,
+) -> _BodyShapes:
+    """The recognised shape, or else the hull, and the remarks with one on a hull that has lost corners.
+
+    A coarse hull leaves out what is finer than ``COARSE_ERROR``.
+    """
     if shape is not None:
-        return [shape], remarks
-    shape, error = _hull_shape(hull, corners)
+        return _BodyShapes([shape], remarks, is_filled)
+    shape, error = _hull_shape(hull, corners, is_coarse=is_coarse)
     if error > 0.0 and shape.vertices is not None:
         remarks = [
             *remarks,
             f"of the {len(hull.vertices)} vertices of its convex hull {len(shape.vertices)} count in contacts, "
             f"Hausdorff distance {1000 * error:.2g} mm",
         ]
-    return [shape], remarks
+    return _BodyShapes([shape], remarks, is_filled)
 
 
-def _hull_shape(hull: ConvexHull, most: int = MOST_CORNERS) -> tuple[CollisionShape, float]:
+def _hull_shape(hull: ConvexHull, most: int = MOST_CORNERS, *, is_coarse: bool = False) -> tuple[CollisionShape, float]:
     """The hull as a shape, and how far corners that it has lost lie outside of it, m."""
+    if is_coarse:
+        size = float(np.linalg.norm(np.ptp(hull.points[hull.vertices], axis=0)))
+        corners, error = coarsened(hull, COARSE_ERROR * size)
+        if len(corners) <= most:
+            return CollisionShape.hull(corners), error
     corners, error = thinned(hull, most)
     return CollisionShape.hull(corners), error

@@ -26,12 +26,15 @@ class Overlap:
 
     Attributes:
         share: the depth over the size of the smaller body.
+        is_filled: whether one of them collides as a shape that fills what is hollow in it, so that the bodies
+            themselves may be apart.
     """
 
     first: str
     second: str
     depth: float
     share: float
+    is_filled: bool = False
 
     @property
     def deep(self) -> bool:
@@ -80,9 +83,11 @@ def start_overlaps(
         return StartCheck((), 0, error.message)
     found = []
     for (first, second), distance in zip(near, distances, strict=True):
-        sizes = [geometries[n].ball(assembly.part(n).pose).radius for n in (first, second) if n not in planes]
-        if distance < -TOLERANCE * min(sizes):
-            found.append(Overlap(first, second, -float(distance), -float(distance) / (2 * min(sizes))))
+        parts = [name for name in (first, second) if name not in planes]
+        size = min(geometries[name].ball(assembly.part(name).pose).radius for name in parts)
+        if distance < -TOLERANCE * size:
+            is_filled = any(geometries[name].is_filled for name in parts)
+            found.append(Overlap(first, second, -float(distance), -float(distance) / (2 * size), is_filled))
     found.sort(key=lambda overlap: (-overlap.depth, overlap.first, overlap.second))
     return StartCheck(tuple(found), len(pairs))
 
@@ -90,11 +95,12 @@ def start_overlaps(
 def without_start_overlaps(
     assembly: Assembly, pairs: Sequence[tuple[str, str]], start: StartCheck
 ) -> tuple[list[tuple[str, str]], StartCheck, tuple[str, ...]]:
-    """Drops pairs of one mechanism that are deep in each other at the start; those included explicitly stay.
+    """Drops pairs of one mechanism that overlap at the start deeply, or as shapes that fill what is hollow.
 
     Descriptions of robots and CAD assemblies have fingers, covers and gear wheels that overlap where they were drawn,
-    and a contact would throw them apart. Bodies that no joints connect keep their contact: a body in the ground would
-    fall for ever without it.
+    and a contact would throw them apart. Hulls of forks, housings and bent links reach into what they hold: their
+    contact would brake joints that turn freely, for ever. Pairs included explicitly stay. Bodies that no joints connect
+    keep their contact: a body in the ground would fall for ever without it.
 
     Returns:
         The pairs that are left, the overlaps among them, and a note on each pair that is not.
@@ -112,12 +118,14 @@ def without_start_overlaps(
     def is_dropped(overlap: Overlap) -> bool:
         first, second = (mechanism.get(name) for name in (overlap.first, overlap.second))
         of_one = first is not None and first == second
-        return overlap.deep and of_one and frozenset((overlap.first, overlap.second)) not in included
+        is_none = overlap.deep or overlap.is_filled
+        return is_none and of_one and frozenset((overlap.first, overlap.second)) not in included
 
     dropped = {frozenset((item.first, item.second)): item for item in start.overlaps if is_dropped(item)}
     notes = tuple(
-        f"{item.first!r} and {item.second!r} overlap at the start by {1000 * item.depth:.4g} mm and were left out of "
-        f"the contacts; --include {item.first},{item.second} has them collide"
+        f"{item.first!r} and {item.second!r} overlap at the start by {1000 * item.depth:.4g} mm"
+        f"{'' if item.deep else ', one of them as a shape that fills what is hollow in it,'} and were left out of the "
+        f"contacts; --include {item.first},{item.second} has them collide"
         for item in dropped.values()
     )
     left = tuple(item for item in start.overlaps if frozenset((item.first, item.second)) not in dropped)

@@ -13,7 +13,7 @@ from cad2modelica.geometry.hull_thinning import MOST_CORNERS, MOST_TOGETHER, thi
 from cad2modelica.geometry.mesh import Indices, Mesh, bodies, weld
 from cad2modelica.geometry.primitive_meshes import box_surface
 from cad2modelica.geometry.spatial import IDENTITY
-from cad2modelica.mechanism.model import CollisionChoice, MassProperties, Part
+from cad2modelica.mechanism.model import CollisionChoice, DecompositionLimits, MassProperties, Part
 from contact_data import contact_engine
 from contact_foundation.errors import Place
 from scipy.spatial import ConvexHull
@@ -139,6 +139,37 @@ def test_fine_hulls_of_one_part_keep_within_the_length_of_a_descriptor() -> None
     ]
     assert told
     assert 0.0 < min(told) <= max(told) < 0.1
+
+
+def test_a_hull_far_from_its_body_is_coarse_unless_asked() -> None:
+    """An egg whose top is pushed in, of too many triangles to be decomposed: its hull adds 18 %, and corners finer than
+    0.2 % of it do not count."""
+    whole = ConvexHull(egg(3000))
+    corners = whole.points[whole.simplices]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    inward = np.einsum("ij,ij->i", normals, whole.equations[:, :3]) < 0
+    triangles = np.where(inward[:, None], whole.simplices[:, ::-1], whole.simplices).astype(np.int64)
+    bowl = whole.points.copy()
+    bowl[:, 2] = np.minimum(bowl[:, 2], 3.0 - bowl[:, 2])
+
+    def geometry(points: np.ndarray, choice: CollisionChoice) -> CollisionGeometry:
+        mesh = Mesh("m", points, triangles, (0.5, 0.5, 0.5))
+        properties = MassProperties(1.0, np.zeros(3), np.eye(3))
+        part = Part("bowl", None, IDENTITY, properties, (mesh,), choice, False, Place())
+        return collision_geometry(part, DecompositionLimits(triangles=1000))
+
+    (unasked, asked, convex) = (
+        geometry(bowl, CollisionChoice.AUTO),
+        geometry(bowl, CollisionChoice.HULL),
+        geometry(whole.points, CollisionChoice.AUTO),
+    )
+    assert (unasked.is_filled, asked.is_filled, convex.is_filled) == (True, True, False)
+    counts = [len(item.shapes[0].vertices) for item in (unasked, asked, convex)]
+    assert 100 < counts[0] < 0.4 * counts[1]
+    assert counts[2] > 2990
+    told = float(re.search(r"Hausdorff distance ([\d.e-]+) mm", " ".join(unasked.notes))[1])
+    diagonal = 2 * np.sqrt(1 + 4 + 2.25**2)
+    assert 1.0 * diagonal < told <= 2.0 * diagonal + 0.5  # mm for each metre; told with two digits
 
 
 def test_few_corners_stay_as_they_are() -> None:

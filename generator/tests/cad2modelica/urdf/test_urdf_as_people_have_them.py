@@ -336,6 +336,48 @@ def test_included_pair_collides_though_it_overlaps(tmp_path: Path) -> None:
     assert any("contact throws them apart" in note for note in package.notes)
 
 
+def grooved(tmp_path: Path, depth: float) -> Path:
+    """A finger 0.5 mm below the rim of a groove (m deep) in a hand, to which a knuckle without shape joins it."""
+    width, height, groove = 0.03, 0.02, 0.02
+    profile = [(-width, 0), (width, 0), (width, height), (groove, height), (groove, height - depth)]
+    profile += [(-groove, height - depth), (-groove, height), (-width, height)]
+    front = [f"v {x} {y} {z}" for x in (-0.03, 0.03) for y, z in profile]
+    caps = [(1, 2, 5), (1, 5, 6), (2, 3, 5), (3, 4, 5), (1, 6, 8), (6, 7, 8)]
+    faces = [f"f {a} {c} {b}" for a, b, c in caps] + [f"f {a + 8} {b + 8} {c + 8}" for a, b, c in caps]
+    for a in range(1, 9):
+        b = a % 8 + 1
+        faces += [f"f {a} {b} {b + 8}", f"f {a} {b + 8} {a + 8}"]
+    (tmp_path / "hand.obj").write_text("\n".join(front + faces))
+    box = '<collision><origin xyz="0 0 0.0345"/><geometry><box size="0.03 0.03 0.03"/></geometry></collision>'
+    return write(
+        tmp_path,
+        link("hand", 0.1, '<collision><geometry><mesh filename="hand.obj"/></geometry></collision>'),
+        link("knuckle", 0.1),
+        link("finger", 0.1, box),
+        joint("l", "revolute", "hand", "knuckle"),
+        joint("r", "revolute", "knuckle", "finger"),
+    )
+
+
+def test_shapes_that_fill_what_is_hollow_do_not_touch_where_they_overlap_at_the_start(tmp_path: Path) -> None:
+    package = generate(grooved(tmp_path, 0.001), tmp_path / "out")
+    assert "contacts.frame" not in (package.root / "Mechanics.mo").read_text()
+    (note,) = [note for note in package.notes if "overlap at the start" in note]
+    assert (
+        "'hand' and 'finger' overlap at the start by 0.5 mm, one of them as a shape that fills what is hollow" in note
+    )
+    assert "--include hand,finger" in note
+    included = GenerateOptions(include=(("hand", "finger"),))
+    kept = generate(grooved(tmp_path, 0.001), tmp_path / "kept", included)
+    assert "contacts.frame" in (kept.root / "Mechanics.mo").read_text()
+
+
+def test_shapes_that_are_the_bodies_touch_though_they_overlap_a_little_at_the_start(tmp_path: Path) -> None:
+    package = generate(grooved(tmp_path, 1e-6), tmp_path / "out")
+    assert "contacts.frame" in (package.root / "Mechanics.mo").read_text()
+    assert any("overlap at the start by 0.5 mm" in note and "left out" not in note for note in package.notes)
+
+
 def test_excluded_pair_does_not_collide(tmp_path: Path) -> None:
     file = overlapping(tmp_path)
     file.write_text(file.read_text().replace("0.04", "0.07"))
