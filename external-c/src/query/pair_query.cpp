@@ -69,6 +69,18 @@ const Pose &shape_pose(const Pose &body, const Shape &shape, Pose &placed) {
   return placed;
 }
 
+// Where the shapes of a compound and their bounding spheres are; half-spaces have none, and theirs is their origin.
+void place_shapes(const BodyShapes &shapes, const Pose &body, std::vector<Pose> &poses, std::vector<Vec3> &centers) {
+  poses.clear();
+  centers.clear();
+  Pose placed;
+  for (const Shape &shape : shapes) {
+    const Pose &pose = shape_pose(body, shape, placed);
+    poses.push_back(pose);
+    centers.push_back(pose(shape.bound_center));
+  }
+}
+
 }  // namespace
 
 void query_shapes(const Scene &scene, const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b,
@@ -123,12 +135,9 @@ void query_shapes_within(double exact_within, const BoundGap &gap, const Scene &
 void query_compounds(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b,
                      const Pose &pose_b, QueryScratch &scratch, ContactSet &result, PairReport &report,
                      double exact_within) {
-  scratch.poses_a.clear();
-  scratch.poses_b.clear();
   scratch.apart.clear();
-  Pose placed;
-  for (const Shape &shape : a) scratch.poses_a.push_back(shape_pose(pose_a, shape, placed));
-  for (const Shape &shape : b) scratch.poses_b.push_back(shape_pose(pose_b, shape, placed));
+  place_shapes(a, pose_a, scratch.poses_a, scratch.centers_a);
+  place_shapes(b, pose_b, scratch.poses_b, scratch.centers_b);
   const auto take = [&](std::size_t i, std::size_t j, const BoundGap &gap) {
     ContactSet &contact = scratch.shape_contact;
     contact.points.clear();
@@ -146,11 +155,17 @@ void query_compounds(const Scene &scene, const BodyShapes &a, const Pose &pose_a
   const auto gap = [&](std::size_t i, std::size_t j) {
     return bound_gap(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);
   };
+  const auto gap_of_spheres = [&](std::size_t i, std::size_t j) {
+    if (a[i].kind == ShapeKind::halfspace || b[j].kind == ShapeKind::halfspace) {
+      return sphere_gap(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);
+    }
+    return norm(scratch.centers_a[i] - scratch.centers_b[j]) - a[i].bound_radius - b[j].bound_radius;
+  };
   // First what may touch; of what is apart the shapes that seem nearest, and then what can be nearer than they are.
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
       if (pair_entry(a[i], b[j]).method == PairMethod::none) continue;
-      const double of_spheres = sphere_gap(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);
+      const double of_spheres = gap_of_spheres(i, j);
       if (of_spheres > 0.0) {
         scratch.apart.push_back({i, j, of_spheres});
         continue;

@@ -29,6 +29,7 @@ struct QueryScratch {
   ContactSet shape_contact;
   std::vector<Pose> body_poses;        // of a scene
   std::vector<Pose> poses_a, poses_b;  // of the shapes of two compounds
+  std::vector<Vec3> centers_a, centers_b;  // of their bounding spheres
   std::vector<ShapesApart> apart;      // of them
   Pose placed_a, placed_b;             // of two single shapes that are not where their bodies are
   SignedDistance answer;                 // kept here, where it need not be cleared for each pair
