@@ -105,7 +105,8 @@ def with_pairs(assembly: Assembly, exclude: Sequence[tuple[str, str]], include: 
 def with_stops(assembly: Assembly, wanted: bool | None) -> Assembly:
     """The assembly with stops at its joints' limits, or without any.
 
-    A joint that starts outside its range gets no stop, which would hit it at the start; a note says so.
+    A joint that starts outside its range gets no stop, which would hit it at the start; a note says so, also where none
+    has stops.
 
     Args:
         assembly: the mechanism.
@@ -117,7 +118,8 @@ def with_stops(assembly: Assembly, wanted: bool | None) -> Assembly:
     if not (assembly.limits_stop if wanted is None else wanted):
         count = f"{len(limited)} joints move" if len(limited) > 1 else "1 joint moves"
         note = Lost(f"{count} without stops at the limits; --stops adds them, --no-stops does without")
-        return _without_limits(assembly, {joint.name for joint in limited}, (note,) if wanted is None else ())
+        notes = (*((note,) if wanted is None else ()), *_outside_notes(limited))
+        return _without_limits(assembly, {joint.name for joint in limited}, notes)
     outside = [joint for joint in limited if _starts_outside(joint)]
     notes = tuple(
         Lost(
@@ -128,6 +130,26 @@ def with_stops(assembly: Assembly, wanted: bool | None) -> Assembly:
         if joint.limits is not None
     )
     return _without_limits(assembly, {joint.name for joint in outside}, notes)
+
+
+def _outside_notes(joints: Sequence[Joint]) -> tuple[str, ...]:
+    """That joints without stops start where the machine never is; position zero is so in many descriptions."""
+    outside = [joint for joint in joints if _starts_outside(joint)]
+    if not outside:
+        return ()
+    listed = ", ".join(
+        f"{joint.name!r} at {joint.position:g} ({_bound(joint.limits.lower)} to {_bound(joint.limits.upper)})"
+        for joint in outside[:LISTED]
+        if joint.limits is not None
+    )
+    more = f", and {len(outside) - LISTED} more" if len(outside) > LISTED else ""
+    count = len(outside)
+    kind = "1 joint starts outside its range" if count == 1 else f"{count} joints start outside their ranges"
+    return (f"{kind}, where parts may lie in each other: {listed}{more}",)
+
+
+def _bound(value: float | None) -> str:
+    return "none" if value is None else f"{value:.4g}"
 
 
 def _starts_outside(joint: Joint) -> bool:

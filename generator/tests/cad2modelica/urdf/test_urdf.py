@@ -543,6 +543,15 @@ def test_no_stop_where_the_joint_starts_outside_its_range(tmp_path: Path) -> Non
     assert any("'r2' has no stops, for it starts at 0, outside its range 0.5 to 2" in note for note in notes)
 
 
+@pytest.mark.parametrize("stops", [None, False])
+def test_note_on_joints_without_stops_that_start_outside_their_range(tmp_path: Path, stops: bool | None) -> None:
+    _, notes = mechanics(tmp_path, GenerateOptions(stops=stops), ('lower="-0.5"', 'lower="0.5"'))
+    said = "1 joint starts outside its range, where parts may lie in each other: 'r2' at 0 (0.5 to 2)"
+    assert said in notes
+    _, inside = mechanics(tmp_path, GenerateOptions(stops=stops, accept_structure=True))
+    assert not any("outside its range" in note for note in inside)
+
+
 def test_continuous_joints_and_empty_ranges_have_no_stops(tmp_path: Path) -> None:
     for old, new in (('name="r2" type="revolute"', 'name="r2" type="continuous"'), ('upper="2"', 'upper="-0.5"')):
         text, _ = mechanics(tmp_path, GenerateOptions(stops=True), (old, new))
