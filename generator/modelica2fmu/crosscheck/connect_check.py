@@ -12,15 +12,18 @@ from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
-from modelica2fmu.crosscheck.class_syntax import Extent, is_array
+from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
+from modelica2fmu.crosscheck.connect_loops import Loops, LoopsAround, rounds
+from modelica2fmu.crosscheck.connect_subscripts import neglected_subscripts, subscript_beyond
 from modelica2fmu.crosscheck.own_classes import model_class, own_classes_of
 from modelica2fmu.library.class_text import without_comments_and_strings
 
-_END: Final = r"([A-Za-z_]\w*(?:\[[^\[\]]*\])?(?:\s*\.\s*[A-Za-z_]\w*(?:\[[^\[\]]*\])?)*)"
+_BRACKETS: Final = r"\[(?:[^\[\]]|\[[^\[\]]*\])*\]"
+_END: Final = rf"([A-Za-z_]\w*(?:{_BRACKETS})?(?:\s*\.\s*[A-Za-z_]\w*(?:{_BRACKETS})?)*)"
 _CONNECT: Final = re.compile(rf"\bconnect\s*\(\s*{_END}\s*,\s*{_END}\s*\)")
-_SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]|\s")
-_PART: Final = re.compile(r"([A-Za-z_]\w*)(\[[^\[\]]*\])?")
+_SUBSCRIPTS: Final = re.compile(rf"{_BRACKETS}|\s")
+_PART: Final = re.compile(rf"([A-Za-z_]\w*)({_BRACKETS})?")
 _SLICE: Final = re.compile(r"\[\s*(\d+)\s*:\s*(\d+)\s*\]")
 _NUMBER: Final = re.compile(r"\[\s*\d+\s*\]")
 _EXPANDABLE: Final = re.compile(r"\bexpandable\s+connector\b")
@@ -34,11 +37,13 @@ class Connect:
         ends: as written.
         scope: the class in which it stands.
         extent: where.
+        loops: around it.
     """
 
     ends: tuple[str, str]
     scope: ClassInstance
     extent: Extent
+    loops: Loops
 
 
 def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Callable[[Extent], Place]) -> None:
@@ -52,17 +57,11 @@ def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Calla
 
     Raises:
         InputError: two connectors have different elements.
-        UnsupportedModelError: a subscript is a vector, of which the front end takes no notice.
+        UnsupportedModelError: the front end takes no notice of a subscript.
     """
     for scope in own_classes_of(model, library, own):
         for connect in connects(scope, library):
-            listed = next((text for end in connect.ends for text in _vector_subscripts(end, scope, library)), None)
-            if listed is not None:
-                raise UnsupportedModelError(
-                    f"{listed} in connect({', '.join(connect.ends)}) is a vector of subscripts, which is not covered",
-                    place=replace(place_of(connect.extent), component=model),
-                    remedy="connect element by element, connect(a[3].y, b[1]); or name a range, as in a[1:2]",
-                )
+            _check_subscripts(model, connect, library, place_of)
             try:
                 first, second = (_described(_class_of(scope, end), library) for end in connect.ends)
             except (UnknownError, UnreadableError, RecursionError):
@@ -74,6 +73,30 @@ def check_connects(model: str, library: ClassLibrary, own: Path, place_of: Calla
                 "only connectors with the same elements can be connected",
                 place=replace(place_of(connect.extent), component=model),
                 remedy="connect each to a connector of its own kind",
+            )
+
+
+def _check_subscripts(model: str, connect: Connect, library: ClassLibrary, place_of: Callable[[Extent], Place]) -> None:
+    place = replace(place_of(connect.extent), component=model)
+    written = f"connect({', '.join(connect.ends)})"
+    for end in connect.ends:
+        neglected = neglected_subscripts(parts_of(end), connect.scope, library, connect.loops.iterators)
+        if neglected is not None:
+            wrong, remedy = neglected
+            raise UnsupportedModelError(f"in {written} {wrong}, which is not covered", place=place, remedy=remedy)
+    if connect.loops.is_conditional:
+        return
+    for known in rounds(connect.loops.heads, connect.scope, library):
+        for end in connect.ends:
+            beyond = subscript_beyond(parts_of(end), connect.scope, library, known)
+            if beyond is None:
+                continue
+            name, number, size = beyond
+            at = ", ".join(f"{iterator} = {value}" for iterator, value in known.items())
+            raise InputError(
+                f"{written} names {name}[{number}]{f' at {at}' if at else ''}, and {name} has {_elements(size)}",
+                place=place,
+                remedy=f"name elements from 1 to {size}" if size else f"give {name} elements",
             )
 
 
@@ -106,18 +129,6 @@ def check_connect_sizes(
             place=replace(place_of(connect.extent), component=model),
             remedy="name the elements that are meant, as in frame[1:3]",
         )
-
-
-def _vector_subscripts(end: str, scope: ClassInstance, library: ClassLibrary) -> Iterator[str]:
-    """Subscripts of an end that are lists, or variables of the class that are vectors."""
-    for _, subscripts in _PART.findall(end):
-        if "{" in subscripts:
-            yield subscripts[1:-1].strip()
-            continue
-        for subscript in subscripts[1:-1].split(","):
-            component = scope.definition.components.get(subscript.strip())
-            if component is not None and is_array(component, library.text(component.extent)):
-                yield subscript.strip()
 
 
 def array_sizes(variables: Mapping[str, Mapping[str, Any]]) -> dict[str, int | None]:
@@ -160,6 +171,10 @@ def _counted(sizes: list[int]) -> str:
     return " x ".join(map(str, sizes)) + " elements" if sizes else "one element"
 
 
+def _elements(count: int) -> str:
+    return {0: "no elements", 1: "one element"}.get(count, f"{count} elements")
+
+
 def parts_of(end: str) -> list[tuple[str, str]]:
     """Names of an end of a connection with their subscripts, which are empty where there are none."""
     return _PART.findall(end)
@@ -170,9 +185,10 @@ def connects(scope: ClassInstance, library: ClassLibrary) -> Iterator[Connect]:
     for section in scope.definition.behaviour:
         # One character a byte, so that places in the text are places in the file.
         text = without_comments_and_strings(library.text(section).encode().decode("latin-1"))
+        loops = LoopsAround(text)
         for match in _CONNECT.finditer(text):
             extent = Extent(section.file, section.start + match.start(), section.start + match.end())
-            yield Connect((match[1], match[2]), scope, extent)
+            yield Connect((match[1], match[2]), scope, extent, loops.at(match.start()))
 
 
 def _class_of(scope: ClassInstance, end: str) -> ClassInstance:

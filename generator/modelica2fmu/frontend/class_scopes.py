@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final
 
-from modelica2fmu.frontend.brackets import end_of_bracket, parts_between_commas
+from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 
 _BOUND: Final = re.compile(
     r"\b(?:model|block|class|package|record|connector|function|operator)\s+(?:extends\s+)?(?P<begin>\w+)\b(?!\s*[=(])"

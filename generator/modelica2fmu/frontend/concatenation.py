@@ -18,7 +18,6 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, Final
 
-from modelica2fmu.frontend.brackets import end_of_bracket, parts_between_commas
 from modelica2fmu.frontend.class_scopes import (
     ClassScope,
     class_scopes,
@@ -27,6 +26,7 @@ from modelica2fmu.frontend.class_scopes import (
     scope_at,
     used_classes,
 )
+from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 
 _MASKED: Final = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _CALL: Final = re.compile(r"(?<![\w.])cat\s*\(")

@@ -13,7 +13,6 @@ from contact_foundation.errors import InputError, Place
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.collider_order import MisplacedRow
 from modelica2fmu.crosscheck.near_names import near_names
-from modelica2fmu.frontend.brackets import end_of_bracket, parts_between_commas
 from modelica2fmu.frontend.call_errors import call_error
 from modelica2fmu.frontend.piece import Piece
 from modelica2fmu.frontend.runner import LAYOUT, Answer
@@ -25,6 +24,7 @@ from modelica2fmu.frontend.source_lines import (
     line_of_name,
     line_of_quoted_name,
 )
+from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 
 # rumoca's whole message where an equation leaves out outputs of a function.
 _NAMELESS: Final = "missing source scope for imports"

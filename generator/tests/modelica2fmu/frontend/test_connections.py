@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -283,25 +282,6 @@ def test_scalars_of_arrays_of_blocks_are_connected_with_vectors(simulate: Callab
     time = result["time"]
     np.testing.assert_allclose(result["second"], 4 * time, atol=1e-9)
     np.testing.assert_allclose(result["far"], 4 / 2 * time**3 / 6, atol=1e-7)
-
-
-@pytest.mark.parametrize(
-    ("ends", "subscripts"),
-    [
-        ("source[{3, 1}].y, vector", "{3, 1}"),
-        ("source[chosen].y, vector", "chosen"),
-        ("source[2:3].y, vector[{2, 1}]", "{2, 1}"),
-        ("vector, source[{i + 1 for i in 1:2}].y", "{i + 1 for i in 1:2}"),
-    ],
-)
-def test_vectors_of_subscripts_are_refused(tmp_path: Path, ends: str, subscripts: str) -> None:
-    """The front end leaves them out, and would connect all elements in their order."""
-    text = VECTORS.replace("source[2:3].y, vector", ends)
-    text = text.replace("  Real second", "  parameter Integer chosen[2] = {3, 1};\n  Real second")
-    with pytest.raises(InputError, match=re.escape(f"{subscripts} in connect(")) as caught:
-        translated(tmp_path, text)
-    assert caught.value.place is not None
-    assert caught.value.place.line == 14
 
 
 @pytest.mark.parametrize(

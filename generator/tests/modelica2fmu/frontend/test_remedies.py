@@ -229,7 +229,7 @@ def test_a_range_to_the_end_in_connect(tmp_path: Path) -> None:
         "equation\n  connect(c[2:end].y, y);\n"
     )
     error = refusal(f"model M\n{text}end M;\n", tmp_path)
-    assert "a range in connect" in error.message
+    assert "2:end counts from the end" in error.message
     assert "in place of end" in (error.remedy or "")
     assert error.place is not None
     assert error.place.line == 5
