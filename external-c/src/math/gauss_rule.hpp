@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "math/legendre_series.hpp"
 #include "math/pi.hpp"
 
 namespace cmb::overlap {
@@ -36,12 +37,49 @@ struct GaussRule {
 template <int n>
 inline const GaussRule<n> gauss_rule;
 
+// What a LegendreSeries is made of.
+template <int n>
+struct GaussSeries {
+  std::array<double, n> last, next;
+  std::array<std::array<double, n>, n> part;
+  GaussSeries() {
+    const GaussRule<n> rule;
+    // Legendre's polynomials up to degree n at the nodes.
+    std::array<std::array<double, n + 1>, n> value;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double x = 2.0 * rule.node[k] - 1.0;
+      value[k][0] = 1.0, value[k][1] = x;
+      for (int j = 2; j <= n; ++j) {
+        const auto at = static_cast<std::size_t>(j);
+        value[k][at] = ((2 * j - 1) * x * value[k][at - 1] - (j - 1) * value[k][at - 2]) / j;
+      }
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      last[k] = (2 * n - 1) * rule.weight[k] * value[k][n - 1];
+      next[k] = (2 * n - 3) * rule.weight[k] * value[k][n - 2];
+      for (std::size_t j = 0; j < n; ++j) {
+        double sum = rule.node[k];
+        for (std::size_t l = 1; l < n; ++l) sum += 0.5 * value[j][l] * (value[k][l + 1] - value[k][l - 1]);
+        part[k][j] = sum;
+      }
+    }
+  }
+};
+
+template <int n>
+inline const GaussSeries<n> gauss_series;
+
 // Any of them.
 struct GaussNodes {
   const double *node, *weight;
   std::size_t count;
+  LegendreSeries series;
   template <int n>
-  explicit GaussNodes(const GaussRule<n> &rule) : node(rule.node.data()), weight(rule.weight.data()), count(n) {}
+  explicit GaussNodes(const GaussRule<n> &rule)
+      : node(rule.node.data()),
+        weight(rule.weight.data()),
+        count(n),
+        series{n, rule.node.data(), rule.weight.data(), gauss_series<n>.last.data(), gauss_series<n>.next.data(), gauss_series<n>.part[0].data()} {}
 };
 
 }  // namespace cmb::overlap

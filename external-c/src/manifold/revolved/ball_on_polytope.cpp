@@ -96,7 +96,7 @@ bool BallOnPolytope::find(const Vec3 &semi_axes, const convex::PolytopeView &pol
   }
   const Vec3 from = divided(place, semi_axes);
   for (std::size_t f = 0; f < planes_.size(); ++f) {
-    PlaneFan fan(planes_[f].normal, from, surface.of_b());
+    PlaneFan fan(planes_[f].normal, from, planes_[f].offset - dot(planes_[f].normal, from), surface.of_b());
     if (planes_[f].offset < 1.0 && !follow_face(f, fan)) return false;
   }
   add_ball_part(from, surface.of_a());
@@ -162,7 +162,7 @@ bool BallOnPolytope::follow_face(std::size_t index, PlaneFan &fan) {
   while (!passages_.empty()) {
     Passages::Arc arc;
     if (!passages_.take_arc(rounding, arc)) return false;
-    if (!arc.round && arc.to.key == arc.from.key) continue;
+    if (arc.empty) continue;
     const double turn = arc.to.angle - arc.from.angle + (arc.round ? 2.0 * pi : 0.0);
     if (turn > 0.0) add_arc({center, radius * along, radius * across, arc.from.angle, turn}, fan);
   }

@@ -20,31 +20,13 @@ double within(double height, const RevolvedBody &body) { return std::clamp(heigh
 // sin(x) / x
 double sine_ratio(double x) { return std::fabs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
 
-// What turns values at a Gauss rule's places to the last two coefficients of the series of Legendre's polynomials through them.
-template <std::size_t n>
-struct LegendreTail {
-  double last[n], next[n];
-  LegendreTail() {
-    const overlap::GaussRule<static_cast<int>(n)> rule;
-    for (std::size_t k = 0; k < n; ++k) {
-      const double x = 2.0 * rule.node[k] - 1.0;
-      double before = 1.0, value = x;
-      for (std::size_t j = 2; j < n; ++j) {
-        const double degree = static_cast<double>(j), after = ((2.0 * degree - 1.0) * x * value - (degree - 1.0) * before) / degree;
-        before = value, value = after;
-      }
-      last[k] = (2.0 * static_cast<double>(n) - 1.0) * rule.weight[k] * value;
-      next[k] = (2.0 * static_cast<double>(n) - 3.0) * rule.weight[k] * before;
-    }
-  }
-};
-const LegendreTail<node_count> legendre_tail;
 
 }  // namespace
 
-MantleCrossing::MantleCrossing(Mantle &ruled, Mantle &other, const Pose &in_other, Cuts &cuts)
+MantleCrossing::MantleCrossing(Mantle &ruled, Mantle &other, const Pose &in_other, Cuts &cuts, EdgePlaces *fitted)
     : ruled_(ruled), other_(other), in_other_(in_other), rulings_(ruled.body(), other.body(), in_other),
-      size_(ruled.body().radius + ruled.body().half + other.body().radius + other.body().half) {
+      size_(ruled.body().radius + ruled.body().half + other.body().radius + other.body().half),
+      fitted_(fitted) {
   for (int k = 0; k < 2; ++k) {
     cuts.on[k].clear();
     strand_[k].cuts = &cuts.on[k];
@@ -152,8 +134,12 @@ bool MantleCrossing::find_place(const Strand &strand, double parameter, Place &p
   if (std::fabs(by_ruling) > along * std::fabs(by_turn)) rise = -by_turn / by_ruling * around * body.across;
   const double wider = body.slope * rise;
   place.angle_cosine = c, place.angle_sine = s;
-  const Vec3 step = in_other_.rotation * Vec3{wider * c - around * s, wider * s + around * c, rise};
+  const Vec3 way{wider * c - around * s, wider * s + around * c, rise}, step = in_other_.rotation * way;
   place.turn_in_other = (p.x * step.y - p.y * step.x) / (p.x * p.x + p.y * p.y);
+  if (fitted_ != nullptr) {
+    const Pose &in_common = ruled_.in_common();
+    place.fitted = EdgePlaces::on_both(ruled_, other_, in_common(place.at), in_common.rotation * way, EdgePlaces::most_off * size_);
+  }
   return true;
 }
 
@@ -168,14 +154,14 @@ bool MantleCrossing::is_between_ends(const Strand &strand, double from, double t
   return between >= 2;
 }
 
-void MantleCrossing::add_corner(const Vec3 &at) {
+void MantleCrossing::add_corner(const Vec3 &at, const Vec3 &corner) {
   if (strands_ == 0) return;
   const double angle = std::atan2(at.y, at.x);
   const double growth = rulings_.growth_at(rulings_.ruling(angle), rulings_.place_at(at.z));
   const bool grows = growth > 0.0;
   if (!strand_[0].is_oval()) {
     const Strand &strand = strand_[grows ? 0 : 1];
-    strand.cuts->push_back({strand.sense * angle, at});
+    strand.cuts->push_back({strand.sense * angle, at, corner});
     return;
   }
   // Between ovals rounding may put it.
@@ -188,7 +174,7 @@ void MantleCrossing::add_corner(const Vec3 &at) {
     const double c = growth / (strand.half * strand.steepness(ahead, strand.half + ahead, strand.half - ahead));
     parameter = std::fabs(c) < 1.0 ? std::atan2(std::copysign(std::sqrt(1.0 - c * c), s), c) : parameter;
   }
-  strand.cuts->push_back({parameter, at});
+  strand.cuts->push_back({parameter, at, corner});
 }
 
 void MantleCrossing::follow() {
@@ -205,6 +191,7 @@ void MantleCrossing::follow_strand(const Strand &strand) {
   };
   if (cuts.empty()) {
     if (is_between_ends(strand, -0.5 * pi, 1.5 * pi)) add(-0.5 * pi, 1.5 * pi);
+    close(nullptr, nullptr);
     return;
   }
   for (Cut &cut : cuts) cut.parameter = wrapped(cut.parameter);
@@ -216,9 +203,28 @@ void MantleCrossing::follow_strand(const Strand &strand) {
     if (!(to - from > empty) || !is_between_ends(strand, from, to)) continue;
     const std::size_t begin = ruled_.border().size(), begin_in_other = other_.border().size();
     add(from, to);
+    if (fitted_ != nullptr) {
+      close(&first, &last);
+      continue;
+    }
     fit_turn(first.at, last.at, begin, ruled_.border());
     fit_turn(in_other_(last.at), in_other_(first.at), begin_in_other, other_.border());
   }
+}
+
+// Of a fitted edge, between two corners or closed.
+void MantleCrossing::close(const Cut *from, const Cut *to) {
+  if (fitted_ == nullptr) return;
+  if (from != nullptr) {
+    fitted_->lead(ruled_, other_, from->corner, to->corner, EdgePlaces::most_off * size_);
+  } else {
+    fitted_->lead({});
+  }
+  for (const EdgePlaces::Place &place : fitted_->places()) {
+    ruled_.add_border_way(place.at, place.step, 1.0);
+    other_.add_border_way(place.at, place.step, -1.0);
+  }
+  fitted_->clear();
 }
 
 // The turn between the ends of a part of a border is that of its places: so rounding leaves it closed. More may be left of turns about an apex
@@ -234,7 +240,8 @@ void MantleCrossing::fit_turn(const Vec3 &from, const Vec3 &to, std::size_t begi
 
 // Halves an arc until polynomials of one degree less than there are places are as good as the curve, or rounding is all that is unknown.
 void MantleCrossing::add_arc(const Strand &strand, double from, double to, int depth, const Unknown &before) {
-  constexpr double rough = 1e-4, rough_area = 1e-5, little = 1e-9, falls = 0.7, by_rounding = 1e-9;
+  const double rough = fitted_ != nullptr ? 1e-6 : 1e-4, rough_area = 0.1 * rough;
+  constexpr double little = 1e-9, falls = 0.7, by_rounding = 1e-9;
   constexpr int deepest = 30;
   const overlap::GaussNodes rule(overlap::gauss_rule<static_cast<int>(node_count)>);
   const double width = to - from;
@@ -245,12 +252,12 @@ void MantleCrossing::add_arc(const Strand &strand, double from, double to, int d
     Vec3 last, next, low = place[0].at, high = low;
     double last_area = 0.0, next_area = 0.0, most_area = 0.0, last_turn = 0.0, next_turn = 0.0;
     for (std::size_t k = 0; k < node_count; ++k) {
-      const Vec3 &at = place[k].at;
-      last = last + legendre_tail.last[k] * at, next = next + legendre_tail.next[k] * at;
+      const Vec3 &at = fitted_ != nullptr ? place[k].fitted.at : place[k].at;
+      last = last + rule.series.last[k] * at, next = next + rule.series.next[k] * at;
       const double turn = width * place[k].turn_in_other, across = other_.width_at(height_in_other(place[k]), height_in_other(place[0]));
       const double area = turn * across;
-      last_turn += legendre_tail.last[k] * turn, next_turn += legendre_tail.next[k] * turn;
-      last_area += legendre_tail.last[k] * area, next_area += legendre_tail.next[k] * area;
+      last_turn += rule.series.last[k] * turn, next_turn += rule.series.next[k] * turn;
+      last_area += rule.series.last[k] * area, next_area += rule.series.next[k] * area;
       widest_ = std::max(widest_, std::fabs(across));
       low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
       high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
@@ -274,9 +281,14 @@ void MantleCrossing::add_arc(const Strand &strand, double from, double to, int d
     }
   }
   if (!found) return;
+  if (fitted_ != nullptr) fitted_->begin_arc(rule.series);
   for (std::size_t k = 0; k < node_count; ++k) {
     const Place &at = place[k];
     const double part = width * rule.weight[k];
+    if (fitted_ != nullptr) {
+      fitted_->add({at.fitted.at, part * at.fitted.step});
+      continue;
+    }
     ruled_.add_border_place({at.angle_cosine, at.angle_sine, 0.0}, within(at.height, ruled_.body()), part * at.turn);
     const Vec3 &p = at.in_other;
     const double across = std::sqrt(p.x * p.x + p.y * p.y);

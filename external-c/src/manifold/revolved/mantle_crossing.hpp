@@ -16,18 +16,19 @@ class MantleCrossing {
   // Where a corner is on a strand of the curve; its place is in the frame of the mantle whose rulings serve.
   struct Cut {
     double parameter;
-    Vec3 at;
+    Vec3 at, corner;
   };
   // Room to work in; it grows in the first calls.
   struct Cuts {
     std::vector<Cut> on[2];
   };
 
-  // `in_other`: from the frame of the mantle whose rulings serve to that of the other one.
-  MantleCrossing(Mantle &ruled, Mantle &other, const Pose &in_other, Cuts &cuts);
+  // `in_other`: from the frame of the mantle whose rulings serve to that of the other one. `fitted`: room for places of edges, where they
+  // are to be fitted to both sides.
+  MantleCrossing(Mantle &ruled, Mantle &other, const Pose &in_other, Cuts &cuts, EdgePlaces *fitted);
 
-  // In the frame of the mantle whose rulings serve.
-  void add_corner(const Vec3 &at);
+  // In the frame of the mantle whose rulings serve, and in the nodes' axes.
+  void add_corner(const Vec3 &at, const Vec3 &corner);
   // Adds the curve, as far as it is between the ends, to both mantles.
   void follow();
 
@@ -47,6 +48,7 @@ class MantleCrossing {
     double angle_cosine, angle_sine, height, turn;
     Vec3 at, in_other;  // in both frames
     double turn_in_other;
+    EdgePlaces::Place fitted;
   };
 
   double height_in_other(const Place &place) const { return other_.body().height_on_mantle(place.in_other); }
@@ -54,6 +56,7 @@ class MantleCrossing {
   bool find_place(const Strand &strand, double parameter, Place &place) const;
   bool is_between_ends(const Strand &strand, double from, double to) const;
   void follow_strand(const Strand &strand);
+  void close(const Cut *from, const Cut *to);
   // What is not known of an arc by its places, of its way and of what it adds to the other mantle's area.
   struct Unknown {
     double way, area;
@@ -66,6 +69,7 @@ class MantleCrossing {
   const Pose in_other_;
   const MantleRulings rulings_;
   const double size_;
+  EdgePlaces *const fitted_;
   Strand strand_[2];
   int strands_ = 0, arcs_left_ = 200;  // the latter that may be halved
   double most_area_ = 0.0, widest_ = 0.0;  // that an arc has added to the other mantle's area, and as far as one came from its first place

@@ -15,7 +15,8 @@ using overlap::GaussNodes;
 
 // A rule that serves for curves through so great an angle. What is cut off by a chord is as deep as the angle's square, and that counts by
 // its third power.
-GaussNodes rule_for(double angle) {
+GaussNodes rule_for(double angle, const EdgePlaces *fitted) {
+  if (fitted != nullptr) return GaussNodes(gauss_rule<14>);
   if (angle < 0.5) return GaussNodes(gauss_rule<7>);
   if (angle < 1.1) return GaussNodes(gauss_rule<8>);
   if (angle < 1.8) return GaussNodes(gauss_rule<10>);
@@ -68,10 +69,39 @@ class CosineWay {
 
 double rounding_of(const RevolvedBody &body) { return 1e-12 * (body.radius + body.half); }
 
+double most_off(const RevolvedBody &body) { return EdgePlaces::most_off * (body.radius + body.half); }
+
+void begin_arc(EdgePlaces *places, const GaussNodes &rule) {
+  if (places != nullptr) places->begin_arc(rule.series);
+}
+
+// Of a fitted edge, between two corners or closed.
+void close(EdgePlaces *places, const Passages::Arc *arc, PlaneFan &fan, Mantle &mantle) {
+  if (places == nullptr) return;
+  if (arc != nullptr) {
+    places->lead(fan, mantle, arc->from.corner, arc->to.corner, most_off(mantle.body()));
+  } else {
+    places->lead({});
+  }
+  for (const EdgePlaces::Place &place : places->places()) {
+    fan.add_curve_node(place.at, place.step);
+    mantle.add_border_way(place.at, place.step, 1.0);
+  }
+  places->clear();
+}
+
+// So of one that is as good as empty.
+void close_straight(EdgePlaces *places, const Passages::Arc &arc, PlaneFan &fan, Mantle &mantle) {
+  if (places == nullptr) return;
+  const Vec3 &from = arc.from.corner, &to = arc.to.corner;
+  fan.add_segment(from, to);
+  mantle.add_border_way(0.5 * (from + to), to - from, 1.0);
+}
+
 }  // namespace
 
-void MantleSection::start(Mantle &mantle, const Vec3 &n, double offset) {
-  mantle_ = &mantle;
+void MantleSection::start(Mantle &mantle, const Vec3 &n, double offset, EdgePlaces *fitted) {
+  mantle_ = &mantle, fitted_ = fitted;
   passages_.clear();
   const RevolvedBody &body = mantle.body();
   radial_ = std::sqrt(n.x * n.x + n.y * n.y);
@@ -101,13 +131,13 @@ bool MantleSection::find_height(double cosine, double &height) const {
   return above > 0.0 ? growth < 0.0 : growth > 0.0;
 }
 
-void MantleSection::add_passage(const Vec3 &at, bool to_curve) {
+void MantleSection::add_passage(const Vec3 &at, bool to_curve, const Vec3 &corner) {
   // A cone's apex is where the first axis points, for all planes that meet there.
   const Vec3 radial = at.x == 0.0 && at.y == 0.0 ? Vec3{1.0, 0.0, 0.0} : at;
   const double height = std::clamp(mantle_->body().height_on_mantle(at), -mantle_->body().half, mantle_->body().half);
   const double angle = std::atan2(dot(across_, radial), dot(along_, radial)), beyond = height - front_;
   // Where the plane is as good as parallel to the axis the height tells how far along the conic a place is; elsewhere both do.
-  passages_.add({sense_ * mantle_->body().radius * angle + std::copysign(beyond, beyond >= 0.0 ? angle : -angle), angle, height, to_curve});
+  passages_.add({sense_ * mantle_->body().radius * angle + std::copysign(beyond, beyond >= 0.0 ? angle : -angle), angle, height, to_curve, corner});
 }
 
 bool MantleSection::find_loop(Vec3 &at) const {
@@ -121,6 +151,11 @@ bool MantleSection::find_loop(Vec3 &at) const {
 }
 
 void MantleSection::follow_loop(PlaneFan &fan) {
+  add_loop(fan);
+  close(fitted_, nullptr, fan, *mantle_);
+}
+
+void MantleSection::add_loop(PlaneFan &fan) {
   double front = 0.0, back = 0.0;  // heights at angle 0 and on the other side
   find_height(1.0, front);
   find_height(-1.0, back);
@@ -158,7 +193,12 @@ void MantleSection::add_place(PlaneFan &fan, double cosine, double sine, double 
   const Vec3 outward = cosine * along_ + sine * across_, around = cosine * across_ - sine * along_;
   Vec3 step = (radius * turn) * around + (body.slope * rise) * outward;
   step.z = rise;
-  fan.add_curve_node(in_common({radius * outward.x, radius * outward.y, height}), in_common.rotation * step);
+  const Vec3 at = in_common({radius * outward.x, radius * outward.y, height}), way = in_common.rotation * step;
+  if (fitted_ != nullptr) {
+    fitted_->add(EdgePlaces::on_both(fan, *mantle_, at, way, most_off(body)));
+    return;
+  }
+  fan.add_curve_node(at, way);
   mantle_->add_border_place(outward, height, turn);
 }
 
@@ -175,10 +215,14 @@ bool MantleSection::follow_arcs(PlaneFan &fan) {
   while (!passages_.empty()) {
     Passages::Arc arc;
     if (!passages_.take_arc(rounding, arc)) return false;
-    if (!arc.round && arc.to.key == arc.from.key) continue;
+    if (arc.empty) {
+      close_straight(fitted_, arc, fan, *mantle_);
+      continue;
+    }
     if (is_steady_) {
       if (arc.round && !has_back) return false;
       add_swing(fan, arc.from.angle, arc.to.angle - arc.from.angle + (arc.round ? sense_ * 2.0 * pi : 0.0));
+      close(fitted_, &arc, fan, *mantle_);
       continue;
     }
     double angle = arc.from.angle, height = arc.from.height;
@@ -201,33 +245,41 @@ bool MantleSection::follow_arcs(PlaneFan &fan) {
       go(0.0, front);
     }
     go(arc.to.angle, arc.to.height);
+    close(fitted_, &arc, fan, *mantle_);
   }
   return true;
 }
 
-void Rim::start(Mantle &mantle, End end) {
+void Rim::start(Mantle &mantle, End end, EdgePlaces *fitted) {
   const RevolvedBody &body = mantle.body();
   mantle_ = &mantle;
   height_ = end == base ? -body.half : body.half;
   radius_ = end == base || body.is_cylinder() ? body.radius : 0.0;
   sense_ = end == base ? -1.0 : 1.0;
+  fitted_ = radius_ > 0.0 ? fitted : nullptr;
   passages_.clear();
 }
 
-void Rim::add_passage(const Vec3 &at, bool to_rim) {
+void Rim::add_passage(const Vec3 &at, bool to_rim, const Vec3 &corner) {
   const double angle = std::atan2(at.y, at.x);
-  passages_.add({sense_ * radius_ * angle, angle, height_, to_rim});
+  passages_.add({sense_ * radius_ * angle, angle, height_, to_rim, corner});
 }
 
 void Rim::follow_all(PlaneFan &fan) {
   const double width = sense_ * 2.0 * pi / round_places;
   for (int k = 0; k < round_places; ++k) add_place(fan, round_cosine[k], round_sine[k], width);
+  close(fitted_, nullptr, fan, *mantle_);
 }
 
 void Rim::add_place(PlaneFan &fan, double cosine, double sine, double step) {
   const Pose &in_common = mantle_->in_common();
   const double way = radius_ * step;
-  fan.add_curve_node(in_common({radius_ * cosine, radius_ * sine, height_}), in_common.rotation * Vec3{-way * sine, way * cosine, 0.0});
+  const Vec3 at = in_common({radius_ * cosine, radius_ * sine, height_}), along = in_common.rotation * Vec3{-way * sine, way * cosine, 0.0};
+  if (fitted_ != nullptr) {
+    fitted_->add(EdgePlaces::on_both(fan, *mantle_, at, along, most_off(mantle_->body())));
+    return;
+  }
+  fan.add_curve_node(at, along);
   mantle_->add_border_place({cosine, sine, 0.0}, height_, step);
 }
 
@@ -236,8 +288,12 @@ bool Rim::follow_arcs(PlaneFan &fan) {
   while (!passages_.empty()) {
     Passages::Arc arc;
     if (!passages_.take_arc(rounding, arc)) return false;
-    if (!arc.round && arc.to.key == arc.from.key) continue;
+    if (arc.empty) {
+      close_straight(fitted_, arc, fan, *mantle_);
+      continue;
+    }
     add_arc(fan, arc.from.angle, arc.to.angle - arc.from.angle + (arc.round ? sense_ * 2.0 * pi : 0.0));
+    close(fitted_, &arc, fan, *mantle_);
   }
   return true;
 }
@@ -245,8 +301,9 @@ bool Rim::follow_arcs(PlaneFan &fan) {
 void Rim::add_arc(PlaneFan &fan, double from, double turn) {
   const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
   const double width = turn / parts;
-  const GaussNodes rule = rule_for(std::fabs(width));
+  const GaussNodes rule = rule_for(std::fabs(width), fitted_);
   for (int part = 0; part < parts; ++part) {
+    begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
       const double angle = from + width * (part + rule.node[k]);
       add_place(fan, std::cos(angle), std::sin(angle), width * rule.weight[k]);
@@ -257,8 +314,9 @@ void Rim::add_arc(PlaneFan &fan, double from, double turn) {
 void MantleSection::add_swing(PlaneFan &fan, double from, double turn) {
   const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
   const double width = turn / parts;
-  const GaussNodes rule = rule_for(std::fabs(width));
+  const GaussNodes rule = rule_for(std::fabs(width), fitted_);
   for (int part = 0; part < parts; ++part) {
+    begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
       const double angle = from + width * (part + rule.node[k]), cosine = std::cos(angle), sine = std::sin(angle);
       const double step = width * rule.weight[k];
@@ -275,7 +333,7 @@ void MantleSection::add_way_by_apex(PlaneFan &fan, double angle0, double height0
   };
   fan.add_segment(place(angle0, height0), place(angle1, height1));
   const double turn = angle1 - angle0, height = std::max(height0, height1);
-  const GaussNodes rule = rule_for(std::fabs(turn));
+  const GaussNodes rule = rule_for(std::fabs(turn), fitted_);
   for (std::size_t k = 0; k < rule.count; ++k) {
     mantle_->add_border_place(outward(angle0 + rule.node[k] * turn), height, rule.weight[k] * turn);
   }
@@ -288,9 +346,10 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
     constexpr double hardly = 1e-4;  // by the angle: as good as a straight line along the axis
     const bool is_line = std::fabs(turn) < hardly * std::min(std::fabs(angle0), std::fabs(angle1));
-    const GaussNodes rule = is_line ? GaussNodes(gauss_rule<5>) : rule_for(std::fabs(turn) / parts);
+    const GaussNodes rule = is_line ? GaussNodes(gauss_rule<5>) : rule_for(std::fabs(turn) / parts, fitted_);
     const CosineWay cosine_way(angle0, turn);
     for (int part = 0; part < parts; ++part) {
+      begin_arc(fitted_, rule);
       for (std::size_t k = 0; k < rule.count; ++k) {
         const double weight = rule.weight[k] / parts;
         const CosineWay::Place at = cosine_way.at((part + rule.node[k]) / parts);
@@ -307,8 +366,9 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
   }
   // The inverse of how far a cone's place is below the apex is linear in the cosine. Parts in which that hardly changes.
   // By the turn and by how the distance from the apex grows.
-  const GaussNodes rule = rule_for(std::max(std::fabs(turn), std::fabs(std::log(down1 / down0))));
+  const GaussNodes rule = rule_for(std::max(std::fabs(turn), std::fabs(std::log(down1 / down0))), fitted_);
   if (std::fabs(turn) < 1e-9) {  // a straight line, as good as
+    begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
       const double part = rule.node[k], angle = angle0 + part * turn;
       add_place(fan, std::cos(angle), std::sin(angle), height0 + part * (height1 - height0), rule.weight[k] * turn,
@@ -342,6 +402,7 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     }
     const double part_turn = to - from;
     const CosineWay cosine_way(from, part_turn);
+    begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
       const CosineWay::Place at = cosine_way.at(rule.node[k]);
       const double down = 1.0 / (from_inverse + at.way * (to_inverse - from_inverse));

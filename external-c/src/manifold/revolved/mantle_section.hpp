@@ -13,9 +13,10 @@ namespace cmb {
 class MantleSection {
  public:
   // `normal` (unit, outward), `offset`: of the plane, in the mantle's frame.
-  void start(Mantle &mantle, const Vec3 &normal, double offset);
-  // A place (in the mantle's frame) where the plane side's border goes over to the conic, or comes from there.
-  void add_passage(const Vec3 &at, bool to_curve);
+  // `fitted`: room for places of edges, where they are to be fitted to both sides.
+  void start(Mantle &mantle, const Vec3 &normal, double offset, EdgePlaces *fitted = nullptr);
+  // A place (in the mantle's frame, and as a corner) where the plane side's border goes over to the conic, or comes from there.
+  void add_passage(const Vec3 &at, bool to_curve, const Vec3 &corner = {});
 
   // Adds the conic's arcs between the passages to both. Where there are no passages all of it borders, or nothing: `holds` tells of a
   // place in the mantle's frame whether it is in the plane side. False where passages do not fit together.
@@ -32,6 +33,7 @@ class MantleSection {
   // Whether it is closed, between the ends; a place of it.
   bool find_loop(Vec3 &at) const;
   void follow_loop(PlaneFan &fan);
+  void add_loop(PlaneFan &fan);
   bool find_height(double cosine, double &height) const;
   void add_place(PlaneFan &fan, double cosine, double sine, double height, double turn, double rise);
   // Of a cylinder's conic that is inclined enough for its heights to follow from angles.
@@ -42,6 +44,7 @@ class MantleSection {
   void add_arc(PlaneFan &fan, double angle0, double height0, double angle1, double height1);
 
   Mantle *mantle_ = nullptr;
+  EdgePlaces *fitted_ = nullptr;
   Vec3 along_, across_;             // unit, perpendicular to the axis
   double radial_ = 0.0, axial_ = 0.0, offset_ = 0.0;  // of the plane: radial cos(angle) distance + axial height = offset
   double sense_ = 1.0;              // 1 where angles grow counter-clockwise about the plane
@@ -56,9 +59,9 @@ class Rim {
  public:
   enum End : std::size_t { base, top, ends };
 
-  void start(Mantle &mantle, End end);
-  // A place (in the mantle's frame) where the end's border goes over to the rim, or comes from there.
-  void add_passage(const Vec3 &at, bool to_rim);
+  void start(Mantle &mantle, End end, EdgePlaces *fitted = nullptr);
+  // A place (in the mantle's frame, and as a corner) where the end's border goes over to the rim, or comes from there.
+  void add_passage(const Vec3 &at, bool to_rim, const Vec3 &corner = {});
   // Adds the rim's arcs between the passages to the mantle and to the end. Where there are none all of it borders, or nothing: `holds` tells
   // of a place in the mantle's frame whether it is in the other body. False where passages do not fit together.
   template <typename Holds>
@@ -75,6 +78,7 @@ class Rim {
   void add_arc(PlaneFan &fan, double from, double turn);
 
   Mantle *mantle_ = nullptr;
+  EdgePlaces *fitted_ = nullptr;
   double radius_ = 0.0, height_ = 0.0;
   double sense_ = 1.0;  // 1 where angles grow counter-clockwise about the end
   Passages passages_;

@@ -27,7 +27,7 @@ bool Passages::take_arc(double rounding, Arc &arc) {
   arc.round = best_round;
   list_[best] = list_.back();
   list_.pop_back();
-  if (!arc.round && nearest <= rounding) arc.to = arc.from;
+  arc.empty = !arc.round && nearest <= rounding;
   return true;
 }
 

@@ -68,7 +68,7 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
     const Vec3 normal = in_frame.rotation * face.normal;
     const double offset = face.offset + dot(normal, in_frame.translation);
     faces_.push_back(static_cast<std::int32_t>(f));
-    planes_.push_back({offset, {normal, place, surface.of_b()}});
+    planes_.push_back({offset, {normal, place, offset - dot(normal, place), surface.of_b()}});
   }
   const Vec3 apex{0.0, 0.0, body.half};
   const bool to_apex = !body.is_cylinder() && holds(apex, in_frame);
@@ -83,9 +83,10 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
 
 bool RevolvedOnPolytope::integrate(const Pose &in_frame, const Vec3 &place, bool to_apex, OverlapSurface &surface) {
   surface.start(place);
-  for (Plane &plane : planes_) plane.fan = {plane.fan.normal(), place, surface.of_b()};
+  for (Plane &plane : planes_) plane.fan = {plane.fan.normal(), place, plane.offset - dot(plane.fan.normal(), place), surface.of_b()};
   Mantle mantle(*body_, {}, place, to_apex, Mantle::Partner::polytope, border_, surface.of_a());
-  PlaneFan end_fan[ends] = {{{0.0, 0.0, -1.0}, place, surface.of_a()}, {{0.0, 0.0, 1.0}, place, surface.of_a()}};
+  PlaneFan end_fan[ends] = {{{0.0, 0.0, -1.0}, place, body_->half + place.z, surface.of_a()},
+                            {{0.0, 0.0, 1.0}, place, body_->half - place.z, surface.of_a()}};
   for (const End end : {base, top}) rim_[end].start(mantle, end);
   for (std::size_t k = 0; k < faces_.size(); ++k) {
     if (!follow_face(static_cast<std::int32_t>(k), mantle, end_fan)) return false;

@@ -38,18 +38,37 @@ Vec3 place_in_both(const RevolvedBody &a, const Pose &pose_a, const RevolvedBody
   return 0.5 * (deepest_a + deepest_b);
 }
 
+// Whether rounding of places that are known by the bodies' size counts. What pushes its sides is greater than the load by how wide it is beside
+// its thickness.
+bool is_thin(const OverlapSurface &surface, double size) {
+  constexpr double rounding = 1e-15, counts = 1e-8;
+  const double thickness = surface.volume() / std::min(surface.area_a(), surface.area_b());
+  return rounding * size * std::sqrt(surface.spread().trace()) > counts * thickness * thickness;
+}
+
 }  // namespace
 
-RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, const Vec3 &place, bool to_apex,
-                         std::vector<BorderPlace> &border, std::vector<OverlapSurface::Node> &nodes)
+RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, bool to_apex, bool is_fitted, std::vector<BorderPlace> &border,
+                         std::vector<OverlapSurface::Node> &nodes)
     : body(of),
       pose(in_common),
-      mantle(body, in_common, place, to_apex, Mantle::Partner::revolved, border, nodes),
-      fan{{-in_common.rotation.column(2), place, nodes}, {in_common.rotation.column(2), place, nodes}} {}
+      mantle(body, in_common, {}, to_apex, Mantle::Partner::revolved, border, nodes, is_fitted),
+      fan{{-in_common.rotation.column(2), {}, of.half - dot(in_common.rotation.column(2), in_common.translation), nodes},
+          {in_common.rotation.column(2), {}, of.half + dot(in_common.rotation.column(2), in_common.translation), nodes}} {}
 
 bool RevolvedPair::find(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &deepest_a, const Vec3 &deepest_b,
                         OverlapSurface &surface) {
+  // The better, the nearer its places are.
   const Vec3 place = place_in_both(a, {}, b, b_in_a, deepest_a, deepest_b);
+  fitted_ = nullptr;
+  const bool is_known = find_from(a, b, b_in_a, place, surface);
+  if (is_known && !is_thin(surface, a.radius + a.half + b.radius + b.half)) return true;
+  fitted_ = &edge_;
+  if (!is_known && !find_from(a, b, b_in_a, place, surface)) return false;
+  return find_from(a, b, b_in_a, surface.place() + surface.middle(), surface);
+}
+
+bool RevolvedPair::find_from(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &place, OverlapSurface &surface) {
   const Pose a_in_b = b_in_a.inverse();
   const bool apex_a = !a.is_cylinder() && b.holds(a_in_b({0.0, 0.0, a.half}));
   const bool apex_b = !b.is_cylinder() && a.holds(b_in_a({0.0, 0.0, b.half}));
@@ -68,13 +87,14 @@ bool RevolvedPair::integrate(const RevolvedBody &a, const RevolvedBody &b, const
                              OverlapSurface &surface) {
   surface.start(place);
   const Pose a_in_b = b_in_a.inverse();
-  Side side_a(shrunk(a), {}, place, apex_a, of_a_.border, surface.of_a());
-  Side side_b(b, b_in_a, place, apex_b, of_b_.border, surface.of_b());
-  const auto start = [](Side &side, Borders &borders, Side &other, const Pose &in_other) {
+  Side side_a(shrunk(a), {Pose().rotation, -place}, apex_a, fitted_ != nullptr, of_a_.border, surface.of_a());
+  Side side_b(b, {b_in_a.rotation, b_in_a.translation - place}, apex_b, fitted_ != nullptr, of_b_.border, surface.of_b());
+  edge_.clear();
+  const auto start = [this](Side &side, Borders &borders, Side &other, const Pose &in_other) {
     for (const End end : {base, top}) {
       const Vec3 normal = (end == base ? -1.0 : 1.0) * in_other.rotation.column(2);
-      borders.section[end].start(other.mantle, normal, dot(normal, in_other({0.0, 0.0, side.height(end)})));
-      borders.rim[end].start(side.mantle, end);
+      borders.section[end].start(other.mantle, normal, dot(normal, in_other({0.0, 0.0, side.height(end)})), fitted_);
+      borders.rim[end].start(side.mantle, end, fitted_);
     }
   };
   start(side_a, of_a_, side_b, a_in_b);
@@ -97,7 +117,7 @@ bool RevolvedPair::integrate(const RevolvedBody &a, const RevolvedBody &b, const
 }
 
 // The line of two ends' planes, as far as it is in both.
-void RevolvedPair::add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Borders &borders_b, End end_b) {
+void RevolvedPair::add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Borders &borders_b, End end_b) const {
   const Vec3 &normal_a = a.fan[end_a].normal(), &normal_b = b.fan[end_b].normal();
   const Vec3 line = cross(normal_a, normal_b);  // counter-clockwise about A's end
   const double sine = norm(line);
@@ -112,21 +132,27 @@ void RevolvedPair::add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Bo
   const double half_a = std::sqrt(half2_a), half_b = std::sqrt(half2_b);
   const double from = std::max(-half_a, place_b - half_b), to = std::min(half_a, place_b + half_b);
   if (!(from < to)) return;
-  const Vec3 first = middle + from * along, last = middle + to * along;
+  Vec3 first = middle + from * along, last = middle + to * along;
+  const bool first_on_rim_a = -half_a > place_b - half_b, last_on_rim_a = half_a < place_b + half_b;
+  if (fitted_ != nullptr) {
+    const double most = EdgePlaces::most_off * (a.body.radius + b.body.radius);
+    move_onto(a.fan[end_a], b.fan[end_b], first_on_rim_a ? a.mantle : b.mantle, most, first);
+    move_onto(a.fan[end_a], b.fan[end_b], last_on_rim_a ? a.mantle : b.mantle, most, last);
+  }
   a.fan[end_a].add_segment(first, last);
   b.fan[end_b].add_segment(last, first);
   // Each end of the chord is on one rim, and on the other body's end goes over to a conic on that rim's mantle.
   const auto pass = [&](const Vec3 &at, bool on_rim_a, bool chord_ends) {
     if (on_rim_a) {
-      borders_a.rim[end_a].add_passage(a.in_frame(at), chord_ends);
-      borders_b.section[end_b].add_passage(a.in_frame(at), !chord_ends);
+      borders_a.rim[end_a].add_passage(a.in_frame(at), chord_ends, at);
+      borders_b.section[end_b].add_passage(a.in_frame(at), !chord_ends, at);
     } else {
-      borders_a.section[end_a].add_passage(b.in_frame(at), chord_ends);
-      borders_b.rim[end_b].add_passage(b.in_frame(at), !chord_ends);
+      borders_a.section[end_a].add_passage(b.in_frame(at), chord_ends, at);
+      borders_b.rim[end_b].add_passage(b.in_frame(at), !chord_ends, at);
     }
   };
-  pass(first, -half_a > place_b - half_b, false);
-  pass(last, half_a < place_b + half_b, true);
+  pass(first, first_on_rim_a, false);
+  pass(last, last_on_rim_a, true);
 }
 
 // Where a rim passes the other body's mantle: a trigonometric polynomial of the second degree changes its sign. Angles from where the other body
@@ -165,9 +191,13 @@ void RevolvedPair::add_rim_passages(Side &side, Borders &borders, End end, const
       if (std::fabs(nearer) < 1e-6) angle -= nearer, look();
       if (std::fabs(at.z) > other.body.half) continue;
       const bool enters = (growth < 0.0) == (end == top);  // counter-clockwise about the end
-      const Vec3 common = other.pose(at);
-      borders.rim[end].add_passage(side.in_frame(common), enters);
-      borders.section[end].add_passage(at, !enters);
+      Vec3 common = other.pose(at);
+      if (fitted_ != nullptr) {
+        move_onto(side.fan[end], side.mantle, other.mantle, EdgePlaces::most_off * (side.body.radius + other.body.radius), common);
+        at = other.in_frame(common);
+      }
+      borders.rim[end].add_passage(side.in_frame(common), enters, common);
+      borders.section[end].add_passage(at, !enters, common);
       corners_.push_back(common);
     }
   }
@@ -195,8 +225,8 @@ void RevolvedPair::follow_crossing(Side &a, Side &b, const Pose &b_in_a) {
   };
   const bool b_is_ruled = beyond_apex(b, a) < beyond_apex(a, b);
   Side &ruled = b_is_ruled ? b : a, &other = b_is_ruled ? a : b;
-  MantleCrossing crossing(ruled.mantle, other.mantle, b_is_ruled ? b_in_a : b_in_a.inverse(), cuts_);
-  for (const Vec3 &corner : corners_) crossing.add_corner(ruled.in_frame(corner));
+  MantleCrossing crossing(ruled.mantle, other.mantle, b_is_ruled ? b_in_a : b_in_a.inverse(), cuts_, fitted_);
+  for (const Vec3 &corner : corners_) crossing.add_corner(ruled.in_frame(corner), corner);
   crossing.follow();
 }
 

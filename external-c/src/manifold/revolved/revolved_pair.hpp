@@ -25,10 +25,10 @@ class RevolvedPair {
   // A body's ends in common axes.
   struct Side {
     RevolvedBody body;
-    Pose pose;  // in common axes
+    Pose pose;  // in common axes, from a place in the overlap
     Mantle mantle;
     PlaneFan fan[ends];
-    Side(const RevolvedBody &of, const Pose &in_common, const Vec3 &place, bool to_apex, std::vector<BorderPlace> &border,
+    Side(const RevolvedBody &of, const Pose &in_common, bool to_apex, bool is_fitted, std::vector<BorderPlace> &border,
          std::vector<OverlapSurface::Node> &nodes);
     double height(End end) const { return end == base ? -body.half : body.half; }
     Vec3 center(End end) const { return pose({0.0, 0.0, height(end)}); }
@@ -42,10 +42,11 @@ class RevolvedPair {
     std::vector<BorderPlace> border;  // of this body's mantle
   };
 
+  bool find_from(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &place, OverlapSurface &surface);
   // All of the surface, each mantle from its apex on or from its border's height.
   bool integrate(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &place, bool apex_a, bool apex_b,
                  OverlapSurface &surface);
-  static void add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Borders &borders_b, End end_b);
+  void add_chord(Side &a, Borders &borders_a, End end_a, Side &b, Borders &borders_b, End end_b) const;
   void add_rim_passages(Side &side, Borders &borders, End end, const Side &other, const Pose &in_other);
   static bool follow_ends(Side &side, Borders &borders, const Side &other);
   void follow_crossing(Side &a, Side &b, const Pose &b_in_a);
@@ -53,6 +54,8 @@ class RevolvedPair {
   Borders of_a_, of_b_;
   MantleCrossing::Cuts cuts_;
   std::vector<Vec3> corners_;  // where a rim passes the other body's mantle, in common axes
+  EdgePlaces edge_;
+  EdgePlaces *fitted_ = nullptr;
 };
 
 }  // namespace cmb
