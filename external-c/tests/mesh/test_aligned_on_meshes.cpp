@@ -151,6 +151,18 @@ void expect_regular(const Kinds &kinds, std::uint64_t seed, int poses) {
   EXPECT_GT(touching, poses / 3);
 }
 
+// The axis along an edge, and the cylinder's end in the cube's side but for rounding.
+TEST(AlignedOnMeshes, CapsuleWhoseCylinderEndsInASide) {
+  const PairScene scene("cmb/1 capsule radius=0.25 length=0.5", ground_of("cube"));
+  const Mat3 along_x = {{Vec3{4.3297802811774652e-17, 2.2699482268387765e-16, -1},
+                         Vec3{0.70710678118654735, 0.70710678118654768, 1.9112574839269165e-16},
+                         Vec3{0.70710678118654768, -0.70710678118654735, -1.2989340843532396e-16}}};
+  const auto load = [&](double x) { return carried(scene.query({{x, -0.67677669529663687, -0.67641797450074759}, along_x}, {}, 64)); };
+  const double beside = load(-0.25 + 1e-8);
+  EXPECT_GT(beside, 1e-5);
+  for (const double aside : {-1e-15, -1e-16, 0.0, 1e-16, 1e-15, 1e-13}) EXPECT_NEAR(load(-0.25 + aside), beside, 1e-4 * beside) << aside;
+}
+
 TEST_P(AlignedOnMeshes, CarryWhatTheirNeighboursDo) { expect_regular(GetParam(), 1, 60); }
 
 TEST_P(AlignedOnMeshes, CarryWhatTheirNeighboursDoInManyPoses) { expect_regular(GetParam(), 2, 2500); }

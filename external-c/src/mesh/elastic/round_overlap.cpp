@@ -69,8 +69,12 @@ bool RoundOverlap::set_cell(const Piece &piece) {
     return false;
   };
   if (!cut(-face_normal(), -offset_of_front)) return false;
+  const WedgePlane front{transposed_times(piece.place.rotation, -face_normal()), -offset_of_front + dot(face_normal(), center), false};
   const auto limit = [&](double along, double offset) {
-    scratch_.planes.push_back({Vec3{0.0, 0.0, along}, offset, false});
+    const WedgePlane end{Vec3{0.0, 0.0, along}, offset, false};
+    if (coincide({-end.normal, -end.offset}, front, radius())) return false;  // a piece that ends where the triangle's plane is
+    scratch_.planes.push_back(end);
+    if (coincide(end, front, radius())) return true;
     const Vec3 normal = along * piece.place.rotation.column(2);
     return cut(normal, offset + dot(normal, center));
   };
