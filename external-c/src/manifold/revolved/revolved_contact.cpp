@@ -120,10 +120,11 @@ PairLoad revolved_pair_contact(const Shape &a, const Pose &pose_a, const Shape &
   const DepthInRevolved in_body_a(body_a, to_axes, surface), in_body_b(body_b, compose(to_axes, b_in_a), surface);
   const OverlapLoad load = load_of(surface, in_body_a, in_body_b);
   if (!append_load_points(load, compose(pose_a, to_axes.inverse()), to_axes.rotation, 1.0, points)) return {};
-  // What the sides are pushed by, of which only a difference may be left, and how much of the surface does not fit together.
-  constexpr double known = 1e-4, unknown = 1e-2;
+  // What the sides are pushed by, of which only a difference may be left, and by how much rounding moves them beside how thick the overlap is.
+  constexpr double rounding = 1e-15, known = 1e-6, unknown = 1e-4;
   const double pushed = 0.75 / surface.volume() * (in_body_a.least() * surface.area_b() + in_body_b.least() * surface.area_a());
-  const double noise = pushed / norm(load.force) * surface.gap() / (surface.area_a() + surface.area_b());
+  const double thickness = surface.volume() / std::min(surface.area_a(), surface.area_b());
+  const double noise = pushed / norm(load.force) * rounding * (a.bound_radius + b.bound_radius) / thickness;
   return {load.energy, convex::falling_smoothstep(std::max(0.0, std::log(noise / known) / std::log(unknown / known)))};
 }
 
