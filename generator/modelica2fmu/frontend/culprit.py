@@ -24,7 +24,7 @@ from modelica2fmu.crosscheck.class_syntax import (
     is_array,
 )
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
-from modelica2fmu.crosscheck.connect_check import array_sizes
+from modelica2fmu.crosscheck.connections.connect_check import array_sizes
 from modelica2fmu.frontend.assignments import neutral_assignments
 from modelica2fmu.frontend.balance import unbalanced_form
 from modelica2fmu.frontend.errors import COMPREHENSION, SHAPES

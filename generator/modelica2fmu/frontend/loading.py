@@ -17,7 +17,7 @@ from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.collider_order import misplaced_row
 from modelica2fmu.crosscheck.component_sizes import check_component_sizes
-from modelica2fmu.crosscheck.connect_check import check_connect_sizes, check_connects
+from modelica2fmu.crosscheck.connections.connect_check import check_connect_sizes, check_connects
 from modelica2fmu.crosscheck.constructor_check import check_constructors
 from modelica2fmu.crosscheck.flat_check import (
     added_components,

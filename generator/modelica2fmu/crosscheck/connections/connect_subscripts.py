@@ -14,7 +14,7 @@ from typing import Final
 from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
-from modelica2fmu.crosscheck.connect_loops import numbers_of_range
+from modelica2fmu.crosscheck.connections.connect_loops import numbers_of_range
 from modelica2fmu.crosscheck.whole_numbers import whole_number
 from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 

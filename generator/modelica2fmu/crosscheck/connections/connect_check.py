@@ -14,8 +14,8 @@ from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
-from modelica2fmu.crosscheck.connect_loops import Loops, LoopsAround, rounds
-from modelica2fmu.crosscheck.connect_subscripts import neglected_subscripts, subscript_beyond
+from modelica2fmu.crosscheck.connections.connect_loops import Loops, LoopsAround, rounds
+from modelica2fmu.crosscheck.connections.connect_subscripts import neglected_subscripts, subscript_beyond
 from modelica2fmu.crosscheck.own_classes import model_class, own_classes_of
 from modelica2fmu.library.class_text import without_comments_and_strings
 

@@ -1,0 +1,1 @@
+"""Whether what is connected fits, and is what the model names."""
