@@ -15,7 +15,7 @@ from contact_foundation.errors import Place, UnsupportedModelError
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
-from modelica2fmu.crosscheck.class_syntax import Extent
+from modelica2fmu.crosscheck.class_syntax import Extent, is_array
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.connections.connect_check import Connect, connects, parts_of
 from modelica2fmu.crosscheck.flat_reading import FlatReading
@@ -23,7 +23,6 @@ from modelica2fmu.crosscheck.own_classes import own_classes_of
 from modelica2fmu.library.class_text import without_comments_and_strings
 
 _ASSERTED: Final = re.compile(r"cardinality ?\( ?(\w+) ?\) ?> ?0")
-_ARRAY: Final = re.compile(r"\w+\s*\[")
 _KINDS: Final = ("assert_equations", "initial_assert_equations")
 _INDEX: Final = "i"
 
@@ -94,17 +93,17 @@ def check_counted_arrays(model: str, library: ClassLibrary, own: Path, place_of:
 def _counting(scope: ClassInstance, end: str, library: ClassLibrary) -> str | None:
     """Name of the class whose equations count the connections of an array that is an end; None if none does."""
     try:
-        found, is_array, component = scope, False, None
+        found, is_whole, component = scope, False, None
         parts = parts_of(end)
         for name, subscripts in parts[:-1]:
             component = found.component(name)
             if component is None:
                 return None
-            is_array = is_array or _is_whole(component, subscripts, library)
+            is_whole = is_whole or _is_whole(component, subscripts, library)
             found = component.type
         connector = parts[-1][0]
         last = found.component(connector)
-        if last is None or component is None or not (is_array or _is_whole(last, parts[-1][1], library)):
+        if last is None or component is None or not (is_whole or _is_whole(last, parts[-1][1], library)):
             return None
         counts = re.compile(rf"(?<!assert\()\bcardinality\s*\(\s*{connector}\s*[)\[]")
         for each in found.chain():
@@ -122,9 +121,8 @@ def _code(library: ClassLibrary, extent: Extent) -> str:
 
 def _is_whole(component: Component, subscripts: str, library: ClassLibrary) -> bool:
     """= true, if a component is an array of which all elements, or several, are meant."""
-    sized = component.sizes_of_type is not None
-    is_array = sized or _ARRAY.match(library.text(component.declarations[-1])) is not None
-    return is_array and (not subscripts or ":" in subscripts)
+    whole = not subscripts or ":" in subscripts
+    return whole and is_array(component.sizes_of_type, library.text(component.declarations[-1]))
 
 
 def _written_out(connect: Connect, library: ClassLibrary) -> str:

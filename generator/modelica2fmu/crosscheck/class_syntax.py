@@ -97,9 +97,9 @@ class ComponentDeclaration:
     constraint: Constraint | None = None
 
 
-def is_array(component: ComponentDeclaration, text: str) -> bool:
-    """= true, if a component is declared with subscripts; ``text`` is that of its extent."""
-    return component.sizes_of_type is not None or _SIZED.match(text) is not None
+def is_array(sizes_of_type: Extent | None, text: str) -> bool:
+    """= true, if a component is declared with subscripts, behind its type or in its text from its name on."""
+    return sizes_of_type is not None or _SIZED.match(text) is not None
 
 
 @dataclass(frozen=True)

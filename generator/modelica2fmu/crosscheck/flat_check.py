@@ -18,7 +18,7 @@ from contact_foundation.errors import UnsupportedModelError
 from modelica2fmu.crosscheck.array_pieces import is_piece, remedy_of_pieces, remedy_of_rows
 from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, Names, Role, UnknownError, Value
 from modelica2fmu.crosscheck.class_library import ClassLibrary
-from modelica2fmu.crosscheck.class_syntax import Extent, Modifier
+from modelica2fmu.crosscheck.class_syntax import Extent, Modifier, is_array
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.component_sizes import RECORDS
 from modelica2fmu.crosscheck.flat_expression_check import ExpressionCheck, Site
@@ -29,7 +29,6 @@ _PART: Final = re.compile(r"'(?:\\.|[^'\\])*'|[^.\[\]]+(?:\[[^\]]*\])?")
 _SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
 _REFERENCE: Final = re.compile(r"\.?(?!(?:true|false)\b)[A-Za-z_][\w.\s\[\],:]*")
 _NAME: Final = re.compile(r"(?!(?:true|false)\b)[A-Za-z_][\w.]*")
-_SIZED: Final = re.compile(r"\w+\s*\[")
 _CALL: Final = re.compile(r"\.?([A-Za-z_][\w.]*) ?\(")
 _EQUATIONS: Final = ("equations", "initial_equations")
 _ALGORITHMS: Final = ("algorithms", "initial_algorithms")
@@ -260,7 +259,7 @@ class _FlatCheck:
             declared = component.declarations[0]
             if not self._reading.library.is_own(declared):
                 continue
-            if _SIZED.match(self._reading.text(declared)) is not None or component.sizes_of_type is not None:
+            if is_array(component.sizes_of_type, self._reading.text(declared)):
                 raise self._reading.folded_array(part["ident"], declared)
 
     def _pieces(self, component: Component, predefined: ClassInstance, variable: Mapping[str, Any]) -> None:

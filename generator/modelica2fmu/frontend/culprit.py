@@ -106,7 +106,7 @@ def _piece(found: Extent, said: str, classes: Sequence[ClassDefinition], model: 
             if argument is None:
                 continue
             name = element.name if isinstance(element, ComponentDeclaration) else ""
-            if isinstance(element, ComponentDeclaration) and is_array(element, text(element.extent)):
+            if isinstance(element, ComponentDeclaration) and is_array(element.sizes_of_type, text(element.extent)):
                 return Piece(argument.extent, text(argument.extent), said, array=name)
             path = [name, *argument.path] if name else list(argument.path)
             is_direct = argument in element.arguments
@@ -116,7 +116,7 @@ def _piece(found: Extent, said: str, classes: Sequence[ClassDefinition], model: 
             of_equation = _LEFT.match(text(found)) if found in each.equations else None
             is_given = component.value == found or (of_equation is not None and of_equation[1] == name)
             kind = component.type_name[-1]
-            if is_given and kind in _COUNTS and not is_array(component, text(component.extent)):
+            if is_given and kind in _COUNTS and not is_array(component.sizes_of_type, text(component.extent)):
                 return Piece(found, text(found), said, counted=(name, kind))
     return Piece(found, text(found), said)
 

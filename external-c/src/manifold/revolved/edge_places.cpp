@@ -9,21 +9,17 @@ const LegendreSeries &EdgePlaces::chord_rule() {
   return rule;
 }
 
-bool EdgePlaces::leads_there(const Vec3 &way) const {
-  constexpr double hardly = 1e-3;
-  double whole = 0.0;
-  Vec3 left = way;
-  for (const Place &place : places_) left = left - place.step, whole += norm(place.step);
-  return norm(left) <= hardly * whole;
+EdgePlaces::Lead EdgePlaces::lead_to(const Vec3 &way) const {
+  Lead lead{way, 0.0};
+  for (const Place &place : places_) lead.left = lead.left - place.step, lead.whole += norm(place.step);
+  return lead;
 }
 
 bool EdgePlaces::lead(const Vec3 &way) {
-  if (!leads_there(way)) return false;
-  double whole = 0.0;
-  Vec3 left = way;
-  for (const Place &place : places_) left = left - place.step, whole += norm(place.step);
-  if (!(whole > 0.0)) return true;
-  for (Place &place : places_) place.step = place.step + (norm(place.step) / whole) * left;
+  const Lead lead = lead_to(way);
+  if (!lead.arrives()) return false;
+  if (!(lead.whole > 0.0)) return true;
+  for (Place &place : places_) place.step = place.step + (norm(place.step) / lead.whole) * lead.left;
   return true;
 }
 

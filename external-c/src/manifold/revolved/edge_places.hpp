@@ -91,7 +91,16 @@ class EdgePlaces {
     std::size_t first;
     LegendreSeries series;
   };
-  bool leads_there(const Vec3 &way) const;
+  // How far the ways lead, together, and what is missing to where they ought to.
+  struct Lead {
+    Vec3 left;
+    double whole;
+    bool arrives() const {
+      constexpr double hardly = 1e-3;
+      return norm(left) <= hardly * whole;
+    }
+  };
+  Lead lead_to(const Vec3 &way) const;
   static const LegendreSeries &chord_rule();
   static void straighten(const LegendreSeries &series, const Vec3 &begin, const Vec3 &whole, double most, Place *place);
 
@@ -105,7 +114,7 @@ bool EdgePlaces::go_by_chord(const A &a, const B &b, const Vec3 &from, const Vec
   constexpr double straight = 0.995, aside = 0.1, enough = 1e-11;
   const Vec3 way = to - from;
   const double length = norm(way);
-  if (!(length > 0.0) || arcs_.size() != 1 || !leads_there(way)) return false;
+  if (!(length > 0.0) || arcs_.size() != 1 || !lead_to(way).arrives()) return false;
   const Vec3 along = (1.0 / length) * way;
   for (const Place &place : places_) {
     if (!(dot(along, place.step) > straight * norm(place.step))) return false;

@@ -56,7 +56,6 @@ void Mantle::add_border_place(const Vec3 &outward, double height, double turn) {
 }
 
 void Mantle::add_border_way(const Vec3 &at, const Vec3 &step, double sense) {
-
   double rise = dot(axis_, at);
   const Vec3 across = at - rise * axis_, from_axis = from_axis_ + across;
   const double distance = norm(from_axis);

@@ -15,7 +15,7 @@ from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.connections.connect_loops import Loops, LoopsAround, rounds
-from modelica2fmu.crosscheck.connections.connect_subscripts import neglected_subscripts, subscript_beyond
+from modelica2fmu.crosscheck.connections.connect_subscripts import neglected_subscripts, number_beyond, sized_subscripts
 from modelica2fmu.crosscheck.own_classes import model_class, own_classes_of
 from modelica2fmu.library.class_text import without_comments_and_strings
 
@@ -86,12 +86,13 @@ def _check_subscripts(model: str, connect: Connect, library: ClassLibrary, place
             raise UnsupportedModelError(f"in {written} {wrong}, which is not covered", place=place, remedy=remedy)
     if connect.loops.is_conditional:
         return
-    for known in rounds(connect.loops.heads, connect.scope, library):
-        for end in connect.ends:
-            beyond = subscript_beyond(parts_of(end), connect.scope, library, known)
-            if beyond is None:
+    sized = [each for end in connect.ends for each in sized_subscripts(parts_of(end), connect.scope, library)]
+    for known in rounds(connect.loops.heads, connect.scope, library) if sized else ():
+        for subscript in sized:
+            number = number_beyond(subscript, connect.scope, library, known)
+            if number is None:
                 continue
-            name, number, size = beyond
+            name, size = subscript.array, subscript.size
             at = ", ".join(f"{iterator} = {value}" for iterator, value in known.items())
             raise InputError(
                 f"{written} names {name}[{number}]{f' at {at}' if at else ''}, and {name} has {_elements(size)}",

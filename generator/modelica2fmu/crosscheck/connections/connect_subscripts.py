@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence, Set
-from typing import Final
+from typing import Final, NamedTuple
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
@@ -68,29 +68,48 @@ def neglected_subscripts(
     return None
 
 
-def subscript_beyond(
-    parts: Parts, scope: ClassInstance, library: ClassLibrary, known: Mapping[str, int]
-) -> tuple[str, int, int] | None:
-    """An array's name, a number that names none of its elements and its size; None where there is no such number.
+class SizedSubscript(NamedTuple):
+    """A subscript of an array with a number of elements that is known."""
+
+    array: str
+    text: str
+    size: int
+
+
+def sized_subscripts(parts: Parts, scope: ClassInstance, library: ClassLibrary) -> list[SizedSubscript]:
+    """Those of an end of a connection whose arrays' sizes the sources tell.
 
     Args:
-        parts: the end of a connection.
-        scope: the class in which it stands.
+        parts: the end.
+        scope: the class in which the connection stands.
         library: the sources.
-        known: values of iterators. What depends on other values is taken as right.
     """
+    found = []
     holder: ClassInstance | None = scope
     for (name, brackets), component in zip(parts, _components(parts, scope), strict=True):
         if component is None or holder is None:
-            return None
-        for subscript, size in zip(_split(brackets[1:-1]), _sizes(component, library), strict=False):
-            most = whole_number(size, holder, library, {})
-            numbers = numbers_of_range(subscript, scope, library, known) or ()
-            beyond = next((each for each in numbers if most is not None and not 1 <= each <= most), None)
-            if beyond is not None and most is not None:
-                return name, beyond, most
+            break
+        for subscript, text in zip(_split(brackets[1:-1]), _sizes(component, library), strict=False):
+            size = whole_number(text, holder, library, {})
+            if size is not None:
+                found.append(SizedSubscript(name, subscript, size))
         holder = component.type
-    return None
+    return found
+
+
+def number_beyond(
+    subscript: SizedSubscript, scope: ClassInstance, library: ClassLibrary, known: Mapping[str, int]
+) -> int | None:
+    """A number that names none of an array's elements; None where there is none, or it depends on what is not known.
+
+    Args:
+        subscript: of the array.
+        scope: the class in which it stands.
+        library: the sources.
+        known: values of iterators.
+    """
+    numbers = numbers_of_range(subscript.text, scope, library, known) or ()
+    return next((each for each in numbers if not 1 <= each <= subscript.size), None)
 
 
 def _components(parts: Parts, scope: ClassInstance) -> list[Component | None]:
