@@ -1,9 +1,10 @@
-"""Writes arrays of a few elements out, where the front end does not take them otherwise.
+"""Writes arrays and loops of a few elements out, where the front end does not take them otherwise.
 
 rumoca 0.10 refuses ``cat(1, a, b)`` of Strings and records, whose type it takes to be that of the first argument, and
 ``{ball[i].geometry for i in 1:n}``, an array made of members of components. Written out, ``{ball[1].geometry,
 ball[2].geometry, floor.geometry}``, it takes both; so it does with ``sum(ball[i].r_0[3] for i in 1:n)``.
-``connect(ball.frame_a, contacts.frame[1:3])`` it takes with ``ball[1:3].frame_a``. The numbers that ranges and sizes
+``connect(ball.frame_a, contacts.frame[1:3])`` it takes with ``ball[1:3].frame_a``. What it does not take of loops and
+of Integers that are to be Reals is in ``for_loops`` and ``real_arguments``. The numbers that ranges and sizes
 depend on are read from the class that uses them, else from those around it and those the model uses, and from modifiers
 of ``extends``; whether they hold in the model is for the caller to check.
 """
@@ -26,9 +27,11 @@ from modelica2fmu.frontend.class_scopes import (
     scope_at,
     used_classes,
 )
+from modelica2fmu.frontend.code_text import CodeText
+from modelica2fmu.frontend.for_loops import Edit, elements, iteration_edits, loop_edits
+from modelica2fmu.frontend.real_arguments import real_argument_edits
 from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 
-_MASKED: Final = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _CALL: Final = re.compile(r"(?<![\w.])cat\s*\(")
 _PLACE: Final = re.compile(r"(?<![\w.])cat\s*\(|(?<![\w.])(?P<reduction>sum|product|min|max)\s*\(|\{")
 _MEMBER_OF_ELEMENT: Final = re.compile(r"\]\s*\.\s*\w")
@@ -36,14 +39,18 @@ _ITERATION: Final = re.compile(r"\bfor\s+(\w+)\s+in\s+(.+)$", re.DOTALL)
 _REFERENCE: Final = re.compile(r"(\w+)((?:\.\w+)*)")
 _CONNECT: Final = re.compile(r"\bconnect\s*\(")
 _ARRAY_OF_CONNECTORS: Final = re.compile(r"\s*(\w+)((?:\.\w+)+)\s*")
+_ITERATION_OF_LIST: Final = re.compile(r"\bfor\s+\w+\s+in\s*\{")
+_FUNCTION: Final = re.compile(r"function\b")
 _SLICE: Final = re.compile(r"\[[^\]]*:[^\]]*\]")
 # Strings are masked by zero characters.
 _NUMBER: Final = (
     r"\bInteger\s+(?:[^;()]*,\s*)?{name}\s*(?:\([^()]*\)\s*)?=\s*([^;()\[\]{{}},\0]+?)\s*(?:[;,\0]|\bannotation\b)"
 )
 _DECLARED: Final = r"(?<![\w.]){name}\s*\[([^\[\],:]+)\]\s*[(;\0]"
+_DECLARED_AS_NUMBERS: Final = r"\b(?:Real|Integer|Boolean)\s+{name}\s*\[([^\[\],:]+)\]\s*[=(;\0]"
 _MOST_ELEMENTS: Final = 1000
 _MOST_REFERENCES: Final = 20
+_MOST_PASSES: Final = 5
 _OPERATIONS: Final[dict[str, Callable[[int, int], int]]] = {
     "Add": operator.add,
     "Sub": operator.sub,
@@ -108,10 +115,19 @@ def with_arrays_written_out(model: str, texts: Sequence[str]) -> WrittenOut:
         texts: of Modelica files.
     """
     numbers = Numbers()
+    given, written = list(texts), _written_once(model, texts, numbers)
+    for _ in range(_MOST_PASSES):  # loops may hold others, and these arrays
+        if written == given:
+            break
+        given, written = written, _written_once(model, written, numbers)
+    return WrittenOut(written, numbers)
+
+
+def _written_once(model: str, texts: Sequence[str], numbers: Numbers) -> list[str]:
     writers = [_Writer(text, numbers) for text in texts]
     used = used_classes(model, [scope for writer in writers for scope in writer.scopes])
     own = own_classes(model, used)
-    return WrittenOut([writer.written(used, own) for writer in writers], numbers)
+    return [writer.written(used, own) for writer in writers]
 
 
 def _integer(expression: Any, variables: Mapping[str, Any], depth: int = 0) -> int | None:
@@ -127,16 +143,10 @@ def _integer(expression: Any, variables: Mapping[str, Any], depth: int = 0) -> i
     return None
 
 
-def _masked(text: str, letter: str) -> str:
-    return re.sub(r"[^\n]", lambda _found: letter, text)
-
-
 class _Writer:
     def __init__(self, text: str, numbers: Numbers) -> None:
-        self._text = text
-        # The same length and lines, with blanks for comments; and with nothing of what Strings say.
-        self._plain = _MASKED.sub(lambda found: found[0] if found[0][0] == '"' else _masked(found[0], " "), text)
-        self._code = _MASKED.sub(lambda found: _masked(found[0], "\0"), self._plain)
+        self._source = CodeText(text)
+        self._text, self._plain, self._code = self._source.text, self._source.plain, self._source.code
         self._numbers = numbers
         self._used: Sequence[ClassScope] = ()
         self._own: Sequence[str] = ()
@@ -152,7 +162,7 @@ class _Writer:
         """
         self._used, self._own = used, own
         result, done = [], 0
-        for start, end, text in sorted((*self._arrays(), *self._subscripts())):
+        for start, end, text in sorted((*self._arrays(), *self._subscripts(), *self._iterations())):
             if start >= done:  # not within what is written out already
                 result += [self._text[done:start], text]
                 done = end
@@ -167,6 +177,26 @@ class _Writer:
                 if elements := (self._constructed if is_reduction else self._elements)(start, end):
                     lines = "\n" * self._text.count("\n", start, end)
                     yield start, end, f"{{{', '.join(elements)}}}{lines}"
+
+    def _iterations(self) -> Iterator[Edit]:
+        """Loops, iterators and arguments that are written otherwise, in the classes that the model uses."""
+        edits = (
+            *loop_edits(self._source, self._number_at, self._first_of_model),
+            *iteration_edits(self._source),
+            *real_argument_edits(self._source),
+        )
+        return (edit for edit in edits if self._enter(edit[0]))
+
+    def _number_at(self, position: int, text: str) -> int | None:
+        if not self._enter(position):
+            return None
+        with suppress(_UnknownError):
+            return self._number(text)
+        return None
+
+    def _first_of_model(self, position: int) -> int | None:
+        scope = scope_at(self.scopes, position)
+        return None if scope is None or _FUNCTION.match(self._code, scope.start) else scope.start
 
     def _subscripts(self) -> Iterator[tuple[int, int, str]]:
         """Places after an array of components that is connected to a slice, each with the subscripts of all of them."""
@@ -204,7 +234,9 @@ class _Writer:
         """
         for found in _PLACE.finditer(self._code):
             end = end_of_bracket(self._code, found.end() - 1)
-            has_members = _MEMBER_OF_ELEMENT.search(self._code, found.end(), end) is not None
+            has_members = any(
+                pattern.search(self._code, found.end(), end) for pattern in (_MEMBER_OF_ELEMENT, _ITERATION_OF_LIST)
+            )
             if found["reduction"]:
                 if has_members and _ITERATION.search(self._code, found.end(), end - 1):
                     yield found.end(), end - 1, True
@@ -236,20 +268,25 @@ class _Writer:
         iteration = _ITERATION.search(self._code, start, end)
         if iteration is None:
             return [self._element(first, last) for first, last in parts_between_commas(self._code, start, end)]
-        name, limits = iteration[1], iteration[2].split(":")
-        if len(limits) != 2 or any(letter in iteration[2] for letter in ",[{"):
+        name = iteration[1]
+        values = elements(self._source, iteration.start(2), iteration.end(2)) or self._range(iteration[2])
+        self._element(start, iteration.start())
+        bodies = (self._source.with_name_replaced(start, iteration.start(), name, value) for value in values)
+        return [body.replace("\n", " ").strip() for body in bodies]
+
+    def _range(self, text: str) -> list[str]:
+        limits = text.split(":")
+        if len(limits) != 2 or any(letter in text for letter in ",[{"):
             raise _UnknownError
         first, last = (self._number(limit) for limit in limits)
         if last - first >= _MOST_ELEMENTS:
             raise _UnknownError
-        body = self._element(start, iteration.start())
-        own = re.compile(rf"(?<![\w.]){name}(?![\w(])(?!\s*=[^=])")
-        return [own.sub(str(number), body) for number in range(first, last + 1)]
+        return [str(number) for number in range(first, last + 1)]
 
     def _element(self, start: int, end: int) -> str:
         """An expression in one line."""
-        if any("\n" in found[0] for found in _MASKED.finditer(self._plain, start, end)):
-            raise _UnknownError  # a String of several lines
+        if self._source.has_broken_string(start, end):
+            raise _UnknownError
         return self._plain[start:end].replace("\n", " ").strip()
 
     def _members(self, code: str) -> list[str]:
@@ -263,6 +300,13 @@ class _Writer:
     def _declared_size(self, name: str) -> int:
         """Of an array that is declared once; raises _UnknownError."""
         declared, _ = self._declarations(_DECLARED.format(name=name))
+        if len(declared) != 1:
+            raise _UnknownError
+        return self._number(declared[0])
+
+    def _own_size(self, name: str) -> int:
+        """Of an array of numbers that the class itself declares: one of a base may have the same name elsewhere."""
+        declared = [] if self._scope is None else re.findall(_DECLARED_AS_NUMBERS.format(name=name), self._scope.code)
         if len(declared) != 1:
             raise _UnknownError
         return self._number(declared[0])
@@ -300,6 +344,8 @@ class _Writer:
                 number = self._number(declared[0]) if modified is None else modified
                 self._numbers.take(name, number, is_own)
                 return number
+            case ast.Call(func=ast.Name(id="size"), args=[ast.Name(id=name), ast.Constant(value=1)], keywords=[]):
+                return self._own_size(name)
             case ast.UnaryOp(op=ast.USub(), operand=operand):
                 return -self._value(operand)
             case ast.BinOp(left=left, op=ast.Add(), right=right):

@@ -68,8 +68,11 @@ from modelica2fmu.library.source_map import SourceMap, Span, source_number
 _UNRESOLVED: Final = re.compile(r"\bunresolved\b")
 # Where connected arrays have different sizes.
 _SIZES_DIFFER: Final = "array dimension mismatch for `connect`"
-# Of concatenations that it takes only when they are written out: the type is that of the dimension.
-_CONCATENATION_REFUSED: Final = re.compile(r"type mismatch: expected `[^`]+`, found `Integer`")
+# Of what it takes only when it is written out: concatenations, whose type is that of the dimension, and loops.
+_WRITTEN_OUT_TAKEN: Final = re.compile(
+    r"type mismatch: expected `?[\w.]+`?, found `?Integer|comprehension index requires an explicit range"
+    r"|requires a compact dependent-domain transition|declarative algorithm requires scalar assignments"
+)
 
 
 @dataclass(frozen=True)
@@ -205,7 +208,7 @@ def _with_arrays_written_out(
     about = replace(request, text=text)
     other = ask(about, remark)
     if other.flat is None:
-        tells_more = _SIZES_DIFFER in other.error or _CONCATENATION_REFUSED.search(answer.error) is not None
+        tells_more = _SIZES_DIFFER in other.error or _WRITTEN_OUT_TAKEN.search(answer.error) is not None
     else:
         tells_more = written.numbers.hold_in(other.flat)
     if not tells_more:

@@ -30,6 +30,10 @@ class _Known(NamedTuple):
 
 
 _FUNCTION: Final = "put the loop into a function and call that: y = f(x)"
+_ELEMENT: Final = (
+    "take the whole array, v = {{1, pre(v[2])}} or reinit(v, {{1, v[2]}}); or declare the variable and its when-clause"
+    " in a model Part, and Part part[n]"
+)
 _SHOWN: Final = r"^(?:(?P<shown>.*): )?"  # the statement, where it is told
 
 _KNOWN: Final = tuple(
@@ -129,6 +133,24 @@ _KNOWN: Final = tuple(
             "a range in connect is not taken whose ends are no numbers or parameters",
             "write a number in place of end: connect(a.y[2:3], b.u)",
             re.compile(r"\bconnect\b[^;]*\bend\s*\]"),
+        ),
+        (
+            r"`(?P<name>\w+\[[\d, ]+\])` is not a discrete coordinate",
+            "a when-clause sets an element of an array, {name}",
+            _ELEMENT,
+            None,
+        ),
+        (
+            r"reinit\(\) can only be applied to state variables: (?P<name>\w+\[[\d, ]+\]) is not a state.*",
+            "reinit takes no element of an array, {name}",
+            _ELEMENT,
+            None,
+        ),
+        (
+            r"unsupported runtime operator `(?P<name>\w+)`: no checked canonical owner exists .*",
+            "the operator {name} is not taken",
+            "write a function for it: its result has loops over size(x, 1) and size(x, 2)",
+            None,
         ),
         (
             r"delay\(\) (?P<which>.*) argument must have type `Real`, found `Integer`",

@@ -104,6 +104,69 @@ algorithm
 """,
     ),
     Covered(
+        "Loops",
+        """
+  parameter Integer order[3] = {3, 1, 2};
+  Real v[3] = {time, 2.0, 3.0*time};
+  Real picked[3] = {v[i] for i in {3, 1, 2}};
+  Real squares[3] = {x^2 for x in v};
+  Real most = max(abs(x - 4) for x in v);
+  Real listed[3], ordered[3], added, counted, chosen[Choice];
+  Real gathered = totalOf(v);
+  Real turned[3] = cross({0, 0, 1}, v);
+algorithm
+  added := 0;
+  for i in 1:size(v, 1) loop
+    if i <> 2 then
+      added := added + i*v[i];
+    end if;
+  end for;
+algorithm
+  counted := 0;
+  for x in v loop
+    for k in {1, 2} loop
+      counted := counted + k*x;
+    end for;
+  end for;
+equation
+  for i in {3, 1, 2} loop
+    listed[i] = i*time; // "i"
+  end for;
+  for e in Choice loop
+    chosen[e] = if e == Choice.Second then 2*time else 0;
+  end for;
+  for i in order loop
+    ordered[i] = v[order[i]];
+  end for;
+""",
+        {
+            "array constructors over lists": ("picked[2]", lambda t: t),
+            "array constructors over vectors": ("squares[3]", lambda t: 9 * t**2),
+            "reductions over vectors": (
+                "most",
+                lambda t: np.maximum(np.maximum(np.abs(t - 4), 2), np.abs(3 * t - 4)),
+            ),
+            "loops over lists": ("listed[3]", lambda t: 3 * t),
+            "loops over enumerations": ("chosen[2]", lambda t: 2 * t),
+            "loops over vectors": ("ordered[1]", lambda t: 3 * t),
+            "loops over vectors in functions": ("gathered", lambda t: 4 * t + 2),
+            "loops in algorithm sections of models that add up": ("added", lambda t: 10 * t),
+            "loops over vectors in algorithm sections": ("counted", lambda t: 12 * t + 6),
+            "`cross`, `skew` of Integers": ("turned[1]", lambda t: np.full_like(t, -2.0)),
+        },
+        """
+  type Choice = enumeration(First "x, y", Second);
+  function totalOf
+    input Real v[:];
+    output Real y = 0;
+  algorithm
+    for x in v loop
+      y := y + x;
+    end for;
+  end totalOf;
+""",
+    ),
+    Covered(
         "Functions",
         """
   Real looped = horner({1, 2, 3}, time);
@@ -390,9 +453,15 @@ REFUSED = (
 """,
     ),
     Refused(
-        "loops in algorithm sections of models that add up",
-        "Real s;\nalgorithm\n  s := 0;\n  for i in 1:3 loop\n    s := s + i*time;\n  end for;",
-        "algorithm section",
+        "elements of arrays that a when-clause sets",
+        "discrete Real v[2](each start = 0);\nequation\n  when time > 1 then\n    v[1] = 1;\n  end when;",
+        "element of an array",
+        "front end",
+    ),
+    Refused(
+        "`reinit` of elements of arrays",
+        "Real v[2](each start = 1);\nequation\n  der(v) = -v;\n  when time > 1 then\n    reinit(v[1], 1);\n  end when;",
+        "element of an array",
         "front end",
     ),
     Refused("`der` of an expression", "Real x = time, v = der(x^2);", "der of an expression", "front end"),

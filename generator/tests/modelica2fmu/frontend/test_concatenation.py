@@ -241,7 +241,12 @@ def test_a_number_that_a_modifier_changes_is_not_taken(tmp_path):
         "x = cat(2, [1], [2]);",
         "x = cat(1, a, {b});",
         "x = cat(1, {a[i].b for i in 1:M}, {c}); Integer M = f(3);",
-        "x = {a[i].b for i in r};",
+        "algorithm for i in 1:n loop y := y + b[i]; end for;",  # n is declared nowhere
+        "algorithm for i in 1:size(b, 1) loop y := y + b[i]; end for;",
+        "equation for i in 1:2 loop y[i] = b[i]; end for;",
+        "algorithm for x in v loop v[1] := x; end for;",
+        "equation for i in 1:2, j in {1, 2} loop y[i, j] = 1; end for;",
+        "y = cross({0.0, 0, 1}, {a, 0, 0}); z = g.cross({0, 0, 1}, v);",
         "x = {a[i].b for i in 1:2, j in 1:2};",
         "x = {2*i for i in 1:3};",
         "// cat(1, {a[i].b for i in 1:2})",
@@ -256,6 +261,37 @@ def test_what_is_not_plain_stays_as_it_is(text):
 def test_iterators_are_replaced_by_their_numbers_alone():
     written = written_out("x = {a[i].i + f(i = i, n = i*pi) for i in 2:3};")
     assert written == "x = {a[2].i + f(i = 2, n = 2*pi), a[3].i + f(i = 3, n = 3*pi)};"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("x = {a[i].b for i in r};", "x = {a[r[i]].b for i in 1:size(r, 1)};"),
+        ("x = sum(f(q, p.q, q = 1) for q in p.v);", "x = sum(f(p.v[q], p.q, q = 1) for q in 1:size(p.v, 1));"),
+        ("x = {u[i] for i in {k + 1, 2}};", "x = {u[(k + 1)], u[2]};"),
+        ("for i in {2, 1} loop y[i] = u[i]; end for;", "y[2] = u[2]; y[1] = u[1];"),
+        ('for i in {1, 2} loop\n  y[i] = f(i, "i"); // i\nend for;', 'y[1] = f(1, "i"); y[2] = f(2, "i");\n\n'),
+        ("for x in v loop y := y + x; end for;", "for x in 1:size(v, 1) loop y := y + v[x]; end for;"),
+        (
+            "Real v[2]; algorithm for i in size(v, 1):-1:1 loop y := y + v[i]; end for;",
+            "Real v[2]; algorithm y := y + v[2]; y := y + v[1];",
+        ),
+        (
+            "equation algorithm for i in 1:2 loop for j in {i, 3} loop y := y + i*j; end for; end for;",
+            "equation algorithm y := y + 1*1; y := y + 1*3; y := y + 2*2; y := y + 2*3;",
+        ),
+        ("y = cross({0, -1, 0}, -{1, 0, 0});", "y = cross({0.0, -1, 0}, -{1.0, 0, 0});"),
+        ("parameter Integer n[3]; y = skew(n);", "parameter Integer n[3]; y = skew((1.0*n));"),
+    ],
+)
+def test_loops_and_arguments_are_written_otherwise(text, expected):
+    assert written_out(text) == expected
+
+
+def test_sizes_of_what_a_base_declares_are_not_taken_from_other_classes():
+    text = "model M extends Base; algorithm for i in 1:size(v, 1) loop y := y + v[i]; end for; end M;\n"
+    text += "model Other Real v[2]; end Other; model N extends M; Other other; end N;"
+    assert with_arrays_written_out("N", [text]).texts == [text]
 
 
 def test_lines_and_elements_of_random_concatenations():

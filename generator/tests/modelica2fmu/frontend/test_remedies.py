@@ -33,7 +33,6 @@ PARTS = """
     Real y = m*time;
   end Part;
 """
-CHOICE = "\n  type E = enumeration(a, b, c);"
 BUS = """
   expandable connector Bus%s
   end Bus;
@@ -54,9 +53,29 @@ def refusal(text: str, folder: Path) -> InputError:
     ("text", "line", "said", "remedy"),
     [
         ("\n  Real x = time, y = der(x^2);", 2, "der of an expression", "Real e = ...; and write der(e)"),
-        (f"{CHOICE}\n  Real v[3] = {{Integer(e)*time for e in E}};", 3, "a loop over values", "constant E all[2]"),
-        (f"{CHOICE}\n  Real v[E];\nequation\n  for e in E loop\n    v[e] = 1;\n  end for;", 5, "a loop", "for i in"),
-        ("\n  Real s;\nalgorithm\n  s := 0;\n  for i in 1:3 loop\n    s := s + i;\n  end for;", 5, "loop", "function"),
+        ("\n  Real v[3], w[2] = {x for x in v[1:2]};", 2, "a loop over values", "constant E all[2]"),
+        ("\n  Real v[2];\nequation\n  for i in fill(1, 2) loop\n    v[i] = 1;\n  end for;", 4, "a loop", "for i in"),
+        (
+            "\n  parameter Integer k = integer(3.5);\n  Real s;\nalgorithm\n  s := 0;\n  for i in 1:k loop\n"
+            "    s := s + i;\n  end for;",
+            6,
+            "loop",
+            "function",
+        ),
+        (
+            "\n  Real v[2](each start = 1);\nequation\n  when time > 1 then\n    v[1] = 2;\n  end when;",
+            2,
+            "v[1]",
+            "Part",
+        ),
+        (
+            "\n  Real v[2](each start = 1);\nequation\n  der(v) = -v;\n  when time > 1 then\n"
+            "    reinit(v[1], 2);\n  end when;",
+            5,
+            "reinit takes no element",
+            "Part",
+        ),
+        ("\n  Real v[2, 1] = matrix({time, 1});", 2, "the operator matrix", "a function"),
         (
             "\n  Integer a(start = 0, fixed = true);\nequation\n  when sample(0.5, 1) then\n    a = pre(a) + 1;\n"
             "  elsewhen sample(1, 1) then\n    a = pre(a) + 2;\n  end when;",
