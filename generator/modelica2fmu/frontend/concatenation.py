@@ -36,10 +36,10 @@ _CALL: Final = re.compile(r"(?<![\w.])cat\s*\(")
 _PLACE: Final = re.compile(r"(?<![\w.])cat\s*\(|(?<![\w.])(?P<reduction>sum|product|min|max)\s*\(|\{")
 _MEMBER_OF_ELEMENT: Final = re.compile(r"\]\s*\.\s*\w")
 _ITERATION: Final = re.compile(r"\bfor\s+(\w+)\s+in\s+(.+)$", re.DOTALL)
+_BRACKET_OR_FOR: Final = re.compile(r"[({\[]|\bfor\b")
 _REFERENCE: Final = re.compile(r"(\w+)((?:\.\w+)*)")
 _CONNECT: Final = re.compile(r"\bconnect\s*\(")
 _ARRAY_OF_CONNECTORS: Final = re.compile(r"\s*(\w+)((?:\.\w+)+)\s*")
-_ITERATION_OF_LIST: Final = re.compile(r"\bfor\s+\w+\s+in\s*\{")
 _FUNCTION: Final = re.compile(r"function\b")
 _SLICE: Final = re.compile(r"\[[^\]]*:[^\]]*\]")
 # Strings are masked by zero characters.
@@ -234,14 +234,13 @@ class _Writer:
         """
         for found in _PLACE.finditer(self._code):
             end = end_of_bracket(self._code, found.end() - 1)
-            has_members = any(
-                pattern.search(self._code, found.end(), end) for pattern in (_MEMBER_OF_ELEMENT, _ITERATION_OF_LIST)
-            )
-            if found["reduction"]:
-                if has_members and _ITERATION.search(self._code, found.end(), end - 1):
-                    yield found.end(), end - 1, True
-            elif has_members or found[0] != "{":
+            iteration = self._iteration(found.end(), end - 1)
+            if found[0] != "{" and not found["reduction"]:
                 yield found.start(), end, False
+            elif iteration is not None and (
+                iteration[2].startswith("{") or _MEMBER_OF_ELEMENT.search(self._code, found.end(), end)
+            ):
+                yield (found.end(), end - 1, True) if found["reduction"] else (found.start(), end, False)
 
     def _elements(self, start: int, end: int) -> list[str]:
         """Elements of an array expression; raises _UnknownError where they are not plain."""
@@ -265,7 +264,7 @@ class _Writer:
         return elements
 
     def _constructed(self, start: int, end: int) -> list[str]:
-        iteration = _ITERATION.search(self._code, start, end)
+        iteration = self._iteration(start, end)
         if iteration is None:
             return [self._element(first, last) for first, last in parts_between_commas(self._code, start, end)]
         name = iteration[1]
@@ -273,6 +272,15 @@ class _Writer:
         self._element(start, iteration.start())
         bodies = (self._source.with_name_replaced(start, iteration.start(), name, value) for value in values)
         return [body.replace("\n", " ").strip() for body in bodies]
+
+    def _iteration(self, start: int, end: int) -> re.Match[str] | None:
+        """The iterator of an array constructor, not those of others within it."""
+        position = start
+        while (bound := _BRACKET_OR_FOR.search(self._code, position, end)) is not None:
+            if bound[0] == "for":
+                return _ITERATION.match(self._code, bound.start(), end)
+            position = end_of_bracket(self._code, bound.start())
+        return None
 
     def _range(self, text: str) -> list[str]:
         limits = text.split(":")

@@ -68,6 +68,8 @@ from modelica2fmu.library.source_map import SourceMap, Span, source_number
 _UNRESOLVED: Final = re.compile(r"\bunresolved\b")
 # Where connected arrays have different sizes.
 _SIZES_DIFFER: Final = "array dimension mismatch for `connect`"
+# Of loops over what is no range, which may be written out or not.
+_RANGE_REFUSED: Final = "for-equation range"
 # Of what it takes only when it is written out: concatenations, whose type is that of the dimension, and loops.
 _WRITTEN_OUT_TAKEN: Final = re.compile(
     r"type mismatch: expected `?[\w.]+`?, found `?Integer|comprehension index requires an explicit range"
@@ -208,7 +210,10 @@ def _with_arrays_written_out(
     about = replace(request, text=text)
     other = ask(about, remark)
     if other.flat is None:
-        tells_more = _SIZES_DIFFER in other.error or _WRITTEN_OUT_TAKEN.search(answer.error) is not None
+        is_taken = _WRITTEN_OUT_TAKEN.search(answer.error) is not None or (
+            _RANGE_REFUSED in answer.error and _RANGE_REFUSED not in other.error
+        )
+        tells_more = _SIZES_DIFFER in other.error or is_taken
     else:
         tells_more = written.numbers.hold_in(other.flat)
     if not tells_more:

@@ -268,6 +268,10 @@ def test_iterators_are_replaced_by_their_numbers_alone():
     [
         ("x = {a[i].b for i in r};", "x = {a[r[i]].b for i in 1:size(r, 1)};"),
         ("x = sum(f(q, p.q, q = 1) for q in p.v);", "x = sum(f(p.v[q], p.q, q = 1) for q in 1:size(p.v, 1));"),
+        (
+            "x = {{i*j for j in 1:2} for i in {2, 1}}; y = max(sum(i for j in 1:2) for i in {3});",
+            "x = {{2*j for j in 1:2}, {1*j for j in 1:2}}; y = max({sum(3 for j in 1:2)});",
+        ),
         ("x = {u[i] for i in {k + 1, 2}};", "x = {u[(k + 1)], u[2]};"),
         ("for i in {2, 1} loop y[i] = u[i]; end for;", "y[2] = u[2]; y[1] = u[1];"),
         ('for i in {1, 2} loop\n  y[i] = f(i, "i"); // i\nend for;', 'y[1] = f(1, "i"); y[2] = f(2, "i");\n\n'),
