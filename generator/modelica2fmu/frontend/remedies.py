@@ -147,6 +147,18 @@ _KNOWN: Final = tuple(
             None,
         ),
         (
+            r"(?P<name>\w+) cannot be evaluated: type mismatch: expected Real or Integer, got Array",
+            "{name} has the sum or product of a matrix, which is not taken in parameters and constants",
+            "write sum(sum(m[i, :]) for i in 1:size(m, 1))",
+            None,
+        ),
+        (
+            r"(?P<name>\w+) cannot be evaluated: type mismatch: expected numeric, got Array \^ Integer",
+            "{name} has the power of a matrix, which is not taken in parameters and constants",
+            "write m*m, or .^ for powers of the elements",
+            None,
+        ),
+        (
             r"unsupported runtime operator `(?P<name>\w+)`: no checked canonical owner exists .*",
             "the operator {name} is not taken",
             "write a function for it: its result has loops over size(x, 1) and size(x, 2)",

@@ -197,7 +197,9 @@ class RandomModel:
     def _function(self, shape: Shape, depth: int) -> Expression:
         name, function = self.choose.choice([("sin", np.sin), ("tanh", np.tanh), ("atan", np.arctan), ("cos", np.cos)])
         argument = self._real((), depth) if shape == () else self._real(shape, 0)
-        if shape and any(known.kind for known in self._known):  # of arrays the front end evaluates no constants
+        if shape and not any(
+            known.kind == "" for known in self._known
+        ):  # of arrays the front end evaluates no constants
             return argument
         return f"{name}({argument[0]})", lambda values: function(argument[1](values))
 
@@ -276,7 +278,8 @@ class RandomModel:
         return f"{name}({text[1:-1]})", lambda values: function(value(values))
 
     def _reduction(self, _shape: Shape, depth: int) -> Expression:
-        array = self._real(self._shape(self.choose.choice([1, 2])), depth)
+        is_constant = not any(known.kind == "" for known in self._known)  # matrices have no sums there
+        array = self._real(self._shape(1 if is_constant else self.choose.choice([1, 2])), depth)
         name, function = self.choose.choice(REDUCTIONS)
         return f"{name}({array[0]})", lambda values: function(array[1](values))
 

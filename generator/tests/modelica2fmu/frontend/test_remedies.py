@@ -75,6 +75,8 @@ def refusal(text: str, folder: Path) -> InputError:
             "reinit takes no element",
             "Part",
         ),
+        ("\n  parameter Real m[1, 2] = [1, 2], y = sum(m);", 2, "y has the sum", "sum(sum(m[i, :])"),
+        ("\n  parameter Real m[1, 1] = [2], y[1, 1] = m^2;", 2, "y has the power", "m*m"),
         ("\n  Real v[2, 1] = matrix({time, 1});", 2, "the operator matrix", "a function"),
         (
             "\n  Integer a(start = 0, fixed = true);\nequation\n  when sample(0.5, 1) then\n    a = pre(a) + 1;\n"
