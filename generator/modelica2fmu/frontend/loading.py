@@ -41,7 +41,6 @@ from modelica2fmu.frontend.balance import (
     unplaced_frames,
     world_without_inner,
 )
-from modelica2fmu.frontend.concatenation import with_arrays_written_out
 from modelica2fmu.frontend.culprit import culprit
 from modelica2fmu.frontend.errors import (
     FrontEndError,
@@ -58,8 +57,9 @@ from modelica2fmu.frontend.evaluated_references import with_references
 from modelica2fmu.frontend.flat_reader import read_flat_model
 from modelica2fmu.frontend.library_names import about_a_copy, naming, packages
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
-from modelica2fmu.frontend.package_view import package_view
 from modelica2fmu.frontend.remedies import with_remedy
+from modelica2fmu.frontend.rewriting.concatenation import with_arrays_written_out
+from modelica2fmu.frontend.rewriting.package_view import package_view
 from modelica2fmu.frontend.runner import Answer, Request, ask
 from modelica2fmu.frontend.syntax import syntax_error
 from modelica2fmu.library.source_map import SourceMap, Span, source_number

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from contact_data import core_subset
 from contact_foundation.errors import InputError
-from modelica2fmu.frontend.concatenation import with_arrays_written_out
+from modelica2fmu.frontend.rewriting.concatenation import with_arrays_written_out
 from modelica2fmu.library.standard_library import StandardLibrary
 from modelica2fmu.symbolic.expression import Node
 from modelica2fmu.translation import Translation, translate

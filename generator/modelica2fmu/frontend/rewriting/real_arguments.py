@@ -9,8 +9,8 @@ import re
 from collections.abc import Iterator
 from typing import Final
 
-from modelica2fmu.frontend.code_text import CodeText
-from modelica2fmu.frontend.for_loops import Edit
+from modelica2fmu.frontend.rewriting.code_text import CodeText
+from modelica2fmu.frontend.rewriting.for_loops import Edit
 from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 
 _CALL: Final = re.compile(r"(?<![\w.])(?:cross|skew)\s*\(")

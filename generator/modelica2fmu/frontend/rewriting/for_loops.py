@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Final
 
-from modelica2fmu.frontend.code_text import CodeText
+from modelica2fmu.frontend.rewriting.code_text import CodeText
 from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 
 # Ranges of a text, each with what is to stand there.

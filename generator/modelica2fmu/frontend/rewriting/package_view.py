@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from modelica2fmu.frontend.concatenation import Numbers, with_arrays_written_out
+from modelica2fmu.frontend.rewriting.concatenation import Numbers, with_arrays_written_out
 from modelica2fmu.library.source_map import SourceMap
 
 

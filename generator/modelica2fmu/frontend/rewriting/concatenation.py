@@ -19,7 +19,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, Final
 
-from modelica2fmu.frontend.class_scopes import (
+from modelica2fmu.frontend.rewriting.class_scopes import (
     ClassScope,
     class_scopes,
     extends_modifiers,
@@ -27,9 +27,9 @@ from modelica2fmu.frontend.class_scopes import (
     scope_at,
     used_classes,
 )
-from modelica2fmu.frontend.code_text import CodeText
-from modelica2fmu.frontend.for_loops import Edit, elements, iteration_edits, loop_edits
-from modelica2fmu.frontend.real_arguments import real_argument_edits
+from modelica2fmu.frontend.rewriting.code_text import CodeText
+from modelica2fmu.frontend.rewriting.for_loops import Edit, elements, iteration_edits, loop_edits
+from modelica2fmu.frontend.rewriting.real_arguments import real_argument_edits
 from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 
 _CALL: Final = re.compile(r"(?<![\w.])cat\s*\(")
