@@ -20,18 +20,20 @@ bool fail(std::string *problem, std::string reason) {
   return false;
 }
 
-// Cell of a cube's surface that the direction d points to. Written to be compiled without branches.
+// Cell of a cube's surface that the direction d points to. Written to be compiled without branches, and without a copy of d, which
+// would wait for it to be stored.
 inline int cube_cell(const Vec3 &d, int cells) {
-  static constexpr int first[3] = {1, 0, 0}, second[3] = {2, 2, 1};
-  const double component[3] = {d.x, d.y, d.z};
+  static constexpr double Vec3::*coordinate[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
+  static constexpr double Vec3::*first[3] = {&Vec3::y, &Vec3::x, &Vec3::x};
+  static constexpr double Vec3::*second[3] = {&Vec3::z, &Vec3::z, &Vec3::y};
   const double ax = std::fabs(d.x), ay = std::fabs(d.y), az = std::fabs(d.z);
   const double higher = ax > ay ? ax : ay, along = higher > az ? higher : az;
   if (!(along > 0.0)) return 0;
   const int z_is_largest = az > higher ? 1 : 0, axis = 2 * z_is_largest + (static_cast<int>(ay > ax) & (1 - z_is_largest));
   const double scale = 0.5 * cells / along;
-  const int i = static_cast<int>((component[first[axis]] + along) * scale);
-  const int j = static_cast<int>((component[second[axis]] + along) * scale);
-  const int side = 2 * axis + (component[axis] < 0.0 ? 0 : 1);
+  const int i = static_cast<int>((d.*first[axis] + along) * scale);
+  const int j = static_cast<int>((d.*second[axis] + along) * scale);
+  const int side = 2 * axis + (d.*coordinate[axis] < 0.0 ? 0 : 1);
   return (side * cells + std::min(i, cells - 1)) * cells + std::min(j, cells - 1);
 }
 
@@ -154,6 +156,7 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
     }
   }
   built.build_support_table();
+  if (vertices.size() <= few_vertices) built.build_few_places();
   result = std::move(built);
   return true;
 }
@@ -213,7 +216,33 @@ void Polytope::build_support_table() {
   }
 }
 
+void Polytope::build_few_places() {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t k = 0; k < few_vertices; ++k) few_places_.push_back(vertices_[std::min(k, vertices_.size() - 1)][axis]);
+  }
+}
+
+// By a knock-out tournament without branches: directions are unpredictable.
+std::int32_t Polytope::support_of_few(const Vec3 &d) const {
+  const double *const x = few_places_.data(), *const y = x + few_vertices, *const z = y + few_vertices;
+  double height[few_vertices];
+  std::int32_t best[few_vertices / 2];
+  for (std::size_t k = 0; k < few_vertices; ++k) height[k] = d.x * x[k] + d.y * y[k] + d.z * z[k];
+  for (std::int32_t k = 0; k < 4; ++k) {
+    const bool second = height[2 * k + 1] > height[2 * k];
+    best[k] = 2 * k + static_cast<std::int32_t>(second);
+    height[k] = second ? height[2 * k + 1] : height[2 * k];
+  }
+  for (std::int32_t k = 0; k < 2; ++k) {
+    const bool second = height[2 * k + 1] > height[2 * k];
+    best[k] = second ? best[2 * k + 1] : best[2 * k];
+    height[k] = second ? height[2 * k + 1] : height[2 * k];
+  }
+  return height[1] > height[0] ? best[1] : best[0];
+}
+
 std::int32_t Polytope::support_vertex(const Vec3 &d) const {
+  if (!few_places_.empty()) return support_of_few(d);
   const int cell = cube_cell(d, cells_);
   const std::int32_t *candidate = candidates_.data() + cell_begin_[index(cell)];
   const std::int32_t *const end = candidates_.data() + cell_begin_[index(cell) + 1];

@@ -37,7 +37,6 @@ class Polytope {
   // The box of full lengths `size` (all > 0), centred at the origin. Vertex v has the coordinate signs
   // of v's bits (bit 0: x, set = positive); faces come in the order -x, +x, -y, +y, -z, +z.
   static Polytope box(const Vec3 &size);
-  // The half lengths of what box() made; zero for any other polytope.
 
   const std::vector<Vec3> &vertices() const { return vertices_; }
   const std::vector<Face> &faces() const { return faces_; }
@@ -73,6 +72,8 @@ class Polytope {
 
  private:
   void build_support_table();
+  void build_few_places();
+  std::int32_t support_of_few(const Vec3 &d) const;
   // The same by hill climbing from a vertex.
   std::int32_t climb(const Vec3 &d, std::int32_t start) const;
 
@@ -92,6 +93,10 @@ class Polytope {
   int cells_ = 1;
   std::vector<std::int32_t> candidates_;
   std::vector<std::int32_t> cell_begin_;
+  // Of polytopes with so few vertices all are compared: their coordinates, axis by axis, the last vertex again and again at the end.
+  // Empty for others.
+  static constexpr std::size_t few_vertices = 8;
+  std::vector<double> few_places_;
   double radius_ = 0.0, sharpest_edge_ = 0.0;
   Vec3 center_;
 };

@@ -142,6 +142,22 @@ TEST(Hull, PointsNearlyInPlanesAreNoObstacle) {
   }
 }
 
+// Of few vertices all are compared, without a table.
+TEST(Hull, FarthestOfFewVertices) {
+  Random random(6);
+  for (int count = 4; count <= 10; ++count) {
+    Polytope hull;
+    ASSERT_TRUE(build_convex_hull(random_points(random, count, {1, 1, 1}, false), hull, nullptr, nullptr));
+    ASSERT_EQ(hull.vertices().size(), static_cast<std::size_t>(count));
+    for (int k = 0; k < 300; ++k) {
+      const Vec3 d = random.direction();
+      double best = -1;
+      for (const Vec3 &v : hull.vertices()) best = std::max(best, dot(d, v));
+      EXPECT_EQ(dot(d, hull.vertices()[static_cast<std::size_t>(hull.support_vertex(d))]), best) << count;
+    }
+  }
+}
+
 TEST(Hull, PointsOnASphereAreAllKept) {
   Random random(5);
   Polytope hull;
