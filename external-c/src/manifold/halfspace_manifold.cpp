@@ -186,16 +186,24 @@ void capsule_contact(const convex::ConvexBody &body, Collector &collector) {
   collector.finish(sine < 0.0 ? lower : upper);
 }
 
+// How a body of revolution about z is inclined: its lowest direction across that axis, and the sine of the angle between both.
+struct Inclination {
+  explicit Inclination(const Vec3 &down)
+      : sine(std::sqrt(down.x * down.x + down.y * down.y)),
+        lowest(sine > none ? Vec3{down.x / sine, down.y / sine, 0.0} : Vec3{1.0, 0.0, 0.0}) {}
+
+  static constexpr double none = 1e-150;  // below it the sine's square is not known to rounding
+  double sine;
+  Vec3 lowest;
+};
+
 // What a disc's rim carries: a load `carried` (with its derivative by `down`) on four points, one of them the lowest;
 // in equal parts where the disc lies flat, and all of it on the lowest where the sine of the disc's inclination is
 // `edge_sine` or more.
-void rim_contact(double radius, double height, double edge_sine, double carried, const Vec3 &carried_gradient,
+void rim_contact(const Inclination &disc, double radius, double height, double edge_sine, double carried, const Vec3 &carried_gradient,
                  Collector &collector) {
-  const Vec3 &down = collector.down();
-  const double sine = std::hypot(down.x, down.y);  // of the disc's inclination
-  const Vec3 lowest = sine > 0.0 ? Vec3{down.x / sine, down.y / sine, 0.0} : Vec3{1.0, 0.0, 0.0};
-  const Vec3 beside{-lowest.y, lowest.x, 0.0};
-  const double part = std::fmin(1.0, sine / edge_sine);
+  const Vec3 &lowest = disc.lowest, beside{-lowest.y, lowest.x, 0.0};
+  const double part = std::fmin(1.0, disc.sine / edge_sine);
   const double difference = end_share_difference(part), slope = end_share_slope(part) / edge_sine;
   const Vec3 middle{0.0, 0.0, height};
   const auto add = [&](const Vec3 &direction, double share, double share_slope) {
@@ -210,27 +218,29 @@ void rim_contact(double radius, double height, double edge_sine, double carried,
 
 // The ends share as those of a capsule do.
 void cylinder_contact(const convex::ConvexBody &body, Collector &collector) {
+  const Inclination inclination(collector.down());
   const double sine = collector.down().z;
   const double difference = end_share_difference(sine), slope = end_share_slope(sine);
-  rim_contact(body.half.x, body.half.z, 1.0, 0.5 * (1.0 + difference), {0, 0, 0.5 * slope}, collector);
-  rim_contact(body.half.x, -body.half.z, 1.0, 0.5 * (1.0 - difference), {0, 0, -0.5 * slope}, collector);
+  rim_contact(inclination, body.half.x, body.half.z, 1.0, 0.5 * (1.0 + difference), {0, 0, 0.5 * slope}, collector);
+  rim_contact(inclination, body.half.x, -body.half.z, 1.0, 0.5 * (1.0 - difference), {0, 0, -0.5 * slope}, collector);
   collector.finish(convex::core_support(body, collector.down()).point);
 }
 
 // Apex and base share by the inclination of the lowest line of the mantle; all is the base's where that lies flat.
 void cone_contact(const convex::ConvexBody &body, Collector &collector) {
   const Vec3 &down = collector.down();
-  const double across = std::hypot(down.x, down.y), height = 2.0 * body.half.z;
-  const Vec3 lowest = across > 0.0 ? Vec3{down.x / across, down.y / across, 0.0} : Vec3{1.0, 0.0, 0.0};
+  const Inclination inclination(down);
+  const Vec3 &lowest = inclination.lowest;
+  const double height = 2.0 * body.half.z;
   // The sine of the line's inclination, as a part of what it is with the base flat.
-  const double part = std::fmin(1.0, std::fmax(-1.0, (height * down.z - body.half.x * across) / height));
+  const double part = std::fmin(1.0, std::fmax(-1.0, (height * down.z - body.half.x * inclination.sine) / height));
   const Vec3 part_gradient = (1.0 / height) * (Vec3{0, 0, height} - body.half.x * lowest);
   const double difference = end_share_difference(part);
   const Vec3 gradient = (0.5 * end_share_slope(part)) * part_gradient;
   collector.add({0, 0, body.half.z}, 0.5 * (1.0 + difference), gradient);
   // Lying on its mantle the cone touches with one point of the rim.
-  const double edge_sine = height / std::hypot(height, body.half.x);
-  rim_contact(body.half.x, -body.half.z, edge_sine, 0.5 * (1.0 - difference), -gradient, collector);
+  const double edge_sine = height / std::sqrt(height * height + body.half.x * body.half.x);
+  rim_contact(inclination, body.half.x, -body.half.z, edge_sine, 0.5 * (1.0 - difference), -gradient, collector);
   collector.finish(convex::core_support(body, down).point);
 }
 

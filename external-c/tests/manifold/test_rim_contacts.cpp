@@ -99,6 +99,26 @@ TEST(RimContacts, RimThroughAFacesCornerCarriesAsBesideIt) {
   }
 }
 
+// The square of the tilt's sine is nothing, or hardly a number.
+TEST(RimContacts, TiltsOfNothingAreNone) {
+  for (const char *body : {cylinder, cone}) {
+    const PairScene scene(body, ground);
+    const BodyPose level{{0.1, 0.2, 0.75 - depth}, yaw};
+    const Contact none = scene.query(level, {}, 64);
+    for (const double tilt : {1e-140, 1e-157, 3e-161, 3e-162, 1e-170, 1e-300}) {
+      BodyPose pose = level;
+      pose.rotation = product(rotation_about({0.6, 0.8, 0}, tilt), pose.rotation);
+      const Contact tilted = scene.query(pose, {}, 64);
+      EXPECT_EQ(tilted.points.size(), none.points.size()) << tilt;
+      EXPECT_LT(norm(tilted.load() - none.load()), 1e-12 * depth) << tilt;
+      EXPECT_LT(norm(tilted.moment(pose.position) - none.moment(pose.position)), 1e-12 * depth) << tilt;
+      for (const Point &point : tilted.points) {
+        EXPECT_NEAR(std::hypot(point.position.x - 0.1, point.position.y - 0.2), 0.3, 1e-12) << tilt;
+      }
+    }
+  }
+}
+
 TEST(RimContacts, BoxStandsOnACylinder) {
   const PairScene scene("cmb/1 box size=0.5,0.4,0.3", "cmb/1 cylinder radius=1 length=1");
   const Contact contact = scene.query({{0.1, 0.2, 0.65 - depth}, yaw}, {}, 64);
