@@ -7,8 +7,8 @@ namespace cmb {
 
 namespace {
 
-// Of polytopes with more corners, given as meshes, the triangles are asked: the overlap of all corners with all triangles takes
-// too long (200 corners on a height field 6 times as long, on a torus 10 times).
+// Of polytopes with more corners, given as meshes, the triangles are asked what they do: the overlap of all corners with all
+// triangles takes too long (200 corners on a height field 6 times as long, on a torus 10 times).
 constexpr std::size_t most_corners = 64;
 
 }  // namespace
@@ -22,7 +22,8 @@ void mesh_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Pose
       return;
     case PairMethod::polytope_mesh:
       if (a.mesh && a.polytope->geometry().vertices().size() > most_corners) {
-        mesh::mesh_pair_contact(*a.mesh, pose_a, mesh, pose_b, scratch, result);
+        if (mesh::mesh_pair_touch(*a.mesh, pose_a, mesh, pose_b, scratch, result)) return;
+        mesh::polytope_clearance(a.polytope->geometry(), pose_a, mesh, pose_b, scratch, result);
         return;
       }
       mesh::polytope_contact(a.polytope->geometry(), pose_a, mesh, pose_b, scratch, result);

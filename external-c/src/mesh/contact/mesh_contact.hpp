@@ -49,6 +49,10 @@ void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh,
 void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
                       MeshContactScratch &scratch, ContactSet &result);
 
+// Distance, normal and witness alone, of a polytope that does not touch the mesh: sooner found than from the polytope's own triangles.
+void polytope_clearance(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
+                        MeshContactScratch &scratch, ContactSet &result);
+
 // An ellipsoid, a cylinder, a cone or a capsule: the same, by its exact overlap (RoundOverlap). On a plane an ellipsoid, and a capsule that
 // lies, has depth, normal and, shallow, weight of that on a half-space; cylinders and cones push as on a box.
 void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
@@ -59,5 +63,8 @@ void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const
 // push each other, half each. Exchanging meshes gives the same points with normals reversed, but for closed meshes of one size.
 void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
                        MeshContactScratch &scratch, ContactSet &result);
+// The same where they touch; false, with a result of no use, where they do not.
+bool mesh_pair_touch(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
+                     MeshContactScratch &scratch, ContactSet &result);
 
 }  // namespace cmb::mesh

@@ -178,18 +178,19 @@ bool pushes(const TriangleMesh &one, const TriangleMesh &other) {
 
 }  // namespace
 
-void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
-                       MeshContactScratch &scratch, ContactSet &result) {
+bool mesh_pair_touch(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
+                     MeshContactScratch &scratch, ContactSet &result) {
   const PlacedMesh first{a, pose_a}, second{b, pose_b};
   const auto touch = a.closed() || b.closed() ? contact : sheet_contact;
-  if (pushes(a, b)) {
-    if (touch(first, second, scratch, result)) {
-      reverse(result);
-      return;
-    }
-  } else if (touch(second, first, scratch, result)) {
-    return;
-  }
+  if (!pushes(a, b)) return touch(second, first, scratch, result);
+  if (!touch(first, second, scratch, result)) return false;
+  reverse(result);
+  return true;
+}
+
+void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
+                       MeshContactScratch &scratch, ContactSet &result) {
+  if (mesh_pair_touch(a, pose_a, b, pose_b, scratch, result)) return;
   const TrianglePair nearest = mesh_pair_distance(a, b, relative_pose(pose_a, pose_b));
   result.distance = nearest.distance;
   result.normal =

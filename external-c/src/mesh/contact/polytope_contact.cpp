@@ -41,6 +41,9 @@ class PolytopeQuery {
     if (!append_overlap_contact(overlap, body, mesh_, pose_, scratch_.elastic, result_)) apart(nearest.triangle);
   }
 
+  // Where nothing touches.
+  void find_clearance() { apart(mesh_.nearest(0.5 * (box_.low + box_.high)).triangle); }
+
  private:
   // Where the body begins along a unit direction from the mesh to it; nothing at first.
   struct Extent {
@@ -112,6 +115,12 @@ void polytope_contact(const convex::Polytope &body, const Pose &body_pose, const
                       MeshContactScratch &scratch, ContactSet &result) {
   const Pose body_in_mesh = relative_pose(pose, body_pose);
   PolytopeQuery(body, body_in_mesh, mesh, pose, scratch, result).run();
+}
+
+void polytope_clearance(const convex::Polytope &body, const Pose &body_pose, const TriangleMesh &mesh, const Pose &pose,
+                        MeshContactScratch &scratch, ContactSet &result) {
+  const Pose body_in_mesh = relative_pose(pose, body_pose);
+  PolytopeQuery(body, body_in_mesh, mesh, pose, scratch, result).find_clearance();
 }
 
 }  // namespace cmb::mesh
