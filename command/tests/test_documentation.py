@@ -73,15 +73,15 @@ def test_the_summary_of_pairs_is_that_of_their_table() -> None:
 def test_rows_of_pairs_are_read_as_bench_pairs_prints_them() -> None:
     script = runpy.run_path(str(PROJECT / "external-c" / "bench" / "pairs_table.py"))
     printed = [
-        "| pair | 1 mm | 10 cm | 30 cm | apart | coherent |\n",
-        "|---|---|---|---|---|---|\n",
-        "| box, hull-20 | 0.80 (1.47) | (1.27e+03) | | 1.13 (1.11) | 0.62 (1.55) |\n",
+        "| pair | 1 mm | 10 cm | 30 cm | apart | distance | coherent |\n",
+        "|---|---|---|---|---|---|---|\n",
+        "| box, hull-20 | 0.80 (1.47) | (1.27e+03) | | 0.07 (0.08) | 1.13 (1.11) | 0.62 (1.55) |\n",
         "\n",
         "| box, hull-20, apart | 1.13 | 1.11 | 0.98 |\n",
     ]
     (row,) = script["timed_rows"](printed)
     assert [row[name] for name in script["HEADER"]] == [
-        *("box", "hull-20", "0.80", "1.47", "", "1.27e+03", "", "", "1.13", "1.11", "0.62", "1.55"),
+        *("box", "hull-20", "0.80", "1.47", "", "1.27e+03", "", "", "0.07", "0.08", "1.13", "1.11", "0.62", "1.55"),
     ]
     with pytest.raises(ValueError, match="no ratio"):
-        script["timed_rows"](["| box, box | fast | | | | |"])
+        script["timed_rows"](["| box, box | fast | | | | | |"])

@@ -3,11 +3,12 @@
 //
 //   bench_pairs [poses a row [kind [kind]]]
 //
-// Bodies are about 1 m large. Columns: 1 mm, 10 cm and 30 cm deep (empty where the bodies do not allow it), 5 cm apart, each query
-// another pose; and poses that follow each other as in a simulation, 1 cm deep. Apart the peers say only that nothing touches, the
-// engine also how far it is. The contestants take turns. Printed, as Markdown: the engine's median of processor time by the quicker
+// Bodies are about 1 m large. Columns: 1 mm, 10 cm and 30 cm deep (empty where the bodies do not allow it); 5 cm apart, where all are
+// asked whether they touch; the same, asked how far apart they are; each query another pose; and poses that follow each other as in a
+// simulation, 1 cm deep. The contestants take turns. Printed, as Markdown: the engine's median of processor time by the quicker
 // peer's, and its microseconds; then how many ratios are above 1, and the worst.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -55,15 +56,19 @@ std::vector<Kind> all_kinds() {
           {"height-field-2048", mesh_samples::height_field_text(4.0, 33, hills), true}};
 }
 
-// At which distance, and whether poses follow each other.
+enum class Question { contact, touch, distance };
+
+// At which distance what is asked, and whether poses follow each other.
 struct Column {
   const char *name;
   double distance;
+  Question question;
   bool coherent;
 };
 
-constexpr Column columns[] = {
-    {"1 mm", -1e-3, false}, {"10 cm", -0.1, false}, {"30 cm", -0.3, false}, {"apart", 0.05, false}, {"coherent", -0.01, true}};
+constexpr Column columns[] = {{"1 mm", -1e-3, Question::contact, false},  {"10 cm", -0.1, Question::contact, false},
+                              {"30 cm", -0.3, Question::contact, false},  {"apart", 0.05, Question::touch, false},
+                              {"distance", 0.05, Question::distance, false}, {"coherent", -0.01, Question::contact, true}};
 
 // Two kinds as a scene that tells the distance anywhere.
 class Placer {
@@ -157,19 +162,36 @@ struct Ratio {
   double value, engine, peer;
 };
 
+// Who is asked: the engine and its peers.
+std::array<Contestant, 3> contestants_for(const PosedPair &pair, Question question) {
+  std::array<Contestant, 3> result;
+  const bool distance = question == Question::distance;
+  result[0].peer = question == Question::touch ? make_engine_within_bounds(pair) : make_engine(pair);
+  result[1].peer = distance ? make_coal_distance(pair) : make_coal_collide(pair, true);
+  result[2].peer = distance ? make_fcl_distance(pair) : make_fcl_collide(pair);
+  return result;
+}
+
+// Whether the answer is one to the column's question. A peer that knows no contact of such a pair says that there is none, and one that
+// knows no distance another one.
+bool is_answer(double answer, const Column &column) {
+  constexpr double tolerance = 0.1;  // by the distance
+  switch (column.question) {
+    case Question::contact: return std::isfinite(answer);
+    case Question::touch: return !(answer < 0.0);
+    default: return std::fabs(answer - column.distance) < tolerance * column.distance;
+  }
+}
+
 // Of the engine to the quicker peer at the pair's poses; 0 where no peer answers.
-Ratio measure(const PosedPair &pair, bool touching) {
-  Contestant contestants[3];
-  contestants[0].peer = make_engine(pair);
-  contestants[1].peer = make_coal_collide(pair, true);
-  contestants[2].peer = make_fcl_collide(pair);
+Ratio measure(const PosedPair &pair, const Column &column) {
+  std::array<Contestant, 3> contestants = contestants_for(pair, column.question);
   const std::size_t poses = pair.pose_a.size();
   for (Contestant &one : contestants) {
     if (!one.peer) continue;
     std::size_t answers = 0;
-    for (std::size_t k = 0; k < poses; ++k) answers += std::isfinite(one.peer->ask(k)) ? 1 : 0;  // also warms up
-    // A peer that knows no contact of such a pair says that there is none.
-    if (touching && 2 * answers < poses) one.peer.reset();
+    for (std::size_t k = 0; k < poses; ++k) answers += is_answer(one.peer->ask(k), column) ? 1 : 0;  // also warms up
+    if (&one != contestants.data() && 2 * answers < poses) one.peer.reset();
   }
   double spent = 0.0;
   for (int sweep = 0; sweep < 31 && (sweep < 3 || spent < most_of_a_row); ++sweep) {
@@ -207,7 +229,7 @@ void run(const Kind &a, const Kind &b, std::size_t poses, std::vector<Ratio> &ra
       std::printf(" |");
       continue;
     }
-    Ratio ratio = measure(pair, column.distance < 0.0);
+    Ratio ratio = measure(pair, column);
     if (ratio.value > 0.0) {
       std::printf(" %.2f (%.3g) |", ratio.value, ratio.engine);
       ratio.row = std::string(a.name) + ", " + b.name + ", " + column.name;
@@ -253,7 +275,7 @@ int main(int argc, char **argv) {
   }
   std::printf("| pair |");
   for (const Column &column : columns) std::printf(" %s |", column.name);
-  std::printf("\n|---|---|---|---|---|---|\n");
+  std::printf("\n|---|---|---|---|---|---|---|\n");
   std::vector<Ratio> ratios;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     for (std::size_t j = i; j < kinds.size(); ++j) {

@@ -3,6 +3,7 @@
 #include <coal/BVH/BVH_model.h>
 #include <coal/collision.h>
 #include <coal/contact_patch.h>
+#include <coal/distance.h>
 
 #include <cmath>
 #include <memory>
@@ -69,6 +70,28 @@ class CoalPeer : public ContactPeer {
   coal::ContactPatchResult patches_;
 };
 
+class CoalDistance : public ContactPeer {
+ public:
+  explicit CoalDistance(const PosedPair &pair)
+      : a_(geometry_of(pair.a)),
+        b_(pair.is_of_equals() ? a_ : geometry_of(pair.b)),
+        at_a_(transforms(pair.pose_a)),
+        at_b_(transforms(pair.pose_b)),
+        find_(a_.get(), b_.get()) {}
+
+  double ask(std::size_t k) override {
+    result_.clear();
+    return find_(at_a_[k], at_b_[k], request_, result_);
+  }
+
+ private:
+  std::shared_ptr<coal::CollisionGeometry> a_, b_;
+  std::vector<coal::Transform3s> at_a_, at_b_;
+  coal::ComputeDistance find_;
+  coal::DistanceRequest request_;
+  coal::DistanceResult result_;
+};
+
 }  // namespace
 
 }  // namespace cmb::bench
@@ -76,4 +99,8 @@ class CoalPeer : public ContactPeer {
 extern "C" __attribute__((visibility("default"))) cmb::bench::ContactPeer *cmb_bench_coal_peer(
     const cmb::bench::PosedPair *pair, int with_patch) {
   return new cmb::bench::CoalPeer(*pair, with_patch != 0);
+}
+
+extern "C" __attribute__((visibility("default"))) cmb::bench::ContactPeer *cmb_bench_coal_distance(const cmb::bench::PosedPair *pair) {
+  return new cmb::bench::CoalDistance(*pair);
 }

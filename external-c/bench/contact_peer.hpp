@@ -29,11 +29,16 @@ class ContactPeer {
 };
 
 // The pair is borrowed and must outlive the peer. Null where a peer has no answer for such shapes.
-std::unique_ptr<ContactPeer> make_engine(const PosedPair &pair);       // cmb_query_scene, with its manifold
+std::unique_ptr<ContactPeer> make_engine(const PosedPair &pair);       // cmb_query_scene, with its manifold and the exact distance
+// The same, but of bodies that are apart bounds may tell how far at least: what a model asks that needs no clearances.
+std::unique_ptr<ContactPeer> make_engine_within_bounds(const PosedPair &pair);
 std::unique_ptr<ContactPeer> make_libccd_portal(const PosedPair &pair);  // ccdMPRPenetration: one point
 std::unique_ptr<ContactPeer> make_fcl_collide(const PosedPair &pair);  // fcl::collide, its own solver; meshes: all contacts
 // coal::collide, with or without its contact patch; meshes, which it has no patches for, with all their contacts. Null where the
 // program is built without coal.
 std::unique_ptr<ContactPeer> make_coal_collide(const PosedPair &pair, bool with_patch);
+// How far apart bodies are.
+std::unique_ptr<ContactPeer> make_fcl_distance(const PosedPair &pair);   // fcl::distance
+std::unique_ptr<ContactPeer> make_coal_distance(const PosedPair &pair);  // coal::distance
 
 }  // namespace cmb::bench

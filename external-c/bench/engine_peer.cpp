@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -13,7 +14,7 @@ constexpr std::size_t capacity = 8;
 
 class EnginePeer : public ContactPeer {
  public:
-  explicit EnginePeer(const PosedPair &pair) {
+  EnginePeer(const PosedPair &pair, double exact_within) : exact_within_(exact_within) {
     const char *geometry[] = {pair.descriptor_a.c_str(), pair.descriptor_b.c_str()};
     const int pairs[] = {1, 2};
     if (cmb::test::intern_scene(geometry, 2, pairs, 1, CMB_BACKEND_AUTO, &scene_) != CMB_OK) {
@@ -33,11 +34,12 @@ class EnginePeer : public ContactPeer {
   double ask(std::size_t k) override {
     double distance = 0.0;
     cmb::test::query_scene(scene_, &position_[6 * k], &rotation_[18 * k], 2, 1, capacity, &distance, depth_, weight_, normal_,
-                    point_);
+                    point_, exact_within_);
     return distance;
   }
 
  private:
+  double exact_within_;  // m
   cmb_scene scene_{};
   std::vector<double> position_, rotation_;
   double depth_[capacity], weight_[capacity], normal_[3 * capacity], point_[3 * capacity];
@@ -45,6 +47,8 @@ class EnginePeer : public ContactPeer {
 
 }  // namespace
 
-std::unique_ptr<ContactPeer> make_engine(const PosedPair &pair) { return std::make_unique<EnginePeer>(pair); }
+std::unique_ptr<ContactPeer> make_engine(const PosedPair &pair) { return std::make_unique<EnginePeer>(pair, HUGE_VAL); }
+
+std::unique_ptr<ContactPeer> make_engine_within_bounds(const PosedPair &pair) { return std::make_unique<EnginePeer>(pair, 0.0); }
 
 }  // namespace cmb::bench

@@ -1,6 +1,7 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 
 #include <cmath>
 
@@ -67,8 +68,35 @@ class FclPeer : public ContactPeer {
   fcl::CollisionRequestd request_;
 };
 
+class FclDistance : public ContactPeer {
+ public:
+  explicit FclDistance(const PosedPair &pair)
+      : a_(geometry_of(pair.a)),
+        b_(pair.is_of_equals() ? a_ : geometry_of(pair.b)),
+        at_a_(transforms(pair.pose_a)),
+        at_b_(transforms(pair.pose_b)) {
+    request_.gjk_solver_type = fcl::GST_INDEP;
+  }
+
+  double ask(std::size_t k) override {
+    fcl::DistanceResultd result;
+    try {
+      return fcl::distance(a_.get(), at_a_[k], b_.get(), at_b_[k], request_, result);
+    } catch (const std::exception &) {
+      return std::nan("");
+    }
+  }
+
+ private:
+  std::shared_ptr<fcl::CollisionGeometryd> a_, b_;
+  std::vector<fcl::Transform3d> at_a_, at_b_;
+  fcl::DistanceRequestd request_;
+};
+
 }  // namespace
 
 std::unique_ptr<ContactPeer> make_fcl_collide(const PosedPair &pair) { return std::make_unique<FclPeer>(pair); }
+
+std::unique_ptr<ContactPeer> make_fcl_distance(const PosedPair &pair) { return std::make_unique<FclDistance>(pair); }
 
 }  // namespace cmb::bench

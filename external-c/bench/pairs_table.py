@@ -21,7 +21,7 @@ FOLDER = checkout() / "docs" / "engine"
 TABLE = FOLDER / "pairs.csv"
 PAGE = FOLDER / "measurements.md"
 BEGIN, END = "<!-- pairs begin -->\n", "<!-- pairs end -->\n"
-COLUMNS = ("1 mm", "10 cm", "30 cm", "apart", "coherent")
+COLUMNS = ("1 mm", "10 cm", "30 cm", "apart", "distance", "coherent")
 HEADER = ("a", "b", *(name for column in COLUMNS for name in (f"{column}: ratio", f"{column}: microseconds")))
 # Kinds of bodies that are much alike; a class of pairs is one of two groups.
 GROUPS = {
