@@ -16,6 +16,7 @@
 #include "support/rigid_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_interface {
 namespace {
 
 using namespace cmb::test;
@@ -398,3 +399,4 @@ TEST(Law, RulesCombineAsTheyAreNamed) {
 }
 
 }  // namespace
+}  // namespace test_interface

@@ -14,6 +14,7 @@
 #include "support/modelica_format_error.hpp"
 #include "support/rigid_bodies.hpp"
 
+namespace test_modelica_adapter {
 namespace {
 
 using namespace cmb::test;
@@ -281,3 +282,4 @@ TEST_F(Response, ErrorsGoToModelicaFormatError) {
 }
 
 }  // namespace
+}  // namespace test_modelica_adapter

@@ -9,6 +9,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_aligned_bodies {
 namespace {
 
 using namespace cmb::test;
@@ -111,3 +112,4 @@ INSTANTIATE_TEST_SUITE_P(All, AlignedBodies, testing::Combine(testing::ValuesIn(
                          });
 
 }  // namespace
+}  // namespace test_aligned_bodies

@@ -9,6 +9,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_ball_on_polytope {
 namespace {
 
 using namespace cmb::test;
@@ -78,3 +79,4 @@ TEST(BallOnPolytope, SurfacesAreClosedAndHoldTheVolume) {
 }
 
 }  // namespace
+}  // namespace test_ball_on_polytope

@@ -11,6 +11,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_capsule_contacts {
 namespace {
 
 using namespace cmb;
@@ -161,3 +162,4 @@ TEST(CapsuleOnCapsule, DoesNotAnswerWhereTheAxesMeet) {
 }
 
 }  // namespace
+}  // namespace test_capsule_contacts

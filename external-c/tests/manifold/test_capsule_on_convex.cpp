@@ -16,6 +16,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_capsule_on_convex {
 namespace {
 
 using namespace cmb;
@@ -203,3 +204,4 @@ TEST(CapsuleOnCylinder, IsAsHardAsItIsDeepAlongItAndSofterAtAnEndAndAcross) {
 }
 
 }  // namespace
+}  // namespace test_capsule_on_convex

@@ -1,6 +1,7 @@
 // The force-carrying sums have no jumps along paths in pose space.
 #include "support/path_sums.hpp"
 
+namespace test_continuity {
 namespace {
 
 using namespace cmb::test;
@@ -241,3 +242,4 @@ TEST(SignedDistance, PassesZeroWithSlopeOne) {
 }
 
 }  // namespace
+}  // namespace test_continuity

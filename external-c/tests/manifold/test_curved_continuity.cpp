@@ -1,6 +1,7 @@
 // Curved bodies turn over each other, over boxes and hulls, and off their borders, without jumps of load and moment.
 #include "support/path_sums.hpp"
 
+namespace test_curved_continuity {
 namespace {
 
 using namespace cmb::test;
@@ -249,3 +250,4 @@ TEST_P(CurvedPaths, SumsHaveNoJumps) {
 INSTANTIATE_TEST_SUITE_P(All, CurvedPaths, testing::ValuesIn(paths));
 
 }  // namespace
+}  // namespace test_curved_continuity

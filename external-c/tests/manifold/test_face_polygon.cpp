@@ -6,6 +6,7 @@
 #include "manifold/revolved/face_polygon.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_face_polygon {
 namespace {
 
 using cmb::convex::Vec3;
@@ -35,3 +36,4 @@ TEST(FacePolygon, HoldsWhatIsInItWhereverItsShortestSidesLead) {
 }
 
 }  // namespace
+}  // namespace test_face_polygon

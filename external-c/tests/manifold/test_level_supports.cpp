@@ -9,6 +9,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_level_supports {
 namespace {
 
 using namespace cmb::test;
@@ -118,3 +119,4 @@ INSTANTIATE_TEST_SUITE_P(All, LevelSupports,
                          [](const auto &info) { return std::get<0>(info.param) + "On" + std::get<1>(info.param); });
 
 }  // namespace
+}  // namespace test_level_supports

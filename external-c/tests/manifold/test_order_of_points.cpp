@@ -4,6 +4,7 @@
 
 #include "support/scene_query.hpp"
 
+namespace test_order_of_points {
 namespace {
 
 using namespace cmb::test;
@@ -54,3 +55,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
+}  // namespace test_order_of_points

@@ -8,6 +8,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_revolved_contacts {
 namespace {
 
 using namespace cmb::test;
@@ -405,3 +406,4 @@ TEST(RevolvedContacts, CrossingsOnOneAxisAreCircles) {
 }
 
 }  // namespace
+}  // namespace test_revolved_contacts

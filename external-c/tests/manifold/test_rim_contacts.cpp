@@ -1,6 +1,7 @@
 // Cylinders and cones that stand or lie on bounded shapes carry as on a half-space.
 #include "support/scene_query.hpp"
 
+namespace test_rim_contacts {
 namespace {
 
 using namespace cmb::test;
@@ -127,3 +128,4 @@ TEST(RimContacts, BoxStandsOnACylinder) {
 }
 
 }  // namespace
+}  // namespace test_rim_contacts

@@ -4,6 +4,7 @@
 #include "math/symmetric_matrix.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_symmetric_matrix {
 namespace {
 
 using cmb::convex::SymmetricMatrix;
@@ -44,3 +45,4 @@ TEST(SymmetricMatrix, HasNoSolutionWhereItIsSingular) {
 }
 
 }  // namespace
+}  // namespace test_symmetric_matrix

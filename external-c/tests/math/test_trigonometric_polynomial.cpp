@@ -5,6 +5,7 @@
 
 #include "support/random_bodies.hpp"
 
+namespace test_trigonometric_polynomial {
 namespace {
 
 using cmb::TrigonometricPolynomial;
@@ -48,3 +49,4 @@ TEST(TrigonometricPolynomial, IsTheSameFromAnyOrigin) {
 }
 
 }  // namespace
+}  // namespace test_trigonometric_polynomial

@@ -10,6 +10,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_aligned_on_meshes {
 namespace {
 
 using namespace cmb::test;
@@ -179,3 +180,4 @@ INSTANTIATE_TEST_SUITE_P(Tips, AlignedOnMeshes,
                          testing::Combine(testing::Values("octahedron"), testing::Values("cube", "divided_cube")), name_of);
 
 }  // namespace
+}  // namespace test_aligned_on_meshes

@@ -9,6 +9,7 @@
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_aligned_round_bodies {
 namespace {
 
 using cmb::ContactPoint;
@@ -166,3 +167,4 @@ TEST(AlignedRoundBodies, TouchWhereTheyAre) {
 }
 
 }  // namespace
+}  // namespace test_aligned_round_bodies

@@ -7,6 +7,7 @@
 #include "mesh/elastic/convex_cell.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_convex_cell {
 namespace {
 
 using cmb::convex::PolytopeView;
@@ -103,3 +104,4 @@ TEST(ConvexCell, PlanesThroughCornersLeaveAClosedCell) {
 }
 
 }  // namespace
+}  // namespace test_convex_cell

@@ -11,6 +11,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_corners_of_rooms {
 namespace {
 
 using namespace cmb::test;
@@ -129,3 +130,4 @@ INSTANTIATE_TEST_SUITE_P(All, CornersOfRooms,
                          name_of);
 
 }  // namespace
+}  // namespace test_corners_of_rooms

@@ -9,6 +9,7 @@
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_cylinder_bound {
 namespace {
 
 using namespace cmb::mesh;
@@ -82,3 +83,4 @@ TEST(CylinderBound, OfSquaresHardlyTiltedIsNotTooGreat) {
 }
 
 }  // namespace
+}  // namespace test_cylinder_bound

@@ -6,6 +6,7 @@
 #include "mesh/contact/direction_sums.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_direction_sums {
 namespace {
 
 using cmb::ContactPoint;
@@ -58,3 +59,4 @@ TEST(DirectionSums, OneLoadIsOnItsLine) {
 }
 
 }  // namespace
+}  // namespace test_direction_sums

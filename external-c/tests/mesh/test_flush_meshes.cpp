@@ -8,6 +8,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_flush_meshes {
 namespace {
 
 using namespace cmb::test;
@@ -100,3 +101,4 @@ TEST(FlushMeshes, DepthIsContinuous) {
 }
 
 }  // namespace
+}  // namespace test_flush_meshes

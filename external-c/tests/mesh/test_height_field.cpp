@@ -7,6 +7,7 @@
 #include "mesh/contact/mesh_contact.hpp"
 #include "mesh/core/height_field.hpp"
 
+namespace test_height_field {
 namespace {
 
 using cmb::convex::Vec3;
@@ -66,3 +67,4 @@ TEST(HeightField, BadOnesAreRefused) {
 }
 
 }  // namespace
+}  // namespace test_height_field

@@ -8,6 +8,7 @@
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_mesh_contact {
 namespace {
 
 using namespace mesh_samples;
@@ -550,3 +551,4 @@ TEST(MeshContact, FollowsThePose) {
 }
 
 }  // namespace
+}  // namespace test_mesh_contact

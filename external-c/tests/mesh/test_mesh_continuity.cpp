@@ -6,6 +6,7 @@
 #include "support/mesh_text.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_mesh_continuity {
 namespace {
 
 using namespace cmb::test;
@@ -143,3 +144,4 @@ std::string path_name(const testing::TestParamInfo<Path> &info) {
 INSTANTIATE_TEST_SUITE_P(Paths, MeshContinuity, testing::ValuesIn(paths()), path_name);
 
 }  // namespace
+}  // namespace test_mesh_continuity

@@ -16,6 +16,7 @@
 #include "support/mesh_samples.hpp"
 #include "support/mesh_writers.hpp"
 
+namespace test_mesh_file_kinds {
 namespace {
 
 using namespace mesh_refusals;
@@ -204,3 +205,4 @@ TEST(MeshFile, FilesTooLargeAreRefusedUnread) {
 }
 
 }  // namespace
+}  // namespace test_mesh_file_kinds

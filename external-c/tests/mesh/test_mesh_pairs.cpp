@@ -4,6 +4,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_mesh_pairs {
 namespace {
 
 using namespace cmb::test;
@@ -320,3 +321,4 @@ TEST(MeshInside, EveryBodyThatHoldsAMeshPushes) {
 }
 
 }  // namespace
+}  // namespace test_mesh_pairs

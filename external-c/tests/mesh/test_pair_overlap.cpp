@@ -11,6 +11,7 @@
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_pair_overlap {
 namespace {
 
 using cmb::convex::Polytope;
@@ -213,3 +214,4 @@ TEST(PairOverlap, ItsWrenchIsTheGradientOfItsEnergy) {
 }
 
 }  // namespace
+}  // namespace test_pair_overlap

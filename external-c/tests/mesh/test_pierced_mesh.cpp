@@ -11,6 +11,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_pierced_mesh {
 namespace {
 
 using namespace cmb::test;
@@ -321,3 +322,4 @@ TEST(TriangleCrossing, IsTheLeastOverlap) {
 }
 
 }  // namespace
+}  // namespace test_pierced_mesh

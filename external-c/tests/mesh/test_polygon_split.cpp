@@ -10,6 +10,7 @@
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_polygon_split {
 namespace {
 
 using namespace mesh_refusals;
@@ -202,3 +203,4 @@ TEST(PolygonSplit, HugeCoordinatesAreLeftToTheCheck) {
 }
 
 }  // namespace
+}  // namespace test_polygon_split

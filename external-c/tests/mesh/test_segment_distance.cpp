@@ -7,6 +7,7 @@
 #include "support/random_bodies.hpp"
 #include "support/reference_segments.hpp"
 
+namespace test_segment_distance {
 namespace {
 
 using namespace cmb::mesh;
@@ -33,3 +34,4 @@ TEST(SegmentDistance, IsThatOfLongDouble) {
 }
 
 }  // namespace
+}  // namespace test_segment_distance

@@ -8,6 +8,7 @@
 #include "mesh/contact/shared_load.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_shared_load {
 namespace {
 
 using cmb::convex::Vec3;
@@ -116,3 +117,4 @@ TEST(SharedLoad, OfTooManyTheDeepestStay) {
 }
 
 }  // namespace
+}  // namespace test_shared_load

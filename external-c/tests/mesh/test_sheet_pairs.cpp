@@ -13,6 +13,7 @@
 #include "support/path_sums.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_sheet_pairs {
 namespace {
 
 using namespace cmb::test;
@@ -332,3 +333,4 @@ TEST(BodyAndSheet, LoadHasNoJumpsRightThrough) {
 }
 
 }  // namespace
+}  // namespace test_sheet_pairs

@@ -12,6 +12,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_stored_energy {
 namespace {
 
 using namespace cmb::test;
@@ -99,3 +100,4 @@ INSTANTIATE_TEST_SUITE_P(OnMeshes, StoredEnergy,
                          [](const auto &info) { return std::get<0>(info.param) + "On" + std::get<1>(info.param); });
 
 }  // namespace
+}  // namespace test_stored_energy

@@ -14,6 +14,7 @@
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_triangle_convex_distance {
 namespace {
 
 using namespace cmb::mesh;
@@ -243,3 +244,4 @@ TEST(TrianglePolytopeGap, ProvesOnlyWhatItIsOrThatItIsEnough) {
 }
 
 }  // namespace
+}  // namespace test_triangle_convex_distance

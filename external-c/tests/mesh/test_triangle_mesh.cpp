@@ -6,6 +6,7 @@
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_triangle_mesh {
 namespace {
 
 using namespace mesh_samples;
@@ -234,3 +235,4 @@ TEST(TriangleMesh, RepeatsToTheBit) {
 }
 
 }  // namespace
+}  // namespace test_triangle_mesh

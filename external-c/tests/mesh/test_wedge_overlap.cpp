@@ -11,6 +11,7 @@
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_wedge_overlap {
 namespace {
 
 using cmb::ContactPoint;
@@ -255,3 +256,4 @@ TEST(ElasticPolytope, PlanesBetweenTrianglesMayHoldFacesAndCorners) {
 }
 
 }  // namespace
+}  // namespace test_wedge_overlap

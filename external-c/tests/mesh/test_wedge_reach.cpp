@@ -9,6 +9,7 @@
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_wedge_reach {
 namespace {
 
 using namespace cmb::mesh;
@@ -89,3 +90,4 @@ TEST(WedgeReach, FindsAllThatIsTouched) {
 }
 
 }  // namespace
+}  // namespace test_wedge_reach

@@ -10,6 +10,7 @@
 #include "support/random_bodies.hpp"
 #include "support/reference_segments.hpp"
 
+namespace test_closed_form_distance {
 namespace {
 
 using namespace cmb::convex;
@@ -148,3 +149,4 @@ TEST(Outside, IsNotKnownOfPolytopes) {
 }
 
 }  // namespace
+}  // namespace test_closed_form_distance

@@ -9,6 +9,7 @@
 #include "support/random_bodies.hpp"
 #include "support/reference_smooth.hpp"
 
+namespace test_convex_distance {
 namespace {
 
 using namespace cmb::convex;
@@ -380,3 +381,4 @@ TEST(ConvexDistance, BallsAsEllipsoidsHardlyBesideAConesAxis) {
 }
 
 }  // namespace
+}  // namespace test_convex_distance

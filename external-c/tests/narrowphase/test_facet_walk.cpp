@@ -11,6 +11,7 @@
 #include "shape/convex_hull.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_facet_walk {
 namespace {
 
 using namespace cmb::convex;
@@ -165,3 +166,4 @@ TEST(FacetWalk, FacesOfVeryManyCorners) {
 }
 
 }  // namespace
+}  // namespace test_facet_walk

@@ -8,6 +8,7 @@
 #include "narrowphase/polytope/feature_enumeration.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_feature_enumeration {
 namespace {
 
 using namespace cmb::convex;
@@ -108,3 +109,4 @@ TEST(FeatureEnumeration, SegmentAndBox) {
 }
 
 }  // namespace
+}  // namespace test_feature_enumeration

@@ -6,6 +6,7 @@
 #include "shape/convex_hull.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_interior_ball {
 namespace {
 
 using namespace cmb::convex;
@@ -164,3 +165,4 @@ TEST(InnerBall, IsNotWherePointsAreOutside) {
 }
 
 }  // namespace
+}  // namespace test_interior_ball

@@ -8,6 +8,7 @@
 #include "narrowphase/polytope/nearest_features.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_nearest_features {
 namespace {
 
 using namespace cmb::convex;
@@ -90,3 +91,4 @@ TEST(NearestFeatures, AreFoundWhereSeveralAreEquallyNear) {
 }
 
 }  // namespace
+}  // namespace test_nearest_features

@@ -6,6 +6,7 @@
 #include "narrowphase/multicontact/unilateral_springs.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_unilateral_springs {
 namespace {
 
 using namespace cmb::convex;
@@ -95,3 +96,4 @@ TEST(UnilateralSprings, DirectionsInAPlane) {
 }
 
 }  // namespace
+}  // namespace test_unilateral_springs

@@ -3,6 +3,7 @@
 
 #include "support/scene_query.hpp"
 
+namespace test_closed_forms {
 namespace {
 
 using namespace cmb::test;
@@ -248,3 +249,4 @@ TEST(Ellipsoids, CoaxialOnesAreAsDeepAsTheBestInclination) {
 }
 
 }  // namespace
+}  // namespace test_closed_forms

@@ -6,6 +6,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_exact_within {
 namespace {
 
 using namespace cmb::test;
@@ -192,3 +193,4 @@ TEST(Within, CompoundsWithHalfSpacesAreAskedShapeByShape) {
 }
 
 }  // namespace
+}  // namespace test_exact_within

@@ -11,6 +11,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_mesh_on_halfspace {
 namespace {
 
 using namespace cmb::test;
@@ -109,3 +110,4 @@ TEST(MeshContact, OfAHalfspaceIsNothing) {
 }
 
 }  // namespace
+}  // namespace test_mesh_on_halfspace

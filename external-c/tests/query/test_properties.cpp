@@ -6,6 +6,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_properties {
 namespace {
 
 using namespace cmb::test;
@@ -343,3 +344,4 @@ TEST(Properties, FinelyTessellatedBallsPushAsBalls) {
 }
 
 }  // namespace
+}  // namespace test_properties

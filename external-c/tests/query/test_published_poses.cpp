@@ -3,6 +3,7 @@
 #include "support/published_poses.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_published_poses {
 namespace {
 
 using namespace cmb::test;
@@ -75,3 +76,4 @@ TEST(PublishedPoses, OfBoxesAndHullsAreAsDeepAsTheSeparatingAxesSay) {
 }
 
 }  // namespace
+}  // namespace test_published_poses

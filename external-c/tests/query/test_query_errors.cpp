@@ -4,6 +4,7 @@
 #include "support/engine_calls.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_query_errors {
 namespace {
 
 using namespace cmb::test;
@@ -103,3 +104,4 @@ TEST(Status, EveryStatusHasAText) {
 }
 
 }  // namespace
+}  // namespace test_query_errors

@@ -4,6 +4,7 @@
 #include "support/engine_calls.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_threads {
 namespace {
 
 using namespace cmb::test;
@@ -77,3 +78,4 @@ TEST(Threads, LibrariesShareTheShapesTheyKeep) {
 }
 
 }  // namespace
+}  // namespace test_threads

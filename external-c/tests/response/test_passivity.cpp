@@ -4,6 +4,7 @@
 
 #include "support/scene_query.hpp"
 
+namespace test_passivity {
 namespace {
 
 using namespace cmb::test;
@@ -258,3 +259,4 @@ TEST(Tumbling, ElasticBoxOnTableGainsNoEnergy) {
 }
 
 }  // namespace
+}  // namespace test_passivity

@@ -11,6 +11,7 @@
 #include "response/spring_deceleration.hpp"
 #include "support/rigid_bodies.hpp"
 
+namespace test_response {
 namespace {
 
 using namespace cmb::test;
@@ -699,3 +700,4 @@ TEST(Response, NeedsNoMassesWithoutRestitution) {
 }
 
 }  // namespace
+}  // namespace test_response

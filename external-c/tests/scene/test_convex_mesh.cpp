@@ -11,6 +11,7 @@
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_convex_mesh {
 namespace {
 
 using namespace cmb::test;
@@ -235,3 +236,4 @@ TEST(ConvexMesh, RoundedOnesTouchAsExactOnes) {
 }
 
 }  // namespace
+}  // namespace test_convex_mesh

@@ -10,6 +10,7 @@
 #include "support/engine_calls.hpp"
 #include "support/modelica_format_error.hpp"
 
+namespace test_descriptor {
 namespace {
 
 using cmb::parse_descriptor;
@@ -194,3 +195,4 @@ TEST(Modelica, QueriesAsTheEngineDoes) {
 }
 
 }  // namespace
+}  // namespace test_descriptor

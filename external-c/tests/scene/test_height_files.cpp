@@ -9,6 +9,7 @@
 #include "scene/geometry_files.hpp"
 #include "support/scratch_folder.hpp"
 
+namespace test_height_files {
 namespace {
 
 using cmb::GeometryFiles;
@@ -99,3 +100,4 @@ TEST(HeightFile, ThatEndsBeforeItsSizeIsRefused) {
 }
 
 }  // namespace
+}  // namespace test_height_files

@@ -14,6 +14,7 @@
 #include "support/scene_query.hpp"
 #include "support/scratch_folder.hpp"
 
+namespace test_mesh_descriptor {
 namespace {
 
 using cmb::parse_descriptor;
@@ -314,3 +315,4 @@ TEST_F(MeshFiles, PolygonsOfTooManyTrianglesAreRefused) {
 }
 
 }  // namespace
+}  // namespace test_mesh_descriptor

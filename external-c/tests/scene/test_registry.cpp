@@ -5,6 +5,7 @@
 #include "support/engine_calls.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_registry {
 namespace {
 
 using namespace cmb;
@@ -83,3 +84,4 @@ TEST(Registry, ErrorsNameTheFirstOfEqualDescriptors) {
 }
 
 }  // namespace
+}  // namespace test_registry

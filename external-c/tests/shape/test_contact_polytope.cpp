@@ -11,6 +11,7 @@
 #include "shape/contact_polytope.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_contact_polytope {
 namespace {
 
 using namespace cmb;
@@ -144,3 +145,4 @@ TEST(ContactPolytope, GroupsOfFacesHaveBounds) {
 }
 
 }  // namespace
+}  // namespace test_contact_polytope

@@ -10,6 +10,7 @@
 #include "shape/plane_section.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_plane_section {
 namespace {
 
 using namespace cmb::convex;
@@ -104,3 +105,4 @@ TEST(PlaneSection, PlanesBesideThePolytopeCutNothing) {
 }
 
 }  // namespace
+}  // namespace test_plane_section

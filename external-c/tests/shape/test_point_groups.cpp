@@ -8,6 +8,7 @@
 #include "shape/point_groups.hpp"
 #include "support/random_bodies.hpp"
 
+namespace test_point_groups {
 namespace {
 
 using cmb::PointGroups;
@@ -46,3 +47,4 @@ INSTANTIATE_TEST_SUITE_P(Points, Counts, testing::Values(1, 2, 15, 16, 17, 100, 
 TEST(PointGroups, NoPointsSurpassNothing) { EXPECT_FALSE(PointGroups({}).any_beyond({1, 0, 0}, -1e300)); }
 
 }  // namespace
+}  // namespace test_point_groups

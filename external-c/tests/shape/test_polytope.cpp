@@ -6,6 +6,7 @@
 
 #include "support/random_bodies.hpp"
 
+namespace test_polytope {
 namespace {
 
 using namespace cmb::convex;
@@ -203,3 +204,4 @@ TEST(Hull, RefusesPointsWithoutVolume) {
 }
 
 }  // namespace
+}  // namespace test_polytope

@@ -8,6 +8,7 @@
 
 #include "volume/slices/conic_section.hpp"
 
+namespace test_conic_section {
 namespace {
 
 using cmb::convex::cross;
@@ -297,3 +298,4 @@ TEST(Quadric, StretchesOfLines) {
 }
 
 }  // namespace
+}  // namespace test_conic_section

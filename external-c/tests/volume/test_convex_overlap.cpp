@@ -5,6 +5,7 @@
 #include "support/reference_overlap.hpp"
 #include "volume/convex_overlap.hpp"
 
+namespace test_convex_overlap {
 namespace {
 
 using namespace cmb::convex;
@@ -183,3 +184,4 @@ TEST(Property, SurfaceIsClosed) {
 }
 
 }  // namespace
+}  // namespace test_convex_overlap

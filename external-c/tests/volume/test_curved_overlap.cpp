@@ -7,6 +7,7 @@
 #include "support/engine_calls.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_curved_overlap {
 namespace {
 
 using namespace cmb::test;
@@ -255,3 +256,4 @@ TEST(CurvedOverlapClosedForms, BothSidesOfAPlaneAddUp) {
 }
 
 }  // namespace
+}  // namespace test_curved_overlap

@@ -5,6 +5,7 @@
 #include "support/mesh_text.hpp"
 #include "support/overlap_of.hpp"
 
+namespace test_mesh_overlap {
 namespace {
 
 using namespace cmb::test;
@@ -176,3 +177,4 @@ TEST(MeshOverlap, SheetsHaveNone) {
 }
 
 }  // namespace
+}  // namespace test_mesh_overlap

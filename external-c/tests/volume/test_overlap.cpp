@@ -2,6 +2,7 @@
 #include "support/engine_calls.hpp"
 #include "support/scene_query.hpp"
 
+namespace test_overlap {
 namespace {
 
 using namespace cmb::test;
@@ -210,3 +211,4 @@ TEST(Overlap, PatchHasItsSecondMoment) {
 }
 
 }  // namespace
+}  // namespace test_overlap

@@ -4,6 +4,7 @@
 
 #include "support/overlap_of.hpp"
 
+namespace test_round_overlap {
 namespace {
 
 using namespace cmb::test;
@@ -309,3 +310,4 @@ TEST(RoundOverlap, GivesTheSameBitsAfterOtherQueries) {
 }
 
 }  // namespace
+}  // namespace test_round_overlap

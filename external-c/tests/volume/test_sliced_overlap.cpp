@@ -12,6 +12,7 @@
 #include "volume/mesh_overlap.hpp"
 #include "volume/slices/sliced_overlap.hpp"
 
+namespace test_sliced_overlap {
 namespace {
 
 using namespace cmb;
@@ -211,3 +212,4 @@ TEST(RoundSolid, OfAnotherKindHasNoSurface) {
 }
 
 }  // namespace
+}  // namespace test_sliced_overlap
