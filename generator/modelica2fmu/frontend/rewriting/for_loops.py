@@ -23,8 +23,11 @@ _HEAD: Final = re.compile(r"for\s+(?P<name>\w+)\s+in\s+(?P<values>[^;]+?)\s*\blo
 _ITERATION: Final = re.compile(r"\bfor\s+(?P<name>\w+)\s+in\s+(?P<values>[A-Za-z_][\w.]*)\s*(?=[)}])")
 _VECTOR: Final = re.compile(r"[A-Za-z_]\w*(?:\.\w+)*")
 _SECTION: Final = re.compile(r"\b(algorithm|equation)\b")
-_ASSIGNED: Final = r"(?<![\w.]){name}\s*(?:\[[^\]]*\]\s*)?:="
+_ASSIGNED: Final = re.compile(r"(?<!\w)(?:(?!\b(?:then|else|loop)\b)[^;])*?:=")
+_NAME: Final = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
+_BREAK: Final = re.compile(r"\bbreak\b")
 _DECLARED_ENUMERATION: Final = r"\btype\s+{name}\s*=\s*enumeration\s*\(([^()]*)\)"
+_CLASS: Final = r"\b(?:block|class|function|model|package|record)\s+{name}\b"
 _PLAIN_ELEMENT: Final = re.compile(r"\w+(?:\.\w+)*")
 _MOST_LETTERS: Final = 100_000
 
@@ -76,18 +79,19 @@ def loop_edits(
         first_of_model: where the class around a place begins; None for functions.
     """
     for loop in for_loops(source.code):
+        if _changes_its_values(source.code, loop):
+            continue
         vector = _VECTOR.fullmatch(source.code, *loop.values)
         literals = None if vector is None else _enumeration(source.code, vector[0])
         if literals is not None:
             yield *loop.values, literals
             continue
         if vector is not None:
-            if re.search(_ASSIGNED.format(name=re.escape(vector[0])), source.code[slice(*loop.body)]) is None:
-                body = _indexed(source, loop.body, loop.name, vector[0])
-                head = source.plain[loop.start : loop.values[0]]
-                between = source.plain[loop.values[1] : loop.body[0]]
-                end = source.plain[loop.body[1] : loop.end]
-                yield loop.start, loop.end, f"{head}1:size({vector[0]}, 1){between}{body}{end}"
+            body = _indexed(source, loop.body, loop.name, vector[0])
+            head = source.plain[loop.start : loop.values[0]]
+            between = source.plain[loop.values[1] : loop.body[0]]
+            end = source.plain[loop.body[1] : loop.end]
+            yield loop.start, loop.end, f"{head}1:size({vector[0]}, 1){between}{body}{end}"
             continue
         values = elements(source, *loop.values)
         first = first_of_model(loop.start)
@@ -125,11 +129,21 @@ def elements(source: CodeText, start: int, end: int) -> list[str] | None:
 
 def _enumeration(code: str, name: str) -> str | None:
     """The values of an enumeration of the text as a list ``{E.a, E.b}``; None of other names."""
+    first, _, rest = name.partition(".")
+    if rest and re.search(_CLASS.format(name=first), code) is None:
+        return None
     declared = re.findall(_DECLARED_ENUMERATION.format(name=name.rpartition(".")[2]), code)
     if len(declared) != 1:
         return None
     literals = (literal.split("\0")[0].strip() for literal in declared[0].split(","))
     return f"{{{', '.join(f'{name}.{literal}' for literal in literals)}}}"
+
+
+def _changes_its_values(code: str, loop: ForLoop) -> bool:
+    """= true, if the body may assign to what the loop goes through, which counts as it is before the loop."""
+    names = set(_NAME.findall(code, *loop.values))
+    targets = (found[0] for found in _ASSIGNED.finditer(code, *loop.body))
+    return any(names & set(_NAME.findall(target)) for target in targets)
 
 
 def _is_in_algorithm(code: str, first: int, position: int) -> bool:
@@ -150,6 +164,8 @@ def _whole_numbers(source: CodeText, loop: ForLoop, number: Callable[[int, str],
 
 def _repeated(source: CodeText, loop: ForLoop, values: list[str]) -> Iterator[Edit]:
     start, end = loop.body
+    if _BREAK.search(source.code, start, end) is not None:  # it would end the loop around this one
+        return
     if source.has_broken_string(start, end) or (end - start) * len(values) > _MOST_LETTERS:
         return
     lines = "\n" * source.text.count("\n", loop.start, loop.end)

@@ -245,6 +245,10 @@ def test_a_number_that_a_modifier_changes_is_not_taken(tmp_path):
         "algorithm for i in 1:size(b, 1) loop y := y + b[i]; end for;",
         "equation for i in 1:2 loop y[i] = b[i]; end for;",
         "algorithm for x in v loop v[1] := x; end for;",
+        "algorithm for x in v loop (v, k) := f(v, x); end for;",
+        "algorithm for x in r.v loop if x > 0 then r := g(r); end if; end for;",
+        "algorithm for x in {a, b} loop a := 2*x; end for;",
+        "algorithm for x in {1, 2} loop if x > n then break; end if; end for;",
         "equation for i in 1:2, j in {1, 2} loop y[i, j] = 1; end for;",
         "y = cross({0.0, 0, 1}, {a, 0, 0}); z = g.cross({0, 0, 1}, v);",
         "x = {a[i].b for i in 1:2, j in 1:2};",
@@ -281,6 +285,10 @@ def test_iterators_are_replaced_by_their_numbers_alone():
             "Real v[2]; algorithm y := y + v[2]; y := y + v[1];",
         ),
         (
+            "Real v[1]; algorithm for i in 1:size(v, 1) loop if v[i] > 0 then y := y + v[i]; end if; end for;",
+            "Real v[1]; algorithm if v[1] > 0 then y := y + v[1]; end if;",
+        ),
+        (
             "equation algorithm for i in 1:2 loop for j in {i, 3} loop y := y + i*j; end for; end for;",
             "equation algorithm y := y + 1*1; y := y + 1*3; y := y + 2*2; y := y + 2*3;",
         ),
@@ -290,6 +298,13 @@ def test_iterators_are_replaced_by_their_numbers_alone():
 )
 def test_loops_and_arguments_are_written_otherwise(text, expected):
     assert written_out(text) == expected
+
+
+def test_enumerations_of_other_texts_are_not_taken_for_those_of_the_text():
+    written = written_out("type E = enumeration(a, b); equation for e in Other.E loop y[e] = 1; end for;")
+    assert "Other.E.a" not in written
+    written = written_out("package P type E = enumeration(a); end P; equation for e in P.E loop y[e] = 1; end for;")
+    assert "y[P.E.a] = 1" in written
 
 
 def test_sizes_of_what_a_base_declares_are_not_taken_from_other_classes():
