@@ -35,14 +35,24 @@ std::shared_ptr<coal::CollisionGeometry> geometry_of(const Shape &shape) {
   return model;
 }
 
-// coal's settings are its own; its functors, which look the pair's solver up once, are the quick way to ask it.
-class CoalPeer : public ContactPeer {
- public:
-  CoalPeer(const PosedPair &pair, bool with_patch)
+// The bodies of a pair where they are.
+class CoalPair : public ContactPeer {
+ protected:
+  explicit CoalPair(const PosedPair &pair)
       : a_(geometry_of(pair.a)),
         b_(pair.is_of_equals() ? a_ : geometry_of(pair.b)),
         at_a_(transforms(pair.pose_a)),
-        at_b_(transforms(pair.pose_b)),
+        at_b_(transforms(pair.pose_b)) {}
+
+  std::shared_ptr<coal::CollisionGeometry> a_, b_;
+  std::vector<coal::Transform3s> at_a_, at_b_;
+};
+
+// coal's settings are its own; its functors, which look the pair's solver up once, are the quick way to ask it.
+class CoalPeer : public CoalPair {
+ public:
+  CoalPeer(const PosedPair &pair, bool with_patch)
+      : CoalPair(pair),
         collide_(a_.get(), b_.get()),
         request_(coal::CONTACT, pair.has_mesh() ? 1000000 : 1) {
     if (with_patch && !pair.has_mesh()) find_patch_ = std::make_unique<coal::ComputeContactPatch>(a_.get(), b_.get());
@@ -60,8 +70,6 @@ class CoalPeer : public ContactPeer {
   }
 
  private:
-  std::shared_ptr<coal::CollisionGeometry> a_, b_;
-  std::vector<coal::Transform3s> at_a_, at_b_;
   coal::ComputeCollision collide_;
   std::unique_ptr<coal::ComputeContactPatch> find_patch_;  // null: none is asked for
   coal::CollisionRequest request_;
@@ -70,14 +78,9 @@ class CoalPeer : public ContactPeer {
   coal::ContactPatchResult patches_;
 };
 
-class CoalDistance : public ContactPeer {
+class CoalDistance : public CoalPair {
  public:
-  explicit CoalDistance(const PosedPair &pair)
-      : a_(geometry_of(pair.a)),
-        b_(pair.is_of_equals() ? a_ : geometry_of(pair.b)),
-        at_a_(transforms(pair.pose_a)),
-        at_b_(transforms(pair.pose_b)),
-        find_(a_.get(), b_.get()) {}
+  explicit CoalDistance(const PosedPair &pair) : CoalPair(pair), find_(a_.get(), b_.get()) {}
 
   double ask(std::size_t k) override {
     result_.clear();
@@ -85,8 +88,6 @@ class CoalDistance : public ContactPeer {
   }
 
  private:
-  std::shared_ptr<coal::CollisionGeometry> a_, b_;
-  std::vector<coal::Transform3s> at_a_, at_b_;
   coal::ComputeDistance find_;
   coal::DistanceRequest request_;
   coal::DistanceResult result_;

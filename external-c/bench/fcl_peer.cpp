@@ -35,17 +35,24 @@ std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const Shape &shape) {
 // Those of a mesh are its crossings: all of them.
 std::size_t contact_limit(const PosedPair &pair) { return pair.has_mesh() ? 1000000 : 8; }
 
-class FclPeer : public ContactPeer {
- public:
-  explicit FclPeer(const PosedPair &pair)
+// The bodies of a pair where they are.
+class FclPair : public ContactPeer {
+ protected:
+  explicit FclPair(const PosedPair &pair)
       : a_(geometry_of(pair.a)),
         b_(pair.is_of_equals() ? a_ : geometry_of(pair.b)),
         at_a_(transforms(pair.pose_a)),
-        at_b_(transforms(pair.pose_b)),
-        request_(contact_limit(pair), true) {
-    // The other solver, built on libccd, ends the program on some inputs: Debian keeps FCL's asserts.
-    request_.gjk_solver_type = fcl::GST_INDEP;
-  }
+        at_b_(transforms(pair.pose_b)) {}
+
+  // The other one, built on libccd, ends the program on some inputs: Debian keeps FCL's asserts.
+  static constexpr fcl::GJKSolverType solver = fcl::GST_INDEP;
+  std::shared_ptr<fcl::CollisionGeometryd> a_, b_;
+  std::vector<fcl::Transform3d> at_a_, at_b_;
+};
+
+class FclPeer : public FclPair {
+ public:
+  explicit FclPeer(const PosedPair &pair) : FclPair(pair), request_(contact_limit(pair), true) { request_.gjk_solver_type = solver; }
 
   double ask(std::size_t k) override {
     fcl::CollisionResultd result;
@@ -63,20 +70,12 @@ class FclPeer : public ContactPeer {
   }
 
  private:
-  std::shared_ptr<fcl::CollisionGeometryd> a_, b_;
-  std::vector<fcl::Transform3d> at_a_, at_b_;
   fcl::CollisionRequestd request_;
 };
 
-class FclDistance : public ContactPeer {
+class FclDistance : public FclPair {
  public:
-  explicit FclDistance(const PosedPair &pair)
-      : a_(geometry_of(pair.a)),
-        b_(pair.is_of_equals() ? a_ : geometry_of(pair.b)),
-        at_a_(transforms(pair.pose_a)),
-        at_b_(transforms(pair.pose_b)) {
-    request_.gjk_solver_type = fcl::GST_INDEP;
-  }
+  explicit FclDistance(const PosedPair &pair) : FclPair(pair) { request_.gjk_solver_type = solver; }
 
   double ask(std::size_t k) override {
     fcl::DistanceResultd result;
@@ -88,8 +87,6 @@ class FclDistance : public ContactPeer {
   }
 
  private:
-  std::shared_ptr<fcl::CollisionGeometryd> a_, b_;
-  std::vector<fcl::Transform3d> at_a_, at_b_;
   fcl::DistanceRequestd request_;
 };
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError
@@ -55,6 +55,16 @@ def whole_number(
         return None
 
     return value(tree)
+
+
+def inclusive_range(limits: Sequence[int | None]) -> range | None:
+    """The numbers of ``first:last`` or ``first:step:last``; None of other limits, and where one is not known."""
+    match limits:
+        case [int(first), int(last)]:
+            return range(first, last + 1)
+        case [int(first), int(step), int(last)] if step != 0:
+            return range(first, last + (1 if step > 0 else -1), step)
+    return None
 
 
 def _combined(operator: ast.operator, left: int | None, right: int | None) -> int | None:

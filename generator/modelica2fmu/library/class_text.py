@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-_COMMENTS_AND_STRINGS: Final = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+COMMENTS_AND_STRINGS: Final = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _CLASS: Final = r"\b(?:model|block|class|package|connector|record)\s+"
 
 
@@ -27,7 +27,7 @@ class ClassText:
 
 def without_comments_and_strings(text: str) -> str:
     """The text with comments and strings blanked: all else keeps its line and column."""
-    return _COMMENTS_AND_STRINGS.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+    return COMMENTS_AND_STRINGS.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
 def class_texts(name: str, sources: Sequence[Path]) -> Iterator[ClassText]:

@@ -6,14 +6,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
-from contact_foundation.errors import InputError, UnsupportedModelError
 from fmpy import simulate_fmu
-from modelica2fmu.build import BuildOptions, build_fmu
+from random_builds import sampled
 from random_events import END, AmbiguousError, RandomEvents, random_events
 
 FEW = 2
@@ -21,8 +22,8 @@ MANY = int(os.environ.get("CMB_EVENTS", "60"))
 STEP = 0.0041  # of the output: no event of the models is at a multiple of it
 
 
-def deviation(model: RandomEvents, fmu: Path, mode: str) -> str | None:
-    """The first variable that is not what the language makes of it; None if all are."""
+def deviations(model: RandomEvents, fmu: Path, mode: str) -> Iterator[str]:
+    """The variables that are not what the language makes of them, each where it is first so."""
     names = list(model.start)
     result = simulate_fmu(
         str(fmu), fmi_type=mode, stop_time=END, output_interval=STEP, relative_tolerance=1e-7, output=names
@@ -34,37 +35,33 @@ def deviation(model: RandomEvents, fmu: Path, mode: str) -> str | None:
         wrong = np.flatnonzero(np.abs(result[name][rows] - expected[name]) > 2e-4)
         if len(wrong) > 0:
             row = wrong[0]
-            return (
-                f"{mode}: {name} = {result[name][rows][row]}, not {expected[name][row]}, at {result['time'][rows][row]}"
-            )
-    return None
+            found = result[name][rows][row]
+            yield f"{mode}: {name} = {found}, not {expected[name][row]}, at {result['time'][rows][row]}"
 
 
-def sampled(folder: Path, seeds: Iterable[int]) -> tuple[int, list[str]]:
-    """How many models were taken, and what is wrong of them."""
-    taken, failures = 0, []
+def wrong_values(model: RandomEvents, fmu: Path) -> Iterator[str]:
+    """Those of both modes."""
+    for mode in ("ModelExchange", "CoSimulation"):
+        yield from deviations(model, fmu, mode)
+
+
+def models(seeds: Iterable[int]) -> Iterator[tuple[int, str, Callable[[Path], Iterable[str]]]]:
+    """Those of seeds whose run is not ambiguous."""
     for seed in seeds:
         model = random_events(seed)
-        try:
+        with suppress(AmbiguousError):
             model.run(np.array([END]))
-            (folder / "M.mo").write_text(model.text(), encoding="utf-8")
-            build_fmu("M", [folder / "M.mo"], folder / "M.fmu", BuildOptions())
-        except (AmbiguousError, InputError, UnsupportedModelError):
-            continue
-        taken += 1
-        wrong = [deviation(model, folder / "M.fmu", mode) for mode in ("ModelExchange", "CoSimulation")]
-        failures += [f"seed {seed}, {each}\n{model.text()}" for each in wrong if each is not None]
-    return taken, failures
+            yield seed, model.text(), partial(wrong_values, model)
 
 
 def test_a_few_models(tmp_path):
-    taken, failures = sampled(tmp_path, range(FEW))
+    taken, failures = sampled(tmp_path, models(range(FEW)))
     assert not failures, "\n".join(failures)
     assert taken > 0
 
 
 @pytest.mark.full
 def test_many_models(tmp_path):
-    taken, failures = sampled(tmp_path, range(1000, 1000 + MANY))
+    taken, failures = sampled(tmp_path, models(range(1000, 1000 + MANY)))
     assert not failures, "\n".join(failures)
     assert taken > MANY // 2

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import itertools
 import os
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
-from contact_foundation.errors import InputError, UnsupportedModelError
 from fmpy import simulate_fmu
-from modelica2fmu.build import BuildOptions, build_fmu
+from random_builds import sampled
 from random_model import RandomModel, random_model
 
 FEW = 2
@@ -43,35 +44,23 @@ def wrong_values(model: RandomModel, fmu: Path) -> list[str]:
     return wrong
 
 
-def sampled(folder: Path, seeds: range) -> tuple[int, list[str]]:
-    """How many models were taken, and what is wrong of them."""
-    taken, failures = 0, []
+def models(seeds: Iterable[int]) -> Iterator[tuple[int, str, Callable[[Path], Iterable[str]]]]:
+    """Those of seeds whose values are not too large."""
     for seed in seeds:
         model = random_model(seed)
-        if any(
-            np.max(np.abs(values[each.name])) > LARGEST
-            for values in map(model.values, TIMES)
-            for each in model.variables
-        ):
-            continue
-        (folder / "M.mo").write_text(model.text, encoding="utf-8")
-        try:
-            build_fmu("M", [folder / "M.mo"], folder / "M.fmu", BuildOptions())
-        except (InputError, UnsupportedModelError):
-            continue
-        taken += 1
-        failures += [f"seed {seed}: {wrong}\n{model.text}" for wrong in wrong_values(model, folder / "M.fmu")[:1]]
-    return taken, failures
+        values = [np.abs(at[each.name]) for at in map(model.values, TIMES) for each in model.variables]
+        if all(np.max(each) <= LARGEST for each in values):
+            yield seed, model.text, partial(wrong_values, model)
 
 
 def test_a_few_models(tmp_path):
-    taken, failures = sampled(tmp_path, range(FEW))
+    taken, failures = sampled(tmp_path, models(range(FEW)))
     assert not failures, "\n".join(failures)
     assert taken > 0
 
 
 @pytest.mark.full
 def test_many_models(tmp_path):
-    taken, failures = sampled(tmp_path, range(1000, 1000 + MANY))
+    taken, failures = sampled(tmp_path, models(range(1000, 1000 + MANY)))
     assert not failures, "\n".join(failures)
     assert taken > MANY // 2

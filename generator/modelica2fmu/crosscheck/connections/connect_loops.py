@@ -9,7 +9,7 @@ from typing import Final
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance
 from modelica2fmu.crosscheck.class_library import ClassLibrary
-from modelica2fmu.crosscheck.whole_numbers import whole_number
+from modelica2fmu.crosscheck.whole_numbers import inclusive_range, whole_number
 from modelica2fmu.library.brackets import parts_between_commas
 
 _LOOP: Final = re.compile(r"\bend\s+for\b|\bend\s+if\b|\bfor\b(?P<heads>[^;]*?)\bloop\b|(?<!\w)(?P<branch>if)\b")
@@ -92,15 +92,10 @@ def numbers_of_range(
 ) -> Sequence[int] | None:
     """The numbers of ``a``, ``a:b`` or ``a:step:b``; None where they are not known."""
     values = [whole_number(each, scope, library, known) for each in text.split(":")]
-    numbers = [each for each in values if each is not None]
-    if len(numbers) < len(values) or len(numbers) > 3:
-        return None
-    if len(numbers) == 1:
-        return numbers
-    step = numbers[1] if len(numbers) == 3 else 1
-    if step == 0:
-        return None
-    return range(numbers[0], numbers[-1] + (1 if step > 0 else -1), step)
+    match values:
+        case [int(number)]:
+            return [number]
+    return inclusive_range(values)
 
 
 def _begins_equation(before: str) -> bool:

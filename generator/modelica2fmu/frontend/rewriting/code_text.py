@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import Final
 
-_MASKED: Final = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+from modelica2fmu.library.class_text import COMMENTS_AND_STRINGS
 
 
 @dataclass(frozen=True)
@@ -24,13 +23,15 @@ class CodeText:
     code: str = field(init=False)
 
     def __post_init__(self) -> None:
-        plain = _MASKED.sub(lambda found: found[0] if found[0][0] == '"' else _filled(found[0], " "), self.text)
+        plain = COMMENTS_AND_STRINGS.sub(
+            lambda found: found[0] if found[0][0] == '"' else _filled(found[0], " "), self.text
+        )
         object.__setattr__(self, "plain", plain)
-        object.__setattr__(self, "code", _MASKED.sub(lambda found: _filled(found[0], "\0"), plain))
+        object.__setattr__(self, "code", COMMENTS_AND_STRINGS.sub(lambda found: _filled(found[0], "\0"), plain))
 
     def has_broken_string(self, start: int, end: int) -> bool:
         """= true, if a String of several lines lies between two places."""
-        return any("\n" in found[0] for found in _MASKED.finditer(self.plain, start, end))
+        return any("\n" in found[0] for found in COMMENTS_AND_STRINGS.finditer(self.plain, start, end))
 
     def with_name_replaced(self, start: int, end: int, name: str, value: str) -> str:
         """What stands between two places, with another text for a name that is no member, function or argument."""

@@ -228,7 +228,7 @@ class _Writer:
         return [text for text, _ in elsewhere], all(is_own for _, is_own in elsewhere)
 
     def _places(self) -> Iterator[tuple[int, int, bool]]:
-        """Calls of cat, and array constructors with an iterator that subscripts a component, in order.
+        """Calls of cat, and array constructors with an iterator that subscripts a component or takes a list, in order.
 
         So are what reductions such as ``sum(ball[i].m for i in 1:n)`` have in their parentheses; true for these.
         """

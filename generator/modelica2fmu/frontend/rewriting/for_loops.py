@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Final
 
+from modelica2fmu.crosscheck.whole_numbers import inclusive_range
 from modelica2fmu.frontend.rewriting.code_text import CodeText
 from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 
@@ -153,13 +154,8 @@ def _is_in_algorithm(code: str, first: int, position: int) -> bool:
 
 
 def _whole_numbers(source: CodeText, loop: ForLoop, number: Callable[[int, str], int | None]) -> list[str] | None:
-    limits = [number(loop.start, text) for text in source.code[slice(*loop.values)].split(":")]
-    match limits:
-        case [int(first), int(last)]:
-            return [str(value) for value in range(first, last + 1)]
-        case [int(first), int(step), int(last)] if step != 0:
-            return [str(value) for value in range(first, last + (1 if step > 0 else -1), step)]
-    return None
+    numbers = inclusive_range([number(loop.start, text) for text in source.code[slice(*loop.values)].split(":")])
+    return None if numbers is None else [str(value) for value in numbers]
 
 
 def _repeated(source: CodeText, loop: ForLoop, values: list[str]) -> Iterator[Edit]:

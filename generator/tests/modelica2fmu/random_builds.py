@@ -1,0 +1,29 @@
+"""Builds the models of random samplers and collects what is wrong of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from contact_foundation.errors import InputError, UnsupportedModelError
+from modelica2fmu.build import BuildOptions, build_fmu
+
+
+def sampled(folder: Path, models: Iterable[tuple[int, str, Callable[[Path], Iterable[str]]]]) -> tuple[int, list[str]]:
+    """How many models were built, as refused ones count for nothing, and what is wrong of them.
+
+    Args:
+        folder: an empty one.
+        models: seed, text of a model named M, and what is wrong of its FMU.
+    """
+    source, fmu = folder / "M.mo", folder / "M.fmu"
+    taken, failures = 0, []
+    for seed, text, wrong in models:
+        source.write_text(text, encoding="utf-8")
+        try:
+            build_fmu("M", [source], fmu, BuildOptions())
+        except (InputError, UnsupportedModelError):
+            continue
+        taken += 1
+        failures += [f"seed {seed}: {each}\n{text}" for each in wrong(fmu)]
+    return taken, failures
