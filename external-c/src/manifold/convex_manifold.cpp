@@ -92,7 +92,8 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
   }
   const bool revolved_a = is_revolved(a), revolved_b = is_revolved(b);
   bool touches = false;
-  if (a.polytope && b.polytope) {
+  const bool polytopes = a.polytope && b.polytope;
+  if (polytopes) {
     touches = elastic_contact(*a.polytope, pose_a, *b.polytope, pose_b, answer.normal, result.witness, scratch.polytopes, result.points);
   } else if (revolved_a && b.polytope) {
     touches = revolved_on_polytope_contact(a, pose_a, *b.polytope, pose_b, result.witness, 1.0, scratch.revolved, result.points);
@@ -106,7 +107,8 @@ void convex_contact(const Shape &a, const Pose &pose_a, const Shape &b, const Po
     }
     return;
   }
-  if (touches && !is_more_than_rounding(a, b, answer, result)) touches = false, result.points.clear();
+  // Where two directions are equally deep polytopes push along either, or between them.
+  if (touches && !polytopes && !is_more_than_rounding(a, b, answer, result)) touches = false, result.points.clear();
   // Else an overlap by rounding, or a library's.
   if (!touches) result.points.push_back({-answer.distance, 1.0, answer.normal, result.witness});
 }

@@ -49,6 +49,8 @@ void DepthBelowFaces::find(const Vec3 &overlap_middle, const SymmetricMatrix &ov
   constexpr std::size_t size = FaceClusters::size;
   // Faces with a greater mean square, by the least, change the energy by less than 1e-14 of it.
   constexpr double farthest = 100.0;
+  // Here squares of the overlap's depth are differences of those of its width.
+  const double lost = 1e-14 * overlap_spread.trace();
   const FaceClusters &clusters = body.clusters();
   const std::size_t count = clusters.count();
   if (bounds_.size() < count) {
@@ -83,12 +85,12 @@ void DepthBelowFaces::find(const Vec3 &overlap_middle, const SymmetricMatrix &ov
     const auto first = static_cast<std::size_t>(std::min_element(bounds, bounds + count) - bounds);
     look_at(size * first);
     for (std::size_t g = 0; g < count; ++g) {
-      if (g != first && !(bounds[g] > 0.0 && bounds[g] * bounds[g] > farthest * least)) look_at(size * g);
+      if (g != first && !(bounds[g] > 0.0 && bounds[g] * bounds[g] > farthest * (least + lost))) look_at(size * g);
     }
   }
   std::size_t *const near = near_.data();
   std::size_t near_count = 0;
-  const double limit = farthest * least;
+  const double limit = farthest * (least + lost);
   for (std::size_t k = 0; k < looked_at; ++k) {
     const std::size_t begin = groups_[k];
     for (std::size_t f = begin; f < begin + width; ++f) {  // which count is unpredictable: no branch

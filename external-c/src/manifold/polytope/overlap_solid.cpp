@@ -64,7 +64,25 @@ bool OverlapSolid::find(const ContactPolytope &a, const Pose &a_in_axes, const C
   cut_faces_of_a();
   cut_faces_of_b();
   if (pieces_a_.empty() && pieces_b_.empty()) return false;
-  return find_moments(find_apex());
+  const Vec3 apex = find_apex();
+  is_turned_ = false;
+  if (!find_moments(apex)) return false;
+  return !turn_along_narrow() || find_moments(turn_ * apex);
+}
+
+bool OverlapSolid::turn_along_narrow() {
+  constexpr double narrow = 1e-4;  // of squares
+  const double xx = spread_.m[0], yy = spread_.m[1], xy = spread_.m[5], both = xx + yy;
+  if (!(xx * yy - xy * xy < narrow * both * both)) return false;
+  const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy), along = std::cos(angle), across = std::sin(angle);
+  is_turned_ = true;
+  turn_ = {{Vec3{along, across, 0.0}, Vec3{-across, along, 0.0}, Vec3{0.0, 0.0, 1.0}}};
+  for (std::size_t k = 0; k < first_; ++k) points_[k] = turn_ * points_[k];
+  for (std::vector<Piece> *pieces : {&pieces_a_, &pieces_b_}) {
+    for (Piece &piece : *pieces) piece.normal = turn_ * piece.normal;
+  }
+  for (Plane &plane : a_.planes) plane.normal = turn_ * plane.normal;  // into which B's faces fade
+  return true;
 }
 
 void OverlapSolid::start_search() {
@@ -421,19 +439,25 @@ void OverlapSolid::append(std::vector<Piece> &pieces, const Vec3 &normal, bool b
 // Of faces that lie in one plane and look the same way, A's is the surface.
 void OverlapSolid::cut_faces_of_a() {
   pieces_a_.clear();
+  // Beyond that one lies in the other body, and is surface there.
+  const double flush_within = std::fmin(flush_tolerance * size_, fading_);
   for (std::size_t i = 0; i < a_.planes.size(); ++i) {
     const Plane &face = a_.planes[i];
     start_polygon(a_, face, b_);
-    for (Alike &alike : alike_) {
-      const Plane &plane = b_.planes[alike.b];
-      if (alike.a != i || !(dot(face.normal, plane.normal) > same_plane_cosine)) continue;
-      alike.flush = true;
-      for (std::size_t k = 0; k < count_; ++k) {
-        alike.flush &= std::fabs(plane.below(points_[first_ + k])) < flush_tolerance * size_;
-      }
-      if (alike.flush) leave_out(b_, alike.b);
+    const auto is_one_plane = [&](const Alike &alike) { return alike.a == i && dot(face.normal, b_.planes[alike.b].normal) > same_plane_cosine; };
+    for (const Alike &alike : alike_) {
+      if (is_one_plane(alike)) leave_out(b_, alike.b);
     }
     cut_by(b_);
+    // Whether they are flush is asked of what is within the other planes: where two planes cross, at an angle next to rounding, is not known,
+    // and would be another line for each of the two faces.
+    for (Alike &alike : alike_) {
+      if (!is_one_plane(alike)) continue;
+      const Plane &plane = b_.planes[alike.b];
+      alike.flush = true;
+      for (std::size_t k = 0; k < count_; ++k) alike.flush &= std::fabs(plane.below(points_[first_ + k])) < flush_within;
+      if (!alike.flush && count_ != 0) cut(plane);
+    }
     append(pieces_a_, face.normal, true, true, nullptr);
   }
 }

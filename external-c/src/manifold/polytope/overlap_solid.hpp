@@ -12,8 +12,9 @@ namespace cmb {
 
 // The surface of the overlap of polytopes A and B, and its first moments.
 //
-// All in the contact axes, whose z runs from B to A: across the overlap, which is thin that way. Results depend on these axes by
-// rounding alone.
+// All in the contact axes, whose z runs from B to A: across the overlap, which is thin that way. An overlap that is narrow as well, as that of
+// an edge, turns them about z to run along it: beside the squares of its length those of its width would be lost to rounding.
+// Results depend on these axes by rounding alone.
 //
 // Where a side of A passes through one of B that looks the same way, as in a stack of equal boxes, the surface goes over from the
 // one to the other at once. Within some hundredths of a depth both are surface in part, which grows linearly with how far each is
@@ -37,6 +38,10 @@ class OverlapSolid {
 
   // False where they have nothing in common.
   bool find(const ContactPolytope &a, const Pose &a_in_axes, const ContactPolytope &b, const Pose &b_in_axes);
+
+  // Whether the axes were turned, and what maps the ones given to find() to those.
+  bool is_turned() const { return is_turned_; }
+  const convex::Mat3 &turn() const { return turn_; }
 
   // A's faces within B, B's within A. Of A's all carry; where fades() is true, some of B's carry in part.
   const std::vector<Piece> &pieces_a() const { return pieces_a_; }
@@ -116,6 +121,7 @@ class OverlapSolid {
   void append(std::vector<Piece> &pieces, const Vec3 &normal, bool bounds, bool carries, const Plane *fades);
   Vec3 find_apex() const;
   bool find_moments(const Vec3 &apex);
+  bool turn_along_narrow();
 
   Body a_, b_;
   std::vector<std::int32_t> faces_;
@@ -134,7 +140,8 @@ class OverlapSolid {
   std::vector<Piece> pieces_a_, pieces_b_;
   std::vector<Vec3> points_;
   double size_ = 0.0, tolerance_ = 0.0, fading_ = 0.0;
-  bool fades_ = false;
+  bool fades_ = false, is_turned_ = false;
+  convex::Mat3 turn_;
   Vec3 middle_;
   double volume_ = 0.0;
   convex::SymmetricMatrix spread_;
