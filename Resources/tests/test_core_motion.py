@@ -78,7 +78,10 @@ def test_planar_feels_the_part_of_gravity_in_its_plane(simulate, vector):
 
 @pytest.mark.parametrize(
     "name",
-    ["SphericalCone", pytest.param("SphericalStatesQuaternions", marks=pytest.mark.full), "SphericalStatesAngles"],
+    [
+        "SphericalCone",
+        *(pytest.param(f"SphericalStates{kind}", marks=pytest.mark.full) for kind in ("Quaternions", "Angles")),
+    ],
 )
 def test_spherical_circles_steadily(simulate, vector, name):
     result = simulate(name, stop=2.0)

@@ -63,6 +63,7 @@ def test_equal_files_give_equal_bytes(archive: Path, tmp_path: Path) -> None:
     assert again.read_bytes() == archive.read_bytes()
 
 
+@pytest.mark.full
 def test_the_unpacked_library_simulates(unpacked: Path, cmb: Cmb, tmp_path: Path) -> None:
     done = cmb("fmu", "ContactMultiBody.Examples.BallOnFloor", "--source", unpacked, "--output", tmp_path / "ball.fmu")
     assert done.returncode == 0, done.stderr

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 from cmb.commands import ALL_COMMANDS
@@ -14,55 +14,69 @@ HEAVY = {"casadi", "fmpy", "jinja2", "lark", "lxml", "networkx", "numpy", "rich"
 HEAVY |= {"cad2modelica", "depth_study", "fmu_regression", "modelica2fmu.build"}
 
 START = """
+import json
 import sys
 from cmb.main import main
-try:
-    status = main(sys.argv[1:])
-except SystemExit as end:
-    status = end.code or 0
-print(status, *sorted(set(sys.modules)), file=sys.stderr)
+loaded, answers = set(), []
+for words in json.load(sys.stdin):
+    try:
+        status = main(words)
+    except SystemExit as end:
+        status = end.code or 0
+    answers.append([status, sorted(set(sys.modules) - loaded)])
+    loaded = set(sys.modules)
+print(json.dumps(answers), file=sys.stderr)
 """
+HELP = [(*words, "--help") for words in [(), *((command.NAME,) for command in ALL_COMMANDS)]]
+WRONG = [
+    (),
+    ("frobnicate",),
+    ("fmu",),
+    ("fmu", "M", "--fmi", "1"),
+    ("fmu", "M", "--source", "gone.mo"),
+    ("run", "gone.xml"),
+    ("run", ".", "--decomposer", "quickhull"),
+    ("generate", "gone.urdf", "--output", "out"),
+    ("assign", "gone.xml"),
+    ("simulate", "gone.fmu", "--output", "a.csv"),
+    ("accuracy", "gone.fmu"),
+    ("report", "gone.csv", "--output", "a.html"),
+    ("regress", "gone"),
+    ("effects", "M", "--source", "gone.mo"),
+    ("advise", "M", "--source", "gone.mo"),
+    ("depth-study",),
+    ("depth-study", "sequence", "--observers", "0"),
+    ("depth-study", "evaluate", "gone.db"),
+    ("depth-study", "simulate", "--design", "gone.toml"),
+    ("msl", "install", "4.1.0", "--msl", "gone"),
+]
+Answers = dict[tuple[str, ...], tuple[int, set[str]]]
 
 
-def status_and_modules(words: tuple[str, ...], folder: Path) -> tuple[int, set[str]]:
-    """Exit status of ``cmb`` with these arguments, and the heavy modules that it loaded."""
-    done = subprocess.run([sys.executable, "-c", START, *words], cwd=folder, capture_output=True, text=True, check=True)
-    status, *modules = done.stderr.splitlines()[-1].split()
-    return int(status), HEAVY & set(modules)
+@pytest.fixture(scope="module")
+def answers(tmp_path_factory: pytest.TempPathFactory) -> Answers:
+    """Exit status of ``cmb`` with each of these arguments, one after another, and the heavy modules that it loaded."""
+    asked = [*HELP, *WRONG]
+    done = subprocess.run(
+        [sys.executable, "-c", START],
+        input=json.dumps(asked),
+        cwd=tmp_path_factory.mktemp("start"),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    told = json.loads(done.stderr.splitlines()[-1])
+    return {words: (status, HEAVY & set(modules)) for words, (status, modules) in zip(asked, told, strict=True)}
 
 
-@pytest.mark.parametrize("words", [(), *((command.NAME,) for command in ALL_COMMANDS)])
-def test_help_is_told_at_once(words, tmp_path):
-    assert status_and_modules((*words, "--help"), tmp_path) == (0, set())
+@pytest.mark.parametrize("words", HELP)
+def test_help_is_told_at_once(words, answers):
+    assert answers[words] == (0, set())
 
 
-@pytest.mark.parametrize(
-    "words",
-    [
-        (),
-        ("frobnicate",),
-        ("fmu",),
-        ("fmu", "M", "--fmi", "1"),
-        ("fmu", "M", "--source", "gone.mo"),
-        ("run", "gone.xml"),
-        ("run", ".", "--decomposer", "quickhull"),
-        ("generate", "gone.urdf", "--output", "out"),
-        ("assign", "gone.xml"),
-        ("simulate", "gone.fmu", "--output", "a.csv"),
-        ("accuracy", "gone.fmu"),
-        ("report", "gone.csv", "--output", "a.html"),
-        ("regress", "gone"),
-        ("effects", "M", "--source", "gone.mo"),
-        ("advise", "M", "--source", "gone.mo"),
-        ("depth-study",),
-        ("depth-study", "sequence", "--observers", "0"),
-        ("depth-study", "evaluate", "gone.db"),
-        ("depth-study", "simulate", "--design", "gone.toml"),
-        ("msl", "install", "4.1.0", "--msl", "gone"),
-    ],
-)
-def test_wrong_arguments_and_missing_files_are_told_at_once(words, tmp_path):
-    assert status_and_modules(words, tmp_path) == (2, set())
+@pytest.mark.parametrize("words", WRONG)
+def test_wrong_arguments_and_missing_files_are_told_at_once(words, answers):
+    assert answers[words] == (2, set())
 
 
 def test_choices_are_those_of_the_generator():

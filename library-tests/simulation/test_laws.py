@@ -119,12 +119,16 @@ def test_combination_rules(core: Compiler) -> None:
 
 
 @pytest.mark.parametrize("e", [0.5, *(pytest.param(e, marks=pytest.mark.full) for e in (0.0, 0.05, 1.0))])
-@pytest.mark.parametrize("model", ["Impacts.RestitutionDelivered", "Impacts.RestitutionWithoutEvents"])
+@pytest.mark.parametrize(
+    "model",
+    ["Impacts.RestitutionDelivered", pytest.param("Impacts.RestitutionWithoutEvents", marks=pytest.mark.full)],
+)
 def test_impact_delivers_the_restitution_asked_for(core: Compiler, model: str, e: float) -> None:
     delivered = final(simulate(core, model, 0.3, f"e={e}"), "delivered")
     assert delivered == pytest.approx(e, abs=1e-3)
 
 
+@pytest.mark.full
 def test_impact_with_a_published_law(core: Compiler) -> None:
     assert final(simulate(core, "Impacts.PublishedLawDelivered", 0.3), "delivered") == pytest.approx(0.725, abs=1e-3)
 

@@ -90,6 +90,7 @@ def test_an_fmu_without_contacts_has_no_scene(tmp_path: Path, capsys: pytest.Cap
     assert "has no contact manager" in capsys.readouterr().err
 
 
+@pytest.mark.full
 def test_a_manager_that_tells_no_pairs_shows_the_force_on_each_body(tmp_path: Path) -> None:
     """The box comes to rest on the floor, which then carries its weight."""
     fmu = built(tmp_path, "Two", TWO.replace("ContactManager contacts(", "CompiledContactManager contacts(n=2, "))
@@ -118,6 +119,7 @@ def test_bodies_inside_a_component_are_no_scene(tmp_path: Path, capsys: pytest.C
     assert not (tmp_path / "d.csv").exists()
 
 
+@pytest.mark.full
 def test_bodies_may_be_connected_by_their_frame_b(tmp_path: Path) -> None:
     fmu = built(tmp_path, "SeenFromB", SEEN_FROM_B)
     box, step = scene_of_fmu(fmu).bodies

@@ -61,6 +61,7 @@ def test_another_importer_records_the_scene(tmp_path: Path, fmi: str) -> None:
     assert (energy + result["contacts.elasticEnergy"]).max() < energy[0] * (1 + 1e-5)
 
 
+@pytest.mark.full
 def test_groups_are_chosen_one_by_one(tmp_path: Path) -> None:
     fmu = built(tmp_path, "--outputs", "poses")
     names = {v.name for v in read_model_description(str(fmu)).modelVariables if v.causality == "output"}

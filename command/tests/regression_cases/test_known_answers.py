@@ -7,11 +7,7 @@ from pathlib import Path
 import pytest
 from program import CaseCheck, cases_of
 
-QUICK = {
-    "backspin_ball",
-    "bouncing_ball",
-    "second_strike",
-}
+QUICK = {"backspin_ball", "bouncing_ball"}
 
 
 @pytest.mark.parametrize("path", cases_of("known_answers", QUICK))

@@ -18,7 +18,7 @@ from program import ROOT
 
 SOURCE = Path(__file__).parent / "fixtures" / "ClosingLoops.mo"
 STUDIES = (ROOT / "Resources" / "studies" / "StudyScenes.mo", ROOT / "Resources" / "reference" / "ReferenceModels.mo")
-QUICK, FULL = 6, 400
+SAMPLES = 400
 MODES: tuple[Mode, ...] = ("cs", "me")
 
 
@@ -37,10 +37,7 @@ SLIDER = Loop("ClosingLoops.SliderCrank", (SOURCE,), ("j2.phi", "j4.s"), ("j2.w"
 SPATIAL = Loop(
     "ClosingLoops.SpatialFourBar", (SOURCE,), ("j4.phi", "j2.phi_a", "j2.phi_b"), ("j4.w", "j2.w_a", "j2.w_b")
 )
-LOOPS = [
-    pytest.param(loop, id=loop.model.split(".")[1], marks=() if loop is FOUR_BAR else pytest.mark.full)
-    for loop in (FOUR_BAR, SLIDER, SPATIAL)
-]
+LOOPS = [pytest.param(loop, id=loop.model.split(".")[1]) for loop in (FOUR_BAR, SLIDER, SPATIAL)]
 Build = Callable[[Loop], Path]
 
 
@@ -68,7 +65,8 @@ def largest_leap(loop: Loop, result: SimulationResult) -> float:
     return float(np.max(leaps))
 
 
-@pytest.mark.parametrize("count", [QUICK, pytest.param(FULL, marks=pytest.mark.full)])
+@pytest.mark.full
+@pytest.mark.parametrize("count", [SAMPLES])
 @pytest.mark.parametrize("loop", LOOPS)
 def test_no_loop_changes_its_closure(loop: Loop, count: int, build: Build) -> None:
     fmu = build(loop)
@@ -93,7 +91,8 @@ def test_no_loop_changes_its_closure(loop: Loop, count: int, build: Build) -> No
     assert all("closure" in said for said in stopped)
 
 
-@pytest.mark.parametrize("count", [QUICK // 2, pytest.param(FULL // 4, marks=pytest.mark.full)])
+@pytest.mark.full
+@pytest.mark.parametrize("count", [SAMPLES // 4])
 @pytest.mark.parametrize("loop", LOOPS)
 def test_importers_that_complete_few_steps_keep_the_closure(loop: Loop, count: int, build: Build) -> None:
     """FMPy's model exchange tells of one completed step an output interval, and knows no discarded evaluation.

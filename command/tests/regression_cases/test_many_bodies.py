@@ -14,7 +14,7 @@ from cmb.modelica_sources import find_sources
 from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu
 
-QUICK, ALL = 3, 40
+QUICK, ALL = 1, 40
 """Scenes of boxes at every run of the tests, and of all bodies at the long ones."""
 RISE, SPREAD = 1.0, 300.0
 """How many tolerances the energy may rise, by that at the start, and the bodies' middle be off, by their distance.

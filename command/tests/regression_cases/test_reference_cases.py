@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from program import CaseCheck, cases_of
 
-QUICK = {"BouncingBall", "PlanarFourBar", "SlidingBlock"}
+QUICK = {"SlidingBlock"}
 
 
 @pytest.mark.parametrize("path", cases_of("reference", QUICK))
@@ -15,10 +15,7 @@ def test_case(path: Path, check_case: CaseCheck) -> None:
     check_case(path)
 
 
-QUICK_OF_THE_LIBRARY = {"HammerOnAnvil"}
-
-
-@pytest.mark.parametrize("path", cases_of("openmodelica", QUICK_OF_THE_LIBRARY))
+@pytest.mark.parametrize("path", cases_of("openmodelica", ()))
 def test_case_of_the_library(path: Path, check_case: CaseCheck) -> None:
     """The library's own models, with contacts: co-simulation cases end on CoSimulation."""
     check_case(path)

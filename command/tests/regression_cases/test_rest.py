@@ -20,8 +20,9 @@ def tolerances(count: int) -> list[float]:
     return [*(10.0 ** random.uniform(-6, -3, count)), 1e-3, 1e-4]
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("mode", ["me", "cs"])
-@pytest.mark.parametrize("count", [2, pytest.param(30, marks=pytest.mark.full)])
+@pytest.mark.parametrize("count", [30])
 def test_a_block_on_an_incline_does_not_tremble(provide_fmu: FmuProvider, mode: Mode, count: int) -> None:
     fmu = provide_fmu(load_case(CASES / "known_answers" / "incline_sticks.toml"))
     assert not isinstance(fmu, Skip)

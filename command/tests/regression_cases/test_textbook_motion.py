@@ -143,12 +143,10 @@ SCENES: Final = {
     "HeldOnWall": held_on_wall,
     "TwoBalls": two_balls,
 }
-QUICK: Final = ("Ladder",)
 
 
-@pytest.mark.parametrize(
-    "model", [pytest.param(model, marks=[] if model in QUICK else [pytest.mark.full]) for model in SCENES]
-)
+@pytest.mark.full
+@pytest.mark.parametrize("model", SCENES)
 def test_motion_is_as_textbooks_say(model: str, fmu_cache: Path, tmp_path: Path) -> None:
     source = find_sources(f"Textbook.{model}", [Path(__file__).parent / "fixtures" / "Textbook.mo"])
     fmu = build_fmu(f"Textbook.{model}", source, tmp_path / "scene.fmu", BuildOptions(cache=fmu_cache)).fmu

@@ -90,6 +90,7 @@ def test_same_input_same_bytes(hammer: Path, tmp_path: Path) -> None:
     assert files_of(tmp_path / "first") == files_of(tmp_path / "second")
 
 
+@pytest.mark.full
 def test_geometry_beside_another_path_gives_the_same_bytes(hammer: Path, tmp_path: Path) -> None:
     copy = tmp_path / "elsewhere"
     copy.mkdir()
@@ -201,6 +202,7 @@ def test_motion_does_not_depend_on_the_description(hammer: Path, tmp_path: Path,
         assert found.columns["elbow.phi"][row] == pytest.approx(point["elbow"], abs=1e-7)
 
 
+@pytest.mark.full
 def test_start_poses_agree_with_the_scene_file(hammer: Path, tmp_path: Path) -> None:
     """What the animation shows at the start is where the model starts."""
     file = without_contacts(hammer, tmp_path / "in")

@@ -75,8 +75,12 @@ def test_it_runs_elsewhere_with_what_it_brings_along(
     assert binaries == {f"binaries/linux64/{name}.so" for name in ("Guarded", "libdigits", "libdigitsbase")}
 
 
-def test_the_same_model_gives_the_same_bytes(oscillator: Path, tmp_path: Path) -> None:
-    again = package_fmu(models.OSCILLATOR, models.source("oscillator"), tmp_path / "other name.fmu")
+@pytest.mark.parametrize("compiled_anew", [False, pytest.param(True, marks=pytest.mark.full)])
+def test_the_same_model_gives_the_same_bytes(
+    oscillator: Path, objects: Path, tmp_path: Path, compiled_anew: bool
+) -> None:
+    target, kept = tmp_path / "other name.fmu", None if compiled_anew else objects
+    again = package_fmu(models.OSCILLATOR, models.source("oscillator"), target, objects_folder=kept)
     assert again.read_bytes() == oscillator.read_bytes()
 
 

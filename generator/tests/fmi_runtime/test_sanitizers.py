@@ -22,6 +22,7 @@ MODELS = {
     "guarded": models.GUARDED,
     "switching": models.SWITCHING,
 }
+QUICK = {"guarded", "schedule"}
 EXTERNAL = {"guarded": ("guard", "digits", "digits_base")}
 
 
@@ -57,7 +58,12 @@ def build(tmp_path_factory: pytest.TempPathFactory) -> Builder:
 
 
 @pytest.mark.parametrize(
-    ("driver", "name"), [("driver", name) for name in MODELS] + [("driver3", "ball"), ("driver3", "schedule")]
+    ("driver", "name"),
+    [
+        *(pytest.param("driver", name, marks=() if name in QUICK else pytest.mark.full) for name in MODELS),
+        ("driver3", "ball"),
+        pytest.param("driver3", "schedule", marks=pytest.mark.full),
+    ],
 )
 def test_random_calls_break_nothing(driver: str, name: str, build: Builder, tmp_path: Path) -> None:
     program = build(driver, name, "address,undefined", tmp_path)

@@ -101,18 +101,13 @@ def test_free_bodies_are_parts_of_one_kind(built_with_library):
     assert "static const int fixed_body[] = {16};" in text
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     "more",
     [
         "Real x(start = 0, fixed = true); equation der(x) = bodies.r[1, 1] + bodies.r[2, 1];",  # unites two
-        pytest.param(
-            "Real x(start = 0, fixed = true), y(start = 0, fixed = true); equation der(x) = time; der(y) = x;",
-            marks=pytest.mark.full,
-        ),
-        pytest.param(
-            "discrete Real x(start = 0, fixed = true); equation when bodies.r[1, 3] < 0.05 then x = time; end when;",
-            marks=pytest.mark.full,
-        ),
+        "Real x(start = 0, fixed = true), y(start = 0, fixed = true); equation der(x) = time; der(y) = x;",
+        "discrete Real x(start = 0, fixed = true); equation when bodies.r[1, 3] < 0.05 then x = time; end when;",
     ],
     ids=["state of two bodies", "time", "events"],
 )
@@ -127,7 +122,7 @@ def test_what_depends_on_more_is_no_part_of_its_own(built_with_library, more):
         pytest.param(SPHERES, 1e-3, id="spheres-0.001"),
         pytest.param(SPHERES, 1e-5, id="spheres-1e-05", marks=pytest.mark.full),
         pytest.param(BOXES, 1e-3, id="boxes-0.001", marks=pytest.mark.full),
-        pytest.param(BOXES, 1e-5, id="boxes-1e-05"),
+        pytest.param(BOXES, 1e-5, id="boxes-1e-05", marks=pytest.mark.full),
     ],
 )
 def test_bodies_go_where_another_integrator_has_them_go(simulate, model, tolerance):
@@ -138,16 +133,17 @@ def test_bodies_go_where_another_integrator_has_them_go(simulate, model, toleran
     assert error < 5 * tolerance
 
 
-def test_energy_does_not_rise(simulate):
+@pytest.mark.parametrize("model", [SPHERES, pytest.param(BOXES, marks=pytest.mark.full)], ids=["spheres", "boxes"])
+def test_energy_does_not_rise(simulate, model):
     for tolerance in (1e-2, 1e-3, 1e-4):
-        energy = simulate(BOXES, ["energy"], stop=0.5, tolerance=tolerance, interval=0.005, kind="CoSimulation")[
+        energy = simulate(model, ["energy"], stop=0.5, tolerance=tolerance, interval=0.005, kind="CoSimulation")[
             "energy"
         ]
         assert np.diff(energy).max() < 0.2 * tolerance * energy[0]
         assert energy[-1] < 0.8 * energy[0]
 
 
-@pytest.mark.parametrize("interval", [1e-3, 0.1])
+@pytest.mark.parametrize("interval", [pytest.param(1e-3, marks=pytest.mark.full), 0.1])
 def test_a_fast_ball_meets_what_is_in_its_way(simulate, interval):
     found = simulate(ROW, ["last", "momentum"], stop=0.1, tolerance=1e-6, interval=interval, kind="CoSimulation")
     assert found["momentum"] == pytest.approx(50.0, abs=1e-9)

@@ -17,7 +17,7 @@ from fmpy import simulate_fmu
 from random_builds import sampled
 from random_events import END, AmbiguousError, RandomEvents, random_events
 
-FEW = 2
+FEW = 1
 MANY = int(os.environ.get("CMB_EVENTS", "60"))
 STEP = 0.0041  # of the output: no event of the models is at a multiple of it
 

@@ -84,6 +84,7 @@ def clean(bouncing_mass: Path, tmp_path_factory: pytest.TempPathFactory) -> tupl
     return folder, carried_out(folder, bouncing_mass)
 
 
+@pytest.mark.full
 def test_errors_are_told_apart(clean):
     folder, findings = clean
     rows = table(folder)

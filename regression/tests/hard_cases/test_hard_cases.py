@@ -128,6 +128,7 @@ class _NoFmu:
         raise BuildError(f"{model} of {sources[0].name}: no compiler")
 
 
+@pytest.mark.full
 def test_rows_are_kept_and_a_killed_worker_is_repeated(tmp_path):
     folder = tmp_path / "hard"
     build = _NoFmu(tmp_path, "box-1")

@@ -58,6 +58,7 @@ def test_a_strike_during_a_contact_is_told(tmp_path: Path, build: Callable[[str,
     assert all(run.is_told for run in runs)
 
 
+@pytest.mark.full
 def test_what_goes_on_as_it_began_is_not_told(tmp_path: Path, build: Callable[[str, Path], None]) -> None:
     fmu = tmp_path / "RandomRod.fmu"
     build("model RandomRod\n  extends ContactMultiBody.Examples.BallOnFloor;\nend RandomRod;\n", fmu)

@@ -336,6 +336,7 @@ def test_vrml_bomb_is_stopped(pendulum: Path, tmp_path: Path) -> None:
     assert "more than" in error.message or "too many" in error.message
 
 
+@pytest.mark.full
 def test_deep_vrml_is_stopped(pendulum: Path, tmp_path: Path) -> None:
     depth = 50_000
     text = "#VRML V2.0 utf8\n" + "Group { children [ " * depth + "Shape { geometry Box {} }" + " ] }" * depth

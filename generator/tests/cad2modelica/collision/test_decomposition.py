@@ -96,6 +96,7 @@ def test_faces_turned_inside_out_give_the_same_pieces() -> None:
     assert len(turned.notes) == 2
 
 
+@pytest.mark.full
 def test_what_is_almost_convex_is_its_hull_unless_asked() -> None:
     """A dent of 2 % of the hull, a house: below the bound of "auto", above none of "decomposition"."""
     dented = np.array([[0, 0], [10, 0], [11, 1], [10, 2.5], [5, 2.4], [0, 2.5]], dtype=float)
@@ -107,6 +108,7 @@ def test_what_is_almost_convex_is_its_hull_unless_asked() -> None:
     assert len(shapes_of(vertices, triangles, CollisionChoice.HULL).shapes) == 1
 
 
+@pytest.mark.full
 def test_a_hull_that_is_a_box_does_not_hide_what_is_cut_out() -> None:
     """A U has a box for its hull; the slot must be free, or said to be filled."""
     u = np.array([[0, 0], [3, 0], [3, 2], [2, 2], [2, 1], [1, 1], [1, 2], [0, 2]], dtype=float)

@@ -57,6 +57,7 @@ def test_the_largest_bodies_of_too_many_collide() -> None:
     assert float(re.search(r"up to ([\d.e+]+) mm", note)[1]) == pytest.approx(left_out, rel=1e-2)
 
 
+@pytest.mark.full
 def test_many_concave_bodies_keep_within_the_number_of_shapes() -> None:
     """So many angle irons that not even two pieces are left for each keep their hulls, with one note for all."""
     outline = np.array([[0, 0], [2, 0], [2, 0.2], [0.2, 0.2], [0.2, 2], [0, 2]], dtype=float)

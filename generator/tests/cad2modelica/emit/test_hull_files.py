@@ -105,6 +105,7 @@ def test_bodies_of_one_hull_share_its_file() -> None:
     assert expressions["first"] == f'ContactMultiBody.Shapes.compound({{\n    "cmb/1 sphere radius=0.5",\n    {call}}})'
 
 
+@pytest.mark.full
 def test_files_come_and_go_with_the_hulls(hammer: Path, tmp_path: Path) -> None:
     """Every file is named in Geometry, the other way round too; old ones go, the modeller's own stay."""
     package = generate(hammer, tmp_path / "out")

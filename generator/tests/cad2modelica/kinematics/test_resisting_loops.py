@@ -59,6 +59,7 @@ def test_friction_of_all_joints_brakes(tmp_path: Path, turn: float) -> None:
     np.testing.assert_allclose(found.columns["elbow.w"], -expected, atol=2e-6)
 
 
+@pytest.mark.full
 def test_stops_of_the_closing_joint_act(tmp_path: Path) -> None:
     limits = '<limits lower="-1" upper="0.2"/>'
     wide = '<limits lower="-3" upper="3"/>'

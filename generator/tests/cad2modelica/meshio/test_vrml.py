@@ -271,6 +271,7 @@ def test_deep_prototype_is_stopped(tmp_path: Path) -> None:
         scene(tmp_path, f"PROTO A [] {{ {deep} }} A {{}}")
 
 
+@pytest.mark.full
 def test_prototype_that_multiplies_is_stopped(tmp_path: Path) -> None:
     """Ten groups in a prototype's body that each use the one before ten times would be 10^10 boxes."""
     groups = [f"DEF g{n} Group {{ children [ {f'USE g{n - 1} ' * 10} ] }}" for n in range(1, 11)]

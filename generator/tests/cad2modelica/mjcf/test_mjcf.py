@@ -288,6 +288,7 @@ def fine_surface(radius: float, half: float, *, caps: bool) -> Surface:
     return points, np.array(triangles)
 
 
+@pytest.mark.full
 def test_a_connect_closes_a_loop(tmp_path: Path) -> None:
     text = """<mujoco><compiler angle="radian"/><option gravity="3 0 -9"><flag contact="disable"/></option><worldbody>
       <body name="crank"><joint name="a" axis="0 1 0"/><geom type="capsule" size="0.01" fromto="0 0 0 0 0 0.2"/>

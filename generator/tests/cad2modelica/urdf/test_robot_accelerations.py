@@ -68,6 +68,7 @@ def fall(file: Path, joints: list[str], folder: Path, cache: Path, options: Gene
     return Motion(*np.split(rows, 3, axis=1))
 
 
+@pytest.mark.full
 def test_double_pendulum_falls_as_its_mass_matrix_says(tmp_path: Path, fmu_cache: Path) -> None:
     file = tmp_path / "pendulum.urdf"
     file.write_text(PENDULUM)

@@ -115,6 +115,7 @@ def test_geometry_is_left_out_and_nothing_else_is_read(
     assert (str(broken) if os.path.isfile(broken) and broken.parent == file.parent else f"{file}:3") in note
 
 
+@pytest.mark.full
 def test_long_chains_written_backwards_are_read_in_order(tmp_path: Path) -> None:
     """Every joint stands before the one it hangs on: no pass over all joints for each of them."""
     count = 3000

@@ -132,6 +132,7 @@ end Growing;
 """
 
 
+@pytest.mark.full
 def test_code_does_not_grow_with_the_number_of_similar_equations(tmp_path: Path) -> None:
     lines = []
     for n in (200, 400):

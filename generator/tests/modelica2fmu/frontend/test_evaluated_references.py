@@ -169,9 +169,8 @@ end Whole;
 """
 
 
-@pytest.mark.parametrize(
-    ("written", "parameter"), [("m=mass", "mass"), pytest.param("m=1", "ball.m", marks=pytest.mark.full)]
-)
+@pytest.mark.full
+@pytest.mark.parametrize(("written", "parameter"), [("m=mass", "mass"), ("m=1", "ball.m")])
 def test_contacts_know_the_mass_that_is_set(written: str, parameter: str, tmp_path: Path, fmu_cache: Path) -> None:
     source = tmp_path / "Whole.mo"
     speeds = []
