@@ -203,10 +203,17 @@ Body halfspace(Random &) {
 }  // namespace
 
 const std::vector<Kind> &all_kinds() {
-  static const std::vector<Kind> kinds = {{"half-space", true, halfspace}, {"box", false, box},           {"prism", false, prism},
-                                          {"round-prism", false, round_prism}, {"hull", false, hull},    {"ball-hull", false, ball_hull},
-                                          {"sphere", false, sphere},       {"ellipsoid", false, ellipsoid}, {"capsule", false, capsule},
-                                          {"cylinder", false, cylinder},   {"cone", false, cone}};
+  static const std::vector<Kind> kinds = {{"half-space", true, 1e-12, halfspace},
+                                          {"box", false, 1e-12, box},
+                                          {"prism", false, 1e-12, prism},
+                                          {"round-prism", false, 1e-12, round_prism},
+                                          {"hull", false, 1e-12, hull},
+                                          {"ball-hull", false, 1e-12, ball_hull},
+                                          {"sphere", false, 1e-12, sphere},
+                                          {"ellipsoid", false, 1e-12, ellipsoid},
+                                          {"capsule", false, 1e-12, capsule},
+                                          {"cylinder", false, 1e-10, cylinder},
+                                          {"cone", false, 1e-10, cone}};
   return kinds;
 }
 

@@ -33,7 +33,8 @@ struct Body {
 
 struct Kind {
   const char *name;
-  bool ground;  // others come from above: second in its pairs, never exchanged for motion
+  bool ground;         // second in its pairs: others come from above
+  double least_depth;  // by the thinner body's thickness: less deep, what rounding does to the pose is no small part of the overlap (docs/engine/limits.md)
   Body (*make)(Random &random);
 };
 

@@ -21,15 +21,7 @@ void PrintTo(const Pair &pair, std::ostream *stream) { *stream << pair.kinds.a->
 
 std::vector<Pair> pairs() {
   std::vector<Pair> result;
-  const auto is_polytope = [](const Kind *kind) {
-    for (const char *name : {"box", "prism", "round-prism", "hull", "ball-hull"}) {
-      if (std::string(name) == kind->name) return true;
-    }
-    return false;
-  };
-  for (const KindPair &kinds : all_pairs()) {
-    if (is_polytope(kinds.a) && is_polytope(kinds.b)) result.push_back({kinds});
-  }
+  for (const KindPair &kinds : all_pairs()) result.push_back({kinds});
   return result;
 }
 
@@ -52,7 +44,7 @@ void expect_none_fails(const KindPair &kinds, int poses, std::uint64_t seed) {
       std::printf("known to fail: %s, %s: %s in %d of %d poses, the worst by %.1e of what is allowed, pose %d of seed %d\n", kinds.a->name, kinds.b->name,
                   name_of(property), of.count, tally.poses, of.worst, of.worst_pose, static_cast<int>(seed));
     }
-    EXPECT_LE(of.count, known != nullptr ? static_cast<int>(known->share * poses) : 0)
+    EXPECT_LE(of.count, known != nullptr ? 1 + static_cast<int>(known->share * poses) : 0)
         << name_of(property) << ", the worst by " << of.worst << " of what is allowed: sample_aligned --seed " << seed << " --pose " << of.worst_pose << " "
         << kinds.a->name << " " << kinds.b->name;
   }
@@ -62,7 +54,7 @@ TEST_P(Aligned, ContactsAreAsInAnyPose) { expect_none_fails(GetParam().kinds, 15
 
 TEST_P(Aligned, ContactsAreAsInAnyPoseInMany) {
   const char *const asked = std::getenv("CMB_ALIGNED");
-  expect_none_fails(GetParam().kinds, asked != nullptr ? std::atoi(asked) : 2000, 2);
+  expect_none_fails(GetParam().kinds, asked != nullptr ? std::atoi(asked) : 1000, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Aligned, testing::ValuesIn(pairs()), name_of_pair);

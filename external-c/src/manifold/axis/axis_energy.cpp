@@ -108,7 +108,10 @@ bool AxisEnergy::carry(const convex::Mat3 &frame, const Vec3 &axis, const Vec3 &
   const double place = across2 > 0.0 ? dot(moment, across) / across2 : middle;
   const double spread = std::sqrt(std::max(0.0, second_ * by_sum - middle * middle) + (place - middle) * (place - middle));
   const Vec3 difference = spread > 0.0 ? (1.0 / spread) * (moment - middle * across) : Vec3{};
-  const Vec3 forces[2] = {0.5 * (force - difference), 0.5 * (force + difference)};
+  // What pushes along the axis goes with the rest: half of it each would turn the points' ways apart, and these are a radius off the axis.
+  const double lean = across2 > 0.0 ? std::clamp(dot(difference, across) / across2, -1.0, 1.0) : 0.0;
+  const Vec3 along = force - across;
+  const Vec3 forces[2] = {0.5 * (across - difference + (1.0 - lean) * along), 0.5 * (across + difference + (1.0 + lean) * along)};
   const double lengths[2] = {norm(forces[0]), norm(forces[1])}, load = lengths[0] + lengths[1];
   if (!(load > 0.0)) return false;
   const double depth = std::min(2.0 * energy / load, deepest);

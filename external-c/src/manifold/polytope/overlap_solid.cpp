@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "manifold/narrow_overlap.hpp"
 #include "math/branchless.hpp"
 #include "math/index.hpp"
 
@@ -65,18 +66,13 @@ bool OverlapSolid::find(const ContactPolytope &a, const Pose &a_in_axes, const C
   cut_faces_of_b();
   if (pieces_a_.empty() && pieces_b_.empty()) return false;
   const Vec3 apex = find_apex();
-  is_turned_ = false;
   if (!find_moments(apex)) return false;
   return !turn_along_narrow() || find_moments(turn_ * apex);
 }
 
 bool OverlapSolid::turn_along_narrow() {
-  constexpr double narrow = 1e-4;  // of squares
-  const double xx = spread_.m[0], yy = spread_.m[1], xy = spread_.m[5], both = xx + yy;
-  if (!(xx * yy - xy * xy < narrow * both * both)) return false;
-  const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy), along = std::cos(angle), across = std::sin(angle);
-  is_turned_ = true;
-  turn_ = {{Vec3{along, across, 0.0}, Vec3{-across, along, 0.0}, Vec3{0.0, 0.0, 1.0}}};
+  is_turned_ = find_turn_along_narrow(spread_, turn_);
+  if (!is_turned_) return false;
   for (std::size_t k = 0; k < first_; ++k) points_[k] = turn_ * points_[k];
   for (std::vector<Piece> *pieces : {&pieces_a_, &pieces_b_}) {
     for (Piece &piece : *pieces) piece.normal = turn_ * piece.normal;

@@ -48,11 +48,7 @@ OffSide Mantle::off(const Vec3 &at) const {
 
 void Mantle::add_border_place(const Vec3 &outward, double height, double turn) {
   const Vec3 out = in_common_.rotation * outward;
-  if (is_fitted_) {
-    border_->push_back({body_->radius_at(height) * out + height * axis_ + from_place_, out, height - height_there_, turn});
-  } else {
-    border_->push_back({{}, out, height, turn});
-  }
+  border_->push_back({body_->radius_at(height) * out + height * axis_ + from_place_, out, height - counted_from(), turn});
 }
 
 void Mantle::add_border_way(const Vec3 &at, const Vec3 &step, double sense) {
@@ -69,7 +65,7 @@ void Mantle::add_border_way(const Vec3 &at, const Vec3 &step, double sense) {
 }
 
 double Mantle::rise_from(const Cut &cut, const BorderPlace &place) const {
-  if (cut.is_level) return place.height - cut.offset;
+  if (cut.is_level) return place.height + (counted_from() - height_there_) - cut.offset;
   return (dot(cut.normal, place.at) - cut.offset) / dot(cut.normal, axis_ + body_->slope * place.outward);
 }
 
@@ -79,7 +75,7 @@ double Mantle::area_from(const Cut &cut) const {
   for (const BorderPlace &place : *border_) {
     const double rise = rise_from(cut, place), rate = dot(cut.normal, axis_ + body_->slope * place.outward);
     least = std::fmin(least, rate), most = std::fmax(most, rate);
-    area += std::fabs(place.turn * rise * (radius_there_ + body_->slope * (place.height - 0.5 * rise)));
+    area += std::fabs(place.turn * rise * (radius_from(place) - 0.5 * body_->slope * rise));
   }
   // A plane that is as good as along rulings they meet anywhere.
   const bool is_steady = least > 0.0 ? least > steady * most : most < steady * least;
@@ -111,26 +107,25 @@ double Mantle::mean_height() const {
   return whole > 0.0 ? sum / whole : 0.0;
 }
 
-void Mantle::integrate() {
-  if (is_fitted_) {
-    integrate_fitted();
-    return;
-  }
-  const GaussNodes heights = heights_of(*body_, partner_);  // between the border and where heights count from
-  const double from = to_apex_ ? body_->half : mean_height();
+// Whether what is between that height and the border is much more than what is in the border. From a plane askew a cone's rulings are no
+// polynomials of the angle: there only what is thin, within so small an angle that they are as good as that.
+bool Mantle::cancels(double from) const {
+  const double much = body_->is_cylinder() ? 3.0 : 30.0;
+  double area = 0.0, added = 0.0;
   for (const BorderPlace &place : *border_) {
-    const double rise = place.height - from;
-    for (std::size_t k = 0; k < heights.count; ++k) {
-      const double z = from + heights.node[k] * rise, r = body_->radius_at(z), part = place.turn * rise * heights.weight[k] * r;
-      nodes_->push_back({r * place.outward + z * axis_ + from_place_, part * (place.outward - body_->slope * axis_)});
-    }
+    const double rise = place.height - from, part = place.turn * rise * (radius_from(place) - 0.5 * body_->slope * rise);
+    area += part, added += std::fabs(part);
   }
+  return added > much * std::fabs(area);
 }
 
-// From each place of the border along its ruling, so that what is thin keeps its digits.
-void Mantle::integrate_fitted() {
-  const GaussNodes heights = heights_of(*body_, partner_);
-  Cut cut{axis_, to_apex_ ? body_->half - height_there_ : mean_height(), true};
+void Mantle::integrate() {
+  const double from = to_apex_ ? body_->half - counted_from() : mean_height();
+  if (!is_fitted_ && (to_apex_ || !cancels(from))) {
+    integrate_from(from);
+    return;
+  }
+  Cut cut{axis_, is_fitted_ ? from : from - height_there_, true};
   if (!to_apex_ && !border_->empty()) {
     double least = area_from(cut);
     for (const Cut &along : cuts_along()) {
@@ -138,12 +133,29 @@ void Mantle::integrate_fitted() {
       if (area < least) least = area, cut = along;
     }
   }
+  integrate_from(cut);
+}
+
+void Mantle::integrate_from(double height) {
+  const GaussNodes heights = heights_of(*body_, partner_);
+  for (const BorderPlace &place : *border_) {
+    const double rise = place.height - height;
+    for (std::size_t k = 0; k < heights.count; ++k) {
+      const double z = height + heights.node[k] * rise, r = body_->radius_at(z), part = place.turn * rise * heights.weight[k] * r;
+      nodes_->push_back({r * place.outward + z * axis_ + from_place_, part * (place.outward - body_->slope * axis_)});
+    }
+  }
+}
+
+// From each place of the border along its ruling, so that what is thin keeps its digits.
+void Mantle::integrate_from(const Cut &cut) {
+  const GaussNodes heights = heights_of(*body_, partner_);
   const double slope = body_->slope;
   for (const BorderPlace &place : *border_) {
-    const double rise = rise_from(cut, place);
+    const double rise = rise_from(cut, place), radius = radius_from(place);
     const Vec3 ruling = axis_ + slope * place.outward, outward = place.outward - slope * axis_;
     for (std::size_t k = 0; k < heights.count; ++k) {
-      const double back = (1.0 - heights.node[k]) * rise, r = radius_there_ + slope * (place.height - back);
+      const double back = (1.0 - heights.node[k]) * rise, r = radius - slope * back;
       nodes_->push_back({place.at - back * ruling, (place.turn * rise * heights.weight[k] * r) * outward});
     }
   }

@@ -14,8 +14,7 @@ namespace cmb {
 using convex::Pose;
 
 struct BorderPlace {
-  Vec3 at;              // where edges are fitted: in the nodes' axes, from the place
-  Vec3 outward;         // in the nodes' axes
+  Vec3 at, outward;     // in the nodes' axes, from the place
   double height, turn;  // the height of a fitted edge's counts from the place
 };
 
@@ -46,7 +45,7 @@ class Mantle {
   void integrate();
   // What a border's place at this height adds by its turn, as much as counts; from `begin` on where it is the first one.
   double width_at(double height, double begin) const {
-    const double from = to_apex_ ? body_->half : border_->empty() ? begin : (is_fitted_ ? height_there_ : 0.0) + border_->front().height;
+    const double from = to_apex_ ? body_->half : border_->empty() ? begin : counted_from() + border_->front().height;
     return (height - from) * 0.5 * (body_->radius_at(height) + body_->radius_at(from));
   }
 
@@ -57,8 +56,14 @@ class Mantle {
     double offset;
     bool is_level;
   };
+  double radius_from(const BorderPlace &place) const {
+    return is_fitted_ ? radius_there_ + body_->slope * place.height : body_->radius_at(place.height);
+  }
   double rise_from(const Cut &cut, const BorderPlace &place) const;
-  void integrate_fitted();
+  double counted_from() const { return is_fitted_ ? height_there_ : 0.0; }
+  void integrate_from(double height);
+  void integrate_from(const Cut &cut);
+  bool cancels(double from) const;
   double mean_height() const;
   double area_from(const Cut &cut) const;
   std::array<Cut, 2> cuts_along() const;

@@ -36,15 +36,28 @@ class PolytopePart {
 // overlap's surface the integral is one over its inside, which takes longer to find. But of a thin edge both sides nearly cancel: there
 // rather the surface that cuts it off.
 template <typename PartA, typename PartB>
-OverlapLoad load_of(const OverlapSurface &surface, const PartA &a, const PartB &b) {
+OverlapLoad load_of(const OverlapSurface &surface, const PartA &a, const PartB &b, const FlushSides &flush) {
   constexpr double thin = 0.1;
   const Vec3 middle = surface.middle();
   Vec3 force, torque;
+  const auto push_node = [&](const OverlapSurface::Node &node, double pressure) {
+    force = force + pressure * node.area;
+    torque = torque + pressure * cross(node.at - middle, node.area);
+  };
+  // Of A's or B's surface what counts as that, and what of the other one's counts so, too.
   const auto push = [&](const std::vector<OverlapSurface::Node> &side, double sense, const auto &excess) {
-    for (const OverlapSurface::Node &node : side) {
-      const double pressure = sense * excess(node.at);
-      force = force + pressure * node.area;
-      torque = torque + pressure * cross(node.at - middle, node.area);
+    if (!flush.any()) {
+      for (const OverlapSurface::Node &node : side) push_node(node, sense * excess(node.at));
+      return;
+    }
+    const bool of_a_side = &side == &surface.of_a();
+    for (const OverlapSurface::Node &node : surface.of_a()) {
+      const double share = flush.share_of_a(node), part = of_a_side ? share : 1.0 - share;
+      if (part != 0.0) push_node(node, sense * part * excess(node.at));
+    }
+    for (const OverlapSurface::Node &node : surface.of_b()) {
+      const double share = flush.share_of_b(node), part = of_a_side ? 1.0 - share : share;
+      if (part != 0.0) push_node(node, sense * part * excess(node.at));
     }
   };
   const auto of_a = [&](const Vec3 &p) { return a.excess(p); };
@@ -67,6 +80,39 @@ OverlapLoad load_of(const OverlapSurface &surface, const PartA &a, const PartB &
   const double part = 0.75 / surface.volume();
   return {0.75 * (a.least() + b.least()), part * force + inside * slope, part * torque + inside * moment, surface.place() + middle,
           surface.spread()};
+}
+
+// How thick an overlap is in which this is the mean square of the depths below the sides of either.
+double thickness_of(double least_a, double least_b) { return std::sqrt(1.5 * (least_a + least_b)); }
+
+// The plane sides of a body of revolution, by normal and offset from the surface's place.
+template <typename Visit>
+void visit_ends(const RevolvedBody &body, const Pose &in_axes, const OverlapSurface &surface, Visit &&visit) {
+  const Vec3 axis = in_axes.rotation.column(2);
+  const double height = dot(axis, surface.place() - in_axes.translation);
+  visit(-axis, body.half + height);
+  if (body.is_cylinder()) visit(axis, body.half - height);
+}
+
+void find_flush(const RevolvedBody &body, const Pose &body_in_axes, const ContactPolytope &polytope, const Pose &polytope_in_axes,
+                const OverlapSurface &surface, double thickness, FlushSides &flush) {
+  flush.start(surface, thickness);
+  visit_ends(body, body_in_axes, surface, [&](const Vec3 &normal, double offset) {
+    if (polytope.greatest_face_cosine(transposed_times(polytope_in_axes.rotation, normal)) < FlushSides::least_cosine) return;
+    for (const convex::Polytope::Face &face : polytope.geometry().faces()) {
+      const Vec3 face_normal = polytope_in_axes.rotation * face.normal;
+      const double from_place = face.offset + dot(face_normal, polytope_in_axes.translation - surface.place());
+      flush.add(normal, offset, face_normal, from_place);
+    }
+  });
+}
+
+void find_flush(const RevolvedBody &a, const Pose &a_in_axes, const RevolvedBody &b, const Pose &b_in_axes, const OverlapSurface &surface,
+                double thickness, FlushSides &flush) {
+  flush.start(surface, thickness);
+  visit_ends(a, a_in_axes, surface, [&](const Vec3 &normal_a, double offset_a) {
+    visit_ends(b, b_in_axes, surface, [&](const Vec3 &normal_b, double offset_b) { flush.add(normal_a, offset_a, normal_b, offset_b); });
+  });
 }
 
 // Where a face lies in an end, or an edge passes through a cone's apex, rounding decides what is whose, and may decide differently for sides
@@ -104,8 +150,11 @@ bool revolved_on_polytope_contact(const Shape &revolved, const Pose &revolved_po
   if (!find_surface(body, polytope, place, scratch, in_frame)) return false;
   OverlapSurface &surface = scratch.surface;
   const Pose to_axes{surface.align(), {}};
-  const OverlapLoad load = load_of(surface, DepthInRevolved(body, to_axes, surface),
-                                   PolytopePart(scratch.faces, polytope, compose(to_axes, in_frame), surface));
+  const Pose polytope_in_axes = compose(to_axes, in_frame);
+  const DepthInRevolved in_revolved(body, to_axes, surface);
+  const PolytopePart in_polytope(scratch.faces, polytope, polytope_in_axes, surface);
+  find_flush(body, to_axes, polytope, polytope_in_axes, surface, thickness_of(in_revolved.least(), in_polytope.least()), scratch.flush);
+  const OverlapLoad load = load_of(surface, in_revolved, in_polytope, scratch.flush);
   return append_load_points(load, compose(revolved_pose, to_axes.inverse()), to_axes.rotation, sense, points);
 }
 
@@ -118,7 +167,8 @@ PairLoad revolved_pair_contact(const Shape &a, const Pose &pose_a, const Shape &
   if (!find_surface(body_a, body_b, b_in_a, in_a(deepest_a), in_a(deepest_b), scratch)) return {};
   const Pose to_axes{surface.align(), {}};
   const DepthInRevolved in_body_a(body_a, to_axes, surface), in_body_b(body_b, compose(to_axes, b_in_a), surface);
-  const OverlapLoad load = load_of(surface, in_body_a, in_body_b);
+  find_flush(body_a, to_axes, body_b, compose(to_axes, b_in_a), surface, thickness_of(in_body_a.least(), in_body_b.least()), scratch.flush);
+  const OverlapLoad load = load_of(surface, in_body_a, in_body_b, scratch.flush);
   if (!append_load_points(load, compose(pose_a, to_axes.inverse()), to_axes.rotation, 1.0, points)) return {};
   // What the sides are pushed by, of which only a difference may be left, and by how much rounding moves them beside how thick the overlap is.
   constexpr double rounding = 1e-15, known = 1e-6, unknown = 1e-4;

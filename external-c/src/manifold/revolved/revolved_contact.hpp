@@ -7,6 +7,7 @@
 #include "manifold/polytope/depth_below_faces.hpp"
 #include "manifold/revolved/revolved_on_polytope.hpp"
 #include "manifold/revolved/revolved_pair.hpp"
+#include "manifold/surface/flush_sides.hpp"
 #include "shape/shape.hpp"
 
 namespace cmb {
@@ -17,6 +18,7 @@ struct RevolvedScratch {
   RevolvedOnPolytope on_polytope;
   RevolvedPair pair;
   DepthBelowFaces faces;
+  FlushSides flush;
 };
 
 // Appends the points (load_points.hpp) by which the body of revolution is pushed, or the polytope where `sense` is -1. `witness`: a place

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "manifold/narrow_overlap.hpp"
+
 namespace cmb {
 
 namespace {
@@ -100,12 +102,21 @@ Mat3 OverlapSurface::align() {
   if (flatness == 0.0) return {};
   const Vec3 u = convex::any_perpendicular(normal);
   const Mat3 turn{{u, cross(normal, u), normal}};
+  turn_by(turn);
+  // Of what is narrow as well, as along an edge, so that this holds for the square of its width, too.
+  Mat3 along;
+  if (!find_turn_along_narrow(spread_, along)) return turn;
+  turn_by(along);
+  const Mat3 columns = convex::transposed(turn);
+  return convex::transposed({{along * columns.row[0], along * columns.row[1], along * columns.row[2]}});
+}
+
+void OverlapSurface::turn_by(const Mat3 &turn) {
   for (std::vector<Node> *const side : {&a_, &b_}) {
     for (Node &node : *side) node.at = turn * node.at, node.area = turn * node.area;
   }
   place_ = turn * place_, middle_ = turn * middle_;
   find_spread();
-  return turn;
 }
 
 }  // namespace cmb

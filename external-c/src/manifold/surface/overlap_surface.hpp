@@ -36,7 +36,7 @@ class OverlapSurface {
   // overlap by rounding alone.
   bool sum();
   // After sum(): turns all to axes one of which is perpendicular to a face, where one bounds an overlap that is thin, so that the square of its
-  // thickness is not a difference of squares of its width. Returns the turn to these axes.
+  // thickness is not a difference of squares of its width, nor that of its width one of its length. Returns the turn to these axes.
   Mat3 align();
   double volume() const { return volume_; }
   // What the area vectors sum to, of rounding and of rules that are not exact.
@@ -52,6 +52,7 @@ class OverlapSurface {
  private:
   // The mean of the products of coordinates, of nodes whose places are from the place.
   void find_spread();
+  void turn_by(const Mat3 &turn);
 
   std::vector<Node> a_, b_;
   Vec3 place_;

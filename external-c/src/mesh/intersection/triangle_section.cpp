@@ -72,7 +72,9 @@ double least_on_polygon(const std::vector<Vec3> &polygon, double slope) {
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
     normal = normal + cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
   }
-  if (normal.z == 0.0) return least;
+  // A plane that holds the axis, as good as, has it on the border, too, and its signs tell nothing.
+  constexpr double along = 1e-12;
+  if (!(std::fabs(normal.z) > along * norm(normal))) return least;
   const double z = dot(normal, polygon[0]) / normal.z;
   return std::fmin(least, slope * std::fmin(high, std::fmax(low, z)));
 }

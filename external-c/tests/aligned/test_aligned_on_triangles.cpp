@@ -1,0 +1,40 @@
+// Round bodies whose axis lies in the plane of a triangle that they hardly touch.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "support/mesh_text.hpp"
+#include "support/modelica_format_error.hpp"
+#include "support/random_bodies.hpp"
+#include "support/scene_query.hpp"
+
+namespace test_aligned_on_triangles {
+namespace {
+
+using namespace cmb::test;
+
+// Roofs at right angles: a body on one slope, right over whose ridge its axis is, lies in the plane of the slope behind.
+TEST(AlignedOnTriangles, AxisInThePlaneOfTheSlopeBehindCarriesTheSameInAllFrames) {
+  const std::string roofs =
+      mesh_samples::height_field_text(2, 9, [](double x, double) { return 0.25 - std::fabs(x - 0.25 - 0.5 * std::floor(2.0 * x)); });
+  random_bodies::Random random(1);
+  for (const std::string body : {"cylinder radius=0.4 length=0.5", "capsule radius=0.4 length=0.5", "cone radius=0.4 length=0.5"}) {
+    const PairScene scene("cmb/1 " + body, roofs);
+    constexpr double deep = 1.25e-3;
+    const double root = std::sqrt(0.5), away = (body.rfind("cone", 0) == 0 ? 0.2 : 0.4) - deep;
+    // Along the ridge; the cone's middle as deep as the others' mantle.
+    const Mat3 along_ridge{{Vec3{0, -1, 0}, Vec3{0, 0, -1}, Vec3{1, 0, 0}}};
+    const BodyPose pose{{0.25 - root * away, -0.17, 0.25 + root * away}, along_ridge};
+    const Vec3 at_rest = scene.query(pose, {}, 128).load();
+    for (int k = 0; k < 200; ++k) {
+      const BodyPose frame{random.direction(), random_bodies::random_rotation(random)};
+      const BodyPose moved{frame.rotation * pose.position + frame.position, product(frame.rotation, pose.rotation)};
+      const Vec3 load = transposed_times(frame.rotation, scene.query(moved, frame, 128).load());
+      EXPECT_LT(norm(load - at_rest), 1e-6 * norm(at_rest)) << body << ", frame " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace test_aligned_on_triangles
