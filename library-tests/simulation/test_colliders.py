@@ -41,12 +41,13 @@ def built_and_run(folder: Path, cache: Path, manager: str, order: str) -> None:
     simulate(fmu, stop=0.1)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     ("manager", "order"),
     [
         ("ContactManager", GROUND_FIRST),
-        pytest.param("ContactManager", TWO_FIXED_SWAPPED, marks=pytest.mark.full),
-        pytest.param("CompiledContactManager", GROUND_FIRST, marks=pytest.mark.full),
+        ("ContactManager", TWO_FIXED_SWAPPED),
+        ("CompiledContactManager", GROUND_FIRST),
     ],
 )
 def test_another_order_is_noticed(tmp_path: Path, fmu_cache: Path, manager: str, order: str) -> None:

@@ -43,10 +43,8 @@ MANAGERS = {
 HEIGHT, SAMPLES = 0.2, 6
 
 
-@pytest.mark.parametrize(
-    "manager",
-    [pytest.param(name, marks=() if name == "points" else pytest.mark.full) for name in MANAGERS],
-)
+@pytest.mark.full
+@pytest.mark.parametrize("manager", MANAGERS)
 def test_what_sinks_by_half_its_thickness_is_told(manager: str, fmu_cache: Path, tmp_path: Path) -> None:
     """A box falls flat: the greatest depth is v sqrt(m/K)."""
     source, fmu = tmp_path / "Fall.mo", tmp_path / "Fall.fmu"

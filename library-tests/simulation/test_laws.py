@@ -133,6 +133,7 @@ def test_impact_with_a_published_law(core: Compiler) -> None:
     assert final(simulate(core, "Impacts.PublishedLawDelivered", 0.3), "delivered") == pytest.approx(0.725, abs=1e-3)
 
 
+@pytest.mark.full
 def test_spring_and_damper_do_not_pull(core: Compiler) -> None:
     ratio = 0.1
     expected = math.exp(-ratio / math.sqrt(1 - ratio**2) * (math.pi - 2 * math.asin(ratio)))
@@ -148,6 +149,7 @@ def test_collision_keeps_momentum_and_angular_momentum(core: Compiler) -> None:
         assert np.ptp(motion[f"angularMomentum[{i}]"]) < 1e-6
 
 
+@pytest.mark.full
 def test_hertz_impact(core: Compiler) -> None:
     motion = simulate(core, "Impacts.HertzImpact", 0.02)
     stiffness = 4 / 3 * math.sqrt(0.1) / ((1 - 0.49**2) / 4e6 + (1 - 0.3**2) / 210e9)

@@ -102,6 +102,7 @@ def run(fmu: Path, signals: tuple[str, ...]) -> SimulationResult:
     return simulate(fmu, signals=signals, stop=1.0, tolerance=1e-8, interval=0.01)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("library", libraries())
 @pytest.mark.parametrize(
     "name", [name if name in SOME else pytest.param(name, marks=pytest.mark.full) for name in MODELS]

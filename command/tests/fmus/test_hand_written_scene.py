@@ -75,6 +75,7 @@ def test_the_readmes_drop_is_reported_as_a_generated_model(tmp_path: Path, fmi: 
         assert word in page
 
 
+@pytest.mark.full
 def test_masses_inside_and_poses_of_fixed_bodies(tmp_path: Path) -> None:
     box, floor = scene_of_fmu(built(tmp_path, "Two", TWO)).bodies
     assert box.variable == "box"

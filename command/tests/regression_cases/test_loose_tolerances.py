@@ -100,12 +100,10 @@ KEPT_AT_LOOSE_TOLERANCE = [
     "volume_impact",
 ]
 """Errors of an impact's steps added up to more than is promised at 1e-6."""
-QUICK = {"off_centre_impact"}
 
 
-@pytest.mark.parametrize(
-    "case", [pytest.param(case, marks=() if case in QUICK else pytest.mark.full) for case in KEPT_AT_LOOSE_TOLERANCE]
-)
+@pytest.mark.full
+@pytest.mark.parametrize("case", KEPT_AT_LOOSE_TOLERANCE)
 def test_what_is_promised_is_kept_at_loose_tolerance(case: str, known_answer: Callable[[str], Path]) -> None:
     loose = replace(load_case(CASES / "known_answers" / f"{case}.toml"), tolerance=1e-4)
     result = run_case(loose, known_answer(case), time_limit=60)

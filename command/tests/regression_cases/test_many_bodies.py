@@ -70,6 +70,7 @@ def is_quick(number: int, scene: Scene) -> bool:
     return scene.model == "ManyBoxes" and number < 2 * QUICK
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     "scene",
     [pytest.param(s, marks=() if is_quick(k, s) else pytest.mark.full, id=str(k)) for k, s in enumerate(scenes())],

@@ -120,6 +120,7 @@ class Provider:
         return Skip("not here") if case.requires else self.fmu
 
 
+@pytest.mark.full
 def test_processes_give_the_same_results_in_the_same_order(cases: Path, tmp_path: Path, bouncing_mass: Path) -> None:
     heard: list[str] = []
     alone = run_cases(cases, Provider(bouncing_mass))

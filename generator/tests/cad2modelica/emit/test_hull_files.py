@@ -139,6 +139,7 @@ def test_a_file_of_ones_own_is_not_written_over(tmp_path: Path, link: bool) -> N
     assert not (tmp_path / "elsewhere").exists() or not list((tmp_path / "elsewhere").iterdir())
 
 
+@pytest.mark.full
 @pytest.mark.skipif(not ENGINE.is_file(), reason="the contact engine is not installed")
 def test_fmu_runs_without_the_package(tmp_path: Path, fmu_cache: Path) -> None:
     """The frustum rests on its face of seven corners, as deep as stiffness and weight say."""

@@ -45,7 +45,8 @@ def parallelogram(folder: Path, inside: str, turn: float, *, closing: str = "") 
     return write_assembly(folder / "loop.xml", parts, joints, gravity=(0, 0, -9.81), name="Loop")
 
 
-@pytest.mark.parametrize("turn", [pytest.param(0.0, marks=pytest.mark.full), 0.9])
+@pytest.mark.full
+@pytest.mark.parametrize("turn", [0.0, 0.9])
 def test_friction_of_all_joints_brakes(tmp_path: Path, turn: float) -> None:
     """All four turn as fast as the crank: J w' = -4 d w."""
     package = generate(parallelogram(tmp_path, f'<friction viscous="{VISCOUS}"/>', turn), tmp_path / "out")

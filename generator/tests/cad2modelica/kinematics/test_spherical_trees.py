@@ -67,6 +67,7 @@ def test_moves_as_free_bodies_with_constraint_forces_do(motions: tuple[Motion, M
     assert np.ptp(expected.position[name], axis=0).max() > 0.05
 
 
+@pytest.mark.full
 def test_heavy_top_against_eulers_equations(tmp_path: Path, fmu_cache: Path) -> None:
     """A body about a fixed point, integrated in its own axes."""
     center, mass, moments, time = np.array([0.1, -0.05, 0.2]), 2.0, (0.02, 0.03, 0.04), 0.5

@@ -150,6 +150,7 @@ def test_jacobian_is_that_of_casadi(name, tmp_path, fmu_cache):
             assert mine == pytest.approx(expected, rel=1e-9, abs=1e-9 * np.max(np.abs(expected)))
 
 
+@pytest.mark.full
 def test_jacobian_of_a_kinematic_loop_is_that_of_differences(tmp_path, fmu_cache):
     """Extrapolated central differences (Richardson), good to 1e-9 here."""
     options = BuildOptions(msl=core_subset(), cache=fmu_cache)

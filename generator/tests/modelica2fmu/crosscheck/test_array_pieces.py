@@ -131,7 +131,8 @@ def _matrix(source: random.Random, rows: int, columns: int) -> tuple[str, np.nda
     return "[" + "; ".join(", ".join(f"{item:g}" for item in line) for line in value) + "]", value
 
 
-@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.full) for seed in range(1, 6))])
+@pytest.mark.full
+@pytest.mark.parametrize("seed", range(6))
 def test_random_arrays_of_modifiers_hold_or_are_refused(seed, tmp_path, fmu_cache):
     source = random.Random(seed)
     parts, wanted = ["Scalar plain[2](k = {3, 4});"], {"plain[2].x": 4.0}

@@ -87,6 +87,7 @@ def test_load_resource_names_the_file(tmp_path: Path, library: str) -> None:
     assert "-0.05,-0.05,-0.05" in hull
 
 
+@pytest.mark.full
 def test_absolute_names_are_written_out_too(tmp_path: Path) -> None:
     parts = package(tmp_path / "models", "hullFile", str(tmp_path / "models/MeshDemo/Resources/my cube.obj"))
     translation = translate("MeshDemo.Cube", [parts, LIBRARY], CORE)
@@ -102,7 +103,7 @@ def test_absolute_names_are_written_out_too(tmp_path: Path) -> None:
         pytest.param("modelica://MeshDemo/Resources/none.obj", "none.obj", marks=pytest.mark.full),
         ("modelica://MeshDemo/../secret.obj", "leaves its package"),
         pytest.param("/none/at/all.stl", "/none/at/all.stl", marks=pytest.mark.full),
-        ("/etc/hostname", ".stl, .obj or .ply"),
+        pytest.param("/etc/hostname", ".stl, .obj or .ply", marks=pytest.mark.full),
     ],
 )
 def test_missing_files_are_named(tmp_path: Path, file: str, part: str) -> None:

@@ -102,23 +102,12 @@ end Balls;
 """
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     ("old", "new", "line", "said"),
     [
-        pytest.param(
-            "{1e5, 1e5, 1e5}",
-            "{1e5}",
-            9,
-            "stiffness has 3 elements, and what it is given has one element",
-            marks=pytest.mark.full,
-        ),
-        pytest.param(
-            "{1e5, 1e5, 1e5}",
-            "fill(1e5, 2)",
-            9,
-            "stiffness has 3 elements, and what it is given has another size",
-            marks=pytest.mark.full,
-        ),
+        ("{1e5, 1e5, 1e5}", "{1e5}", 9, "stiffness has 3 elements, and what it is given has one element"),
+        ("{1e5, 1e5, 1e5}", "fill(1e5, 2)", 9, "stiffness has 3 elements, and what it is given has another size"),
         (", ball[3].collider", "", 7, "collider has 3 elements, and what it is given has 2 elements"),
     ],
 )
