@@ -16,6 +16,9 @@ from contact_foundation.cache import user_cache
 # What takes longest comes first, so that no process is left alone with it at last (scripts/test); browsers apart from
 # each other.
 LONGEST_FIRST = (
+    # build no FMUs, while another process compiles what all FMUs have in common
+    "viewer/tests/test_viewer_in_browser.py",
+    "generator/tests/modelica2fmu/frontend/test_connections.py",
     # of the full tier
     "command/tests/regression_cases/test_loose_tolerances.py",
     "command/tests/regression_cases/test_reference_cases.py",
@@ -25,14 +28,12 @@ LONGEST_FIRST = (
     "generator/tests/modelica2fmu/test_fast_bodies.py",
     # of both
     "command/tests/generation/test_hammer.py",
-    "generator/tests/cad2modelica/test_generation.py",
-    "regression/tests/report/test_report_in_browser.py",
-    "generator/tests/modelica2fmu/frontend/test_connections.py",
     "generator/tests/cad2modelica/kinematics/test_joints_and_loops.py",
     "generator/tests/fmi_runtime/test_built_fmus.py",
     "Resources/tests/test_core_motion.py",
-    "viewer/tests/test_viewer_in_browser.py",
+    "generator/tests/cad2modelica/test_generation.py",
     "command/tests/regression_cases/test_any_size.py",
+    "regression/tests/report/test_report_in_browser.py",
     "generator/tests/modelica2fmu/test_random_events.py",
     "generator/tests/modelica2fmu/test_random_models.py",
     "Resources/tests/test_core_drives.py",
