@@ -192,6 +192,72 @@ Body cone(Random &random) {
   return body;
 }
 
+// Features of a mesh's triangles, and of their edges and corners as far as these are convex.
+Body mesh_body(const MeshData &data, double thickness) {
+  Body body;
+  Part part;
+  part.points = data.vertices;
+  std::vector<Vec3> at_corner(data.vertices.size());
+  for (const mesh_samples::Triangle &t : data.triangles) {
+    const Vec3 &p = data.vertices[t[0]], &q = data.vertices[t[1]], &r = data.vertices[t[2]];
+    const Vec3 normal = normalized(cross(q - p, r - p));
+    for (const Vec3 &place : {(1.0 / 3.0) * (p + q + r), 0.5 * (p + q), p}) body.features.push_back({place, normal});
+    for (const Vec3 &way : {normal, q - p, r - q}) add_way(body, way);
+    for (const std::uint32_t v : t) at_corner[v] = at_corner[v] + normal;
+  }
+  for (std::size_t v = 0; v < data.vertices.size(); ++v) {
+    if (norm(at_corner[v]) > 0.1) body.features.push_back({data.vertices[v], normalized(at_corner[v])});
+  }
+  body.radius = stress::bound(part);
+  body.size = 2.0 * body.radius;
+  body.thickness = thickness;
+  body.parts = {std::move(part)};
+  return body;
+}
+
+// The same with a speck far off, as what is closed and convex is a hull.
+Body speckled(const MeshData &data, double thickness) {
+  Body body = mesh_body(data, thickness);
+  body.text = mesh_samples::mesh_text(mesh_samples::with_speck(data));
+  return body;
+}
+
+Body box_mesh(Random &random) {
+  const Vec3 size{length(random), length(random), length(random)};
+  return speckled(mesh_samples::box_mesh(size, static_cast<std::uint32_t>(random.integer(1, 2))), std::min({size.x, size.y, size.z}));
+}
+
+Body ball_mesh(Random &random) {
+  const double radius = 0.5 * length(random);
+  return speckled(mesh_samples::sphere_mesh(radius, random.integer(0, 1)), radius);
+}
+
+// An L.
+Body angle_mesh(Random &random) {
+  const double a = 0.5 * length(random), h = 0.5 * length(random);
+  const MeshData data = mesh_samples::angle_prism({-a, a, a, 0, 0, -a}, {-a, -a, 0, 0, a, a}, -h, h);
+  Body body = mesh_body(data, std::min(a, 2 * h));
+  body.text = mesh_samples::mesh_text(data);
+  return body;
+}
+
+// Half of it level, the other half roofs at 45 degrees.
+Body height_field(Random &) {
+  Body body;
+  const auto height = [](double x) { return x <= 0.0 ? 0.0 : 0.25 - std::fabs(x - 0.25 - 0.5 * std::floor(2.0 * x)); };
+  body.text = mesh_samples::height_field_text(2, 9, [&](double x, double) { return height(x); });
+  body.swallows = [height](const Vec3 &p) { return p.z < height(p.x); };
+  add_axes(body);
+  for (const double y : {0.0, 0.125, -0.25}) {
+    for (const double x : {-0.5, -0.375, -0.25, 0.0}) body.features.push_back({{x, y, 0}, {0, 0, 1}});
+    body.features.push_back({{0.25, y, 0.25}, {0, 0, 1}});
+    body.features.push_back({{0.125, y, 0.125}, normalized({-1, 0, 1})});
+    body.features.push_back({{0.375, y, 0.125}, normalized({1, 0, 1})});
+  }
+  add_way(body, {1, 0, 1});
+  return body;
+}
+
 Body halfspace(Random &) {
   Body body;
   body.text = "cmb/1 halfspace";
@@ -203,17 +269,21 @@ Body halfspace(Random &) {
 }  // namespace
 
 const std::vector<Kind> &all_kinds() {
-  static const std::vector<Kind> kinds = {{"half-space", true, 1e-12, halfspace},
-                                          {"box", false, 1e-12, box},
-                                          {"prism", false, 1e-12, prism},
-                                          {"round-prism", false, 1e-12, round_prism},
-                                          {"hull", false, 1e-12, hull},
-                                          {"ball-hull", false, 1e-12, ball_hull},
-                                          {"sphere", false, 1e-12, sphere},
-                                          {"ellipsoid", false, 1e-12, ellipsoid},
-                                          {"capsule", false, 1e-12, capsule},
-                                          {"cylinder", false, 1e-10, cylinder},
-                                          {"cone", false, 1e-10, cone}};
+  static const std::vector<Kind> kinds = {{"half-space", true, 1e-12, 1.0, halfspace},
+                                          {"box", false, 1e-12, 1.0, box},
+                                          {"prism", false, 1e-12, 1.0, prism},
+                                          {"round-prism", false, 1e-12, 1.0, round_prism},
+                                          {"hull", false, 1e-12, 1.0, hull},
+                                          {"ball-hull", false, 1e-12, 1.0, ball_hull},
+                                          {"sphere", false, 1e-12, 1.0, sphere},
+                                          {"ellipsoid", false, 1e-12, 1.0, ellipsoid},
+                                          {"capsule", false, 1e-12, 1.0, capsule},
+                                          {"cylinder", false, 1e-10, 1.0, cylinder},
+                                          {"cone", false, 1e-10, 1.0, cone},
+                                          {"box-mesh", false, 1e-6, 0.25, box_mesh},
+                                          {"ball-mesh", false, 1e-6, 0.25, ball_mesh},
+                                          {"angle-mesh", false, 1e-6, 0.25, angle_mesh},
+                                          {"field", true, 1e-6, 0.25, height_field}};
   return kinds;
 }
 

@@ -1,6 +1,7 @@
 // Bodies of round lengths with what others may be level with: faces, edges, corners, axes.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,14 @@ struct Body {
   double thickness = 1.0;          // the least width of what it is made of, m
   Vec3 middle;                     // of a ball that holds it,
   double radius = 1.0;             // so large
+  std::function<bool(const Vec3 &)> swallows;  // of ground: whether a place is below its surface
 };
 
 struct Kind {
   const char *name;
   bool ground;         // second in its pairs: others come from above
   double least_depth;  // by the thinner body's thickness: less deep, what rounding does to the pose is no small part of the overlap (docs/engine/limits.md)
+  double part;         // of the poses that others get, as its queries take longer
   Body (*make)(Random &random);
 };
 

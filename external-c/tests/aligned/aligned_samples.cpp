@@ -163,7 +163,9 @@ class Check {
 
   bool is_apart() const { return !(deep_ > 1e-13 * (bodies_.size + norm(pose_.position))); }
   // So deep as no sample is meant to be, in another part of B; or hardly at all, as it is hardly beside it.
-  bool is_left_out() const { return deep_ > 0.3 * bodies_.thickness || (deep_ > 0.0 && deep_ < 0.3 * bodies_.least_depth * bodies_.thickness); }
+  // A sheet has no far side: what it has swallowed to the middle is no contact any more.
+  bool is_swallowed() const { return bodies_.b.swallows && bodies_.b.swallows(pose_.position); }
+  bool is_left_out() const { return is_swallowed() || deep_ > 0.3 * bodies_.thickness || (deep_ > 0.0 && deep_ < 0.3 * bodies_.least_depth * bodies_.thickness); }
   double deep() const { return deep_; }
   const Contact &contact() const { return contact_; }
   const BodyPose &pose() const { return pose_; }
@@ -294,7 +296,26 @@ const char *name_of(Property property) {
 }
 
 const KnownFailure *known_failure(const KindPair &kinds, Property property) {
+  // The first that fits.
   static const KnownFailure known[] = {
+      // Flat sides in the plane of a mesh's side carry or not, by rounding; and see there: places where the energy would pull, torque beside
+      // little load, bodies deeper than half of what is behind a triangle.
+      {"any", "field", Property::same_in_frames, 0.05},
+      {"any", "field", Property::gradient, 0.08},
+      {"any", "field", Property::steady, 0.06},
+      {"any", "field", Property::near_bodies, 0.04},
+      {"any", "angle-mesh", Property::same_in_frames, 0.12},
+      {"any", "angle-mesh", Property::same_exchanged, 0.06},
+      {"any", "angle-mesh", Property::gradient, 0.06},
+      {"any", "angle-mesh", Property::steady, 0.15},
+      {"any", "angle-mesh", Property::near_bodies, 0.03},
+      {"any", "box-mesh", Property::same_in_frames, 0.08},
+      {"any", "box-mesh", Property::same_exchanged, 0.06},
+      {"any", "box-mesh", Property::gradient, 0.03},
+      {"any", "box-mesh", Property::steady, 0.12},
+      {"any", "box-mesh", Property::near_bodies, 0.03},
+      {"any", "ball-mesh", Property::same_exchanged, 0.08},
+      {"any", "ball-mesh", Property::gradient, 0.03},
       // Sides a few degrees apart fade into each other, which is not the same with the bodies exchanged: by up to 2e-3 of the load.
       {"box", "hull", Property::same_exchanged, 2e-3},
       {"prism", "hull", Property::same_exchanged, 2e-3},

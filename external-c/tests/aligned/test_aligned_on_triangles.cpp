@@ -36,5 +36,22 @@ TEST(AlignedOnTriangles, AxisInThePlaneOfTheSlopeBehindCarriesTheSameInAllFrames
   }
 }
 
+// Long beside its depth: the square of that would be a difference of squares of the length.
+TEST(AlignedOnTriangles, LyingConeCarriesTheSameInAllFrames) {
+  using namespace mesh_samples;
+  const PairScene scene("cmb/1 cone radius=0.05 length=0.4", mesh_text(with_speck(box_mesh({2, 2, 1}, 4))));
+  const Mat3 level = rotation_about({0, 1, 0}, 2.0 * std::atan(1.0) + std::atan2(0.05, 0.4));
+  random_bodies::Random random(5);
+  for (const double deep : {7e-8, 1e-6}) {
+    for (int k = 0; k < 300; ++k) {
+      const Mat3 turned = product(rotation_about({0, 0, 1}, random.integer(0, 1) == 1 ? random.uniform(0, 6.28) : 2.0 * std::atan(1.0) * random.integer(0, 3)), level);
+      const BodyPose pose{{0.05 * random.integer(-2, 2), 0.05 * random.integer(-2, 2), 0.5 - 0.2 * level.row[2].z - deep}, turned};
+      const BodyPose frame{random.direction(), random_bodies::random_rotation(random)};
+      const BodyPose moved{frame.rotation * pose.position + frame.position, product(frame.rotation, pose.rotation)};
+      EXPECT_NEAR(norm(scene.query(moved, frame, 64).load()), 24.0 / 35.0 * deep, 1e-4 * deep) << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace test_aligned_on_triangles

@@ -163,13 +163,21 @@ double RoundOverlap::deepest_of_overlap(const Piece &piece, const Vec3 &local, d
   return deepest;
 }
 
-// Of the depth, `at_middle` being that of the overlap's middle and `local` the triangle's normal in the body's frame. The overlap is convex,
+// Of the depth, `at_place` being that of the surface's place and `local` the triangle's normal in the body's frame: over cones from the place, so
+// that the square of a thickness is no difference of squares of a width. The overlap is convex,
 // between a cone on the triangle's plane, with a tenth of the square of its height, and one that stands on its tip: what is so thin that
 // rounding counts keeps within these.
-double RoundOverlap::mean_square(const Piece &piece, double at_middle, const Vec3 &local) const {
+double RoundOverlap::mean_square(const Piece &piece, double at_place, const Vec3 &local) const {
   constexpr double thin = 1e-6, least = 0.1, most = 0.6;
   const OverlapSurface &surface = scratch_.surface;
-  const double square = at_middle * at_middle + dot(local, convex::times(surface.spread(), local));
+  double sum = 0.0;
+  for (const auto *const side : {&surface.of_a(), &surface.of_b()}) {
+    for (const OverlapSurface::Node &node : *side) {
+      const double change = -dot(local, node.at);
+      sum += node.cone * (at_place * at_place + change * (1.5 * at_place + 0.6 * change));
+    }
+  }
+  const double square = sum / (3.0 * surface.volume());
   if (surface.volume() > thin * radius() * surface.area_a()) return square;
   Vec3 deepest_place;
   const double deepest = deepest_of_overlap(piece, local, 0.0, deepest_place);
@@ -180,9 +188,9 @@ void RoundOverlap::integrate(const Piece &piece) {
   const OverlapSurface &surface = scratch_.surface;
   const Vec3 place = piece.place(surface.place()), from_origin = place - origin();
   const Vec3 local = transposed_times(piece.place.rotation, face_normal());
-  const double at_place = depth(place), at_middle = at_place - dot(local, surface.middle());
+  const double at_place = depth(place);
   part().first.integral += surface.volume();
-  part().third.integral += 3.0 * surface.volume() * mean_square(piece, at_middle, local);
+  part().third.integral += 3.0 * surface.volume() * mean_square(piece, at_place, local);
   Wrench first, third;  // torques about the surface's place
   PatchSums patch;
   for (const OverlapSurface::Node &node : surface.of_a()) {

@@ -63,7 +63,7 @@ class RoundOverlap : public WedgeIntegrals {
     }
   }
   double deepest_of_overlap(const Piece &piece, const Vec3 &local, double enough, Vec3 &deepest_place) const;
-  double mean_square(const Piece &piece, double at_middle, const Vec3 &local) const;
+  double mean_square(const Piece &piece, double at_place, const Vec3 &local) const;
   void integrate(const Piece &piece);
 
   const Piece whole_;
