@@ -170,6 +170,11 @@ class ClassInstance:
             self._depth,
         )
 
+    @cached_property
+    def has_redeclarations(self) -> bool:
+        """= true, if a modifier redeclares an element of it, or of one of its elements."""
+        return any(map(_redeclares, (argument for layer in self._above for argument in layer.arguments)))
+
     # --- inheritance ---
 
     @cached_property
@@ -403,6 +408,10 @@ class ClassInstance:
             declared.may_be_absent,
             element.sizes_of_type,
         )
+
+
+def _redeclares(modifier: Modifier) -> bool:
+    return modifier.redeclared is not None or any(map(_redeclares, modifier.arguments))
 
 
 def _first_redeclaration(modifiers: _Modifiers) -> int | None:

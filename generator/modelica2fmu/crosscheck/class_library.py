@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
+from typing import Final
 
 from modelica2fmu.crosscheck.class_parser import parse
 from modelica2fmu.crosscheck.class_syntax import ClassDefinition, Extent
-from modelica2fmu.crosscheck.class_tokens import UnreadableError, call_arguments
+from modelica2fmu.crosscheck.class_tokens import Token, UnreadableError, call_arguments, tokens_of
 from modelica2fmu.library.source_map import source_number
+
+_STANDARD_LIBRARY: Final = "Modelica"
 
 
 class ClassLibrary:
@@ -28,19 +31,30 @@ class ClassLibrary:
         self._found: dict[str, ClassDefinition | None] = {}
         self._missing: set[tuple[Path, str]] = set()
         self._texts: dict[Path, bytes] = {}
+        self._parsed: dict[Path, dict[str, ClassDefinition]] = {}
         self._files: dict[int, Path] = {}
 
     def file(self, source: int) -> Path | None:
         """The file that has a number of the front end, if a class of it was read."""
         return self._files.get(source)
 
+    @property
+    def own(self) -> Path | None:
+        """The user's own file or package; the Standard Library is nobody's, also where its example is the model."""
+        package = self._file.parent if self._file.name == "package.mo" else self._file
+        return None if package.name == _STANDARD_LIBRARY else package
+
     def is_own(self, extent: Extent) -> bool:
         """Whether an extent lies in the user's own file or package, not in another library."""
-        return extent.file.is_relative_to(self._file.parent if self._file.name == "package.mo" else self._file)
+        return self.own is not None and extent.file.is_relative_to(self.own)
 
     def text(self, extent: Extent) -> str:
         """What is written in a range of a file that was read."""
         return self._written(extent).decode("utf-8", errors="replace")
+
+    def tokens(self, extent: Extent) -> list[Token]:
+        """The words in a range of a file that was read; their places count from its start."""
+        return list(tokens_of(self._written(extent).decode("latin-1")))
 
     def arguments(self, call: Extent) -> list[tuple[str, Extent]]:
         """The arguments of a call that is written in a range, with their names; see ``call_arguments``."""
@@ -57,6 +71,10 @@ class ClassLibrary:
         if name not in self._found:
             self._found[name] = self._own.get(name) or self._search(name)
         return self._found[name]
+
+    def classes_of(self, file: Path) -> list[ClassDefinition]:
+        """The classes of the highest level of a file that was read, in their order."""
+        return list(self._parsed[file].values())
 
     def member(self, definition: ClassDefinition, name: str) -> ClassDefinition | None:
         """A class that is declared in another one, or lies in its folder; raises UnreadableError."""
@@ -120,4 +138,5 @@ class ClassLibrary:
     def _parse(self, text: bytes, file: Path) -> dict[str, ClassDefinition]:
         self._texts[file] = text
         self._files[source_number(str(file))] = file
-        return parse(text, file)
+        self._parsed[file] = parse(text, file)
+        return self._parsed[file]

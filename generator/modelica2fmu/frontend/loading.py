@@ -30,6 +30,7 @@ from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.crosscheck.number_check import check_numbers
 from modelica2fmu.crosscheck.outer_class_check import check_outer_elements
 from modelica2fmu.crosscheck.own_classes import model_class
+from modelica2fmu.crosscheck.package_constants import check_package_constants
 from modelica2fmu.crosscheck.record_operators import check_record_operators
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.balance import (
@@ -59,6 +60,7 @@ from modelica2fmu.frontend.library_names import about_a_copy, naming, packages
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
 from modelica2fmu.frontend.remedies import with_remedy
 from modelica2fmu.frontend.rewriting.concatenation import with_arrays_written_out
+from modelica2fmu.frontend.rewriting.inherited_classes import imports_of_packages, with_imports
 from modelica2fmu.frontend.rewriting.package_view import package_view
 from modelica2fmu.frontend.runner import Answer, Request, ask
 from modelica2fmu.frontend.syntax import syntax_error
@@ -66,6 +68,8 @@ from modelica2fmu.library.source_map import SourceMap, Span, source_number
 
 # rumoca's words where a class is not found, as those of a library that the package's own file does not name.
 _UNRESOLVED: Final = re.compile(r"\bunresolved\b")
+# The same and where a base class is not found, as one that a package inherits.
+_NOT_FOUND: Final = re.compile(r"\bunresolved\b|base class not found")
 # Where connected arrays have different sizes.
 _SIZES_DIFFER: Final = "array dimension mismatch for `connect`"
 # Of loops over what is no range, which may be written out or not.
@@ -119,13 +123,13 @@ def load_flat_model(
         text = source_map.text(file)
         library = ClassLibrary(given.file, text, given.roots)
         check_numbers(text, given.file, _places(source_map))
-        missing = _check_own_text(model, given.file, source_map, library)
+        missing = _check_own_text(model, source_map, library)
         loaded = _Loaded(ask(request, remark), request, given.file, given.roots)
         if loaded.answer.flat is None and request.text is None:
             folder = folders.enter_context(scratch_folder("package"))
-            loaded = _with_package_written_out(loaded, folder, source_map, remark)
+            loaded = _with_package_written_out(loaded, library, folder, source_map, remark)
         elif loaded.answer.flat is None:
-            loaded = _with_arrays_written_out(loaded, file, source_map, remark)
+            loaded = _with_text_written_out(loaded, library, file, source_map, remark)
         answer = loaded.answer
         if answer.flat is None:
             words = replace(
@@ -193,17 +197,18 @@ def _unbalanced(
     return flat
 
 
-def _with_arrays_written_out(
-    loaded: _Loaded, file: Path, source_map: SourceMap, remark: Callable[[str], None]
+def _with_text_written_out(
+    loaded: _Loaded, library: ClassLibrary, file: Path, source_map: SourceMap, remark: Callable[[str], None]
 ) -> _Loaded:
-    """The same about the model with arrays written out.
+    """The same about the model with arrays written out and packages named.
 
     The error as it was where that tells nothing else.
     """
     request, answer = loaded.request, loaded.answer
     if request.text is None:
         return loaded
-    written = with_arrays_written_out(request.model, [request.text])
+    imports = imports_of_packages(request.model, library, loaded.file)
+    written = with_arrays_written_out(request.model, [with_imports(request.text, imports.get(loaded.file))])
     (text,) = written.texts
     if text == request.text:
         return loaded
@@ -213,7 +218,8 @@ def _with_arrays_written_out(
         is_taken = _WRITTEN_OUT_TAKEN.search(answer.error) is not None or (
             _RANGE_REFUSED in answer.error and _RANGE_REFUSED not in other.error
         )
-        tells_more = _SIZES_DIFFER in other.error or is_taken
+        is_found = loaded.file in imports and _NOT_FOUND.search(answer.error) is not None
+        tells_more = _SIZES_DIFFER in other.error or is_taken or is_found
     else:
         tells_more = written.numbers.hold_in(other.flat)
     if not tells_more:
@@ -222,14 +228,16 @@ def _with_arrays_written_out(
     return replace(loaded, answer=other, request=about)
 
 
-def _check_own_text(model: str, file: Path, source_map: SourceMap, library: ClassLibrary) -> InputError | None:
+def _check_own_text(model: str, source_map: SourceMap, library: ClassLibrary) -> InputError | None:
     """The error of a class that is not found.
 
     Raises:
         InputError: the user modifies or names what is not there, connects connectors of different kinds, or declares
             an outer class or variable.
     """
-    own = file.parent if file.name == "package.mo" else file
+    own = library.own
+    if own is None:
+        return None
     missing = check_modifiers(model, library, own, _places(source_map))
     check_constructors(model, library, own, _places(source_map))
     check_outer_elements(model, library, own, _places(source_map))
@@ -245,14 +253,16 @@ def _places(source_map: SourceMap) -> Callable[[Extent], Place]:
 
 
 def _with_package_written_out(
-    loaded: _Loaded, folder: Path, source_map: SourceMap, remark: Callable[[str], None]
+    loaded: _Loaded, library: ClassLibrary, folder: Path, source_map: SourceMap, remark: Callable[[str], None]
 ) -> _Loaded:
-    """The same about a package's model with arrays written out, and with the libraries named that its file does not.
+    """The same about a package's model with arrays written out, and packages and libraries named that nothing names.
 
     Where that does not help the error stays as it was, but for that of a library that is not named. One of a model that
     is not balanced is asked for in this form, too: classes can be added to it that say why.
     """
-    view = package_view(loaded.request.model, loaded.file.parent, folder)
+    package = loaded.file.parent
+    imports = imports_of_packages(loaded.request.model, library, package)
+    view = package_view(loaded.request.model, package, imports, folder)
     error = loaded.answer.error
     is_told_here = _UNRESOLVED.search(error) is not None or is_unbalanced(error)
     if not (view.texts or is_told_here):
@@ -275,6 +285,7 @@ def _check(flat: dict[str, Any], model: str, source_map: SourceMap, library: Cla
     reading = FlatReading(library, _places(source_map))
     for name in check_flat_model(flat, model, reading):
         flat["variables"][name]["fixed"] = [True]
+    check_package_constants(model, library, _places(source_map))
     drop_miscounted_assertions(flat, reading)
 
 

@@ -1,15 +1,17 @@
-"""Shows the front end a package as it takes it: with arrays written out.
+"""Shows the front end a package as it takes it: with arrays written out and packages named.
 
-rumoca reads a package's files by itself. What it refuses of them (see ``concatenation``) it is therefore given in a
-copy of the package.
+rumoca reads a package's files by itself. What it refuses of them (see ``concatenation`` and ``inherited_classes``) it
+is therefore given in a copy of the package.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from modelica2fmu.frontend.rewriting.concatenation import Numbers, with_arrays_written_out
+from modelica2fmu.frontend.rewriting.inherited_classes import Insertion, with_imports
 from modelica2fmu.library.source_map import SourceMap
 
 
@@ -45,17 +47,19 @@ class PackageView:
         return text.replace(str(self.root / self.package.name), str(self.package))
 
 
-def package_view(model: str, package: Path, root: Path) -> PackageView:
+def package_view(model: str, package: Path, imports: Mapping[Path, Insertion], root: Path) -> PackageView:
     """Copies a package's Modelica files with arrays written out.
 
     Args:
         model: whose arrays they are.
         package: the folder that holds ``package.mo``.
+        imports: of packages, by file.
         root: an empty folder.
     """
     originals = sorted(package.rglob("*.mo"))
     given = [original.read_bytes().decode("utf-8", errors="surrogateescape") for original in originals]
-    written = with_arrays_written_out(model, given)
+    named = [with_imports(text, imports.get(original)) for original, text in zip(originals, given, strict=True)]
+    written = with_arrays_written_out(model, named)
     texts: dict[Path, str] = {}
     copies: dict[Path, Path] = {}
     for original, before, after in zip(originals, given, written.texts, strict=True):

@@ -9,19 +9,22 @@ from contact_foundation.errors import InputError, UnsupportedModelError
 from modelica2fmu.build import BuildOptions, build_fmu
 
 
-def sampled(folder: Path, models: Iterable[tuple[int, str, Callable[[Path], Iterable[str]]]]) -> tuple[int, list[str]]:
+def sampled(
+    folder: Path, models: Iterable[tuple[int, str, Callable[[Path], Iterable[str]]]], name: str = "M"
+) -> tuple[int, list[str]]:
     """How many models were built, as refused ones count for nothing, and what is wrong of them.
 
     Args:
         folder: an empty one.
-        models: seed, text of a model named M, and what is wrong of its FMU.
+        models: seed, text of a file, and what is wrong of its model's FMU.
+        name: of the model.
     """
-    source, fmu = folder / "M.mo", folder / "M.fmu"
+    source, fmu = folder / f"{name.partition('.')[0]}.mo", folder / "M.fmu"
     taken, failures = 0, []
     for seed, text, wrong in models:
         source.write_text(text, encoding="utf-8")
         try:
-            build_fmu("M", [source], fmu, BuildOptions())
+            build_fmu(name, [source], fmu, BuildOptions())
         except (InputError, UnsupportedModelError):
             continue
         taken += 1

@@ -1,0 +1,140 @@
+"""Constants that packages inherit with other values have them, or the model is refused.
+
+Modelica Language Specification 3.6, section 7.2: a modifier in ``extends`` holds for all that is inherited.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from contact_foundation.errors import UnsupportedModelError
+from fmpy import simulate_fmu
+from modelica2fmu.build import BuildOptions, build_fmu
+
+PACKAGES = """
+  package Medium
+    constant Real c = 2;
+    constant Real d = 5 + 2*c;
+    constant Integer n = 2;
+    constant Boolean b = c > 3;
+    constant Real v[2] = {c, 2*c};
+    type Coordinate = Real(start = d);
+    function scaled
+      input Real u;
+      output Real y;
+    algorithm
+      y := u*d;
+    end scaled;
+    model Part
+      parameter Real q = d;
+    end Part;
+    model Loop
+      Real x[4];
+    equation
+      for i in 1:n loop
+        x[i] = i;
+      end for;
+      for i in n + 1:4 loop
+        x[i] = 0;
+      end for;
+    end Loop;
+    model Choice
+      Real y;
+    equation
+      if c > 3 then
+        y = 1;
+      else
+        y = 2;
+      end if;
+    end Choice;
+    model Folded
+      Real y = if b then 1 else 2;
+    end Folded;
+    model Started
+      Coordinate x(fixed = true);
+    equation
+      der(x) = 0;
+    end Started;
+  end Medium;
+  package Heavy
+    extends Medium(c = 5, n = 3);
+    constant Real own = 3*d;
+  end Heavy;
+  package Light = Medium(c = 1, n = 1);
+  model Fluids
+    replaceable package Fluid = Medium constrainedby Medium;
+    Real y = Fluid.d + Fluid.v[2];
+    Real z = if Fluid.b then 1 else 2;
+    Real x[4];
+  equation
+    for i in 1:Fluid.n loop
+      x[i] = i;
+    end for;
+    for i in Fluid.n + 1:4 loop
+      x[i] = 0;
+    end for;
+  end Fluids;
+  model Loops
+    replaceable package Fluid = Medium constrainedby Medium;
+    Fluid.Loop loop_;
+    Fluid.Choice choice;
+  end Loops;
+"""
+
+RIGHT = {
+    "one package alone": ("Real y = Heavy.d; Real z = Heavy.v[2];", {"y": 15, "z": 10}),
+    "its function": ("Real y = Heavy.scaled(2);", {"y": 30}),
+    "the declaration alone": ("import P.Medium; Medium.Loop l; Medium.Choice c;", {"l.x[3]": 0, "c.y": 2}),
+    "redeclared": ("Fluids f(redeclare package Fluid = Heavy);", {"f.y": 25, "f.z": 1, "f.x[3]": 3}),
+    "two redeclared": (
+        "Fluids f(redeclare package Fluid = Heavy); Fluids g(redeclare package Fluid = Light);",
+        {"f.y": 25, "f.x[3]": 3, "g.y": 9, "g.z": 2, "g.x[2]": 0},
+    ),
+    "classes of a redeclared one": (
+        "Loops f(redeclare package Fluid = Heavy);",
+        {"f.loop_.x[3]": 3, "f.choice.y": 1},
+    ),
+}
+REFUSED = {
+    "computed": "Real y = Medium.d; Real z = Heavy.d;",
+    "array": "Real y = Medium.v[2]; Real z = Heavy.v[2];",
+    "computed from inherited": "Real y = Medium.d; Real z = Heavy.own;",
+    "short class": "Real y = Medium.d; Real z = Light.d;",
+    "two that inherit": "Real y = Heavy.d; Real z = Light.d;",
+    "function": "Real y = Medium.scaled(2); Real z = Heavy.scaled(2);",
+    "parameter": "import P.Medium; import P.Heavy; Medium.Part p; Heavy.Part q;",
+    "inherited class": "import P.Medium; import P.Heavy; extends Heavy.Part; Medium.Part p;",
+    "condition": "import P.Medium; import P.Heavy; Medium.Folded f; Heavy.Folded g;",
+    "start of a type": "import P.Medium; import P.Heavy; Medium.Started s; Heavy.Started t;",
+    "loop": "import P.Heavy; Heavy.Loop l;",
+    "if-equation": "import P.Heavy; Heavy.Choice c;",
+    "loop in an alias": "import P.Light; Light.Loop l;",
+    "default beside a redeclared one": "Fluids f(redeclare package Fluid = Heavy); Fluids g;",
+}
+
+
+def built(folder: Path, declarations: str) -> Path:
+    source = folder / "P.mo"
+    text = declarations.replace("; ", ";\n    ")
+    source.write_text(f"package P{PACKAGES}\n  model M\n    {text}\n  end M;\nend P;\n", encoding="utf-8")
+    build_fmu("P.M", [source], folder / "M.fmu", BuildOptions())
+    return folder / "M.fmu"
+
+
+@pytest.mark.parametrize(
+    "case", [each if each == "redeclared" else pytest.param(each, marks=pytest.mark.full) for each in RIGHT]
+)
+def test_what_the_front_end_keeps_apart_is_right(case, tmp_path):
+    declarations, values = RIGHT[case]
+    result = simulate_fmu(str(built(tmp_path, declarations)), output=list(values), stop_time=0.1)
+    assert {name: float(result[name][-1]) for name in values} == pytest.approx(values)
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_it_mixes_up_is_refused(case, tmp_path):
+    with pytest.raises(UnsupportedModelError) as caught:
+        built(tmp_path, REFUSED[case])
+    assert "the front end does not keep them apart" in str(caught.value)
+    assert caught.value.place.file == tmp_path / "P.mo"
+    assert "declare the constant in each package" in str(caught.value)

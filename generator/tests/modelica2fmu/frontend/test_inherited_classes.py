@@ -1,0 +1,55 @@
+"""Classes that a package inherits are found by their names with dots (Modelica Language Specification 3.6, 5.3.2)."""
+
+from __future__ import annotations
+
+import pytest
+from contact_foundation.errors import InputError
+from fmpy import read_model_description
+from modelica2fmu.build import BuildOptions, build_fmu
+
+FLUIDS = {
+    "Fluid": "package Fluid model Part parameter Real q = 1; end Part; type T = Real(min = 0);"
+    " record R Real a = 3; end R; end Fluid;",
+    "Water": 'package Water "of " + "1 mm" extends Fluid; end Water;',
+}
+MODELS = {
+    "component": ("model M Water.Part a; Water.Part b(q = 3); end M;", {"a.q": 1, "b.q": 3}),
+    "base": ("model M extends Water.Part(q = 5); end M;", {"q": 5}),
+    "type and record": ("model M parameter Water.T t = 4; parameter Water.R r(a = 6); end M;", {"t": 4, "r.a": 6}),
+    "short class": ("model Short = Water.Part(q = 7); model M Short s; end M;", {"s.q": 7}),
+}
+
+
+def starts(fmu):
+    return {each.name: float(each.start) for each in read_model_description(str(fmu)).modelVariables if each.start}
+
+
+@pytest.mark.parametrize("case", MODELS)
+def test_in_a_file(case, tmp_path):
+    model, values = MODELS[case]
+    source = tmp_path / "P.mo"
+    source.write_text(f'package P "some"\n{" ".join(FLUIDS.values())}\n{model}\nend P;\n', encoding="utf-8")
+    build_fmu("P.M", [source], tmp_path / "M.fmu", BuildOptions())
+    assert starts(tmp_path / "M.fmu").items() >= values.items()
+
+
+def test_in_a_package_of_files(tmp_path):
+    package = tmp_path / "P"
+    package.mkdir()
+    (package / "package.mo").write_text("package P\nend P;\n", encoding="utf-8")
+    model, values = MODELS["component"]
+    for name, text in {**FLUIDS, "M": model}.items():
+        (package / f"{name}.mo").write_text(f"within P;\n{text}\n", encoding="utf-8")
+    build_fmu("P.M", [package], tmp_path / "M.fmu", BuildOptions())
+    assert starts(tmp_path / "M.fmu").items() >= values.items()
+
+
+def test_another_error_of_the_same_model_is_told_with_its_line(tmp_path):
+    source = tmp_path / "P.mo"
+    model = "model M\n  Water.Part a;\n  Real x = nothing + 1;\nend M;"
+    text = f"package P\n{' '.join(FLUIDS.values())}\n{model}\nend P;\n"
+    source.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match="nothing") as caught:
+        build_fmu("P.M", [source], tmp_path / "M.fmu", BuildOptions())
+    assert caught.value.place.line == 5
+    assert not (tmp_path / "M.fmu").exists()
