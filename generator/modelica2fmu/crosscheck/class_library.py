@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Final
@@ -13,6 +13,7 @@ from modelica2fmu.crosscheck.class_tokens import Token, UnreadableError, call_ar
 from modelica2fmu.library.source_map import source_number
 
 _STANDARD_LIBRARY: Final = "Modelica"
+_STANDARD_LIBRARIES: Final = frozenset({_STANDARD_LIBRARY, "ModelicaServices", "Complex", "ModelicaTest"})
 
 
 class ClassLibrary:
@@ -47,6 +48,21 @@ class ClassLibrary:
     def is_own(self, extent: Extent) -> bool:
         """Whether an extent lies in the user's own file or package, not in another library."""
         return self.own is not None and extent.file.is_relative_to(self.own)
+
+    def texts(self) -> Iterator[bytes]:
+        """The user's own text, and those of all libraries but the Standard Library."""
+        yield self._text
+        for folder in self._folders():
+            for file in sorted(folder.rglob("*.mo")) if folder.is_dir() else (folder,):
+                if file != self._file:
+                    yield file.read_bytes()
+
+    def _folders(self) -> Iterator[Path]:
+        if self._file.name == "package.mo" and self.own is not None:
+            yield self._file.parent
+        for root in self._roots:
+            parts = (root,) if root.is_file() or (root / "package.mo").is_file() else sorted(root.iterdir())
+            yield from (each for each in parts if each.stem not in _STANDARD_LIBRARIES)
 
     def text(self, extent: Extent) -> str:
         """What is written in a range of a file that was read."""

@@ -7,6 +7,7 @@ value of the declaration. A package that a modifier redeclares has its own value
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
@@ -18,11 +19,14 @@ from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import PREDEFINED, ClassDefinition, Extent
 from modelica2fmu.crosscheck.class_tokens import Token, UnreadableError
 from modelica2fmu.crosscheck.own_classes import model_class
+from modelica2fmu.library.class_text import COMMENTS_AND_STRINGS
 
 _REMEDY: Final = (
     "declare the constant in each package, in place of extends with a modifier, or make it a parameter of the classes"
     " that use it"
 )
+_ALIAS: Final = re.compile(r"\bpackage\s+\w+\s*=\s*[\w.\s]+\(")
+_EXTENDS: Final = re.compile(r"\bextends\s+[\w.\s]+\(")
 _DEEPEST: Final = 40  # how many constants may be computed one from another
 _CALLED: Final = frozenset({"function", "record", "operator", "type"})
 
@@ -73,7 +77,7 @@ def check_package_constants(model: str, library: ClassLibrary, place_of: Callabl
         UnsupportedModelError: the model uses one.
     """
     root = model_class(model, library)
-    if root is None:
+    if root is None or not any(map(_can_modify_constants, library.texts())):
         return
     uses = _Uses(library)
     uses.walk(root, is_handed_over=False)
@@ -87,6 +91,14 @@ def check_package_constants(model: str, library: ClassLibrary, place_of: Callabl
                 place=replace(place_of(wrong.name.extent), component=model),
                 remedy=_REMEDY,
             )
+
+
+def _can_modify_constants(text: bytes) -> bool:
+    """= false, if no package of a file extends another one with modifiers; quick, as nearly all are such."""
+    if b"package" not in text:
+        return False
+    code = COMMENTS_AND_STRINGS.sub(" ", text.decode("latin-1"))
+    return _ALIAS.search(code) is not None or ("package" in code and _EXTENDS.search(code) is not None)
 
 
 def _wrong_use(uses: Sequence[_Use]) -> _Use | None:

@@ -114,24 +114,29 @@ REFUSED = {
 }
 
 
-def built(folder: Path, declarations: str) -> Path:
+QUICK = {"redeclared", "computed", "loop", "default beside a redeclared one"}
+
+
+def built(folder: Path, declarations: str, cache: Path | None = None) -> Path:
     source = folder / "P.mo"
     text = declarations.replace("; ", ";\n    ")
     source.write_text(f"package P{PACKAGES}\n  model M\n    {text}\n  end M;\nend P;\n", encoding="utf-8")
-    build_fmu("P.M", [source], folder / "M.fmu", BuildOptions())
+    build_fmu("P.M", [source], folder / "M.fmu", BuildOptions(cache=cache))
     return folder / "M.fmu"
 
 
-@pytest.mark.parametrize(
-    "case", [each if each == "redeclared" else pytest.param(each, marks=pytest.mark.full) for each in RIGHT]
-)
-def test_what_the_front_end_keeps_apart_is_right(case, tmp_path):
+def quick_or_full(cases):
+    return [each if each in QUICK else pytest.param(each, marks=pytest.mark.full) for each in cases]
+
+
+@pytest.mark.parametrize("case", quick_or_full(RIGHT))
+def test_what_the_front_end_keeps_apart_is_right(case, tmp_path, fmu_cache):
     declarations, values = RIGHT[case]
-    result = simulate_fmu(str(built(tmp_path, declarations)), output=list(values), stop_time=0.1)
+    result = simulate_fmu(str(built(tmp_path, declarations, fmu_cache)), output=list(values), stop_time=0.1)
     assert {name: float(result[name][-1]) for name in values} == pytest.approx(values)
 
 
-@pytest.mark.parametrize("case", REFUSED)
+@pytest.mark.parametrize("case", quick_or_full(REFUSED))
 def test_what_it_mixes_up_is_refused(case, tmp_path):
     with pytest.raises(UnsupportedModelError) as caught:
         built(tmp_path, REFUSED[case])
