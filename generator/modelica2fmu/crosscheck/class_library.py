@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import Final
 
 from modelica2fmu.crosscheck.class_parser import parse
 from modelica2fmu.crosscheck.class_syntax import ClassDefinition, Extent
 from modelica2fmu.crosscheck.class_tokens import Token, UnreadableError, call_arguments, tokens_of
 from modelica2fmu.library.source_map import source_number
-
-_STANDARD_LIBRARY: Final = "Modelica"
-_STANDARD_LIBRARIES: Final = frozenset({_STANDARD_LIBRARY, "ModelicaServices", "Complex", "ModelicaTest"})
+from modelica2fmu.library.standard_library import STANDARD_PARTS
 
 
 class ClassLibrary:
@@ -43,7 +40,7 @@ class ClassLibrary:
     def own(self) -> Path | None:
         """The user's own file or package; the Standard Library is nobody's, also where its example is the model."""
         package = self._file.parent if self._file.name == "package.mo" else self._file
-        return None if package.name == _STANDARD_LIBRARY else package
+        return None if package.name in STANDARD_PARTS else package
 
     def is_own(self, extent: Extent) -> bool:
         """Whether an extent lies in the user's own file or package, not in another library."""
@@ -62,7 +59,7 @@ class ClassLibrary:
             yield self._file.parent
         for root in self._roots:
             parts = (root,) if root.is_file() or (root / "package.mo").is_file() else sorted(root.iterdir())
-            yield from (each for each in parts if each.stem not in _STANDARD_LIBRARIES)
+            yield from (each for each in parts if each.stem not in STANDARD_PARTS)
 
     def text(self, extent: Extent) -> str:
         """What is written in a range of a file that was read."""

@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Final
 
 from modelica2fmu.frontend.runner import Request
-
-# What a folder with the Modelica Standard Library holds.
-_STANDARD_PACKAGES: Final = ("Modelica", "ModelicaServices", "Complex")
+from modelica2fmu.library.standard_library import STANDARD_PARTS
 
 
 def packages(roots: Sequence[Path]) -> list[str]:
@@ -19,7 +16,7 @@ def packages(roots: Sequence[Path]) -> list[str]:
     return found + [
         name
         for root in roots
-        for name in _STANDARD_PACKAGES
+        for name in STANDARD_PARTS
         if (root / name / "package.mo").is_file() or (root / f"{name}.mo").is_file()
     ]
 

@@ -32,7 +32,8 @@ _SUBSET: Final = (
     "Of the Modelica Standard Library only this project's core subset is used: name the whole with --msl, set "
     "MODELICAPATH, or run cmb msl install"
 )
-_PARTS: Final = ("Modelica", "ModelicaServices", "Complex")
+# What a folder with the Standard Library holds.
+STANDARD_PARTS: Final = ("Modelica", "ModelicaServices", "Complex")
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,7 @@ class StandardLibrary:
         base = self.folder if inside else self.folder.parent
         suffix = "" if inside else self.folder.name.removeprefix("Modelica")
         found: dict[str, Path] = {}
-        for part in _PARTS:
+        for part in STANDARD_PARTS:
             names = dict.fromkeys([f"{part}{suffix}", part])
             candidates = [path for name in names for path in (base / name, base / f"{name}.mo")]
             path = next((path for path in candidates if path.is_file() or (path / "package.mo").is_file()), None)
