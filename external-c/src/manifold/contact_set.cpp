@@ -42,21 +42,76 @@ void unite(ContactPoint &point, const ContactPoint &other) {
   point.normal = normalized(point.normal + part * (other.normal - point.normal), point.normal);
 }
 
+// Loads as columns: what uniting one of them with each of the others costs is found for all at once. Borrows four columns of `room`.
+class LoadColumns {
+ public:
+  LoadColumns(double *room, std::size_t most) : load_(room), x_(load_ + most), y_(x_ + most), z_(y_ + most) {}
+  void note(std::size_t i, const ContactPoint &point) {
+    load_[i] = load_of(point);
+    x_[i] = point.position.x, y_[i] = point.position.y, z_[i] = point.position.z;
+  }
+  // Of load i with each of the first ones.
+  void find_costs(std::size_t i, std::size_t count, double *cost) const {
+    find_costs(load_[i], {x_[i], y_[i], z_[i]}, count, load_, x_, y_, z_, cost);
+  }
+  void find_costs(const ContactPoint &point, std::size_t count, double *cost) const {
+    find_costs(load_of(point), point.position, count, load_, x_, y_, z_, cost);
+  }
+
+ private:
+  // Of arrays that do not overlap compilers make vectors.
+  static void find_costs(double load, const Vec3 &at, std::size_t count, const double *__restrict loads, const double *__restrict x,
+                         const double *__restrict y, const double *__restrict z, double *__restrict cost) {
+    const double at_x = at.x, at_y = at.y, at_z = at.z;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double dx = at_x - x[k], dy = at_y - y[k], dz = at_z - z[k];
+      cost[k] = union_cost(load, loads[k], dx * dx + dy * dy + dz * dz);
+    }
+  }
+
+  double *load_, *x_, *y_, *z_;
+};
+
+// The first place of the least of `count` values, one at least.
+std::size_t least_place(const double *values, std::size_t count) {
+  const double least = convex::least_of(values, count);
+  std::size_t place = 0;
+  while (place + 1 < count && values[place] != least) ++place;
+  return place;
+}
+
 // Leaves the `capacity` points of greatest load; each of the others is united with the one that is cheapest.
 void keep_heaviest(std::vector<ContactPoint> &points, std::size_t capacity) {
-  std::sort(points.begin(), points.end(),
-            [](const ContactPoint &x, const ContactPoint &y) { return load_of(x) > load_of(y); });
-  for (std::size_t k = capacity; k < points.size(); ++k) {
-    std::size_t partner = 0;
-    double least = HUGE_VAL;
-    for (std::size_t i = 0; i < capacity; ++i) {
-      const double cost =
-          union_cost(load_of(points[k]), load_of(points[i]), norm2(points[k].position - points[i].position));
-      if (cost < least) least = cost, partner = i;
-    }
-    unite(points[partner], points[k]);
+  // What is sorted is less to move about than the points are.
+  struct Key {
+    double load;
+    std::size_t place;
+  };
+  struct Room {
+    std::vector<Key> order;
+    std::vector<ContactPoint> heaviest;
+    std::vector<double> columns;  // four, and one of costs
+  };
+  static thread_local Room room;
+  room.order.clear();
+  for (std::size_t k = 0; k < points.size(); ++k) room.order.push_back({load_of(points[k]), k});
+  std::sort(room.order.begin(), room.order.end(), [](const Key &x, const Key &y) { return x.load > y.load; });
+  if (room.columns.size() < 5 * capacity) room.columns.resize(5 * capacity);
+  LoadColumns columns(room.columns.data(), capacity);
+  double *const costs = room.columns.data() + 4 * capacity;
+  room.heaviest.clear();
+  for (std::size_t i = 0; i < capacity; ++i) {
+    room.heaviest.push_back(points[room.order[i].place]);
+    columns.note(i, room.heaviest[i]);
   }
-  points.resize(capacity);
+  for (std::size_t k = capacity; k < points.size(); ++k) {
+    const ContactPoint &point = points[room.order[k].place];
+    columns.find_costs(point, capacity, costs);
+    const std::size_t partner = least_place(costs, capacity);
+    unite(room.heaviest[partner], point);
+    columns.note(partner, room.heaviest[partner]);
+  }
+  points.assign(room.heaviest.begin(), room.heaviest.end());
 }
 
 // Finds the cheapest pair again and again. What uniting costs is kept for all pairs, and the least of each point with those before it.
@@ -64,8 +119,8 @@ class CheapestPair {
  public:
   explicit CheapestPair(std::vector<ContactPoint> &points) : points_(points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      note(i);
-      find_costs(i, i, cost_[i]);
+      columns_.note(i, points[i]);
+      columns_.find_costs(i, i, cost_[i]);
       least_[i] = convex::least_of(cost_[i], i);
     }
   }
@@ -85,35 +140,17 @@ class CheapestPair {
   }
 
  private:
-  static std::size_t least_place(const double *values, std::size_t count) {
-    const double least = convex::least_of(values, count);
-    std::size_t place = 0;
-    while (place + 1 < count && values[place] != least) ++place;
-    return place;
-  }
-  void note(std::size_t i) {
-    const ContactPoint &point = points_[i];
-    load_[i] = load_of(point);
-    x_[i] = point.position.x, y_[i] = point.position.y, z_[i] = point.position.z;
-  }
-  // Of point i with each of the first ones. Of arrays that do not overlap compilers make vectors.
-  void find_costs(std::size_t i, std::size_t count, double *__restrict cost) const {
-    const double load = load_[i], x = x_[i], y = y_[i], z = z_[i];
-    for (std::size_t k = 0; k < count; ++k) {
-      const double dx = x - x_[k], dy = y - y_[k], dz = z - z_[k];
-      cost[k] = union_cost(load, load_[k], dx * dx + dy * dy + dz * dz);
-    }
-  }
   void renew(std::size_t i) {
     double costs[points_for_all_pairs];
-    note(i);
-    find_costs(i, points_.size(), costs);
+    columns_.note(i, points_[i]);
+    columns_.find_costs(i, points_.size(), costs);
     for (std::size_t k = 0; k < i; ++k) cost_[i][k] = costs[k];
     for (std::size_t k = i + 1; k < points_.size(); ++k) cost_[k][i] = costs[k];
   }
 
   std::vector<ContactPoint> &points_;
-  double load_[points_for_all_pairs], x_[points_for_all_pairs], y_[points_for_all_pairs], z_[points_for_all_pairs];
+  double room_[4 * points_for_all_pairs];
+  LoadColumns columns_{room_, points_for_all_pairs};
   double cost_[points_for_all_pairs][points_for_all_pairs], least_[points_for_all_pairs];
 };
 

@@ -23,8 +23,29 @@ GaussNodes rule_for(double angle, const EdgePlaces *fitted) {
   if (angle < 2.5) return GaussNodes(gauss_rule<12>);
   return GaussNodes(gauss_rule<14>);
 }
-// That one rule serves for; on cones' conics distances change faster than by sines.
-constexpr double widest = 3.3, widest_of_cone = 1.0;
+// That one rule serves for.
+constexpr double widest = 3.3, widest_of_cone = 1.8;
+
+GaussNodes rule_of_places(double places) {
+  if (places <= 7.0) return GaussNodes(gauss_rule<7>);
+  if (places <= 8.0) return GaussNodes(gauss_rule<8>);
+  if (places <= 10.0) return GaussNodes(gauss_rule<10>);
+  if (places <= 12.0) return GaussNodes(gauss_rule<12>);
+  return GaussNodes(gauss_rule<14>);
+}
+
+// How many places a part of a cone's conic asks for, beside those of its angle: the distance from the apex is the inverse of a linear function of
+// the angle's cosine, which has a pole where that is `pole`, real or not. What Gauss' rule leaves falls with each place by the square of
+// the sum of semi-axes of the ellipse that has the part's ends as foci and the pole on it.
+double places_by_pole(double pole, double from, double turn) {
+  constexpr double enough = 36.0;  // of the logarithm; the pole is of the sixth order
+  const double half = 0.5 * std::fabs(turn), size = std::fabs(pole);
+  const double real = size < 1.0 ? std::acos(pole) : pole > 0.0 ? 0.0 : pi, imaginary = size < 1.0 ? 0.0 : std::acosh(size);
+  double beside = HUGE_VAL;  // from the middle of the part
+  for (const double sense : {1.0, -1.0}) beside = std::fmin(beside, std::fabs(std::remainder(sense * real - from - 0.5 * turn, 2.0 * pi)));
+  const double axis = 0.5 * (std::hypot(beside - half, imaginary) + std::hypot(beside + half, imaginary)) / half;
+  return axis > 1.0 ? 0.5 * enough / std::acosh(axis) : HUGE_VAL;
+}
 
 // Places evenly round, so many as are exact for the trigonometric polynomials that integrals on a circle are, and on plane sections of a
 // cylinder: moments of the fifth degree, the place from the fan's apex and its step.
@@ -34,11 +55,10 @@ constexpr double round_cosine[round_places] = {1.0, half_root, 0.0, -half_root, 
 constexpr double round_sine[round_places] = {0.0, half_root, 1.0, half_root, 0.0, -half_root, -1.0, -half_root};
 // Of a cone's plane sections the inverse of the distance from the apex swings by this part of its mean: harmonics fall so much the faster,
 // the less that is, and as good as none are left.
-int round_places_of_cone(double swing) {
-  constexpr int most = 24;
+constexpr double most_round_places = 64.0;
+double round_places_of_cone(double swing) {
   constexpr double enough = 36.0;  // of the harmonics' logarithm
-  const double places = swing > 0.0 ? round_places + 1 + enough / std::acosh(1.0 / swing) : round_places;
-  return places < most ? static_cast<int>(places) : most;
+  return swing > 0.0 ? round_places + 1 + enough / std::acosh(1.0 / swing) : round_places;
 }
 
 // The cosines' way from angle0 to angle1, and its slope, at parts of the turn between them. No angles of both signs.
@@ -110,6 +130,7 @@ void MantleSection::start(Mantle &mantle, const Vec3 &n, double offset, EdgePlac
   across_ = {-along_.y, along_.x, 0.0};
   // A cone's apex in the plane counts as within the polytope, as for holds().
   sense_ = (body.is_cylinder() ? n.z >= 0.0 : n.z * body.half > offset) ? 1.0 : -1.0;
+  pole_ = body.is_cylinder() ? HUGE_VAL : -axial_ / (radial_ * body.slope);
   if (!find_height(1.0, front_)) front_ = -body.half;
   front_ = std::clamp(front_, -body.half, body.half);
   constexpr double steady = 0.05;
@@ -161,7 +182,6 @@ void MantleSection::add_loop(PlaneFan &fan) {
   find_height(-1.0, back);
   const RevolvedBody &body = mantle_->body();
   // Round a cone the inverse of the distance from the apex swings with the cosine.
-  constexpr double most_ratio = 2.0;
   const double down = body.half - front, down_back = body.half - back;
   if (body.is_cylinder()) {
     const double width = sense_ * 2.0 * pi / round_places, swing = 0.5 * (back - front);
@@ -171,8 +191,9 @@ void MantleSection::add_loop(PlaneFan &fan) {
     }
     return;
   }
-  if (down < most_ratio * down_back && down_back < most_ratio * down) {
-    const int count = round_places_of_cone(std::fabs(down - down_back) / (down + down_back));
+  const double places = down > 0.0 && down_back > 0.0 ? round_places_of_cone(std::fabs(down - down_back) / (down + down_back)) : HUGE_VAL;
+  if (places < most_round_places) {
+    const int count = static_cast<int>(places);
     const double width = sense_ * 2.0 * pi / count, swing = 0.5 * (1.0 / down - 1.0 / down_back);
     for (int k = 0; k < count; ++k) {
       const double angle = width * k, cosine = std::cos(angle), sine = std::sin(angle);
@@ -365,9 +386,8 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     return;
   }
   // The inverse of how far a cone's place is below the apex is linear in the cosine. Parts in which that hardly changes.
-  // By the turn and by how the distance from the apex grows.
-  const GaussNodes rule = rule_for(std::max(std::fabs(turn), std::fabs(std::log(down1 / down0))), fitted_);
   if (std::fabs(turn) < 1e-9) {  // a straight line, as good as
+    const GaussNodes rule = rule_for(std::fabs(std::log(down1 / down0)), fitted_);
     begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
       const double part = rule.node[k], angle = angle0 + part * turn;
@@ -402,6 +422,8 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     }
     const double part_turn = to - from;
     const CosineWay cosine_way(from, part_turn);
+    const GaussNodes by_angle = rule_for(std::fabs(part_turn), fitted_), rule =
+        fitted_ != nullptr ? by_angle : rule_of_places(std::max(static_cast<double>(by_angle.count), places_by_pole(pole_, from, part_turn)));
     begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
       const CosineWay::Place at = cosine_way.at(rule.node[k]);

@@ -49,6 +49,7 @@ class MantleSection {
   double radial_ = 0.0, axial_ = 0.0, offset_ = 0.0;  // of the plane: radial cos(angle) distance + axial height = offset
   double sense_ = 1.0;              // 1 where angles grow counter-clockwise about the plane
   double front_ = 0.0;              // the height at angle 0; between the ends
+  double pole_ = 0.0;               // of a cone's conic: the cosine of the angle at which it is infinitely far from the apex
   bool is_steady_ = false;          // whether its heights follow from angles, as good as exactly: then they are
   double swing_front_ = 0.0, swing_ = 0.0;  // swing_front + swing (1 - cosine)
   Passages passages_;
