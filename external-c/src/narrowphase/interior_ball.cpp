@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/branchless.hpp"
+#include "shape/face_clusters.hpp"
+
 namespace cmb::convex {
 
 namespace {
@@ -120,26 +123,40 @@ void around_cone(const Vec3 &half, const Vec3 &p, const Vec3 &n, const Vec3 &u, 
   s.add(0.5 * (down - d) * radius, {-p.y / across, p.x / across, 0}, u, v);
 }
 
-// A face of a polytope; its edges and vertices are left to the other body.
-void around_polytope(const Polytope &polytope, const Vec3 &p, const Vec3 &n, double slack, Surroundings &s) {
-  s.ball = INFINITY;
-  double least_room = INFINITY;
-  for (const Polytope::Face &face : polytope.faces()) {
-    const double room = face.offset - dot(face.normal, p), turn = 1.0 - dot(face.normal, n);
-    least_room = std::min(least_room, room);
+// A face of a polytope; its edges and vertices are left to the other body. A ball of twice `enough` will do, and faces that the place is farther
+// below than a ball's diameter do not bound it.
+void around_polytope(const Polytope &polytope, const Vec3 &p, const Vec3 &n, double enough, double slack, Surroundings &s) {
+  constexpr std::size_t size = FaceClusters::size;
+  const FaceClusters &clusters = polytope.clusters();
+  double ball = 2.0 * std::max(enough, 0.0), least_room = INFINITY;
+  clusters.visit_groups_near(p, [&ball] { return 2.0 * ball; }, [&](std::size_t g) {
+    const double *const x = clusters.normals(0) + size * g, *const y = clusters.normals(1) + size * g;
+    const double *const z = clusters.normals(2) + size * g, *const offset = clusters.offsets() + size * g;
+    double room[size], turn[size], beyond[size];
+    for (std::size_t k = 0; k < size; ++k) {
+      room[k] = offset[k] - (x[k] * p.x + y[k] * p.y + z[k] * p.z);
+      turn[k] = 1.0 - (x[k] * n.x + y[k] * n.y + z[k] * n.z);
+      beyond[k] = room[k] - ball * turn[k];
+    }
+    least_room = std::min(least_room, least_of(room, size));
     // Few faces bound the ball more than all before: others need no division.
-    if (turn > 1e-20 && room < s.ball * turn) s.ball = std::max(room, 0.0) / turn;
-  }
+    if (least_of(beyond, size) >= 0.0) return true;
+    for (std::size_t k = 0; k < size; ++k) {
+      if (turn[k] > 1e-20 && room[k] < ball * turn[k]) ball = std::max(room[k], 0.0) / turn[k];
+    }
+    return true;
+  });
+  s.ball = ball;
   s.inside = least_room >= -slack;
 }
 
-Surroundings around(const ConvexBody &body, const Vec3 &p, const Vec3 &n, const Vec3 &u, const Vec3 &v, double slack) {
+Surroundings around(const ConvexBody &body, const Vec3 &p, const Vec3 &n, const Vec3 &u, const Vec3 &v, double enough, double slack) {
   Surroundings s;
   switch (body.core) {
     case CoreShape::point: break;
     case CoreShape::segment: around_segment(body.half.z, p, u, v, slack, s); break;
     case CoreShape::box: around_box(body.half, p, n, u, v, slack, s); break;
-    case CoreShape::polytope: around_polytope(*body.polytope, p, n, slack, s); break;
+    case CoreShape::polytope: around_polytope(*body.polytope, p, n, enough, slack, s); break;
     case CoreShape::ellipsoid: around_ellipsoid(body.half, p, n, u, v, slack, s); break;
     case CoreShape::cylinder: around_cylinder(body.half, p, n, u, v, slack, s); break;
     case CoreShape::cone: around_cone(body.half, p, n, u, v, slack, s); break;
@@ -165,9 +182,9 @@ double interior_ball_radius(const ConvexBody &body_a, const ConvexBody &body_b, 
                             const Vec3 &b, double enough, double slack) {
   const Vec3 u = any_perpendicular(outward), v = cross(outward, u);
   const Mat3 &r = b_in_a.rotation;
-  const Surroundings of_a = around(body_a, a, outward, u, v, slack);
+  const Surroundings of_a = around(body_a, a, outward, u, v, enough, slack);
   const Surroundings of_b = around(body_b, transposed_times(r, b - b_in_a.translation), -transposed_times(r, outward),
-                                   transposed_times(r, u), transposed_times(r, v), slack);
+                                   transposed_times(r, u), transposed_times(r, v), enough, slack);
   if (!of_a.inside || !of_b.inside) return 0.0;
   const double balls = of_a.ball + of_b.ball;
   if (balls >= enough) return balls;

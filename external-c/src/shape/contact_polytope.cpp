@@ -26,7 +26,7 @@ struct Neighbourhood {
 
 }  // namespace
 
-ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::move(geometry)), clusters_(geometry_) {
+ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::move(geometry)) {
   const std::size_t vertex_count = geometry_.vertices().size();
   std::vector<std::vector<Neighbourhood>> around(vertex_count);
   for (std::size_t f = 0; f < geometry_.faces().size(); ++f) {

@@ -76,14 +76,13 @@ class ContactPolytope {
   const Incidence &incidence(std::int32_t v) const { return incidence_[static_cast<std::size_t>(v)]; }
 
   // Its planes.
-  const FaceClusters &clusters() const { return clusters_; }
+  const FaceClusters &clusters() const { return geometry_.clusters(); }
 
  private:
   void build_sets();
   void build_polar();
 
   convex::Polytope geometry_;
-  FaceClusters clusters_;
   std::vector<FaceCorner> corners_;
   std::vector<std::int32_t> corner_begin_;  // vertex -> first corner
   std::vector<double> constant_;            // share where it does not depend on the direction, else -1

@@ -4,11 +4,22 @@
 #include <cmath>
 #include <numeric>
 
+#include "math/index.hpp"
+
 namespace cmb {
 
 namespace {
 
 using Face = convex::Polytope::Face;
+
+// Calls visit(place) for the corners of the faces.
+template <typename Visit>
+void visit_corners(const convex::Polytope &polytope, const FaceClusters::Faces &faces, Visit &&visit) {
+  for (const std::int32_t f : faces) {
+    const Face &face = polytope.faces()[index(f)];
+    for (std::int32_t k = face.first; k < face.first + face.count; ++k) visit(polytope.vertices()[index(polytope.face_vertices()[index(k)])]);
+  }
+}
 
 // Far, and its square is finite.
 constexpr double nowhere = 1e100;
@@ -64,6 +75,20 @@ FaceClusters::FaceClusters(const convex::Polytope &polytope) : center_(polytope.
     middles_[g] = middle.x, middles_[groups + g] = middle.y, middles_[2 * groups + g] = middle.z;
     radius_.push_back(radius);
     nearest_.push_back(nearest);
+    begin_.push_back(first);
+  }
+  begin_.push_back(faces.size());
+  for (const std::size_t f : order) order_.push_back(static_cast<std::int32_t>(f));
+  balls_.resize(4 * groups);
+  for (std::size_t g = 0; g < groups; ++g) {
+    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
+    visit_corners(polytope, this->faces(g), [&](const Vec3 &p) {
+      for (int axis = 0; axis < 3; ++axis) low.set(axis, std::min(low[axis], p[axis])), high.set(axis, std::max(high[axis], p[axis]));
+    });
+    const Vec3 center = 0.5 * (low + high);
+    double radius = 0.0;
+    visit_corners(polytope, this->faces(g), [&](const Vec3 &p) { radius = std::max(radius, norm(p - center)); });
+    balls_[g] = center.x, balls_[groups + g] = center.y, balls_[2 * groups + g] = center.z, balls_[3 * groups + g] = radius;
   }
 }
 

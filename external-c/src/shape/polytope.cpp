@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "math/index.hpp"
+#include "shape/face_clusters.hpp"
 #include "shape/point_groups.hpp"
 
 namespace cmb::convex {
@@ -157,6 +158,7 @@ bool Polytope::build(const std::vector<Vec3> &vertices, const std::vector<std::v
   }
   built.build_support_table();
   if (vertices.size() <= few_vertices) built.build_few_places();
+  built.clusters_ = std::make_shared<const FaceClusters>(built);
   result = std::move(built);
   return true;
 }

@@ -3,10 +3,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "math/vector3.hpp"
+
+namespace cmb {
+class FaceClusters;
+}
 
 namespace cmb::convex {
 
@@ -57,6 +62,9 @@ class Polytope {
   // The ways from a vertex to its neighbours, in step with these.
   const std::vector<Vec3> &neighbour_ways() const { return neighbour_ways_; }
 
+  // The faces' planes in groups, of a polytope that was built.
+  const FaceClusters &clusters() const { return *clusters_; }
+
   // Largest distance of a vertex from the origin of the polytope's frame.
   double radius() const { return radius_; }
   // The tangent of half the greatest angle between the normals of two neighbouring faces.
@@ -84,6 +92,7 @@ class Polytope {
   std::vector<double> edge_sharpness_;
   std::vector<std::int32_t> face_vertices_;
   std::vector<std::int32_t> face_edges_;
+  std::shared_ptr<const FaceClusters> clusters_;  // immutable, as all else
   std::vector<std::int32_t> neighbours_;
   std::vector<std::int32_t> neighbour_edges_;
   std::vector<Vec3> neighbour_ways_;

@@ -14,6 +14,7 @@ struct PolytopeView {
   const std::vector<Polytope::Face> &faces;
   const std::vector<Polytope::Edge> &edges;
   const std::vector<std::int32_t> &face_vertices, &face_edges;
+  const FaceClusters *clusters = nullptr;  // of the faces, where they are known
 
   // A polytope is one.
   PolytopeView(const Polytope &polytope)
@@ -21,7 +22,8 @@ struct PolytopeView {
         faces(polytope.faces()),
         edges(polytope.edges()),
         face_vertices(polytope.face_vertices()),
-        face_edges(polytope.face_edges()) {}
+        face_edges(polytope.face_edges()),
+        clusters(&polytope.clusters()) {}
   PolytopeView(const std::vector<Vec3> &all_vertices, const std::vector<Polytope::Face> &all_faces,
                const std::vector<Polytope::Edge> &all_edges, const std::vector<std::int32_t> &vertices_of_faces,
                const std::vector<std::int32_t> &edges_of_faces)

@@ -280,6 +280,25 @@ TEST(RevolvedContacts, ConesHardlyOffTheirMantleArePushedOutByNoMoreThanTheirDep
 
 // Cones whose axis is as good as in the plane of a face: the plane's conic next to the apex turns at once. Tips under a face's border, shifted
 // by rounding and more; the surface is closed all the same, to what its volume asks for.
+// However near the pole of a conic is, as where a face is nearly along a mantle: rules that went by its angle alone left 1e-8 of its area open.
+TEST(RevolvedContacts, SurfacesOfConesOnPolytopesAreClosed) {
+  Random random(7);
+  const cmb::convex::ConvexBody cube = cmb::convex::make_box({1, 1, 1});
+  const cmb::ContactPolytope box(cmb::convex::Polytope::box({1, 1, 1}));
+  cmb::RevolvedOnPolytope finder;
+  cmb::OverlapSurface surface;
+  for (int k = 0; k < 10000; ++k) {
+    const cmb::convex::ConvexBody shape = cmb::convex::make_cone(random.uniform(0.1, 0.5), random.uniform(0.1, 1.0));
+    const cmb::RevolvedBody body(shape);
+    const Mat3 turn = random_bodies::random_rotation(random);
+    const Vec3 way = random.direction(), lowest = cmb::convex::core_support(shape, -transposed_times(turn, way)).point;
+    const double deep = body.radius * random.log_uniform(1e-2, 0.5);
+    const cmb::Pose pose{turn, cmb::convex::core_support(cube, way).point - deep * way - turn * lowest};
+    ASSERT_TRUE(finder.find(body, box.geometry(), pose.inverse(), lowest, surface)) << k;
+    EXPECT_LT(surface.gap(), 1e-10 * (surface.area_a() + surface.area_b())) << k << " " << deep;
+  }
+}
+
 TEST(RevolvedContacts, SurfacesOfTipsOnBordersAreClosed) {
   Random random(5);
   const cmb::ContactPolytope box(cmb::convex::Polytope::box({1, 1, 1}));

@@ -144,5 +144,40 @@ TEST(ContactPolytope, GroupsOfFacesHaveBounds) {
   });
 }
 
+// Of the faces below whose planes a place is no farther than that none is left out, and their corners lie in the groups' balls.
+TEST(ContactPolytope, GroupsOfFacesFindThoseNearAPlace) {
+  for_hulls([](const ContactPolytope &polytope, Random &random) {
+    const convex::Polytope &geometry = polytope.geometry();
+    const FaceClusters &clusters = geometry.clusters();
+    std::size_t visited = 0, count = 0;
+    for (int sample = 0; sample < 100; ++sample) {
+      const Vec3 place = random.uniform(0.0, 1.2 * geometry.radius()) * random.direction();
+      const double depth = random.uniform(-0.1, 0.1) * geometry.radius();
+      std::vector<int> visits(geometry.faces().size(), 0);
+      EXPECT_TRUE(clusters.visit_near(place, depth, [&](std::int32_t f) { return ++visits[static_cast<std::size_t>(f)] == 1; }));
+      for (std::size_t f = 0; f < visits.size(); ++f) {
+        const convex::Polytope::Face &face = geometry.faces()[f];
+        if (face.offset - dot(face.normal, place) <= depth) {
+          EXPECT_EQ(visits[f], 1);
+        }
+        visited += static_cast<std::size_t>(visits[f]), ++count;
+      }
+    }
+    if (clusters.count() > 20) {
+      EXPECT_LT(3 * visited, 2 * count);
+    }
+    for (std::size_t g = 0; g < clusters.count(); ++g) {
+      const Vec3 center{clusters.ball_centers(0)[g], clusters.ball_centers(1)[g], clusters.ball_centers(2)[g]};
+      for (const std::int32_t f : clusters.faces(g)) {
+        const convex::Polytope::Face &face = geometry.faces()[static_cast<std::size_t>(f)];
+        for (std::int32_t k = face.first; k < face.first + face.count; ++k) {
+          const std::int32_t v = geometry.face_vertices()[static_cast<std::size_t>(k)];
+          EXPECT_LE(norm(geometry.vertices()[static_cast<std::size_t>(v)] - center), clusters.ball_radii()[g]);
+        }
+      }
+    }
+  });
+}
+
 }  // namespace
 }  // namespace test_contact_polytope

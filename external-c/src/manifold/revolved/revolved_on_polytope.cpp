@@ -31,45 +31,32 @@ Vec3 at_height(const Vec3 &p, const Vec3 &q, double height) {
   return at;
 }
 
+// Of a ball: wholly beyond an end, wholly beyond a plane along the mantle, in part beyond an end.
+constexpr std::uint64_t ball_below = 1, ball_above = 2, ball_beside = 4, ball_reaches_below = 8, ball_reaches_above = 16;
+
+// By more than rounding. Arrays that do not overlap, so that compilers make vectors of them.
+void look_at_balls(const RevolvedBody &body, const Pose &in_frame, std::size_t count, const double *__restrict x, const double *__restrict y,
+                   const double *__restrict z, const double *__restrict radius, std::uint64_t *__restrict found) {
+  const double margin = 1e-9 * (body.radius + body.half), widened = 1.0 + 1e-9, half = body.half, by_across = 1.0 / body.across;
+  const double at_origin = body.radius_at(0.0), slope = body.slope;
+  const Vec3 row_x = in_frame.rotation.row[0], row_y = in_frame.rotation.row[1], row_z = in_frame.rotation.row[2], shift = in_frame.translation;
+  for (std::size_t g = 0; g < count; ++g) {
+    const double px = row_x.x * x[g] + row_x.y * y[g] + row_x.z * z[g] + shift.x;
+    const double py = row_y.x * x[g] + row_y.y * y[g] + row_y.z * z[g] + shift.y;
+    const double pz = row_z.x * x[g] + row_z.y * y[g] + row_z.z * z[g] + shift.z;
+    const double ball = widened * radius[g] + margin, reach = at_origin + slope * pz + ball * by_across;
+    const double beside = reach < 0.0 ? 1.0 : px * px + py * py - reach * reach;
+    found[g] = (pz < -half - ball ? ball_below : 0) | (pz > half + ball ? ball_above : 0) | (beside > 0.0 ? ball_beside : 0) |
+               (pz < ball - half ? ball_reaches_below : 0) | (pz > half - ball ? ball_reaches_above : 0);
+  }
+}
+
 }  // namespace
 
 bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeView &polytope, const Pose &in_frame, const Vec3 &place,
                               OverlapSurface &surface) {
   body_ = &body, polytope_ = &polytope;
-  const std::size_t vertex_count = polytope_->vertices.size(), edge_count = polytope_->edges.size();
-  if (vertices_.size() < vertex_count) vertices_.resize(vertex_count);
-  if (edges_.size() < edge_count) edges_.resize(edge_count), edge_search_.resize(edge_count);
-  if (++search_ == 0) {
-    std::fill(edge_search_.begin(), edge_search_.end(), 0);
-    search_ = 1;
-  }
-  beyond_any_ = 0;
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    Vertex &vertex = vertices_[v];
-    vertex.at = in_frame(polytope_->vertices[v]);
-    const Vec3 &p = vertex.at;
-    const double radius = body.radius, diagonal = std::sqrt(2.0) * radius;
-    vertex.beyond = (p.z < -body.half ? 1u : 0u) | (p.z > body.half ? 2u : 0u) | (p.x < -radius ? 4u : 0u) |
-                    (p.x > radius ? 8u : 0u) | (p.y < -radius ? 16u : 0u) | (p.y > radius ? 32u : 0u) |
-                    (p.x + p.y > diagonal ? 64u : 0u) | (p.x + p.y < -diagonal ? 128u : 0u) |
-                    (p.x - p.y > diagonal ? 256u : 0u) | (p.x - p.y < -diagonal ? 512u : 0u);
-    vertex.in_mantle = body.beyond_mantle(p) <= 0.0;
-    beyond_any_ |= vertex.beyond;
-  }
-  faces_.clear();
-  planes_.clear();
-  for (std::size_t f = 0; f < polytope_->faces.size(); ++f) {
-    const convex::Polytope::Face &face = polytope_->faces[f];
-    std::uint32_t beyond = ~0u;
-    for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
-      beyond &= vertices_[static_cast<std::size_t>(polytope_->face_vertices[static_cast<std::size_t>(i)])].beyond;
-    }
-    if (beyond != 0) continue;
-    const Vec3 normal = in_frame.rotation * face.normal;
-    const double offset = face.offset + dot(normal, in_frame.translation);
-    faces_.push_back(static_cast<std::int32_t>(f));
-    planes_.push_back({offset, {normal, place, offset - dot(normal, place), surface.of_b()}});
-  }
+  find_faces(in_frame, place, surface);
   const Vec3 apex{0.0, 0.0, body.half};
   const bool to_apex = !body.is_cylinder() && holds(apex, in_frame);
   const bool found = integrate(in_frame, place, to_apex, surface);
@@ -79,6 +66,84 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
   if (body.is_cylinder() || to_apex || !(area > cancels * surface.area_b()) || !has_near(apex, body.near_apex(), in_frame)) return found;
   const bool found_from_apex = integrate(in_frame, place, true, surface);
   return surface.area_a() < area ? found_from_apex : integrate(in_frame, place, false, surface);
+}
+
+void RevolvedOnPolytope::find_faces(const Pose &in_frame, const Vec3 &place, OverlapSurface &surface) {
+  constexpr std::size_t few_groups = 8;
+  const std::size_t vertex_count = polytope_->vertices.size(), edge_count = polytope_->edges.size();
+  if (vertices_.size() < vertex_count) vertices_.resize(vertex_count), vertex_search_.resize(vertex_count);
+  if (edges_.size() < edge_count) edges_.resize(edge_count), edge_search_.resize(edge_count);
+  if (++search_ == 0) {
+    for (std::vector<std::uint32_t> *const searches : {&vertex_search_, &edge_search_}) std::fill(searches->begin(), searches->end(), 0);
+    search_ = 1;
+  }
+  beyond_any_ = 0;
+  faces_.clear();
+  if (polytope_->clusters != nullptr && polytope_->clusters->count() > few_groups) {
+    find_faces_by_groups(*polytope_->clusters, in_frame);
+    std::sort(faces_.begin(), faces_.end());
+  } else {
+    for (std::size_t f = 0; f < polytope_->faces.size(); ++f) offer_face(static_cast<std::int32_t>(f), in_frame);
+  }
+  planes_.clear();
+  for (const std::int32_t f : faces_) {
+    const convex::Polytope::Face &face = polytope_->faces[static_cast<std::size_t>(f)];
+    const Vec3 normal = in_frame.rotation * face.normal;
+    const double offset = face.offset + dot(normal, in_frame.translation);
+    planes_.push_back({offset, {normal, place, offset - dot(normal, place), surface.of_b()}});
+  }
+}
+
+// Groups of faces that a plane parts from the body need no look at their faces, but where some of their vertices may decide what reaches
+// beyond an end.
+void RevolvedOnPolytope::find_faces_by_groups(const FaceClusters &clusters, const Pose &in_frame) {
+  const std::size_t count = clusters.count();
+  if (groups_.size() < count) groups_.resize(count);
+  look_at_balls(*body_, in_frame, count, clusters.ball_centers(0), clusters.ball_centers(1), clusters.ball_centers(2), clusters.ball_radii(),
+                groups_.data());
+  for (std::size_t g = 0; g < count; ++g) {
+    if ((groups_[g] & (ball_below | ball_above | ball_beside)) == 0) {
+      for (const std::int32_t f : clusters.faces(g)) offer_face(f, in_frame);
+    }
+    beyond_any_ |= ((groups_[g] & ball_below) != 0 ? bit_of(base) : 0u) | ((groups_[g] & ball_above) != 0 ? bit_of(top) : 0u);
+  }
+  for (const End end : {base, top}) {
+    const std::uint64_t not_known = ball_beside | (end == base ? ball_reaches_below : ball_reaches_above);
+    for (std::size_t g = 0; g < count && (beyond_any_ & bit_of(end)) == 0; ++g) {
+      if ((groups_[g] & not_known) != not_known) continue;
+      for (const std::int32_t f : clusters.faces(g)) {
+        const convex::Polytope::Face &face = polytope_->faces[static_cast<std::size_t>(f)];
+        for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
+          place_vertex(polytope_->face_vertices[static_cast<std::size_t>(i)], in_frame);
+        }
+      }
+    }
+  }
+}
+
+const RevolvedOnPolytope::Vertex &RevolvedOnPolytope::place_vertex(std::int32_t number, const Pose &in_frame) {
+  const auto v = static_cast<std::size_t>(number);
+  Vertex &vertex = vertices_[v];
+  if (vertex_search_[v] == search_) return vertex;
+  vertex_search_[v] = search_;
+  vertex.at = in_frame(polytope_->vertices[v]);
+  const Vec3 &p = vertex.at;
+  const double radius = body_->radius, diagonal = std::sqrt(2.0) * radius;
+  vertex.beyond = (p.z < -body_->half ? 1u : 0u) | (p.z > body_->half ? 2u : 0u) | (p.x < -radius ? 4u : 0u) | (p.x > radius ? 8u : 0u) |
+                  (p.y < -radius ? 16u : 0u) | (p.y > radius ? 32u : 0u) | (p.x + p.y > diagonal ? 64u : 0u) |
+                  (p.x + p.y < -diagonal ? 128u : 0u) | (p.x - p.y > diagonal ? 256u : 0u) | (p.x - p.y < -diagonal ? 512u : 0u);
+  vertex.in_mantle = body_->beyond_mantle(p) <= 0.0;
+  beyond_any_ |= vertex.beyond & (bit_of(base) | bit_of(top));
+  return vertex;
+}
+
+void RevolvedOnPolytope::offer_face(std::int32_t number, const Pose &in_frame) {
+  const convex::Polytope::Face &face = polytope_->faces[static_cast<std::size_t>(number)];
+  std::uint32_t beyond = ~0u;
+  for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
+    beyond &= place_vertex(polytope_->face_vertices[static_cast<std::size_t>(i)], in_frame).beyond;
+  }
+  if (beyond == 0) faces_.push_back(number);
 }
 
 bool RevolvedOnPolytope::integrate(const Pose &in_frame, const Vec3 &place, bool to_apex, OverlapSurface &surface) {
@@ -107,15 +172,10 @@ bool RevolvedOnPolytope::holds(const Vec3 &at, const Pose &in_frame) const {
     if (dot(plane.fan.normal(), at) > plane.offset) return false;
   }
   const Vec3 local = transposed_times(in_frame.rotation, at - in_frame.translation);
-  auto decided = faces_.begin();
-  for (std::size_t f = 0; f < polytope_->faces.size(); ++f) {
-    if (decided != faces_.end() && static_cast<std::size_t>(*decided) == f) {
-      ++decided;
-    } else if (dot(polytope_->faces[f].normal, local) > polytope_->faces[f].offset) {
-      return false;
-    }
-  }
-  return true;
+  return visit_near(local, 0.0, [&](std::int32_t f) {
+    const convex::Polytope::Face &face = polytope_->faces[static_cast<std::size_t>(f)];
+    return dot(face.normal, local) <= face.offset || std::binary_search(faces_.begin(), faces_.end(), f);
+  });
 }
 
 bool RevolvedOnPolytope::has_near(const Vec3 &at, double margin, const Pose &in_frame) const {
@@ -123,8 +183,10 @@ bool RevolvedOnPolytope::has_near(const Vec3 &at, double margin, const Pose &in_
     if (dot(plane.fan.normal(), at) > plane.offset + margin) return false;
   }
   const Vec3 local = transposed_times(in_frame.rotation, at - in_frame.translation);
-  return std::all_of(polytope_->faces.begin(), polytope_->faces.end(),
-                     [&](const convex::Polytope::Face &face) { return dot(face.normal, local) <= face.offset + margin; });
+  return visit_near(local, -margin, [&](std::int32_t f) {
+    const convex::Polytope::Face &face = polytope_->faces[static_cast<std::size_t>(f)];
+    return dot(face.normal, local) <= face.offset + margin;
+  });
 }
 
 RevolvedOnPolytope::Stretch RevolvedOnPolytope::in_mantle(const Vec3 &p, bool p_inside, const Vec3 &q, bool q_inside) const {

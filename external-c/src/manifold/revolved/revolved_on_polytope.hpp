@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "manifold/revolved/mantle_section.hpp"
+#include "shape/face_clusters.hpp"
 #include "shape/polytope_view.hpp"
 
 namespace cmb {
@@ -56,6 +57,12 @@ class RevolvedOnPolytope {
     PlaneFan fan;
   };
 
+  // Fills faces_, planes_ and beyond_any_.
+  void find_faces(const Pose &in_frame, const Vec3 &place, OverlapSurface &surface);
+  void find_faces_by_groups(const FaceClusters &clusters, const Pose &in_frame);
+  // Keeps a face unless it is beyond the body.
+  void offer_face(std::int32_t face, const Pose &in_frame);
+  const Vertex &place_vertex(std::int32_t vertex, const Pose &in_frame);
   // All of the surface, the mantle from the apex on or from its border's height.
   bool integrate(const Pose &in_frame, const Vec3 &place, bool to_apex, OverlapSurface &surface);
   const EdgePart &part_of(std::int32_t edge);
@@ -68,6 +75,16 @@ class RevolvedOnPolytope {
   // Whether a place is in the polytope, or as near to all of its planes.
   bool has_near(const Vec3 &at, double margin, const Pose &in_frame) const;
 
+  // Faces whose planes a place (in the polytope's frame) may be no farther below than `depth`, or all; as FaceClusters::visit_near.
+  template <typename Visit>
+  bool visit_near(const Vec3 &place, double depth, Visit &&visit) const {
+    if (polytope_->clusters != nullptr) return polytope_->clusters->visit_near(place, depth, visit);
+    for (std::size_t f = 0; f < polytope_->faces.size(); ++f) {
+      if (!visit(static_cast<std::int32_t>(f))) return false;
+    }
+    return true;
+  }
+
   // Of `beyond`.
   static constexpr std::uint32_t bit_of(End end) { return end == base ? 1u : 2u; }
   bool is_apex(End end) const { return end == top && !body_->is_cylinder(); }
@@ -75,10 +92,12 @@ class RevolvedOnPolytope {
 
   const RevolvedBody *body_ = nullptr;
   const convex::PolytopeView *polytope_ = nullptr;  // during find()
+  // Of each vertex and edge that was met in this search.
   std::vector<Vertex> vertices_;
   std::vector<EdgePart> edges_;
-  std::vector<std::uint32_t> edge_search_;
-  std::uint32_t search_ = 0, beyond_any_ = 0;  // the latter of all vertices
+  std::vector<std::uint32_t> vertex_search_, edge_search_;
+  std::uint32_t search_ = 0, beyond_any_ = 0;  // the latter of all vertices, of the ends
+  std::vector<std::uint64_t> groups_;          // of faces: how they lie to the body
   std::vector<std::int32_t> faces_;  // that may bound the overlap
   std::vector<Plane> planes_;        // in step
   MantleSection section_;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "math/index.hpp"
+#include "shape/face_clusters.hpp"
+
 namespace cmb::convex {
 
 namespace {
@@ -103,7 +106,11 @@ double outside(const ConvexBody &body, const Vec3 &p) {
 double outside_planes(const ConvexBody &body, const Vec3 &p) {
   if (body.core != CoreShape::polytope) return outside(body, p);
   double result = 0.0;
-  for (const Polytope::Face &face : body.polytope->faces()) result = std::max(result, dot(face.normal, p) - face.offset);
+  body.polytope->clusters().visit_near(p, 0.0, [&](std::int32_t f) {
+    const Polytope::Face &face = body.polytope->faces()[index(f)];
+    result = std::max(result, dot(face.normal, p) - face.offset);
+    return true;
+  });
   return result;
 }
 
