@@ -93,7 +93,7 @@ class Component:
     sizes_of_type: Extent | None
 
 
-_Modifiers = Sequence[tuple[Modifier, Layer]]
+Modifiers = Sequence[tuple[Modifier, Layer]]
 
 
 class Names:
@@ -153,6 +153,7 @@ class ClassInstance:
         self._below = below
         self._inherited = inherited
         self._depth = depth
+        self._heir: ClassInstance | None = None  # that extends it
         self._is_finding_bases = False
         self._classes: dict[str, ClassInstance] = {}
         self._components: dict[str, Component | None] = {}
@@ -170,10 +171,27 @@ class ClassInstance:
             self._depth,
         )
 
+    @property
+    def is_modified(self) -> bool:
+        """= true, if modifiers from outside hold for it."""
+        return bool(self._above)
+
     @cached_property
     def has_redeclarations(self) -> bool:
         """= true, if a modifier redeclares an element of it, or of one of its elements."""
         return any(map(_redeclares, (argument for layer in self._above for argument in layer.arguments)))
+
+    def declared(self, definition: ClassDefinition) -> ClassInstance:
+        """A class that is written in this one, without what modifies it from outside."""
+        return self._instance(definition, self, (), (), None, None)
+
+    @property
+    def redeclaration_around(self) -> Modifier | None:
+        """The modifier that redeclares it, or the next one that redeclares a class around it."""
+        each: ClassInstance | None = self
+        while each is not None and each.redeclaration is None:
+            each = each.parent if each._heir is None else each._heir
+        return None if each is None else each.redeclaration
 
     # --- inheritance ---
 
@@ -187,6 +205,7 @@ class ClassInstance:
                 found = self._inherited if number == 0 and self._inherited is not None else self._base_class(base)
                 own = Layer(base.arguments, self._scope_of_modifiers, self._role_of_modifiers)
                 result.append(found.modified((*self._above, self._redeclarations, own, *self._below)))
+                result[-1]._heir = self
         finally:
             self._is_finding_bases = False
         return tuple(result)
@@ -251,7 +270,7 @@ class ClassInstance:
 
     def attribute(self, name: str) -> list[Value]:
         """Values that are given to an attribute of a predefined type, the one that holds first."""
-        return _values(self._modifiers_of(name))
+        return _values(self.modifiers_of(name))
 
     # --- lookup ---
 
@@ -260,7 +279,7 @@ class ClassInstance:
         if name[0] == "":
             return self._names.find(name[1:])
         for scope in self.scopes():
-            found = scope.class_element(name[0]) or scope._imported(name[0])
+            found = scope.class_element(name[0]) or scope.imported(name[0])
             if found is not None:
                 return found.within(name[1:])
         return self._names.find(name)
@@ -282,7 +301,8 @@ class ClassInstance:
             found = inner
         return found
 
-    def _imported(self, name: str) -> ClassInstance | None:
+    def imported(self, name: str) -> ClassInstance | None:
+        """What a name means by the imports of the class; raises UnknownError."""
         for item in self.definition.imports:
             if item.name == name:
                 return self._names.find(item.path)
@@ -297,7 +317,7 @@ class ClassInstance:
         own = None if self._is_short else self._names.library.member(self.definition, name)
         if own is not None and not own.redeclares:
             if name not in self._classes:
-                self._classes[name] = self._class(own, self._modifiers_of(name))
+                self._classes[name] = self._class(own, self.modifiers_of(name))
             return self._classes[name]
         if self._is_finding_bases:
             return None
@@ -308,7 +328,7 @@ class ClassInstance:
         own = self.definition.components.get(name)
         if own is not None and not own.redeclares:
             if name not in self._components:
-                self._components[name] = self._component(own, self._modifiers_of(name))
+                self._components[name] = self._component(own, self.modifiers_of(name))
             return self._components[name]
         return next((found for base in self.bases if (found := base.component(name)) is not None), None)
 
@@ -324,7 +344,7 @@ class ClassInstance:
 
     # --- modification ---
 
-    def _modifiers_of(self, name: str) -> _Modifiers:
+    def modifiers_of(self, name: str) -> Modifiers:
         """What modifies an element, the winner first."""
         return [
             (argument.of_first_name(), layer)
@@ -333,7 +353,7 @@ class ClassInstance:
             if argument.path[0] == name
         ]
 
-    def _class(self, declared: ClassDefinition, modifiers: _Modifiers) -> ClassInstance:
+    def _class(self, declared: ClassDefinition, modifiers: Modifiers) -> ClassInstance:
         number = _first_redeclaration(modifiers)
         if number is None:
             below = self._constraint(declared, ()) if declared.constraint else ()
@@ -361,7 +381,7 @@ class ClassInstance:
         below = below if definition.is_short else ()
         return ClassInstance(self._names, definition, parent, above, below, inherited, redeclaration, self._depth + 1)
 
-    def _constraint(self, declared: ClassDefinition | ComponentDeclaration, modifiers: _Modifiers) -> tuple[Layer, ...]:
+    def _constraint(self, declared: ClassDefinition | ComponentDeclaration, modifiers: Modifiers) -> tuple[Layer, ...]:
         """Modifiers that hold in the declaration and in each redeclaration (7.3.2).
 
         They are those of the constraining clause, in its absence those of the original declaration.
@@ -378,7 +398,7 @@ class ClassInstance:
                 result = Layer(modifier.redeclared.constraint.arguments, layer.scope, Role.CONSTRAINT)
         return (result,)
 
-    def _component(self, declared: ComponentDeclaration, modifiers: _Modifiers) -> Component | None:
+    def _component(self, declared: ComponentDeclaration, modifiers: Modifiers) -> Component | None:
         if any(modifier.removes for modifier, _ in modifiers):
             return None
         number = _first_redeclaration(modifiers)
@@ -414,13 +434,13 @@ def _redeclares(modifier: Modifier) -> bool:
     return modifier.redeclared is not None or any(map(_redeclares, modifier.arguments))
 
 
-def _first_redeclaration(modifiers: _Modifiers) -> int | None:
+def _first_redeclaration(modifiers: Modifiers) -> int | None:
     return next((number for number, (item, _) in enumerate(modifiers) if item.redeclared is not None), None)
 
 
-def _layers(modifiers: _Modifiers) -> tuple[Layer, ...]:
+def _layers(modifiers: Modifiers) -> tuple[Layer, ...]:
     return tuple(Layer(item.arguments, layer.scope, layer.role) for item, layer in modifiers if item.arguments)
 
 
-def _values(modifiers: _Modifiers) -> list[Value]:
+def _values(modifiers: Modifiers) -> list[Value]:
     return [Value(item.value, layer.scope, layer.role, item) for item, layer in modifiers if item.value is not None]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
@@ -20,17 +20,26 @@ class ClassLibrary:
         file: holds the model: a file by itself or a package's ``package.mo``.
         text: of the file, which need not exist under its name.
         roots: folders that contain packages or files, and folders of packages.
+        others: other texts of files in these.
     """
 
-    def __init__(self, file: Path, text: bytes, roots: Sequence[Path]) -> None:
+    def __init__(
+        self, file: Path, text: bytes, roots: Sequence[Path], others: Mapping[Path, bytes] | None = None
+    ) -> None:
         self._file = file
         self._text = text
         self._roots = tuple(roots)
+        self._others = others or {}
         self._found: dict[str, ClassDefinition | None] = {}
         self._missing: set[tuple[Path, str]] = set()
         self._texts: dict[Path, bytes] = {}
         self._parsed: dict[Path, dict[str, ClassDefinition]] = {}
         self._files: dict[int, Path] = {}
+
+    def with_texts(self, texts: Mapping[Path, str]) -> ClassLibrary:
+        """The same with other texts of some files."""
+        others = {file: text.encode() for file, text in texts.items()}
+        return ClassLibrary(self._file, others.get(self._file, self._text), self._roots, others)
 
     def file(self, source: int) -> Path | None:
         """The file that has a number of the front end, if a class of it was read."""
@@ -46,6 +55,13 @@ class ClassLibrary:
         """Whether an extent lies in the user's own file or package, not in another library."""
         return self.own is not None and extent.file.is_relative_to(self.own)
 
+    @property
+    def own_text(self) -> bytes:
+        """Of the user's own file, or of all files of the package."""
+        if self._file.name != "package.mo" or self.own is None:
+            return self._text
+        return b"\n".join(file.read_bytes() for file in sorted(self._file.parent.rglob("*.mo")))
+
     def texts(self) -> Iterator[bytes]:
         """The user's own text, and those of all libraries but the Standard Library."""
         yield self._text
@@ -60,6 +76,10 @@ class ClassLibrary:
         for root in self._roots:
             parts = (root,) if root.is_file() or (root / "package.mo").is_file() else sorted(root.iterdir())
             yield from (each for each in parts if each.stem not in STANDARD_PARTS)
+
+    def whole(self, file: Path) -> Extent:
+        """The range of a whole file that was read."""
+        return Extent(file, 0, len(self._texts[file]))
 
     def text(self, extent: Extent) -> str:
         """What is written in a range of a file that was read."""
@@ -108,6 +128,14 @@ class ClassLibrary:
             names |= {path.parent.name for path in definition.folder.glob("*/package.mo")}
         return names
 
+    def read_members(self, definition: ClassDefinition) -> None:
+        """Reads all classes that lie in the folder of a package; raises UnreadableError."""
+        if definition.folder is not None:
+            for name in sorted(self.members(definition)):
+                self.member(definition, name)
+        for each in definition.classes.values():
+            self.read_members(each)
+
     @cached_property
     def _own(self) -> dict[str, ClassDefinition]:
         classes = self._parse(self._text, self._file)
@@ -144,7 +172,8 @@ class ClassLibrary:
 
     def _read(self, file: Path) -> dict[str, ClassDefinition]:
         try:
-            return self._parse(file.read_bytes(), file)
+            given = self._others.get(file)
+            return self._parse(file.read_bytes() if given is None else given, file)
         except OSError as error:
             raise UnreadableError(f"{file}: {error.strerror}") from error
 

@@ -130,7 +130,9 @@ class _Parser(SectionReader):
                 self.skip_comment()
                 self.expect(";")
             else:
+                first = self.at
                 self._element(definition)
+                definition.elements.append(self.extent(first))
                 self.expect(";")
 
     # --- elements ---
@@ -196,6 +198,7 @@ class _Parser(SectionReader):
                 element.redeclares = "redeclare" in prefixes or element.extends_inherited
                 element.constraint = constraint
                 element.is_outer = "outer" in prefixes
+                element.is_replaceable = "replaceable" in prefixes
                 result.append(element)
             else:
                 result.append(

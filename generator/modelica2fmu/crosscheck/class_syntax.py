@@ -129,6 +129,7 @@ class ClassDefinition:
         extends_inherited: = true, if it is ``redeclare class extends Name``; the first of ``bases`` has its modifiers.
         is_enumeration: = true, if it is an enumeration.
         is_outer: = true, if another class stands for it.
+        elements: what stands before each semicolon among its elements: imports, bases, classes, components.
         behaviour: sections with equations and algorithms.
         equations: equations, assignments and when-clauses that stand in these directly, in no if or for.
         blocks: if and for with what is in them, but for those within others.
@@ -143,6 +144,7 @@ class ClassDefinition:
     components: dict[str, ComponentDeclaration] = field(default_factory=dict)
     classes: dict[str, ClassDefinition] = field(default_factory=dict)
     imports: list[Import] = field(default_factory=list)
+    elements: list[Extent] = field(default_factory=list)
     behaviour: list[Extent] = field(default_factory=list)
     equations: list[Extent] = field(default_factory=list)
     blocks: list[Extent] = field(default_factory=list)
@@ -153,6 +155,7 @@ class ClassDefinition:
     is_outer: bool = False
     is_encapsulated: bool = False
     is_partial: bool = False
+    is_replaceable: bool = False
     redeclares: bool = False
     constraint: Constraint | None = None
     folder: Path | None = None

@@ -213,7 +213,7 @@ class _FlatCheck:
         for length in range(len(path), 0, -1):
             node = self._nodes.get(path[:length])
             if node is not None and node.component is not None:
-                for found in (node.component.redeclaration, node.instance.redeclaration):
+                for found in (node.component.redeclaration, node.instance.redeclaration_around):
                     if found is not None:
                         return found
         return None
@@ -469,7 +469,7 @@ class _FlatCheck:
         node = self._nodes[path]
         if node is None or node.component is None:
             return
-        if node.component.redeclaration is None and node.instance.redeclaration is None:
+        if node.component.redeclaration is None and node.instance.redeclaration_around is None:
             return
         for each in node.instance.chain():
             equations = each.definition.equations
@@ -488,7 +488,7 @@ class _FlatCheck:
             found = None if inner in filled else self._node(inner)
             if found is None or found.component is None or not self._has_variables(found.component):
                 continue
-            is_replaced = found.component.redeclaration is not None or found.instance.redeclaration is not None
+            is_replaced = found.component.redeclaration is not None or found.instance.redeclaration_around is not None
             if is_replaced and (error := self._other_class(inner)) is not None:
                 raise error
 

@@ -190,7 +190,7 @@ class ExpressionCheck:
         if key in self._done:
             return
         self._done[key] = expected
-        redeclaration = expected.redeclaration
+        redeclaration = expected.redeclaration_around
         if redeclaration is not None and not self._is_written_in(function, expected):
             raise self._reading.ignored_redeclaration(label, redeclaration.extent)
         for each in expected.chain():

@@ -65,32 +65,39 @@ class _Use:
     is_number: bool
 
 
-def check_package_constants(model: str, library: ClassLibrary, place_of: Callable[[Extent], Place]) -> None:
-    """Refuses constants of packages whose values the front end mixes up.
+def mixed_constants(
+    model: str, library: ClassLibrary, place_of: Callable[[Extent], Place]
+) -> UnsupportedModelError | None:
+    """The refusal of a model that uses constants of packages whose values the front end mixes up.
 
     Args:
         model: full name.
         library: the sources.
         place_of: the place of a range of a file.
-
-    Raises:
-        UnsupportedModelError: the model uses one.
     """
+    wrong = _mixed_up(model, library)
+    if wrong is None:
+        return None
+    return UnsupportedModelError(
+        f"packages inherit {'.'.join(wrong.name.parts)}, or what it is computed from, with other values, and the front"
+        " end does not keep them apart",
+        place=replace(place_of(wrong.name.extent), component=model),
+        remedy=_REMEDY,
+    )
+
+
+def has_mixed_constants(model: str, library: ClassLibrary) -> bool:
+    """= true, if there is such a refusal; arguments as of ``mixed_constants``."""
+    return _mixed_up(model, library) is not None
+
+
+def _mixed_up(model: str, library: ClassLibrary) -> _Use | None:
     root = model_class(model, library)
     if root is None or not any(map(_can_modify_constants, library.texts())):
-        return
+        return None
     uses = _Uses(library)
     uses.walk(root, is_handed_over=False)
-    for of_constant in uses.found.values():
-        wrong = _wrong_use(of_constant)
-        if wrong is not None:
-            name = ".".join(wrong.name.parts)
-            raise UnsupportedModelError(
-                f"packages inherit {name}, or what it is computed from, with other values, and the front end does not"
-                " keep them apart",
-                place=replace(place_of(wrong.name.extent), component=model),
-                remedy=_REMEDY,
-            )
+    return next((wrong for each in uses.found.values() if (wrong := _wrong_use(each)) is not None), None)
 
 
 def _can_modify_constants(text: bytes) -> bool:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
-from contact_foundation.errors import InputError, Place
+from contact_foundation.errors import CmbError, InputError, Place, UnsupportedModelError
 from contact_foundation.scratch import scratch_folder
 
 from modelica2fmu.crosscheck.cardinality import check_counted_arrays, drop_miscounted_assertions
@@ -26,11 +26,11 @@ from modelica2fmu.crosscheck.flat_check import (
     unused_members,
 )
 from modelica2fmu.crosscheck.flat_reading import FlatReading
+from modelica2fmu.crosscheck.function_names import check_function_names
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.crosscheck.number_check import check_numbers
 from modelica2fmu.crosscheck.outer_class_check import check_outer_elements
 from modelica2fmu.crosscheck.own_classes import model_class
-from modelica2fmu.crosscheck.package_constants import check_package_constants
 from modelica2fmu.crosscheck.record_operators import check_record_operators
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.balance import (
@@ -64,6 +64,7 @@ from modelica2fmu.frontend.rewriting.inherited_classes import imports_of_package
 from modelica2fmu.frontend.rewriting.package_view import package_view
 from modelica2fmu.frontend.runner import Answer, Request, ask
 from modelica2fmu.frontend.syntax import syntax_error
+from modelica2fmu.frontend.written_sources import Sources, mixed_up, with_packages_written_out
 from modelica2fmu.library.source_map import SourceMap, Span, source_number
 
 # rumoca's words where a class is not found, as those of a library that the package's own file does not name.
@@ -118,15 +119,64 @@ def load_flat_model(
     # With a package and the folder around it among the roots, rumoca would see only the package.
     resolved = {root.resolve() for root in roots}
     roots = [root for root in roots if root.resolve().parent not in resolved]
-    with apart(file, roots, source_map) as given, ExitStack() as folders:
-        request = _request(model, file, given)
+    with apart(file, roots, source_map) as given, scratch_folder("packages") as folder:
         text = source_map.text(file)
         library = ClassLibrary(given.file, text, given.roots)
         check_numbers(text, given.file, _places(source_map))
         missing = _check_own_text(model, source_map, library)
-        loaded = _Loaded(ask(request, remark), request, given.file, given.roots)
+        sources = Sources(_request(model, file, given), given.file, given.roots, library)
+        load = partial(_load, model, file, given, missing=missing, source_map=source_map, remark=remark)
+        refusal = mixed_up(sources, _places(source_map))
+        flat = _load_or_refuse(load, sources) if refusal is None else refusal
+        if isinstance(flat, ir.FlatModel):
+            return flat
+        written = with_packages_written_out(sources, file, folder, source_map)
+        if written is not None:
+            other = _load_or_refuse(load, written)
+            if isinstance(other, ir.FlatModel):
+                return other
+            source_map.forget(written.texts)
+        if refusal is not None:  # what else is wrong comes first
+            load(sources)
+        raise flat
+
+
+def _load_or_refuse(load: Callable[[Sources], ir.FlatModel], sources: Sources) -> ir.FlatModel | CmbError:
+    try:
+        return load(sources)
+    except (InputError, UnsupportedModelError) as refusal:
+        return refusal
+
+
+def _load(
+    model: str,
+    file: Path,
+    given: LoneFiles,
+    sources: Sources,
+    *,
+    missing: InputError | None,
+    source_map: SourceMap,
+    remark: Callable[[str], None],
+) -> ir.FlatModel:
+    """The flattened form of a model.
+
+    Args:
+        model: full name.
+        file: that holds it.
+        given: what stands for it and for other single files.
+        sources: what the front end gets.
+        missing: the error of a class that is not found.
+        source_map: for places.
+        remark: told what the user should know of.
+
+    Raises:
+        InputError: the model does not parse or compile.
+        UnsupportedModelError: it is not flattened rightly.
+    """
+    request, library, text = sources.request, sources.library, source_map.text(file)
+    with scratch_folder("package") as folder:
+        loaded = _Loaded(ask(request, remark), request, sources.file, sources.roots)
         if loaded.answer.flat is None and request.text is None:
-            folder = folders.enter_context(scratch_folder("package"))
             loaded = _with_package_written_out(loaded, library, folder, source_map, remark)
         elif loaded.answer.flat is None:
             loaded = _with_text_written_out(loaded, library, file, source_map, remark)
@@ -153,7 +203,7 @@ def load_flat_model(
                 check_connect_sizes(model, unbalanced["variables"], library, _places(source_map))
                 return replace(read_flat_model(unbalanced, model, source_map), refusal=refusal)
             raise refusal from FrontEndError(words.error)
-        if loaded.file != given.file or source_map.text(file) != text:  # arrays were written out
+        if loaded.file != sources.file or source_map.text(file) != text:  # arrays were written out
             library = ClassLibrary(loaded.file, source_map.text(file), loaded.roots)
         _check(answer.flat, model, source_map, library)
         check_connect_sizes(model, answer.flat["variables"], library, _places(source_map))
@@ -285,7 +335,7 @@ def _check(flat: dict[str, Any], model: str, source_map: SourceMap, library: Cla
     reading = FlatReading(library, _places(source_map))
     for name in check_flat_model(flat, model, reading):
         flat["variables"][name]["fixed"] = [True]
-    check_package_constants(model, library, _places(source_map))
+    check_function_names(flat, model, reading)
     drop_miscounted_assertions(flat, reading)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -51,13 +51,21 @@ class SourceMap:
         self._files: dict[int, Path] | None = None
 
     def add_copy(self, given: Path, original: Path) -> None:
-        """Tells that the front end was given ``given`` in place of ``original``."""
-        self._copies[source_number(str(given))] = original
+        """Tells that the front end was given ``given`` in place of ``original``, which may be a copy itself."""
+        self._copies[source_number(str(given))] = self._original(original)
         self._files = None
 
     def add_text(self, original: Path, text: str) -> None:
         """Tells that the front end was given another text of the same lines in place of a file's."""
-        self._texts[original] = text.encode()
+        self._texts[self._original(original)] = text.encode()
+
+    def forget(self, originals: Iterable[Path]) -> None:
+        """Tells that the front end is given what stands in files, after all."""
+        for original in originals:
+            self._texts.pop(self._original(original), None)
+
+    def _original(self, path: Path) -> Path:
+        return self._copies.get(source_number(str(path)), path)
 
     def text(self, path: Path) -> bytes:
         """What the front end was given as the text of a file; it is read once."""

@@ -60,15 +60,33 @@ def package_view(model: str, package: Path, imports: Mapping[Path, Insertion], r
     given = [original.read_bytes().decode("utf-8", errors="surrogateescape") for original in originals]
     named = [with_imports(text, imports.get(original)) for original, text in zip(originals, given, strict=True)]
     written = with_arrays_written_out(model, named)
-    texts: dict[Path, str] = {}
+    texts = {
+        original: after
+        for original, before, after in zip(originals, given, written.texts, strict=True)
+        if after != before
+    }
+    return _copied(package, texts, written.numbers, root)
+
+
+def package_with(texts: dict[Path, str], package: Path, root: Path) -> PackageView:
+    """Copies a package's Modelica files, some with other texts.
+
+    Args:
+        texts: by file.
+        package: the folder that holds ``package.mo``.
+        root: an empty folder.
+    """
+    return _copied(package, texts, Numbers(), root)
+
+
+def _copied(package: Path, texts: dict[Path, str], numbers: Numbers, root: Path) -> PackageView:
     copies: dict[Path, Path] = {}
-    for original, before, after in zip(originals, given, written.texts, strict=True):
+    for original in sorted(package.rglob("*.mo")):
         copy = root / package.name / original.relative_to(package)
         copy.parent.mkdir(parents=True, exist_ok=True)
-        copy.write_bytes(after.encode("utf-8", errors="surrogateescape"))
+        text = texts.get(original)
+        copy.write_bytes(original.read_bytes() if text is None else text.encode("utf-8", errors="surrogateescape"))
         copies[copy] = original
-        if after != before:
-            texts[original] = after
     for order in package.rglob("package.order"):
         (root / package.name / order.relative_to(package)).write_bytes(order.read_bytes())
-    return PackageView(root, root / package.name / "package.mo", package, texts, copies, written.numbers)
+    return PackageView(root, root / package.name / "package.mo", package, texts, copies, numbers)

@@ -96,21 +96,35 @@ RIGHT = {
         {"f.loop_.x[3]": 3, "f.choice.y": 1},
     ),
 }
+# What the front end mixes up, so that packages are written out for it.
+WRITTEN_OUT = {
+    "computed": ("Real y = Medium.d; Real z = Heavy.d;", {"y": 9, "z": 15}),
+    "array": ("Real y = Medium.v[2]; Real z = Heavy.v[2];", {"y": 4, "z": 10}),
+    "computed from inherited": ("Real y = Medium.d; Real z = Heavy.own;", {"y": 9, "z": 45}),
+    "short class": ("Real y = Medium.d; Real z = Light.d;", {"y": 9, "z": 7}),
+    "two that inherit": ("Real y = Heavy.d; Real z = Light.d;", {"y": 15, "z": 7}),
+    "function": ("Real y = Medium.scaled(2); Real z = Heavy.scaled(2);", {"y": 18, "z": 30}),
+    "parameter": ("import P.Medium; import P.Heavy; Medium.Part p; Heavy.Part q;", {"p.q": 9, "q.q": 15}),
+    "inherited class": (
+        "import P.Medium; import P.Heavy; extends Heavy.Part; Medium.Part p;",
+        {"q": 15, "p.q": 9},
+    ),
+    "condition": ("import P.Medium; import P.Heavy; Medium.Folded f; Heavy.Folded g;", {"f.y": 2, "g.y": 1}),
+    "start of a type": ("import P.Medium; import P.Heavy; Medium.Started s; Heavy.Started t;", {"s.x": 9, "t.x": 15}),
+    "loop": ("import P.Heavy; Heavy.Loop l;", {"l.x[3]": 3, "l.x[4]": 0}),
+    "if-equation": ("import P.Heavy; Heavy.Choice c;", {"c.y": 1}),
+    "loop in an alias": ("import P.Light; Light.Loop l;", {"l.x[1]": 1, "l.x[2]": 0}),
+    "default beside a redeclared one": (
+        "Fluids f(redeclare package Fluid = Heavy); Fluids g;",
+        {"f.y": 25, "f.x[3]": 3, "g.y": 13, "g.x[2]": 2, "g.x[3]": 0},
+    ),
+}
+# What it does not take when it is written out: a record of another package, and constants of what is redeclared.
 REFUSED = {
-    "computed": "Real y = Medium.d; Real z = Heavy.d;",
-    "array": "Real y = Medium.v[2]; Real z = Heavy.v[2];",
-    "computed from inherited": "Real y = Medium.d; Real z = Heavy.own;",
-    "short class": "Real y = Medium.d; Real z = Light.d;",
-    "two that inherit": "Real y = Heavy.d; Real z = Light.d;",
-    "function": "Real y = Medium.scaled(2); Real z = Heavy.scaled(2);",
-    "parameter": "import P.Medium; import P.Heavy; Medium.Part p; Heavy.Part q;",
-    "inherited class": "import P.Medium; import P.Heavy; extends Heavy.Part; Medium.Part p;",
-    "condition": "import P.Medium; import P.Heavy; Medium.Folded f; Heavy.Folded g;",
-    "start of a type": "import P.Medium; import P.Heavy; Medium.Started s; Heavy.Started t;",
-    "loop": "import P.Heavy; Heavy.Loop l;",
-    "if-equation": "import P.Heavy; Heavy.Choice c;",
-    "loop in an alias": "import P.Light; Light.Loop l;",
-    "default beside a redeclared one": "Fluids f(redeclare package Fluid = Heavy); Fluids g;",
+    "records of two packages": (
+        "package N model S constant Integer k = 1; package Q constant Real c = k; constant Real d = 2*c; end Q; end S;"
+        " package T extends S.Q(c = 4); constant Integer k = 3; end T; end N; Real y = N.S.Q.d; Real z = N.T.d;"
+    ),
 }
 
 
@@ -129,14 +143,14 @@ def quick_or_full(cases):
     return [each if each in QUICK else pytest.param(each, marks=pytest.mark.full) for each in cases]
 
 
-@pytest.mark.parametrize("case", quick_or_full(RIGHT))
-def test_what_the_front_end_keeps_apart_is_right(case, tmp_path, fmu_cache):
-    declarations, values = RIGHT[case]
+@pytest.mark.parametrize("case", quick_or_full({**RIGHT, **WRITTEN_OUT}))
+def test_constants_have_the_values_of_their_packages(case, tmp_path, fmu_cache):
+    declarations, values = {**RIGHT, **WRITTEN_OUT}[case]
     result = simulate_fmu(str(built(tmp_path, declarations, fmu_cache)), output=list(values), stop_time=0.1)
     assert {name: float(result[name][-1]) for name in values} == pytest.approx(values)
 
 
-@pytest.mark.parametrize("case", quick_or_full(REFUSED))
+@pytest.mark.parametrize("case", REFUSED)
 def test_what_it_mixes_up_is_refused(case, tmp_path):
     with pytest.raises(UnsupportedModelError) as caught:
         built(tmp_path, REFUSED[case])

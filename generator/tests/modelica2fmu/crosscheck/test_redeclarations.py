@@ -356,10 +356,6 @@ REFUSED = [
             "redeclare function f = scaled", "g.f", DIRECTLY),
     Refused("package with modifiers", "Pipe p(redeclare package Fluid = Oil(c = 5));", "c is 5", "p.Fluid.density",
             "write the value here", "y := 20*c"),
-    Refused("constant of a package", "Real y = Heavy.c; Real z = Medium.c;", "Medium.c is 2", "the model",
-            "write the value here", "Real z = Medium.c"),
-    Refused("constant of an inherited function", "Real y = Heavy.value(); Real z = Medium.value();", "c is 2",
-            "Medium.value", "write the value here", "y := c"),
     Refused("record class with modifiers",
             "model H replaceable record D = Data; parameter D d; Real y = d.b; end H;"
             " H h(redeclare record D = MoreData(b = 6));",

@@ -1,0 +1,1 @@
+"""Packages that extend others with modifiers, written out with what they inherit."""
