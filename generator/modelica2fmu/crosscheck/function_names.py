@@ -49,7 +49,7 @@ def check_function_names(flat: Mapping[str, Any], model: str, reading: FlatReadi
                 raise UnsupportedModelError(
                     f"several classes have a function {name}, and the front end takes one of them for all",
                     place=Place(component=model) if extent is None else reading.place_of(extent),
-                    remedy=f"call each by a name with dots, as in Package.{name}(u)",
+                    remedy=f"call each by a name with dots, as in Package.{name}(u), or give them different names",
                 )
 
 

@@ -53,7 +53,7 @@ def mixed_up(given: Sources, place_of: Callable[[Extent], Place]) -> Unsupported
     return UnsupportedModelError(
         f"several classes have a record {name}, and the front end takes the fields of one of them for all",
         place=replace(place_of(extent), component=model),
-        remedy=f"call its constructor by a name with dots, as in Package.{name}(1)",
+        remedy=f"call its constructor by a name with dots, as in Package.{name}(1), or give them different names",
     )
 
 

@@ -308,6 +308,8 @@ HONOURED = [
     Honoured("TwoFunctions", "Calling g; Calling h(redeclare function f = scaled);", {"g.y": 3, "h.y": 6}),
     Honoured("Package", "Pipe p(redeclare package Fluid = Oil);", {"p.y": 80, "p.z": 4}),
     Honoured("PackageWrittenOut", "Pipe p(redeclare package Fluid = ThickOil);", {"p.y": 100, "p.z": 5}),
+    Honoured("PackageModified", "Pipe p(redeclare package Fluid = Oil(c = 5));", {"p.y": 100, "p.z": 5}),
+    Honoured("Constants", "Real y = Heavy.c; Real z = Medium.c; Real w = Heavy.value();", {"y": 3, "z": 2, "w": 3}),
     Honoured("Record", "HoldsData h(redeclare parameter MoreData data(b = 3));", {"h.y": 13}),
     Honoured("RecordByConstructor", "WithData w(data = Data(a = 7, b = 8)); WithData v(data = Data(9));",
              {"w.y": 15, "v.y": 11}),
@@ -354,8 +356,6 @@ REFUSED = [
             "a.g.f", DIRECTLY),
     Refused("nested function, extends", "extends CallingAround(g(redeclare function f = scaled));",
             "redeclare function f = scaled", "g.f", DIRECTLY),
-    Refused("package with modifiers", "Pipe p(redeclare package Fluid = Oil(c = 5));", "c is 5", "p.Fluid.density",
-            "write the value here", "y := 20*c"),
     Refused("record class with modifiers",
             "model H replaceable record D = Data; parameter D d; Real y = d.b; end H;"
             " H h(redeclare record D = MoreData(b = 6));",
