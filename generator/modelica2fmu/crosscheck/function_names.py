@@ -63,8 +63,10 @@ def _calls(tree: Any, called: set[str]) -> Iterator[tuple[str, int, Mapping[str,
         elif isinstance(item, dict):
             call = item.get("FunctionCall")
             if isinstance(call, dict):
-                place = call["name"]["component_ref"] if "name" in call else call["comp"]
-                parts: list[dict[str, Any]] = place["parts"] if place else []
+                place = call["name"] if "name" in call else call["comp"]
+                parts: list[dict[str, Any]] = (
+                    place.get("parts") or (place.get("component_ref") or {}).get("parts") or []
+                )
                 if len(parts) == 1 and parts[0]["ident"] in called and parts[0].get("def_id") is not None:
-                    yield parts[0]["ident"], parts[0]["def_id"], call.get("span") or place.get("span")
+                    yield parts[0]["ident"], parts[0]["def_id"], call.get("span") or parts[0]["span"]
             stack.extend(item.values())

@@ -167,6 +167,7 @@ class _Reader(ExpressionReader):
             shape=tuple(self.subscript(subscript) for subscript in item["shape_expr"]),
             default=self.optional(item["default"]),
             is_record=item["type_class"] == "Record",
+            rank=max(len(item["shape_expr"]), len((item.get("effective_type") or {}).get("dimensions") or ())),
         )
 
     def _external(self, name: str, item: dict[str, Any]) -> ir.External:

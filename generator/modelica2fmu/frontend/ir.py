@@ -303,6 +303,7 @@ class FunctionVariable:
         type: ``Real``, ``Integer``, ``Boolean``, ``String`` or a record's or enumeration's name.
         shape: declared dimensions; ``Colon`` where the argument decides.
         default: binding or default argument.
+        rank: number of its dimensions, those of its type included.
     """
 
     name: str
@@ -310,6 +311,7 @@ class FunctionVariable:
     shape: tuple[Subscript, ...] = ()
     default: Expression | None = None
     is_record: bool = False
+    rank: int = 0
 
 
 @dataclass(frozen=True)

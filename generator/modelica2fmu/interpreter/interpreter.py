@@ -15,11 +15,12 @@ import numpy as np
 
 from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter import arrays
-from modelica2fmu.interpreter.arrays import Record, Text, Value
+from modelica2fmu.interpreter.arrays import Record, ShapeError, Text, Value
 from modelica2fmu.interpreter.expression_interpreter import ITERATION_LIMIT, ExpressionInterpreter
 from modelica2fmu.interpreter.interpreter_host import Scope
 from modelica2fmu.interpreter.string_functions import STRING_FUNCTIONS
 from modelica2fmu.interpreter.value_functions import scalar_number
+from modelica2fmu.interpreter.vectorized_calls import arguments_of_element, results_as_arrays, vectorized_shape
 from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
@@ -48,7 +49,16 @@ class Interpreter(ExpressionInterpreter):
                 return (ex.unary(builtin, scalar_number(self.value(call.args[0], scope))),)
             raise self.unsupported(f"the function {call.name}", call.span)
         args = [self.value(arg, scope) for arg in call.args]
-        return self._invoke(function, args, call.span)
+        try:
+            shape = vectorized_shape(function, args)
+        except ShapeError as error:
+            raise self.wrong(str(error), call.span) from error
+        if not shape:
+            return self._invoke(function, args, call.span)
+        if 0 in shape:
+            return tuple(np.empty(shape, dtype=object) for _ in function.outputs)
+        elements = (arguments_of_element(function, args, shape, index) for index in np.ndindex(*shape))
+        return results_as_arrays([self._invoke(function, each, call.span) for each in elements], shape)
 
     def _invoke(self, function: ir.Function, args: list[Value], span: Span | None) -> tuple[Value, ...]:
         if self.call_depth >= _CALL_DEPTH_LIMIT:

@@ -26,6 +26,23 @@ PACKAGE = """
     algorithm
       y := 2*scaled(u);
     end twice;
+    function pair
+      input Real u;
+      output Real y;
+      output Real z;
+    algorithm
+      y := E*u;
+      z := u;
+    end pair;
+    function second
+      input Real u;
+      output Real y;
+    protected
+      Real t;
+    algorithm
+      (y, t) := pair(u);
+      y := y + t;
+    end second;
     function of{name}
       input Data data;
       output Real y;
@@ -35,11 +52,12 @@ PACKAGE = """
     model Bar
       Real f = scaled(1);
       Real g = twice(1);
+      Real k = second(1);
       Real h = of{name}(Data(1));
     end Bar;
   end {name};"""
 PACKAGES = PACKAGE.format(name="A", value=2) + PACKAGE.format(name="B", value=3)
-VALUES = {"a.f": 2, "a.g": 4, "a.h": 21, "b.f": 3, "b.g": 6, "b.h": 31, "f": 32}
+VALUES = {"a.f": 2, "a.g": 4, "a.h": 21, "a.k": 3, "b.k": 4, "b.f": 3, "b.g": 6, "b.h": 31, "f": 32}
 # Functions in models have no full name.
 IN_MODELS = """
   model A

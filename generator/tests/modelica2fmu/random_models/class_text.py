@@ -28,7 +28,8 @@ def _declaration(declared: Declaration) -> str:
         clause = ""
         if declared.constraint:
             clause = f" constrainedby {declared.constraint[0]}{_arguments(declared.constraint[1])}"
-        return f"{prefix}{declared.type_name} {declared.name}{size}{modified}{condition}{clause}"
+        scope = f"{declared.scope_prefix} " if declared.scope_prefix else ""
+        return f"{scope}{prefix}{declared.type_name} {declared.name}{size}{modified}{condition}{clause}"
     kind = "" if declared.kind == "variable" else f"{declared.kind} "
     return f"{kind}Real {declared.name}{_value(declared.modifier)}"
 

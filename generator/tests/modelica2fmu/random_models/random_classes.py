@@ -31,6 +31,8 @@ PARAMETERS = ("k", "p", "q")
 COMPONENTS = ("a", "b", "h")
 CLASSES = ("Part", "Unit", "Law")
 CLASS_ELEMENT = "T"
+WORLD = "w"  # an inner component, and what is outer
+WORLD_CLASS = "World"
 
 
 @dataclass(frozen=True)
@@ -71,6 +73,7 @@ class _Writer:
         return Instance(ClassInScope(self.package, None), Meaning(), None)
 
     def fill(self) -> None:
+        self._model(self.package, WORLD_CLASS)
         for name in ("A", "B", "C")[: self.choose.randint(1, 3)]:
             self._package(name)
         for _ in range(self.choose.randint(1, 3)):
@@ -143,6 +146,8 @@ class _Writer:
                 model.declarations.append(
                     Declaration(self.choose.choice(free), "parameter", Modifier((self._parameter(here),)))
                 )
+        if name != WORLD_CLASS and WORLD not in _known(here).slots:
+            self._world(here, types, "inner" if parts else "")
         if types and CLASS_ELEMENT not in _known(here).slots and self._chance(0.2):
             model.declarations.append(
                 Declaration(CLASS_ELEMENT, "class", type_name=self.choose.choice(types), is_replaceable=True)
@@ -154,6 +159,15 @@ class _Writer:
         self._number += 1
         model.declarations.append(Declaration(f"y{self._number}", "variable", Modifier((self._variable(here),))))
         holder.declarations.append(Declaration(name, "class", definition=model))
+
+    def _world(self, here: ClassInScope, types: list[str], prefix: str) -> None:
+        """An inner or outer component of one name for all, or none."""
+        prefix = prefix or self.choose.choice(["", "", "", "outer", "outer", "inner"])
+        if prefix:
+            modifier = self._modifier(here, WORLD_CLASS, types, 0) if prefix == "inner" else Modifier()
+            here.definition.declarations.append(
+                Declaration(WORLD, "component", modifier, WORLD_CLASS, scope_prefix=prefix)
+            )
 
     def _redeclare_inherited(self, here: ClassInScope, types: list[str]) -> None:
         """As elements of the class."""
@@ -211,6 +225,8 @@ class _Writer:
         self, here: ClassInScope, slot: Slot, types: list[str], depth: int, size: int
     ) -> Modifier | None:
         declared = slot.declaration
+        if declared.scope_prefix == "outer":
+            return None
         if declared.kind == "parameter" and self._chance(0.4):
             if size and self._chance(0.6):
                 return Modifier(tuple(self._parameter(here) for _ in range(size)))
@@ -292,6 +308,10 @@ def _paths(known: Instance, head: Path, depth: int) -> list[Path]:
         declared = slot.declaration
         if declared.kind in ("parameter", "variable"):
             paths.append((*head, name))
+        elif declared.scope_prefix == "outer":
+            if not head:
+                of_world = Instance(class_of(declared.type_name, slot.scope), Meaning(), None)
+                paths += _paths(of_world, (name,), 0)
         elif declared.kind == "component" and depth > 0 and not declared.is_absent:
             for index in indices(declared):
                 paths += _paths(known.part(name, index), head + element(name, index), depth - 1)
