@@ -9,6 +9,8 @@ namespace cmb {
 
 namespace {
 
+using convex::Lanes;
+using convex::LaneVec3;
 using convex::Mat3;
 using convex::SymmetricMatrix;
 
@@ -16,6 +18,11 @@ using convex::SymmetricMatrix;
 SymmetricMatrix turned(const Mat3 &turn, const SymmetricMatrix &matrix) {
   const Vec3 x = times(matrix, turn.row[0]), y = times(matrix, turn.row[1]), z = times(matrix, turn.row[2]);
   return {{dot(turn.row[0], x), dot(turn.row[1], y), dot(turn.row[2], z), dot(turn.row[1], z), dot(turn.row[2], x), dot(turn.row[0], y)}};
+}
+
+LaneVec3 turned(const Mat3 &turn, const LaneVec3 &p) {
+  const auto along = [&p](const Vec3 &row) { return row.x * p.x + row.y * p.y + row.z * p.z; };
+  return {along(turn.row[0]), along(turn.row[1]), along(turn.row[2])};
 }
 
 // The sum of row x row of both matrices, row by row.
@@ -54,17 +61,17 @@ void DepthBelowFaces::find(const Vec3 &overlap_middle, const SymmetricMatrix &ov
   const FaceClusters &clusters = body.clusters();
   const std::size_t count = clusters.count();
   if (bounds_.size() < count) {
-    for (std::vector<double> *const room : {&below_, &mean_square_, &part_}) room->resize(size * count + 1);
+    for (std::vector<double> *const room : {&below_, &mean_square_}) room->resize(size * count + 1);
     bounds_.resize(count);
     groups_.resize(count);
     near_.resize(size * count + 1);
-    normal_.resize(size * count + 1);
+    pairs_.resize(size * count / 2 + 1);
   }
   const Vec3 middle = transposed_times(in_axes.rotation, overlap_middle - in_axes.translation);
   const SymmetricMatrix spread = turned(transposed(in_axes.rotation), overlap_spread);
   const double *const x = clusters.normals(0), *const y = clusters.normals(1), *const z = clusters.normals(2);
   const double *const offset = clusters.offsets();
-  double *const below = below_.data(), *const mean_square = mean_square_.data(), *const part = part_.data();
+  double *const below = below_.data(), *const mean_square = mean_square_.data();
   // Few groups are looked at as one.
   constexpr std::size_t few = 8;
   const std::size_t width = count <= few ? size * count : size;
@@ -100,33 +107,41 @@ void DepthBelowFaces::find(const Vec3 &overlap_middle, const SymmetricMatrix &ov
   }
   // Once more in the overlap's axes. Where one of them is perpendicular to a face that it is thin below, the square of its thickness is
   // not a difference of squares of its width.
-  least = HUGE_VAL;
-  for (std::size_t k = 0; k < near_count; ++k) {
-    const std::size_t f = near[k];
-    const Vec3 n = in_axes.rotation * Vec3{x[f], y[f], z[f]};
-    normal_[k] = n;
-    mean_square[f] = below[f] * below[f] + dot(n, times(overlap_spread, n));
-    least = mean_square[f] < least ? mean_square[f] : least;
+  near[near_count] = near[0];  // in place of a second one of the last two
+  const std::size_t pairs = (near_count + 1) / 2;
+  Lanes leasts{HUGE_VAL, HUGE_VAL};
+  for (std::size_t k = 0; k < pairs; ++k) {
+    const std::size_t f = near[2 * k], g = near[2 * k + 1];
+    PairOfFaces &pair = pairs_[k];
+    pair.normal = turned(in_axes.rotation, LaneVec3(Lanes{x[f], x[g]}, Lanes{y[f], y[g]}, Lanes{z[f], z[g]}));
+    pair.below = Lanes{below[f], below[g]};
+    pair.mean_square = pair.below * pair.below + dot(pair.normal, times(overlap_spread, pair.normal));
+    leasts = pair.mean_square < leasts ? pair.mean_square : leasts;
   }
-  double sum = 0.0, raised = 0.0;  // of e^-8 and of e^-7, in units of the least
-  for (std::size_t k = 0; k < near_count; ++k) {
-    const double inverse = least / mean_square[near[k]], square = inverse * inverse;
-    const double seventh = square * square * square * inverse;
-    part[k] = inverse;
-    sum += seventh * inverse;
-    raised += seventh;
+  least = std::fmin(leasts[0], leasts[1]);
+  Lanes sums{}, raiseds{};  // of e^-8 and of e^-7, in units of the least
+  for (std::size_t k = 0; k < pairs; ++k) {
+    Lanes inverse = least / pairs_[k].mean_square;
+    if (2 * k + 1 == near_count) inverse[1] = 0.0;
+    const Lanes square = inverse * inverse, seventh = square * square * square * inverse;
+    pairs_[k].inverse = inverse;
+    sums += seventh * inverse;
+    raiseds += seventh;
   }
-  const double mean = raised / sum, inverse_sum = 1.0 / sum;
-  squares_ = {};
-  for (std::size_t k = 0; k < near_count; ++k) {
-    const double square = part[k] * part[k], fourth = square * square, depth = below[near[k]];
-    const double weight = fourth * fourth * (8.0 * mean * part[k] - 7.0) * inverse_sum;
-    const Vec3 &n = normal_[k], scaled = weight * n;
-    squares_.squares.m[0] += scaled.x * n.x, squares_.squares.m[1] += scaled.y * n.y, squares_.squares.m[2] += scaled.z * n.z;
-    squares_.squares.m[3] += scaled.y * n.z, squares_.squares.m[4] += scaled.z * n.x, squares_.squares.m[5] += scaled.x * n.y;
-    squares_.linear = squares_.linear + depth * scaled;
-    squares_.constant += weight * depth * depth;
+  const double sum = convex::sum_of(sums), mean = convex::sum_of(raiseds) / sum, inverse_sum = 1.0 / sum;
+  Lanes xx{}, yy{}, zz{}, yz{}, zx{}, xy{}, constant{};
+  LaneVec3 linear;
+  for (std::size_t k = 0; k < pairs; ++k) {
+    const PairOfFaces &pair = pairs_[k];
+    const Lanes square = pair.inverse * pair.inverse, fourth = square * square;
+    const Lanes weight = fourth * fourth * (8.0 * mean * pair.inverse - 7.0) * inverse_sum;
+    const LaneVec3 &n = pair.normal, scaled = weight * n;
+    xx += scaled.x * n.x, yy += scaled.y * n.y, zz += scaled.z * n.z;
+    yz += scaled.y * n.z, zx += scaled.z * n.x, xy += scaled.x * n.y;
+    linear = linear + pair.below * scaled;
+    constant += weight * pair.below * pair.below;
   }
+  squares_ = {{{convex::sum_of(xx), convex::sum_of(yy), convex::sum_of(zz), convex::sum_of(yz), convex::sum_of(zx), convex::sum_of(xy)}}, convex::sum_of(linear), convex::sum_of(constant)};
   least_ = least * mean;
   moment_ = 2.0 * sum_of_crosses(overlap_spread, squares_.squares);
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "math/lanes.hpp"
 #include "math/symmetric_matrix.hpp"
 #include "shape/contact_polytope.hpp"
 
@@ -17,6 +18,10 @@ struct Quadric {
   double constant = 0.0;
 
   double at(const Vec3 &x) const { return dot(convex::times(squares, x) - 2.0 * linear, x) + constant; }
+  // At two places.
+  convex::Lanes at(const convex::LaneVec3 &x) const {
+    return dot(times(squares, x) - convex::LaneVec3(2.0 * linear), x) + constant;
+  }
 };
 
 // softmin over the faces f of (mean of s_f^2 over the overlap), s_f being the depth of a place below face f, and
@@ -35,6 +40,12 @@ class DepthBelowFaces {
   const Vec3 &moment() const { return moment_; }
 
  private:
+  // Near faces: normals in the overlap's axes, and the least mean square by each one's.
+  struct PairOfFaces {
+    convex::LaneVec3 normal;
+    convex::Lanes below, mean_square, inverse;
+  };
+
   double least_ = 0.0;
   Quadric squares_;
   Vec3 moment_;
@@ -42,8 +53,7 @@ class DepthBelowFaces {
   std::vector<double> below_, mean_square_;  // by face: of the overlap's middle, over the overlap
   std::vector<std::size_t> groups_;          // that were looked at: their first faces
   std::vector<std::size_t> near_;            // faces that count
-  std::vector<Vec3> normal_;                 // in step, in the overlap's axes
-  std::vector<double> part_;                 // in step: least mean square by the face's
+  std::vector<PairOfFaces> pairs_;           // in step, two at once
 };
 
 }  // namespace cmb

@@ -41,15 +41,16 @@ DepthInRevolved::DepthInRevolved(const RevolvedBody &body, const Pose &in_axes, 
 // The mean over the overlap of (r^2 - distance^2)^2, summed over cones from the surface's place to its parts.
 double DepthInRevolved::mean_square_in_mantle(const OverlapSurface &surface) const {
   constexpr double third = 1.0 / 3.0, seventh = 1.0 / 7.0;
-  double sum = 0.0;
+  const convex::LaneVec3 axis(axis_), from_axis(from_axis_);
+  convex::Lanes sum{};
   for (const auto *const side : {&surface.of_a(), &surface.of_b()}) {
-    for (const OverlapSurface::Node &node : *side) {
-      const Inside way = inside_along(node.at, dot(axis_, node.at));
+    OverlapSurface::visit_lanes(*side, [&](const OverlapSurface::NodeLanes &node) {
+      const Inside<convex::Lanes> way = inside_along(node.at, dot(axis, node.at), from_axis);
       sum += node.cone * (there_ * there_ * third + way.first * (0.5 * there_ + 0.2 * way.first + third * way.second) +
                           way.second * (0.4 * there_ + seventh * way.second));
-    }
+    });
   }
-  return sum / surface.volume();
+  return convex::sum_of(sum) / surface.volume();
 }
 
 // Of a mean of polynomials along the same cones.
@@ -60,7 +61,7 @@ void DepthInRevolved::find_mean_slope(const OverlapSurface &surface, Vec3 &slope
     for (const OverlapSurface::Node &node : *side) {
       const Vec3 &p = node.at;
       const double part = node.cone, rise = dot(axis_, p);
-      const Inside way = inside_along(p, rise);
+      const Inside<double> way = inside_along(p, rise, from_axis_);
       const Vec3 change = 2.0 * (slope_square_ * rise * axis_ - (p - rise * axis_));  // of that, along the way
       const double twice = 2.0 * weight_[mantle];
       // By powers of the part of the way, from the second on: 1/3, 1/4, ...

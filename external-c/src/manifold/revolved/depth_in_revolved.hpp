@@ -19,11 +19,10 @@ class DepthInRevolved {
   double least() const { return least_; }
   // By how much more than in the mean a place of the surface's adds to it: the softmin's derivative by the overlap's volume there, times
   // the volume.
-  double excess(const Vec3 &p) const {
-    const double rise = dot(axis_, p);
-    const Inside way = inside_along(p, rise);
-    const double inside = there_ + way.first + way.second;
-    return level_ + rise * (growth_ + rise * bend_) + weight_[mantle] * inside * inside;
+  double excess(const Vec3 &p) const { return excess_at<double>(p, axis_, from_axis_); }
+  // Of two places.
+  convex::Lanes excess(const convex::LaneVec3 &p) const {
+    return excess_at<convex::Lanes>(p, convex::LaneVec3(axis_), convex::LaneVec3(from_axis_));
   }
   // The mean over the overlap of what the excess changes by the place, and of its moment about the overlap's middle.
   void find_mean_slope(const OverlapSurface &surface, Vec3 &slope, Vec3 &moment) const;
@@ -32,11 +31,20 @@ class DepthInRevolved {
   enum Side { base, mantle, top, sides };
 
   // r^2 - distance^2 along the way from the surface's place, where it is there_, to another one: quadratic in the part of the way.
+  template <typename Number>
   struct Inside {
-    double first, second;
+    Number first, second;
   };
-  Inside inside_along(const Vec3 &p, double rise) const {
-    return {2.0 * (radius_slope_ * rise - dot(from_axis_, p)), (1.0 + slope_square_) * rise * rise - norm2(p)};
+  template <typename Number, typename Place>
+  Inside<Number> inside_along(const Place &p, const Number &rise, const Place &from_axis) const {
+    return {2.0 * (radius_slope_ * rise - dot(from_axis, p)), (1.0 + slope_square_) * rise * rise - norm2(p)};
+  }
+  template <typename Number, typename Place>
+  Number excess_at(const Place &p, const Place &axis, const Place &from_axis) const {
+    const Number rise = dot(axis, p);
+    const Inside<Number> way = inside_along(p, rise, from_axis);
+    const Number inside = there_ + way.first + way.second;
+    return level_ + rise * (growth_ + rise * bend_) + weight_[mantle] * inside * inside;
   }
   double mean_square_in_mantle(const OverlapSurface &surface) const;
 

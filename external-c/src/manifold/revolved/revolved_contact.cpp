@@ -21,6 +21,7 @@ class PolytopePart {
   }
   double least() const { return depth_.least(); }
   double excess(const Vec3 &p) const { return depth_.squares().at(p - middle_) - depth_.least(); }
+  convex::Lanes excess(const convex::LaneVec3 &p) const { return depth_.squares().at(p - convex::LaneVec3(middle_)) - depth_.least(); }
   void find_mean_slope(const OverlapSurface &, Vec3 &slope, Vec3 &moment) const {
     slope = -2.0 * depth_.squares().linear;
     moment = depth_.moment();
@@ -47,7 +48,14 @@ OverlapLoad load_of(const OverlapSurface &surface, const PartA &a, const PartB &
   // Of A's or B's surface what counts as that, and what of the other one's counts so, too.
   const auto push = [&](const std::vector<OverlapSurface::Node> &side, double sense, const auto &excess) {
     if (!flush.any()) {
-      for (const OverlapSurface::Node &node : side) push_node(node, sense * excess(node.at));
+      const convex::LaneVec3 from(middle);
+      convex::LaneVec3 forces, torques;
+      OverlapSurface::visit_lanes(side, [&](const OverlapSurface::NodeLanes &node) {
+        const convex::LaneVec3 push_there = (sense * excess(node.at)) * node.area;
+        forces = forces + push_there;
+        torques = torques + cross(node.at - from, push_there);
+      });
+      force = force + sum_of(forces), torque = torque + sum_of(torques);
       return;
     }
     const bool of_a_side = &side == &surface.of_a();
@@ -60,9 +68,10 @@ OverlapLoad load_of(const OverlapSurface &surface, const PartA &a, const PartB &
       if (part != 0.0) push_node(node, sense * part * excess(node.at));
     }
   };
-  const auto of_a = [&](const Vec3 &p) { return a.excess(p); };
-  const auto of_b = [&](const Vec3 &p) { return b.excess(p); };
-  const auto of_both = [&](const Vec3 &p) { return a.excess(p) + b.excess(p); };
+  // Of a place, or two.
+  const auto of_a = [&](const auto &p) { return a.excess(p); };
+  const auto of_b = [&](const auto &p) { return b.excess(p); };
+  const auto of_both = [&](const auto &p) { return a.excess(p) + b.excess(p); };
   Vec3 slope, moment;
   double inside = 0.0;
   if (surface.area_b() < thin * surface.area_a()) {

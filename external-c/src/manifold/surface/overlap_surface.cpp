@@ -8,6 +8,9 @@ namespace cmb {
 
 namespace {
 
+using convex::Lanes;
+using convex::LaneVec3;
+
 constexpr double most_open = 1e-5;  // by all of the surface: what may be open
 
 }  // namespace
@@ -40,33 +43,39 @@ bool OverlapSurface::is_closed() const {
 // The integral of a homogeneous polynomial of degree k over the cones from the origin to the surface's parts is place . area times its
 // value there, by k + 3. From a place in the overlap no part is negative, so that nothing cancels: so first that place is found.
 bool OverlapSurface::sum() {
-  Vec3 open, first;
-  double volume = 0.0;
+  LaneVec3 opens, firsts;
+  Lanes volumes{};
   const auto add = [&](const std::vector<Node> &side) {
-    double whole = 0.0;
-    for (const Node &node : side) {
-      const double part = dot(node.at, node.area);
-      whole += norm(node.area);
-      open = open + node.area;
-      volume += part;
-      first = first + part * node.at;
-    }
-    return whole;
+    Lanes whole{};
+    visit_lanes(side, [&](const NodeLanes &node) {
+      const Lanes part = dot(node.at, node.area);
+      whole += convex::square_root(norm2(node.area));
+      opens = opens + node.area;
+      volumes += part;
+      firsts = firsts + part * node.at;
+    });
+    return convex::sum_of(whole);
   };
   area_[0] = add(a_), area_[1] = add(b_);
+  const Vec3 open = convex::sum_of(opens);
+  double volume = convex::sum_of(volumes);
+  Vec3 first = convex::sum_of(firsts);
   gap_ = norm(open);
   if (!(volume > 0.0) || !(gap_ <= most_open * (area_[0] + area_[1]))) return false;
   const Vec3 shift = (3.0 / (4.0 * volume)) * first;
   place_ = place_ + shift;
-  volume = 0.0, first = {};
+  volumes = Lanes{}, firsts = {};
   for (std::vector<Node> *const side : {&a_, &b_}) {
     for (Node &node : *side) {
       node.at = node.at - shift;
       node.cone = dot(node.at, node.area);
-      volume += node.cone;
-      first = first + node.cone * node.at;
     }
+    visit_lanes(*side, [&](const NodeLanes &node) {
+      volumes += node.cone;
+      firsts = firsts + node.cone * node.at;
+    });
   }
+  volume = convex::sum_of(volumes), first = convex::sum_of(firsts);
   if (!(volume > 0.0)) return false;
   volume_ = volume / 3.0;
   middle_ = (3.0 / (4.0 * volume)) * first;
@@ -75,10 +84,16 @@ bool OverlapSurface::sum() {
 }
 
 void OverlapSurface::find_spread() {
-  convex::SymmetricMatrix second;
+  Lanes sums[6] = {};
   for (const std::vector<Node> *const side : {&a_, &b_}) {
-    for (const Node &node : *side) second.add_square(node.cone, node.at);
+    visit_lanes(*side, [&](const NodeLanes &node) {
+      const LaneVec3 &at = node.at, part = node.cone * at;
+      sums[0] += part.x * at.x, sums[1] += part.y * at.y, sums[2] += part.z * at.z;
+      sums[3] += part.y * at.z, sums[4] += part.z * at.x, sums[5] += part.x * at.y;
+    });
   }
+  convex::SymmetricMatrix second;
+  for (int k = 0; k < 6; ++k) second.m[k] = convex::sum_of(sums[k]);
   spread_ = {};
   spread_.add(1.0 / (5.0 * volume_), second);
   spread_.add_square(-1.0, middle_);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "math/lanes.hpp"
 #include "math/symmetric_matrix.hpp"
 
 namespace cmb {
@@ -19,6 +20,21 @@ class OverlapSurface {
     Vec3 area;  // outward
     double cone = 0.0;  // place . area: three times the volume of the cone from the place; found by sum()
   };
+
+  // Two nodes; where there is no second one, that has no area.
+  struct NodeLanes {
+    convex::LaneVec3 at, area;
+    convex::Lanes cone;
+  };
+  // Visits all, two at once: sums over them come in an order of their own.
+  template <typename Visit>
+  static void visit_lanes(const std::vector<Node> &side, Visit &&visit) {
+    constexpr Node none{};
+    for (std::size_t k = 0; k < side.size(); k += 2) {
+      const Node &first = side[k], &second = k + 1 < side.size() ? side[k + 1] : none;
+      visit(NodeLanes{{first.at, second.at}, {first.area, second.area}, convex::Lanes{first.cone, second.cone}});
+    }
+  }
 
   // `place`: near the overlap.
   void start(const Vec3 &place) { a_.clear(), b_.clear(), place_ = place, area_[0] = area_[1] = 0.0; }
