@@ -39,6 +39,7 @@ def test_rotational_drive_trains(simulate):
     np.testing.assert_allclose(result["driven.phi"], expected, atol=TOLERANCE)
 
 
+@pytest.mark.full
 def test_translational_drive_trains(simulate):
     result = simulate("TranslationalDrives")
     t = result["time"]
@@ -63,6 +64,7 @@ def _bessel(t, reference):
     return solve_ivp(right, (0, t[-1]), [reference(0), 0], t_eval=t, rtol=1e-11, atol=1e-13, method="Radau").y
 
 
+@pytest.mark.full
 def test_prescribed_rotations(simulate):
     result = simulate("RotationalMotions")
     t = result["time"]
@@ -88,6 +90,7 @@ def test_prescribed_translations(simulate):
     np.testing.assert_allclose(result["mass[4].s"], 0.1 + 2 * t, atol=TOLERANCE)
 
 
+@pytest.mark.full
 def test_housing_takes_the_reaction(simulate):
     result = simulate("RotationalSupports", stop=0.5, interval=0.01)
     t, housing = result["time"], result["housing.phi"]
@@ -171,6 +174,7 @@ def test_controllers_with_feed_forward(simulate, kind):
     np.testing.assert_allclose(result["plant.y"], expected[0], atol=1e-6)
 
 
+@pytest.mark.full
 def test_limited_controller_reaches_the_angle(simulate):
     result = simulate("Controller", stop=2.0)
     assert np.max(np.abs(result["motor.tau"])) == pytest.approx(4.0)
@@ -178,6 +182,7 @@ def test_limited_controller_reaches_the_angle(simulate):
     assert result["angle.phi"][-1] == pytest.approx(1.0, abs=0.1)
 
 
+@pytest.mark.full
 def test_integrator_is_set_at_the_event(simulate):
     result = simulate("IntegratorReset", interval=0.03)
     t = result["time"]

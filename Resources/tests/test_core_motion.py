@@ -22,6 +22,7 @@ def _damped(t, x0, v0, frequency_squared, damping, rest):
     return rest + np.exp(-decay * t) * (a * np.cos(omega * t) + b * np.sin(omega * t))
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("name", ["RevolutePendulum", pytest.param("RevoluteBackwards", marks=pytest.mark.full)])
 def test_pendulum_follows_elliptic_function(simulate, name):
     result = simulate(name, stop=3.0)
@@ -33,6 +34,7 @@ def test_pendulum_follows_elliptic_function(simulate, name):
     np.testing.assert_allclose(result["joint.w"], 2 * rate * k * cn, atol=10 * TOLERANCE)
 
 
+@pytest.mark.full
 def test_prismatic_with_spring_and_damper(simulate):
     result = simulate("PrismaticOscillator", stop=2.0)
     rest = 0.05 - 2 * G / 50
@@ -41,6 +43,7 @@ def test_prismatic_with_spring_and_damper(simulate):
     np.testing.assert_allclose(result["body.frame_a.r_0[3]"], expected, atol=TOLERANCE)
 
 
+@pytest.mark.full
 def test_cylindrical_falls_and_turns_independently(simulate):
     result = simulate("CylindricalScrew")
     t = result["time"]
@@ -57,6 +60,7 @@ def test_universal_keeps_energy_and_is_two_rotations(simulate, vector):
     np.testing.assert_allclose(vector(result, "body.frame_a.R.T"), about.inv().as_matrix(), atol=1e-12)
 
 
+@pytest.mark.full
 def test_planar_throw_is_a_parabola(simulate):
     result = simulate("PlanarThrow")
     t = result["time"]
@@ -183,6 +187,7 @@ def test_point_gravity_gives_keplers_ellipse(simulate, vector):
         np.testing.assert_allclose(position, x * r0 + y * across, atol=1e-7)
 
 
+@pytest.mark.full
 def test_gravity_can_be_any_function(simulate, vector):
     result = simulate("ExternalGravity", stop=2.0)
     t = result["time"]

@@ -25,7 +25,7 @@ def _reference(name):
         ("TumblingBody", 10.0),
         ("OffsetBody", 2.0),
         ("DoublePendulum", 3.0),
-        ("PlanarFourBar", 3.0),
+        pytest.param("PlanarFourBar", 3.0, marks=pytest.mark.full),
         ("SlidingBlock", 1.0),
         pytest.param("Hexapod.Walk", 0.03, marks=pytest.mark.full),
     ],

@@ -172,6 +172,7 @@ def test_the_order_of_the_points_does_not_matter(law: Law) -> None:
     assert compared > 300
 
 
+@pytest.mark.full
 def test_a_motion_round_a_closed_way_takes_energy(law: Law) -> None:
     """Points that circle, rock and change their load; what goes in less what is stored never falls."""
     patch, lost_so_far, taken, dt = square(), 0.0, 0.0, 2e-6

@@ -140,6 +140,7 @@ def test_spring_and_damper_do_not_pull(core: Compiler) -> None:
     assert final(simulate(core, "Impacts.SpringDamperImpact", 0.3), "delivered") == pytest.approx(expected, abs=1e-4)
 
 
+@pytest.mark.full
 def test_collision_keeps_momentum_and_angular_momentum(core: Compiler) -> None:
     motion = simulate(core, "Impacts.ObliqueImpact", 0.5)
     assert np.abs(motion["contact.impactSpeed[1]"]).max() > 1, "they never met"

@@ -52,6 +52,7 @@ end Lonely;
     assert "Parts.Ground" in said
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("manager", ["ContactManager", OTHERS[0]])
 @pytest.mark.parametrize(
     ("geometry", "colliders"),

@@ -20,12 +20,6 @@ def test_finds_the_library() -> None:
     assert {file.full_name for file in FILES} >= {"ContactMultiBody", "ContactMultiBody.ContactManager"}
 
 
-def test_an_independent_parser_accepts_the_files_of_a_sample() -> None:
-    """Every sixth."""
-    for file in FILES[::6]:
-        pymoca.parser.parse(file.text)
-
-
 @pytest.mark.full
 def test_an_independent_parser_accepts_every_file() -> None:
     for file in FILES:

@@ -333,6 +333,7 @@ class TestCues:
         before, after = picture(tab, {**PLAIN, "knownSizes": False}), picture(tab, {"knownSizes": True})
         assert (before != after).any()
 
+    @pytest.mark.full
     def test_the_observers_mouse_moves_what_is_near_against_what_is_far(self, tab: Tab) -> None:
         make(tab, [box([0, 0, -1.5], [0.02, 0.02, 1e-6]), box([0, 0, -2], [0.02, 0.02, 1e-6])])
         picture(tab, {**PLAIN, "headMotion": True}, output="plain", camera="central")

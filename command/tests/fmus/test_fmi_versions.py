@@ -34,6 +34,7 @@ def test_the_descriptions_say_the_same(fmus: dict[str, Path]) -> None:
         assert (other.kind, other.unit) == (variable.kind, variable.unit)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("mode", ["me", pytest.param("cs", marks=pytest.mark.full)])
 def test_the_trajectories_are_the_same(mode: str, fmus: dict[str, Path], cmb: Cmb, tmp_path: Path) -> None:
     signals = ("ball.r_0[3]", "ball.v_0[3]", "contacts.touches[1]", "contacts.normalForce[1]")

@@ -51,11 +51,7 @@ def test_a_sliding_block_stops_in_few_steps(tolerance: float, mode: Mode, slidin
 
 SPREAD = 40.0
 """How many tolerances a result may be off, over some bounces."""
-SOME = {1e-3}
-TOLERANCES = [
-    pytest.param(tolerance, marks=() if tolerance in SOME else pytest.mark.full)
-    for tolerance in (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8)
-]
+TOLERANCES = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]
 
 
 @pytest.fixture(scope="session")

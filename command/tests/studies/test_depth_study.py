@@ -36,6 +36,7 @@ def test_sequences_are_written(cmb_here, tmp_path):
     assert {row["step"] for row in rows if row["position"] != "1"} == {"edge"}
 
 
+@pytest.mark.full
 def test_a_simulated_study_is_evaluated_beside_the_published_one(cmb_here, tmp_path):
     study, page = tmp_path / "study.db", tmp_path / "study.html"
     done = cmb_here("depth-study", "simulate", "--studies", "20", "--observers", "20", "--output", study)

@@ -22,7 +22,7 @@ MODELS = {
     "guarded": models.GUARDED,
     "switching": models.SWITCHING,
 }
-QUICK = {"guarded", "schedule"}
+QUICK = {"guarded"}
 EXTERNAL = {"guarded": ("guard", "digits", "digits_base")}
 
 

@@ -44,8 +44,8 @@ MODELS = {
     "PairOfBalls": BALLS.format(name="PairOfBalls", geometry=BALL, manager=PAIRS),
     "CompiledPlate": BALLS.format(name="CompiledPlate", geometry=PLATE, manager=COMPILED),
 }
-# The plate is of another shape alone.
-SOME_MODELS = [pytest.param(name, marks=pytest.mark.full if name == "CompiledPlate" else ()) for name in MODELS]
+# The others are of another manager or shape alone.
+SOME_MODELS = [pytest.param(name, marks=() if name == "CompiledBalls" else pytest.mark.full) for name in MODELS]
 SIGNALS = ["one.r_0[1]", "one.v_0[1]", "other.r_0[1]", "other.v_0[1]"]
 
 # A rod of 10 mm turns about its end and sweeps a ball of 10 mm on a rail, which it meets at a right angle to itself.

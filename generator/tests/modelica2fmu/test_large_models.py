@@ -33,7 +33,8 @@ end Chain;
 """
 
 
-@pytest.mark.parametrize("masses", [pytest.param(240, marks=pytest.mark.full), 260])
+@pytest.mark.full
+@pytest.mark.parametrize("masses", [240, 260])
 def test_a_long_chain_swings_as_its_closed_form_says(simulate, masses):
     """Its steps are short beside its fastest oscillation, so that no step needs a linear system."""
     waves = 30
@@ -104,6 +105,7 @@ end Heap;
 SOME = ["x[1]", "x[30]", "x[60]", "cmbSolver.steps", "cmbSolver.evaluations", "cmbSolver.jacobians"]
 
 
+@pytest.mark.full
 def test_explicit_steps_follow_bounces_as_another_integrator_does(simulate):
     """While masses bounce explicit steps go on; the importer's CVODE agrees within ten tolerances."""
     found = simulate(HEAP, SOME, stop=0.5, tolerance=1e-5, interval=0.002, fmi_type="CoSimulation")

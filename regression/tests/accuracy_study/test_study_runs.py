@@ -208,6 +208,7 @@ def test_a_second_call_runs_only_what_is_missing(clean, bouncing_mass, tmp_path)
     assert table(tmp_path) == table(clean[0])
 
 
+@pytest.mark.full
 def test_killed_and_called_again(clean, bouncing_mass, tmp_path):
     (tmp_path / "study.toml").write_text(TEXT)
     code = (

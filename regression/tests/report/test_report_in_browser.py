@@ -176,6 +176,7 @@ def test_on_paper_plots_have_light_colours(browser: Browser, folder: Path) -> No
     assert tab.value(ink) == "#e6eaf0"
 
 
+@pytest.mark.full
 def test_the_picture_alone_shows_the_scene_at_its_time(browser: Browser, folder: Path) -> None:
     shots = []
     for time in (0.0, 0.2):

@@ -90,6 +90,7 @@ def test_angular_velocity_in_body_axes() -> None:
     assert spin == pytest.approx(np.broadcast_to([1.0, 2.0, 3.0], spin.shape), abs=1e-4)
 
 
+@pytest.mark.full
 def test_pendulum_keeps_its_energy_and_hammer_never_gains(tmp_path: Path) -> None:
     content, result = hammer()
     energy = energy_balance(load_scene(write_scene(content, tmp_path / "scene.json")), result)

@@ -177,6 +177,7 @@ def test_what_is_nearer_among_the_dots_is_farther_left_for_the_right_eye(browser
         assert (left[inner] != right[inner]).mean() > 0.3
 
 
+@pytest.mark.full
 def test_dots_are_shown_by_the_technique(browser, study):
     """Rows in turn: those of either eye are that eye's dots."""
     tab = browser.tab(study.server.address)

@@ -136,6 +136,7 @@ def runnable_kernels() -> list[str]:
     return [kernels for kernels, wanted in KERNELS.items() if wanted <= flags]
 
 
+@pytest.mark.full
 @pytest.mark.skipif(len(runnable_kernels()) < 2, reason="this processor runs just one of the kernels")
 def test_sequences_do_not_depend_on_the_processor():
     """Linear algebra rounds by the kernels chosen for a processor; equally good paths must not be told apart so."""

@@ -194,6 +194,7 @@ def test_cues_of_depth_can_be_switched_off(browser, server):
     assert switch(shading=True) == shaded
 
 
+@pytest.mark.full
 def test_a_gamepad_pushes_and_one_that_is_unplugged_stands_in_the_middle(browser, server):
     tab = browser.tab(server.address)
     tab.until(state("paused · you steer"))

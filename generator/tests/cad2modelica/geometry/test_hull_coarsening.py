@@ -16,6 +16,7 @@ def egg(count: int, halves: tuple[float, float, float]) -> np.ndarray:
     return np.column_stack([np.cos(around) * across, np.sin(around) * across, height]) * halves
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("halves", [(1.0, 2.0, 3.0), (1.0, 0.02, 0.3)], ids=["egg", "blade"])
 @pytest.mark.parametrize("error", [3e-2, 3e-3])
 def test_what_is_left_out_is_no_farther_than_told(halves: tuple[float, float, float], error: float) -> None:
@@ -34,6 +35,7 @@ def test_what_is_left_out_is_no_farther_than_told(halves: tuple[float, float, fl
     assert told <= error
 
 
+@pytest.mark.full
 def test_the_finer_the_more_corners() -> None:
     hull = ConvexHull(egg(3000, (1.0, 2.0, 3.0)))
     counts = [len(coarsened(hull, error)[0]) for error in (0.1, 0.03, 0.01, 0.003)]

@@ -45,6 +45,7 @@ def test_distance_from_one_triangle(seed: int) -> None:
     assert (found <= np.array(expected) + 1e-12).all()
 
 
+@pytest.mark.full
 def test_distance_from_triangles_of_many_sizes() -> None:
     """The trees find what a look at each triangle finds, to the last bits."""
     random = np.random.default_rng(1)

@@ -128,6 +128,7 @@ def states(mechanism: Mechanism, folder: Path) -> tuple[set[str], str]:
     return {name for name, flags in loops.independent.items() if any(flags)}, "\n".join(loops.notes)
 
 
+@pytest.mark.full
 def test_state_is_a_coordinate_that_comes_to_no_dead_centre_soon(tmp_path: Path) -> None:
     """The crank's angle would be chosen, for it starts with a speed; after 0.89 rad it goes back."""
     mechanism = reach("universal", "universal")

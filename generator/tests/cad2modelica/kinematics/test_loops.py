@@ -229,6 +229,7 @@ def test_loop_without_spherical_joints(tmp_path: Path) -> None:
     assert loops.rates["r"] == (1.0,)
 
 
+@pytest.mark.full
 def test_two_planar_loops_in_different_planes_that_share_two_bodies(tmp_path: Path) -> None:
     """Each keeps its own planar constraint, whatever order the joints are listed in."""
     corners = {"p": (1, 0, 1), "q": (2, 0, 1.2), "r": (0.5, 1, 0.4)}

@@ -82,6 +82,7 @@ def test_floor_below_a_pendulum(tmp_path: Path, height: float, apart: bool) -> N
     assert reach_of(assembly, (floor,)).apart(balls_of(assembly, 0.5))("floor", "bob") is apart
 
 
+@pytest.mark.full
 @settings(max_examples=60, deadline=None)
 @given(st.integers(0, 2**32 - 1))
 def test_no_pose_of_a_chain_contradicts(tmp_path_factory: pytest.TempPathFactory, seed: int) -> None:

@@ -91,6 +91,7 @@ def body(content: str, *, sections: str = "") -> str:
     return f"<mujoco>{sections}<worldbody><body name='b'>{content}</body></worldbody></mujoco>"
 
 
+@pytest.mark.full
 def test_double_pendulum_agrees_with_openmodelica(tmp_path: Path) -> None:
     (tmp_path / "pendulum.xml").write_text(PENDULUM)
     package = generate(tmp_path / "pendulum.xml", tmp_path / "out")

@@ -50,6 +50,7 @@ def refused(tmp_path: Path, text: str) -> str:
     return str(caught.value)
 
 
+@pytest.mark.full
 def test_double_pendulum_agrees_with_openmodelica(tmp_path: Path) -> None:
     (tmp_path / "pendulum.sdf").write_text(PENDULUM)
     package = generate(tmp_path / "pendulum.sdf", tmp_path / "out")

@@ -28,6 +28,7 @@ def minute(model: str, names: list[str], folder: Path, cache: Path, tolerance: f
 KINDS = ["CoSimulation", "ModelExchange"]
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("kind", KINDS)
 def test_loop_of_a_four_bar_stays_closed(tmp_path, fmu_cache, kind):
     """Crank and coupler end where ground and rocker end, by the joints' angles alone."""
