@@ -18,6 +18,7 @@ from modelica2fmu.packaging import package_fmu
 from modelica2fmu.packaging.platforms import find_platforms
 from modelica2fmu.phases import PhaseClock
 from modelica2fmu.report import BuildReport, SolvedBlock
+from modelica2fmu.source_places import SourcePlaces
 from modelica2fmu.translation import Translation, check_model_name, translate
 
 __all__ = ["BuildOptions", "BuildReport", "SolvedBlock", "Translation", "build_fmu", "translate"]
@@ -50,11 +51,11 @@ def build_fmu(
         return _build(model, sources, output, library, options, progress)
     check_model_name(model)
     cache = FmuCache(options.cache)
-    key = fingerprint(model, sources, library, options)
-    report = cache.fetch(key, output)
+    key, places = fingerprint(model, sources, library, options), SourcePlaces.of(sources)
+    report = cache.fetch(key, output, places)
     if report is None:
         report = _build(model, sources, output, library, options, progress)
-        cache.store(key, report)
+        cache.store(key, report, places)
     # The same files may have been found in another place.
     return replace(report, library=library)
 
@@ -97,6 +98,7 @@ def _build(
         operations=translation.generated.operations,
         warnings=tuple(systems.warnings),
         timings=tuple(clock.timings.items()),
+        files=translation.files,
     )
 
 

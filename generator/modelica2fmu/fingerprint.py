@@ -30,7 +30,8 @@ def fingerprint(model: str, sources: Sequence[Path], library: StandardLibrary, o
     """The digest of a build, SHA-256 in hexadecimal.
 
     It covers contents, not times: the model's sources and those of every library that the front end may read, C
-    headers and libraries beside them, the Standard Library, the builder itself, its compiler and the options.
+    headers and libraries beside them, the Standard Library, the builder itself, its compiler and the options. Where the
+    sources stand it does not cover: see :mod:`modelica2fmu.source_places`.
 
     Raises:
         InputError: a source does not exist, or none holds the model's package.
@@ -48,11 +49,13 @@ def fingerprint(model: str, sources: Sequence[Path], library: StandardLibrary, o
     for platform in find_platforms(options.platforms):
         add(platform.name, _toolchain(platform))
     file, roots = locate(model, sources)
-    places = dict.fromkeys(path.resolve() for path in (*roots, library.folder, *other_libraries(), *sources, file))
+    libraries = {path.resolve() for path in (library.folder, *other_libraries())}
+    places = dict.fromkeys(path.resolve() for path in (*roots, *libraries, *sources, file))
     for root in places:
         if any(parent in places for parent in root.parents):
             continue
-        add(str(root))  # an FMU may name files of its model
+        is_package = (root / "package.mo").is_file()
+        add(str(root) if root in libraries else "source", root.name if is_package else "")
         for path in _inputs(root):
             add(path.relative_to(root).as_posix() if root.is_dir() else path.name, _digest(path))
     return digest.hexdigest()

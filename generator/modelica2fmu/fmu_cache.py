@@ -5,14 +5,17 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
 from contact_foundation.output import whole_file
 
 from modelica2fmu.report import BuildReport
+from modelica2fmu.source_places import SourcePlaces
 
 _LIMIT: Final = 2 * 1024**3
+_NOWHERE: Final = SourcePlaces()
 
 
 class FmuCache:
@@ -30,15 +33,28 @@ class FmuCache:
         self._folder = folder
         self._limit = limit
 
-    def fetch(self, key: str, output: Path) -> BuildReport | None:
-        """Copies the FMU of a key to ``output``; its report, or None if there is none or it is damaged."""
+    def fetch(self, key: str, output: Path, places: SourcePlaces = _NOWHERE) -> BuildReport | None:
+        """Copies the FMU of a key to ``output``.
+
+        Args:
+            key: digest of what it is made from.
+            output: the file to write.
+            places: where the sources stand.
+
+        Returns:
+            Its report; None if there is none, it is damaged or names other places, or if a file that the model names
+            holds something else now.
+        """
         fmu, record = self._paths(key)
         try:
             values: dict[str, Any] = json.loads(record.read_text(encoding="utf-8"))
             content = fmu.read_bytes()
             if hashlib.sha256(content).hexdigest() != values.pop("digest"):
                 return None
-            report = BuildReport.from_json(values, output)
+            files = places.unchanged(values.pop("files"))
+            if files is None or not places.names.issuperset(values.pop("places")):
+                return None
+            report = replace(BuildReport.from_json(values, output), files=files)
             os.utime(fmu)
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
             return None
@@ -46,12 +62,20 @@ class FmuCache:
             staging.write_bytes(content)
         return report
 
-    def store(self, key: str, report: BuildReport) -> None:
-        """Keeps the FMU of a report; a folder that cannot be written to is no failure of the build."""
+    def store(self, key: str, report: BuildReport, places: SourcePlaces = _NOWHERE) -> None:
+        """Keeps the FMU of a report, in place of one that names other places or is made of other files.
+
+        A folder that cannot be written to is no failure of the build.
+        """
         fmu, record = self._paths(key)
         try:
             content = report.fmu.read_bytes()
-            values = {**report.as_json(), "digest": hashlib.sha256(content).hexdigest()}
+            values = {
+                **report.as_json(),
+                "digest": hashlib.sha256(content).hexdigest(),
+                "places": places.named(report.fmu, report.warnings),
+                "files": places.digests(report.files),
+            }
             with whole_file(fmu) as staging:
                 staging.write_bytes(content)
             with whole_file(record) as staging:

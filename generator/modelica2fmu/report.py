@@ -38,6 +38,7 @@ class BuildReport:
         operations: lines of C of one evaluation of the derivatives.
         warnings: assumptions the user should know of.
         timings: seconds by phase, of the build that made the FMU.
+        files: geometry and tables that the model names by file, and that the FMU holds.
         cached: = true, if the FMU was taken from the cache.
     """
 
@@ -56,6 +57,7 @@ class BuildReport:
     operations: int
     warnings: tuple[str, ...]
     timings: tuple[tuple[str, float], ...]
+    files: tuple[Path, ...] = ()
     cached: bool = False
 
     def summary(self) -> str:
@@ -91,9 +93,9 @@ class BuildReport:
         return "\n".join(lines)
 
     def as_json(self) -> dict[str, Any]:
-        """All but the file, as values that JSON knows."""
+        """All but the files, as values that JSON knows."""
         values = asdict(self)
-        del values["fmu"], values["cached"]
+        del values["fmu"], values["cached"], values["files"]
         values["library"]["folder"] = str(self.library.folder)
         return values
 

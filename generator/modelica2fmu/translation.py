@@ -25,8 +25,9 @@ from modelica2fmu.frontend.loading import load_flat_model
 from modelica2fmu.garbage import collection_paused
 from modelica2fmu.library.cache_pruning import pruned_after_use
 from modelica2fmu.library.experiment import read_experiment
-from modelica2fmu.library.external_code import ExternalCode, find_external_code, named_file
+from modelica2fmu.library.external_code import ExternalCode, find_external_code
 from modelica2fmu.library.library_repairs import repaired_library, views_folder
+from modelica2fmu.library.named_files import NamedFiles
 from modelica2fmu.library.source_map import SourceMap
 from modelica2fmu.library.sources import locate
 from modelica2fmu.library.standard_library import StandardLibrary, other_libraries, told_of_the_core_subset
@@ -50,6 +51,8 @@ class Translation:
     systems: Systems
     generated: GeneratedModel
     description: ModelDescription
+    files: tuple[Path, ...] = ()
+    """That the model names, and the generated code holds."""
 
 
 def check_model_name(model: str) -> None:
@@ -92,13 +95,15 @@ def _translate(
             with told_of_the_core_subset(library):
                 flat = load_flat_model(model, file, roots, source_map, clock.remark)
             clock.begin("expand")
-            scalar = scalarize(flat, source_map, lambda name: named_file(name, roots, file))
+            files = NamedFiles(roots, file)
+            scalar = scalarize(flat, source_map, files.find)
             if OutputGroup.ENERGIES in outputs:
                 add_energies(scalar, find_mechanism(scalar.variables))
             external = _with_real_paths(find_external_code(scalar.external_annotations, roots, model.split(".")[0]))
             external = replace(external, modules=chosen_modules(scalar.calls))
             icon = icon_png(model, [*sources, *roots])
-            scalar.calls[:] = write_out_geometry(scalar.calls, LINUX64.searched(external.library_directories), roots)
+            engines = LINUX64.searched(external.library_directories)
+            scalar.calls[:] = write_out_geometry(scalar.calls, engines, files.find)
         clock.begin("reduce")
         reduced = eliminate_aliases(scalar, source_map)
         clock.begin("sort")
@@ -127,7 +132,7 @@ def _translate(
         needs_completed_steps=generated.needs_completed_steps,
         icon=icon,
     )
-    return Translation(scalar, reduced, systems, generated, with_outputs(description, outputs))
+    return Translation(scalar, reduced, systems, generated, with_outputs(description, outputs), files.found)
 
 
 def _shown(path: Path, original: Path, view: Path) -> Path:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import ctypes
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Final
@@ -16,24 +16,23 @@ from typing import Final
 from contact_foundation.errors import InputError
 
 from modelica2fmu.expand.scalar_model import ExternalCall
-from modelica2fmu.library.external_code import resource_path
 from modelica2fmu.symbolic.expression import Node
 
 _ENGINE: Final = "libcontactmultibody.so"
 _ROOM: Final = 1 << 21  # bytes, for most descriptors
 _NAMES_A_FILE: Final = re.compile(r"cmb/\d+ \S+ (?:[^;]* )?file=")
-_URI: Final = re.compile(r'(?<=file=)(?:"(?P<quoted>modelica://[^"]*)"|(?P<bare>modelica://[^\s;]*))', re.IGNORECASE)
+_FILE: Final = re.compile(r'(?<=\bfile=)(?:"(?P<quoted>[^"]*)"|(?P<bare>[^\s;"]+))')
 
 
 def write_out_geometry(
-    calls: Sequence[ExternalCall], library_directories: Sequence[Path], roots: Sequence[Path]
+    calls: Sequence[ExternalCall], library_directories: Sequence[Path], file: Callable[[str], Path]
 ) -> list[ExternalCall]:
     """The calls with descriptors that name no files.
 
     Args:
         calls: external calls of a model; those without such descriptors stay as they are.
         library_directories: where the engine's library is looked for.
-        roots: folders that contain the packages of ``modelica://`` names.
+        file: the file that a name in a model means.
 
     Raises:
         InputError: a file cannot be read or is no mesh, or the engine is missing.
@@ -44,7 +43,7 @@ def write_out_geometry(
         if not (isinstance(value, str) and _names_file(value)):
             return value
         if value not in written:
-            written[value] = _written_out(value, library_directories, roots)
+            written[value] = _written_out(value, library_directories, file)
         return written[value]
 
     return [
@@ -62,13 +61,9 @@ def _names_file(value: object) -> bool:
     return isinstance(value, str) and _NAMES_A_FILE.search(value) is not None
 
 
-def _written_out(descriptor: str, library_directories: Sequence[Path], roots: Sequence[Path]) -> str:
+def _written_out(descriptor: str, library_directories: Sequence[Path], file: Callable[[str], Path]) -> str:
     def absolute(match: re.Match[str]) -> str:
-        uri = match["quoted"] or match["bare"]
-        path = resource_path(uri, roots)
-        if path is None:
-            raise InputError(f"there is no file {uri}", remedy="check the name of the package and of the file")
-        return f'"{path}"'
+        return f'"{file(match["quoted"] or match["bare"]).absolute()}"'
 
     library = next((path for folder in library_directories if (path := folder / _ENGINE).is_file()), None)
     if library is None:
@@ -85,7 +80,7 @@ def _written_out(descriptor: str, library_directories: Sequence[Path], roots: Se
         ctypes.POINTER(ctypes.c_size_t),
     ]
     engine.cmb_last_error.restype = ctypes.c_char_p
-    text = _URI.sub(absolute, descriptor).encode()
+    text = _FILE.sub(absolute, descriptor).encode()
     length = ctypes.c_size_t(0)
     room = ctypes.create_string_buffer(_ROOM)
     for _ in range(2):  # the second time with the room that the first asked for

@@ -117,6 +117,12 @@ _KNOWN: Final = tuple(
             re.compile(r"\bCombiTable2D[sv]\b"),
         ),
         (
+            r".*\ba table read from a file \(tableOnFile\) is unsupported",
+            "tables in files (tableOnFile=true) are not taken",
+            "write the rows into the model, as in table=[0, 1; 10, 2], and leave tableOnFile and fileName out",
+            re.compile(r"\btableOnFile\s*=\s*true\b"),
+        ),
+        (
             r"missing source context: .* for component binding type compatibility was not found",
             "a Boolean is given a number",
             "write true or false, or a relation",
@@ -192,6 +198,6 @@ def with_remedy(error: InputError, file: Path) -> InputError:
         place = error.place
         line = line_of(known.mentions, file) if known.mentions is not None else None
         if place is not None and line is not None:
-            place = replace(place, line=line)
+            place = replace(place, file=file, line=line)
         return InputError(message, place=place, remedy=known.remedy.format(**groups))
     return error

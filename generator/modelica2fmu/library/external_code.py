@@ -9,7 +9,7 @@ from typing import Final
 
 from contact_foundation.errors import InputError
 
-_SCHEME: Final = "modelica://"
+SCHEME: Final = "modelica://"
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ def find_external_code(
 
 
 def _folder(uri: str, roots: Sequence[Path]) -> Path:
-    if not uri.lower().startswith(_SCHEME):
+    if not uri.lower().startswith(SCHEME):
         path = Path(uri.removeprefix("file://"))
         if path.is_dir():
             return path
@@ -98,7 +98,7 @@ def resource_path(uri: str, roots: Sequence[Path]) -> Path | None:
     Raises:
         InputError: the name leaves its package.
     """
-    relative = Path(uri[len(_SCHEME) :])
+    relative = Path(uri[len(SCHEME) :])
     if ".." in relative.parts:
         raise InputError(f"{uri} leaves its package")
     for root in roots:
@@ -107,17 +107,3 @@ def resource_path(uri: str, roots: Sequence[Path]) -> Path | None:
         if (path := base / relative).exists():
             return path
     return None
-
-
-def named_file(name: str, roots: Sequence[Path], model_file: Path) -> Path:
-    """The file that a model means: a ``modelica://`` or ``file://`` name, or a path, relative to the model's folder.
-
-    Raises:
-        InputError: there is no such file.
-    """
-    if name.lower().startswith(_SCHEME):
-        found = resource_path(name, roots)
-        if found is None:
-            raise InputError(f"there is no file {name}", remedy="check the name of the package and of the file")
-        return found
-    return model_file.parent / name.removeprefix("file://")

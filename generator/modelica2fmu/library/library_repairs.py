@@ -71,6 +71,23 @@ REPAIRS: Final = (
         re.compile(r"(\bparameter\s+Real\s+\w+\s*=)((?:Internal\.)?getT\w+\(tableID\))"),
         r"\1 1*\2",
     ),
+    # A function whose loops end by their conditions. What is a file of comma-separated values is seen where it is read.
+    Repair(
+        ("Modelica/Blocks/Sources.mo", "Modelica/Blocks/Tables.mo"),
+        re.compile(
+            r"(\bBoolean\s+isCsvExt\s*=\s*if\s+tableOnFile\s+then\s)\s*Modelica\.Utilities\.Strings\.findLast\(fileName[^;]*?"
+            r"==\s*Modelica\.Utilities\.Strings\.length\(fileName\)"
+        ),
+        r'\1tableName == "NoName"',
+    ),
+    Repair(
+        ("Modelica/Blocks/Sources.mo", "Modelica/Blocks/Tables.mo"),
+        re.compile(
+            r'(\bif\s+tableOnFile)\s+and\s+fileName\s*<>\s*"NoName"\s+and\s+not\s+'
+            r"Modelica\.Utilities\.Strings\.isEmpty\(fileName\)(\s+then\s+fileName\b)"
+        ),
+        r"\1\2",
+    ),
     # A base class that is declared in the class itself and has bases of its own.
     Repair(
         (f"{_TRANSLATIONAL}/MassWithStopAndFriction.mo",),

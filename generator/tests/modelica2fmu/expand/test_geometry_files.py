@@ -12,6 +12,7 @@ from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu, translate
 from modelica2fmu.library.standard_library import StandardLibrary, find_standard_library
+from modelica2fmu.report import BuildReport
 
 LIBRARY = checkout() / "ContactMultiBody"
 CORE = StandardLibrary(core_subset(), "", "core subset")
@@ -67,6 +68,26 @@ def test_fmu_carries_its_mesh(tmp_path: Path, fmu_cache: Path) -> None:
     shutil.rmtree(parts)
     result = simulate_fmu(str(output), stop_time=1.0, fmi_type="CoSimulation", output=["cube.r_0[3]"])
     assert result["cube.r_0[3]"][-1] == pytest.approx(0.05 - 9.81e-5, abs=1e-8)
+
+
+def test_a_file_that_changed_is_read_again(tmp_path: Path, fmu_cache: Path) -> None:
+    """Wherever it stands: this one by a path relative to the model's folder, outside of Resources."""
+    parts = package(tmp_path / "models", "hullFile", "Meshes/cube.obj")
+    mesh = parts / "Meshes" / "cube.obj"
+    mesh.parent.mkdir()
+    mesh.write_text(CUBE, encoding="utf-8")
+
+    def build() -> BuildReport:
+        return build_fmu("MeshDemo.Cube", [parts, LIBRARY], tmp_path / "cube.fmu", BuildOptions(cache=fmu_cache))
+
+    first = build()
+    assert first.files == (mesh,)
+    assert build().cached
+    mesh.write_text(CUBE.replace("50", "60"), encoding="utf-8")
+    again = build()
+    assert not again.cached
+    result = simulate_fmu(str(again.fmu), stop_time=0.01, fmi_type="CoSimulation", output=["contacts.distance[1]"])
+    assert result["contacts.distance[1]"][0] == pytest.approx(-0.01 - 9.81e-5)
 
 
 @pytest.mark.parametrize("library", ["core subset", "Standard Library"])

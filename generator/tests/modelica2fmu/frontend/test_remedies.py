@@ -11,7 +11,7 @@ import pytest
 from contact_data import core_subset
 from contact_foundation.errors import InputError, Place
 from modelica2fmu.frontend.remedies import with_remedy
-from modelica2fmu.library.standard_library import StandardLibrary
+from modelica2fmu.library.standard_library import StandardLibrary, find_standard_library
 from modelica2fmu.translation import translate
 
 LIBRARY = StandardLibrary(core_subset(), "", "core subset")
@@ -347,3 +347,21 @@ end Remedies;
     beside = np.abs((time - 0.01) % 0.25) > 1e-3
     for name, form in expected.items():
         np.testing.assert_allclose(result[name][beside], form(time[beside]), atol=1e-6, err_msg=name)
+
+
+def test_a_table_in_a_file_is_told_in_the_file_of_its_model(tmp_path: Path) -> None:
+    """Of the Standard Library as a whole, whose tables ask for the ending of the file's name."""
+    library = find_standard_library()
+    if library.folder == core_subset():
+        pytest.skip("no Modelica Standard Library is installed")
+    package = tmp_path / "P"
+    package.mkdir()
+    (package / "package.mo").write_text("package P end P;")
+    (package / "T.mo").write_text(
+        "within P;\nmodel T\n  Modelica.Blocks.Sources.CombiTimeTable t(\n    tableOnFile=true, "
+        'tableName="a",\n    fileName=Modelica.Utilities.Files.loadResource("modelica://P/a.txt"));\nend T;\n'
+    )
+    with pytest.raises(InputError, match="tables in files") as refused:
+        translate("P.T", [package], library)
+    assert refused.value.place == Place(file=package / "T.mo", line=4, component="P.T")
+    assert "table=[" in str(refused.value.remedy)
