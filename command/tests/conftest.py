@@ -16,7 +16,7 @@ from fmu_regression.cases.case import load_case
 from fmu_regression.cases.runner import Skip, Verdict, run_case
 from fmu_regression.report.case_summary import text_table
 from modelica2fmu.build import BuildOptions
-from program import HAMMER, CaseCheck, Cmb
+from program import HAMMER, HANGS, CaseCheck, Cmb
 
 
 @pytest.fixture(scope="session")
@@ -96,7 +96,7 @@ def check_case(provide_fmu: FmuProvider) -> CaseCheck:
         fmu = provide_fmu(case)
         if isinstance(fmu, Skip):
             pytest.skip(fmu.reason)
-        result = run_case(case, fmu, time_limit=180)
+        result = run_case(case, fmu, time_limit=HANGS)
         assert result.verdict is Verdict.PASSED, text_table([result])
 
     return check

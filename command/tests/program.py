@@ -17,6 +17,9 @@ Cmb = Callable[..., "subprocess.CompletedProcess[str]"]
 
 CaseCheck = Callable[[Path], None]
 
+HANGS = 600.0
+"""Wall time, s, after which a simulation is taken to hang, however busy the machine is."""
+
 HAMMER = ROOT / "Resources" / "cad" / "hammer"
 
 

@@ -24,7 +24,7 @@ from fmu_regression.scene.scene_file import Scene, load_scene
 from fmu_regression.scene.signals import signals_for
 from fmu_regression.simulate.simulation import simulate
 from lxml import html
-from program import HAMMER, Cmb
+from program import HAMMER, HANGS, Cmb
 
 TRAJECTORY = Path(__file__).with_name("hammer_trajectory.toml")
 
@@ -81,7 +81,7 @@ def test_trajectories_are_those_of_openmodelica(hammer: Path, mode: Mode) -> Non
     case = load_case(TRAJECTORY)
     # By co-simulation events show at communication points only.
     checks = tuple(check for check in case.checks if mode == "me" or isinstance(check, SignalCheck))
-    result = run_case(replace(case, modes=(mode,), checks=checks), hammer / "hammer.fmu", time_limit=180)
+    result = run_case(replace(case, modes=(mode,), checks=checks), hammer / "hammer.fmu", time_limit=HANGS)
     assert result.verdict is Verdict.PASSED, text_table([result])
 
 

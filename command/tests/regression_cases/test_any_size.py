@@ -17,6 +17,7 @@ from fmu_regression.fmi.binding import Mode
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu
+from program import HANGS
 
 GRAVITY = 9.81
 SPREAD, MOST = 40.0, 0.3
@@ -156,7 +157,8 @@ def wrong_scenes(seeds: Iterable[int], fmus: BallFmus) -> list[str]:
             tolerance=scene.tolerance,
             mode=scene.mode,
             parameters=scene.parameters(),
-            time_limit=20,
+            time_limit=HANGS,
+            cpu_limit=20,
         )
         error = scene.error(result)
         if not error < MODELLING[scene.model] + min(SPREAD * scene.tolerance, MOST):
@@ -181,7 +183,8 @@ def test_strikes_as_shallow_as_the_hysteresis_of_their_events(balls: BallFmus, s
         tolerance=tolerance,
         mode=mode,
         parameters=parameters,
-        time_limit=20,
+        time_limit=HANGS,
+        cpu_limit=20,
     )
     caught = result["contact.impactSpeed[1]"]
     caught = caught[np.flatnonzero(np.diff(caught)) + 1]
@@ -211,7 +214,8 @@ def test_bounces_of_all_sizes_are_similar(balls: BallFmus, size: float, model: s
         tolerance=tolerance,
         mode=mode,
         parameters=parameters,
-        time_limit=20,
+        time_limit=HANGS,
+        cpu_limit=20,
     )["energy"]
     left = (energy[-1] - mass * GRAVITY * size / 2) / (mass * strikes**2 / 2)
     assert left ** (1 / 6) == pytest.approx(restitution, abs=SPREAD * tolerance)
@@ -238,7 +242,16 @@ def restitution_error(fmu: Path, size: float, mode: Mode, tolerance: float) -> f
     strike = sqrt(size + 2 * GRAVITY * 0.01 * size)
     flights = 2 * restitution + 2 * restitution**2 + restitution**3
     stop = (strike - sqrt(size)) / GRAVITY + strike / GRAVITY * flights
-    result = simulate(fmu, signals=["energy"], stop=stop, interval=stop, tolerance=tolerance, mode=mode, time_limit=20)
+    result = simulate(
+        fmu,
+        signals=["energy"],
+        stop=stop,
+        interval=stop,
+        tolerance=tolerance,
+        mode=mode,
+        time_limit=HANGS,
+        cpu_limit=20,
+    )
     mass = 1000 * size**3
     left = (result["energy"][-1] - mass * GRAVITY * size / 2) / (mass * strike**2 / 2)
     return float(abs(max(left, 0.0) ** (1 / 6) - restitution) / tolerance)

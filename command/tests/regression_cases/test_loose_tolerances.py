@@ -14,7 +14,7 @@ from fmu_regression.cases.runner import run_case
 from fmu_regression.fmi.binding import Mode
 from fmu_regression.results.result import SimulationResult
 from fmu_regression.simulate.simulation import simulate
-from program import CASES
+from program import CASES, HANGS
 
 GRAVITY, FRICTION, SPEED = 9.81, 0.3, 2.0
 DISTANCE = SPEED**2 / (2.0 * FRICTION * GRAVITY)
@@ -42,7 +42,8 @@ def test_a_sliding_block_stops_in_few_steps(tolerance: float, mode: Mode, slidin
             max_step=1.5 / count,
             tolerance=tolerance,
             mode=mode,
-            time_limit=60,
+            time_limit=HANGS,
+            cpu_limit=60,
         )
         assert result.counters is not None
         assert result.counters.steps < FEW
@@ -67,7 +68,13 @@ def known_answer(provide_fmu: FmuProvider) -> Callable[[str], Path]:
 def run(fmu: Path, mode: Mode, tolerance: float, *signals: str, **parameters: float) -> SimulationResult:
     """Simulates; the energy never rises by more than the tolerance's share."""
     result = simulate(
-        fmu, signals=["energy", *signals], mode=mode, tolerance=tolerance, parameters=parameters, time_limit=30
+        fmu,
+        signals=["energy", *signals],
+        mode=mode,
+        tolerance=tolerance,
+        parameters=parameters,
+        time_limit=HANGS,
+        cpu_limit=30,
     )
     energy = result["energy"]
     rise = float(np.max(energy - np.minimum.accumulate(energy)))
@@ -102,7 +109,7 @@ KEPT_AT_LOOSE_TOLERANCE = [
 @pytest.mark.parametrize("case", KEPT_AT_LOOSE_TOLERANCE)
 def test_what_is_promised_is_kept_at_loose_tolerance(case: str, known_answer: Callable[[str], Path]) -> None:
     loose = replace(load_case(CASES / "known_answers" / f"{case}.toml"), tolerance=1e-4)
-    result = run_case(loose, known_answer(case), time_limit=60)
+    result = run_case(loose, known_answer(case), time_limit=HANGS)
     assert result.runs
     for one in result.runs:
         assert not one.error
