@@ -44,8 +44,13 @@ RoundOverlap::RoundOverlap(const convex::ConvexBody &body, const Pose &place, co
   if (half > shortest * r) pieces_[count_++] = {convex::make_cylinder(r, 2.0 * half), place, -half, half};
 }
 
+// Of a ball that goes on as another piece its half alone.
 bool RoundOverlap::is_outside(const Piece &piece) const {
-  return WedgeIntegrals::is_outside(piece.place, [&](const Vec3 &d) { return dot(d, convex::swept_support(piece.body, d)); });
+  const bool is_upper_half = piece.is_ellipsoid() && piece.low == 0.0, is_lower_half = piece.is_ellipsoid() && piece.high == 0.0;
+  return WedgeIntegrals::is_outside(piece.place, [&](const Vec3 &d) {
+    const bool is_rim = (is_upper_half && d.z < 0.0) || (is_lower_half && d.z > 0.0);
+    return is_rim ? piece.body.half.x * std::sqrt(d.x * d.x + d.y * d.y) : dot(d, convex::swept_support(piece.body, d));
+  });
 }
 
 // What of the wedge is about the piece; false where there is nothing.
@@ -58,6 +63,9 @@ bool RoundOverlap::set_cell(const Piece &piece) {
   };
   const double offset_of_front = dot(face_normal(), mesh().corner(triangle(), 0)), deepest = offset_of_front + reach(-face_normal());
   deepest_below_ = std::min(deepest, mesh().depth_limit(triangle()));
+  // Most of what is not there a plane tells, before anything is cut.
+  const auto may_hold = [&](const WedgePlane &plane) { return reach(plane.normal) > moved_offset(plane); };
+  if (!visit_wedge_planes(mesh(), triangle(), deepest, may_hold)) return false;
   scratch_.planes.clear();
   scratch_.cell.start(center, 1.1 * radius_of(piece.body));
   // A plane that would cut through a corner of the cell is moved by as little as that.
@@ -82,7 +90,6 @@ bool RoundOverlap::set_cell(const Piece &piece) {
   if (std::isfinite(piece.high) && !limit(-1.0, -piece.high)) return false;
   return visit_wedge_planes(mesh(), triangle(), deepest, [&](const WedgePlane &plane) {
     const double offset = moved_offset(plane);
-    if (reach(plane.normal) <= offset) return false;
     if (-reach(-plane.normal) >= offset) return true;
     const WedgePlane in_body{transposed_times(piece.place.rotation, plane.normal), offset - dot(plane.normal, center), false};
     for (const WedgePlane &other : scratch_.planes) {
