@@ -64,7 +64,7 @@ from modelica2fmu.frontend.rewriting.inherited_classes import imports_of_package
 from modelica2fmu.frontend.rewriting.package_view import package_view
 from modelica2fmu.frontend.runner import Answer, Request, ask
 from modelica2fmu.frontend.syntax import syntax_error
-from modelica2fmu.frontend.written_sources import Sources, mixed_up, with_packages_written_out
+from modelica2fmu.frontend.written_sources import Sources, mixed_up, written_sources
 from modelica2fmu.library.source_map import SourceMap, Span, source_number
 
 # rumoca's words where a class is not found, as those of a library that the package's own file does not name.
@@ -130,8 +130,7 @@ def load_flat_model(
         flat = _load_or_refuse(load, sources) if refusal is None else refusal
         if isinstance(flat, ir.FlatModel):
             return flat
-        written = with_packages_written_out(sources, file, folder, source_map)
-        if written is not None:
+        for written in written_sources(sources, file, folder, source_map):
             other = _load_or_refuse(load, written)
             if isinstance(other, ir.FlatModel):
                 return other

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -57,8 +57,10 @@ def mixed_up(given: Sources, place_of: Callable[[Extent], Place]) -> Unsupported
     )
 
 
-def with_packages_written_out(given: Sources, file: Path, folder: Path, source_map: SourceMap) -> Sources | None:
-    """The same with packages that extend others with modifiers written out; ``None`` where that does not help.
+def written_sources(given: Sources, file: Path, folder: Path, source_map: SourceMap) -> Iterator[Sources]:
+    """The same with packages written out that extend others with modifiers, then with constraining clauses, too.
+
+    What does not help is left out.
 
     Args:
         given: the sources as they are.
@@ -66,22 +68,27 @@ def with_packages_written_out(given: Sources, file: Path, folder: Path, source_m
         folder: an empty one.
         source_map: is told what the front end gets.
     """
-    request = given.request
     if given.library.own is None:
-        return None
-    texts = packages_written_out(request.model, given.library)
-    written = given.library.with_texts(texts)
-    if not texts or has_mixed_constants(request.model, written) or ambiguous_constructor(request.model, written):
-        return None
-    if request.text is None:
-        return _of_package(given, texts, folder, source_map)
-    text = texts[given.file]
+        return
+    before: dict[Path, str] = {}
+    for with_clauses in (False, True):
+        model = given.request.model
+        texts = packages_written_out(model, given.library, with_clauses=with_clauses)
+        written = given.library.with_texts(texts)
+        if texts == before or has_mixed_constants(model, written) or ambiguous_constructor(model, written):
+            continue
+        before = texts
+        if given.request.text is None:
+            yield _of_package(given, texts, folder / str(with_clauses), source_map)
+        else:
+            yield _of_file(given, file, texts[given.file], source_map)
+
+
+def _of_file(given: Sources, file: Path, text: str, source_map: SourceMap) -> Sources:
     before = source_map.text(file).decode("utf-8", errors="replace")
-    if not request.text.startswith(before):
-        return None
     source_map.add_text(file, text)
-    asked = replace(request, text=text + request.text[len(before) :])
-    return Sources(asked, given.file, given.roots, given.library.with_texts(texts), {file: text})
+    asked = replace(given.request, text=text + (given.request.text or "").removeprefix(before))
+    return Sources(asked, given.file, given.roots, given.library.with_texts({given.file: text}), {file: text})
 
 
 def _of_package(given: Sources, texts: dict[Path, str], folder: Path, source_map: SourceMap) -> Sources:

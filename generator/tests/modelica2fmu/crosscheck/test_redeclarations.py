@@ -336,8 +336,6 @@ WHOLE_RECORD = "give the whole record"
 DIRECTLY = "redeclare it in a class that extends the one with the declaration directly"
 
 REFUSED = [
-    Refused("constraint of the default", "Constrained h;", "k = q", "h.x.k", CONSTRAINT, "constrainedby Law(k = q)"),
-    Refused("inherited constraint", "extends Constrained;", "k = q", "x.k", CONSTRAINT, "constrainedby Law(k = q)"),
     Refused("constraint of an element", "extends Constrained; redeclare Damped x;", "k = q", "x.k", CONSTRAINT,
             "constrainedby Law(k = q)"),
     Refused("declaration's modifier, element", "extends HolderWithModifier; redeclare Damped x;", "k = 3", "x.k",
@@ -349,7 +347,6 @@ REFUSED = [
     Refused("class with modifiers", "ClassHolder h(redeclare model M = Damped(k = 2));", "k = 2", "h.x.k", OWN_CLASS),
     Refused("class with modifiers, extends", "extends ClassHolder(redeclare model M = Damped(k = 2));", "k = 2", "x.k",
             OWN_CLASS),
-    Refused("constraint of a class", "ConstrainedClass h;", "k = 3", "h.x.k", CONSTRAINT, "constrainedby Law(k = 3)"),
     Refused("constraint of a redeclared class", "ConstrainedClass h(redeclare model M = Damped);", "k = 3", "h.x.k",
             CONSTRAINT, "constrainedby Law(k = 3)"),
     Refused("nested function", "CallingAround a(g(redeclare function f = scaled));", "redeclare function f = scaled",
@@ -403,6 +400,16 @@ def test_modifiers_hold_as_the_language_says(case, honoured_values):
         assert honoured_values[f"part{case.name}.{name}"] == pytest.approx(value, rel=1e-12), name
 
 
+def test_modifiers_of_constraining_clauses_hold_in_the_default(tmp_path, fmu_cache):
+    file = written(
+        tmp_path, "  model Wanted\n    extends Constrained(q = 5); Constrained h; ConstrainedClass c;\n  end Wanted;"
+    )
+    build_fmu("Laws.Wanted", [file], tmp_path / "wanted.fmu", BuildOptions(cache=fmu_cache))
+    values = {"x.f": 5, "h.x.f": 3, "c.x.f": 3}
+    result = simulate_fmu(str(tmp_path / "wanted.fmu"), output=list(values), stop_time=0.1)
+    assert {name: float(result[name][-1]) for name in values} == values
+
+
 @pytest.mark.parametrize("case", REFUSED, ids=lambda case: case.name)
 def test_what_the_front_end_leaves_out_is_refused(case, tmp_path):
     file = written(tmp_path, f"  model Wanted\n    {case.text}\n  end Wanted;")
@@ -449,7 +456,9 @@ def test_classes_in_folders_are_found(tmp_path):
     (package / "Inner" / "Holder.mo").write_text(
         "within Laws.Inner;\nmodel Holder\n  replaceable Spring x\n    constrainedby Spring(k = 3);\nend Holder;\n"
     )
-    (package / "Inner" / "Wanted.mo").write_text("within Laws.Inner;\nmodel Wanted\n  Holder h;\nend Wanted;\n")
+    (package / "Inner" / "Wanted.mo").write_text(
+        "within Laws.Inner;\nmodel Wanted\n  extends Holder;\n  redeclare Spring x;\nend Wanted;\n"
+    )
     with pytest.raises(UnsupportedModelError, match="k = 3") as caught:
         translate("Laws.Inner.Wanted", [package], StandardLibrary(core_subset(), "", "core subset"))
     assert caught.value.place is not None

@@ -17,6 +17,7 @@ from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.frontend.rewriting.packages.called_names import calls_in_full
 from modelica2fmu.frontend.rewriting.packages.changed_packages import changes_what_it_inherits
 from modelica2fmu.frontend.rewriting.packages.chosen_packages import ChosenPackages
+from modelica2fmu.frontend.rewriting.packages.constraining_clauses import clauses_repeated
 from modelica2fmu.frontend.rewriting.packages.inherited_elements import InheritedElements
 from modelica2fmu.frontend.rewriting.packages.text_edits import CannotError, Edit, edited
 
@@ -24,17 +25,18 @@ _MOST_PASSES: Final = 12
 _MOST_GROWTH: Final = 2_000_000  # letters
 
 
-def packages_written_out(model: str, library: ClassLibrary) -> dict[Path, str]:
+def packages_written_out(model: str, library: ClassLibrary, *, with_clauses: bool = False) -> dict[Path, str]:
     """Other texts of the same lines, by file; none where nothing is written out.
 
     Args:
         model: full name.
         library: the sources.
+        with_clauses: = true, if modifiers of constraining clauses are repeated, too.
     """
     texts: dict[Path, str] = {}
     for _ in range(_MOST_PASSES):
         try:
-            edits = _edits(model, library)
+            edits = _edits(model, library, with_clauses)
         except (UnknownError, UnreadableError, RecursionError):
             break
         if not edits:
@@ -47,7 +49,7 @@ def packages_written_out(model: str, library: ClassLibrary) -> dict[Path, str]:
     return {}
 
 
-def _edits(model: str, library: ClassLibrary) -> dict[Path, list[Edit]]:
+def _edits(model: str, library: ClassLibrary, with_clauses: bool) -> dict[Path, list[Edit]]:
     edits: dict[Path, list[Edit]] = {}
     top = Names(library).find((model.split(".")[0],))
     library.read_members(top.definition)
@@ -65,7 +67,8 @@ def _edits(model: str, library: ClassLibrary) -> dict[Path, list[Edit]]:
         return edits
     chosen = ChosenPackages(library)
     chosen.collect(top)
-    return chosen.edits or calls_in_full(library, top)
+    others = chosen.edits or calls_in_full(library, top)
+    return clauses_repeated(library, top.definition) if with_clauses and not others else others
 
 
 def _overlap(first: Extent, second: Extent) -> bool:
