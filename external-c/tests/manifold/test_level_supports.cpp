@@ -73,9 +73,9 @@ Support support_of(const std::string &kind) {
 
 double load_by_depth(const std::string &body, const std::string &support) {
   const bool is_mesh = support == "field" || support == "mesh";
-  if (body == "lying_cylinder" || body == "lying_cone") return support == "halfspace" ? 1.0 : lying;
-  // Of a ball's cap, 3/2 of the mean square depth is d^2/4; on meshes a capsule stores 35/24 of that.
-  if (body == "standing_capsule") return is_mesh ? 35.0 / 48.0 : support == "halfspace" ? 1.0 : 0.5;
+  if (body == "lying_cylinder" || body == "lying_cone") return support == "halfspace" ? 1.0 : is_mesh ? 16.0 / 21.0 : lying;
+  // Of a ball's cap the integral of the depth's cube by that of the depth is 3/10 d^2; on meshes a capsule stores 21/16 of that.
+  if (body == "standing_capsule") return is_mesh ? 63.0 / 80.0 : support == "halfspace" ? 1.0 : 0.5;
   return 1.0;
 }
 

@@ -229,10 +229,11 @@ TEST(BallOnMesh, BallPassesASheetFromBehindWithoutAJump) {
 
 // Capsules.
 
-// What a capsule stores is 35/24 of 3/2 times the mean of the depth's square over what lies below the plane: so lying it carries its depth. Of a
-// segment of the cylinder and a cap of the ball, d deep, the integrals of 1 and of the square:
+// What a capsule stores is 21/16 of the integral of the depth's cube by that of the depth, over what lies below the plane: so lying it carries its
+// depth. Of a segment of the cylinder and a cap of the ball, d deep, these integrals:
 struct Sunk {
-  double volume, square;
+  double depth, cube;
+  double energy() const { return 21.0 / 16.0 * cube / depth; }
 };
 Sunk segment(double radius, double d) {  // by length; depth d - radius (1 - cos u) on the chord at angle u
   Sunk sum{};
@@ -241,13 +242,14 @@ Sunk segment(double radius, double d) {  // by length; depth d - radius (1 - cos
   for (int i = 0; i < steps; ++i) {
     const double u = most * (i + 0.5) / steps, z = radius * (1.0 - std::cos(u)), sine = std::sin(u);
     const double area = 2.0 * radius * sine * radius * sine * most / steps;
-    sum.volume += area, sum.square += (d - z) * (d - z) * area;
+    sum.depth += (d - z) * area, sum.cube += (d - z) * (d - z) * (d - z) * area;
   }
   return sum;
 }
 Sunk cap(double radius, double d) {
   constexpr double pi = 3.14159265358979323846;
-  return {pi * d * d * (radius - d / 3.0), pi * d * d * d * d * (radius / 6.0 - d / 30.0)};
+  const double d3 = d * d * d;
+  return {pi * d3 * (radius / 3.0 - d / 12.0), pi * d3 * d * d * (radius / 10.0 - d / 60.0)};
 }
 
 TEST(CapsuleOnMesh, CarriesItsDepthLyingAndLessStanding) {
@@ -256,7 +258,7 @@ TEST(CapsuleOnMesh, CarriesItsDepthLyingAndLessStanding) {
   const auto energy = [&](double d, bool lying) {
     const Sunk ball = cap(radius, d), side = segment(radius, d);
     const double part = lying ? length : 0.0;
-    return 35.0 / 16.0 * (ball.square + part * side.square) / (ball.volume + part * side.volume);
+    return Sunk{ball.depth + part * side.depth, ball.cube + part * side.cube}.energy();
   };
   Random random(4);
   for (int i = 0; i < 200; ++i) {
@@ -272,7 +274,7 @@ TEST(CapsuleOnMesh, CarriesItsDepthLyingAndLessStanding) {
     const Wrench sum = wrench(set);
     ASSERT_NEAR(norm(sum.force - Vec3{0, 0, load}), 0.0, 1e-6 * load) << d;
     ASSERT_NEAR(norm(sum.torque - cross(body.translation, Vec3{0, 0, load})), 0.0, 1e-6 * load) << d;
-    ASSERT_NEAR(load, (lying ? 1.0 : 35.0 / 48.0) * d, (0.01 + d / radius) * d);
+    ASSERT_NEAR(load, (lying ? 1.0 : 63.0 / 80.0) * d, (0.01 + d / radius) * d);
   }
 }
 
@@ -287,9 +289,9 @@ TEST(CapsuleOnMesh, RidgeCarriesTheMiddle) {
     constexpr int steps = 200;
     for (int i = 0; i < steps; ++i) {
       const Sunk slice = segment(0.2, d * (i + 0.5) / steps);
-      sum.volume += slice.volume, sum.square += 0.5 * slice.square;
+      sum.depth += std::sqrt(0.5) * slice.depth, sum.cube += std::sqrt(0.125) * slice.cube;
     }
-    return 35.0 / 16.0 * sum.square / sum.volume;
+    return sum.energy();
   };
   expect_near(wrench(set).force, {0, 0, (energy(0.0301) - energy(0.0299)) / 2e-4}, 1e-6);
   const auto query = [&](double s) {
@@ -459,8 +461,8 @@ TEST(BoxOnMesh, CubeGivesTheBoxsDepthOnFaces) {
 }
 
 // The side of the cube is nearer than its top to what lies within the depth of their edge, and so this stores less: of an overlap of
-// length l and depth d, d^2/2 (1 - d / (2 l)). That is pushed off the edge by as little as it must.
-TEST(BoxOnMesh, OverhangingBoxIsPushedSidewaysBySquareOfDepthByOverlap) {
+// length l and depth d, d^2 N / D with N = l / 4 - 3 d / 20 and D = l / 2 - d / 6. That is pushed off the edge by as little as it must.
+TEST(BoxOnMesh, OverhangingBoxIsPushedSidewaysByCubeOfDepthBySquareOfOverlap) {
   const TriangleMesh cube = mesh(box_mesh({2, 2, 2}, 3));
   const Polytope box = Polytope::box({1, 1, 1});
   const double depth = 0.01;
@@ -468,8 +470,9 @@ TEST(BoxOnMesh, OverhangingBoxIsPushedSidewaysBySquareOfDepthByOverlap) {
     const ContactSet set = polytope(box, {{}, {x, 0.1, 1.5 - depth}}, cube);
     const Wrench sum = wrench(set);
     const double overlap = 1.5 - x;
-    EXPECT_NEAR(sum.force.z, depth - 0.75 * depth * depth / overlap, 1e-12);
-    EXPECT_NEAR(sum.force.x, 0.25 * depth * depth * depth / (overlap * overlap), 1e-12);
+    const double top = overlap / 4.0 - 0.15 * depth, base = overlap / 2.0 - depth / 6.0;
+    EXPECT_NEAR(sum.force.z, depth * (2.0 * top + depth * (top / (6.0 * base) - 0.15)) / base, 1e-12);
+    EXPECT_NEAR(sum.force.x, depth * depth * depth / (30.0 * base * base), 1e-12);
     EXPECT_NEAR(sum.force.y, 0.0, 1e-15);
   }
 }

@@ -38,11 +38,12 @@ TEST(EllipsoidOnMesh, PlaneGivesTheHalfspacesAnswer) {
     pose.position.z -= on_plane.query(pose, {}).distance + random.uniform(1e-5, 0.02);
     const Contact a = on_mesh.query(pose, {}), b = on_plane.query(pose, {});
     ASSERT_NEAR(a.distance, b.distance, 1e-12);
-    // A cap of the unit ball, h high, has a mean square depth of m = (h^2 - h^3 / 5) / (6 - 2 h); its energy is 3 m by the square of what
-    // the ellipsoid is high there, its load's derivative h to 2/15 h^2.
-    const double high = pose.position.z - flat_height - b.distance, h = -b.distance / high, base = 6.0 - 2.0 * h;
-    const double slope = (2.0 * h - 0.6 * h * h) / base + 2.0 * (h * h - 0.2 * h * h * h) / (base * base);
-    ASSERT_NEAR(norm(a.load() - Vec3{0, 0, 3.0 * high * slope}), 0.0, 1e-7 * norm(b.load()));
+    // Of the depth and its cube a cap of the unit ball, h high, has the integrals pi (h^3 / 3 - h^4 / 12) and pi (h^5 / 10 - h^6 / 60). Its energy is 5/3 of
+    // their ratio by the square of what the ellipsoid is high there.
+    const double high = pose.position.z - flat_height - b.distance, h = -b.distance / high;
+    const double top = h * h * h / 10.0 - h * h * h * h / 60.0, base = h / 3.0 - h * h / 12.0;
+    const double slope = (0.3 * h * h - h * h * h / 15.0 - top / base * (1.0 / 3.0 - h / 6.0)) / base;
+    ASSERT_NEAR(norm(a.load() - Vec3{0, 0, 5.0 / 3.0 * high * slope}), 0.0, 1e-7 * norm(b.load()));
     ASSERT_NEAR(norm(a.load()), norm(b.load()), 0.3 * h * norm(b.load()));
     // The points spread over the patch; their middle stays within its depth of the lowest point.
     ASSERT_LT(norm(a.moment(b.points[0].position)), 0.4 * load_of(b) * std::sqrt(-b.distance * 0.8));
@@ -61,14 +62,14 @@ TEST(CylinderOnMesh, StandsWithItsDepth) {
   }
 }
 
-TEST(CylinderOnMesh, LiesAsOnABox) {
+TEST(CylinderOnMesh, LiesSofterThanItStands) {
   const PairScene scene("cmb/1 cylinder radius=0.3 length=0.5", flat_field());
   for (const double depth : {1e-6, 1e-4, 1e-2}) {
     const Mat3 lying = rotation_about({0, 1, 0}, pi / 2);
     const Contact contact = scene.query({{0.1, 0.2, flat_height + 0.3 - depth}, lying}, {}, 64);
     EXPECT_NEAR(contact.distance, -depth, 1e-12);
-    // 3/2 of the mean square depth of a parabola's segment.
-    EXPECT_NEAR(load_of(contact), 24.0 / 35.0 * depth, 0.2 * depth * depth / 0.3 + 1e-6 * depth) << depth;
+    // The integral of the cube of the depth by that of the depth, of a parabola's segment.
+    EXPECT_NEAR(load_of(contact), 16.0 / 21.0 * depth, 0.2 * depth * depth / 0.3 + 1e-6 * depth) << depth;
     EXPECT_NEAR(norm(contact.moment({0.1, 0.2, 0.0})), 0.0, 1e-9 * depth);
   }
 }

@@ -22,16 +22,16 @@ Vec3 scaled(const Vec3 &by, const Vec3 &v) { return {by.x * v.x, by.y * v.y, by.
 Vec3 divided(const Vec3 &v, const Vec3 &by) { return {v.x / by.x, v.y / by.y, v.z / by.z}; }
 
 GaussNodes rule_along(double angle) {
-  if (angle < 0.1) return GaussNodes(gauss_rule<5>);
-  if (angle < 0.5) return GaussNodes(gauss_rule<6>);
-  return GaussNodes(gauss_rule<8>);
+  if (angle < 0.1) return GaussNodes(gauss_rule<6>);
+  if (angle < 0.5) return GaussNodes(gauss_rule<7>);
+  return GaussNodes(gauss_rule<10>);
 }
 // From the fan's place to an arc, that far on the ball.
 GaussNodes rule_across(double angle) {
-  if (angle < 0.1) return GaussNodes(gauss_rule<5>);
-  if (angle < 0.4) return GaussNodes(gauss_rule<6>);
-  if (angle < 1.2) return GaussNodes(gauss_rule<8>);
-  return GaussNodes(gauss_rule<12>);
+  if (angle < 0.1) return GaussNodes(gauss_rule<6>);
+  if (angle < 0.4) return GaussNodes(gauss_rule<7>);
+  if (angle < 1.2) return GaussNodes(gauss_rule<10>);
+  return GaussNodes(gauss_rule<14>);
 }
 
 // Places of an arc, their ways by the weight of the rule.

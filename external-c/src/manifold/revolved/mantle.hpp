@@ -23,8 +23,8 @@ struct BorderPlace {
 class Mantle {
  public:
   // What the other body is, which is what integrals over the mantle are for: along a cylinder moments of what a polytope stores are of the
-  // third degree, those of what is stored in another mantle of the fifth; along a cone one more.
-  enum class Partner { polytope, revolved };
+  // third degree, those of what is stored in a mesh's wedge of the fourth, in another mantle of the fifth; along a cone one more.
+  enum class Partner { polytope, wedge, revolved };
   // `in_common`: from the body's frame to the axes of the nodes, `place` (there) where their places are from. `to_apex`: whether a cone's
   // apex is in the other body, or its border turns there. Heights then count from there; else from the border's mean one, so that no more is
   // added than has to be. `border`: room to work in. `is_fitted`: whether its edges are fitted (edge_places.hpp).
@@ -32,6 +32,7 @@ class Mantle {
          std::vector<BorderPlace> &border, std::vector<OverlapSurface::Node> &nodes, bool is_fitted = false);
 
   const RevolvedBody &body() const { return *body_; }
+  Partner partner() const { return partner_; }
   const Pose &in_common() const { return in_common_; }
   // A border's place at `height`, to which `outward` (unit, in the body's frame) points from the axis; it turns by `turn`, counter-clockwise
   // about the plane side that borders there, clockwise about the mantle.

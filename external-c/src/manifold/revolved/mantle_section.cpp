@@ -15,8 +15,9 @@ using overlap::GaussNodes;
 
 // A rule that serves for curves through so great an angle. What is cut off by a chord is as deep as the angle's square, and that counts by
 // its third power.
-GaussNodes rule_for(double angle, const EdgePlaces *fitted) {
+GaussNodes rule_for(double through, const EdgePlaces *fitted, const Mantle &mantle) {
   if (fitted != nullptr) return GaussNodes(gauss_rule<14>);
+  const double angle = (mantle.partner() == Mantle::Partner::wedge ? 1.4 : 1.0) * through;  // of one degree more
   if (angle < 0.5) return GaussNodes(gauss_rule<7>);
   if (angle < 1.1) return GaussNodes(gauss_rule<8>);
   if (angle < 1.8) return GaussNodes(gauss_rule<10>);
@@ -322,7 +323,7 @@ bool Rim::follow_arcs(PlaneFan &fan) {
 void Rim::add_arc(PlaneFan &fan, double from, double turn) {
   const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
   const double width = turn / parts;
-  const GaussNodes rule = rule_for(std::fabs(width), fitted_);
+  const GaussNodes rule = rule_for(std::fabs(width), fitted_, *mantle_);
   for (int part = 0; part < parts; ++part) {
     begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
@@ -335,7 +336,7 @@ void Rim::add_arc(PlaneFan &fan, double from, double turn) {
 void MantleSection::add_swing(PlaneFan &fan, double from, double turn) {
   const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
   const double width = turn / parts;
-  const GaussNodes rule = rule_for(std::fabs(width), fitted_);
+  const GaussNodes rule = rule_for(std::fabs(width), fitted_, *mantle_);
   for (int part = 0; part < parts; ++part) {
     begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
@@ -354,7 +355,7 @@ void MantleSection::add_way_by_apex(PlaneFan &fan, double angle0, double height0
   };
   fan.add_segment(place(angle0, height0), place(angle1, height1));
   const double turn = angle1 - angle0, height = std::max(height0, height1);
-  const GaussNodes rule = rule_for(std::fabs(turn), fitted_);
+  const GaussNodes rule = rule_for(std::fabs(turn), fitted_, *mantle_);
   for (std::size_t k = 0; k < rule.count; ++k) {
     mantle_->add_border_place(outward(angle0 + rule.node[k] * turn), height, rule.weight[k] * turn);
   }
@@ -367,7 +368,7 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
     constexpr double hardly = 1e-4;  // by the angle: as good as a straight line along the axis
     const bool is_line = std::fabs(turn) < hardly * std::min(std::fabs(angle0), std::fabs(angle1));
-    const GaussNodes rule = is_line ? GaussNodes(gauss_rule<5>) : rule_for(std::fabs(turn) / parts, fitted_);
+    const GaussNodes rule = is_line ? GaussNodes(gauss_rule<5>) : rule_for(std::fabs(turn) / parts, fitted_, *mantle_);
     const CosineWay cosine_way(angle0, turn);
     for (int part = 0; part < parts; ++part) {
       begin_arc(fitted_, rule);
@@ -387,7 +388,7 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
   }
   // The inverse of how far a cone's place is below the apex is linear in the cosine. Parts in which that hardly changes.
   if (std::fabs(turn) < 1e-9) {  // a straight line, as good as
-    const GaussNodes rule = rule_for(std::fabs(std::log(down1 / down0)), fitted_);
+    const GaussNodes rule = rule_for(std::fabs(std::log(down1 / down0)), fitted_, *mantle_);
     begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
       const double part = rule.node[k], angle = angle0 + part * turn;
@@ -422,7 +423,7 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     }
     const double part_turn = to - from;
     const CosineWay cosine_way(from, part_turn);
-    const GaussNodes by_angle = rule_for(std::fabs(part_turn), fitted_), rule =
+    const GaussNodes by_angle = rule_for(std::fabs(part_turn), fitted_, *mantle_), rule =
         fitted_ != nullptr ? by_angle : rule_of_places(std::max(static_cast<double>(by_angle.count), places_by_pole(pole_, from, part_turn)));
     begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {

@@ -54,11 +54,11 @@ void look_at_balls(const RevolvedBody &body, const Pose &in_frame, std::size_t c
 }  // namespace
 
 bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeView &polytope, const Pose &in_frame, const Vec3 &place,
-                              OverlapSurface &surface) {
-  body_ = &body, polytope_ = &polytope;
+                              OverlapSurface &surface, Mantle::Partner partner, bool from_apex) {
+  body_ = &body, polytope_ = &polytope, partner_ = partner;
   find_faces(in_frame, place, surface);
   const Vec3 apex{0.0, 0.0, body.half};
-  const bool to_apex = !body.is_cylinder() && holds(apex, in_frame);
+  const bool to_apex = !body.is_cylinder() && (from_apex || holds(apex, in_frame));
   const bool found = integrate(in_frame, place, to_apex, surface);
   // Where the border as good as turns in an apex that is outside, more than the overlap's is added and taken off: so much counts by rounding.
   constexpr double cancels = 3.0;
@@ -149,7 +149,7 @@ void RevolvedOnPolytope::offer_face(std::int32_t number, const Pose &in_frame) {
 bool RevolvedOnPolytope::integrate(const Pose &in_frame, const Vec3 &place, bool to_apex, OverlapSurface &surface) {
   surface.start(place);
   for (Plane &plane : planes_) plane.fan = {plane.fan.normal(), place, plane.offset - dot(plane.fan.normal(), place), surface.of_b()};
-  Mantle mantle(*body_, {}, place, to_apex, Mantle::Partner::polytope, border_, surface.of_a());
+  Mantle mantle(*body_, {}, place, to_apex, partner_, border_, surface.of_a());
   PlaneFan end_fan[ends] = {{{0.0, 0.0, -1.0}, place, body_->half + place.z, surface.of_a()},
                             {{0.0, 0.0, 1.0}, place, body_->half - place.z, surface.of_a()}};
   for (const End end : {base, top}) rim_[end].start(mantle, end);

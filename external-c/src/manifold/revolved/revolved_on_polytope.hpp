@@ -18,10 +18,10 @@ namespace cmb {
 // Room to work in; it grows in the first calls.
 class RevolvedOnPolytope {
  public:
-  // A is the body of revolution, in whose frame all is; `place`: where the surface's places are from. False where, by rounding, what
-  // meets does not fit together.
+  // A is the body of revolution, in whose frame all is; `place`: where the surface's places are from; `partner`: what the polytope is;
+  // `from_apex`: whether a cone's mantle is integrated from there in any case. False where, by rounding, what meets does not fit together.
   bool find(const RevolvedBody &body, const convex::PolytopeView &polytope, const Pose &in_frame, const Vec3 &place,
-            OverlapSurface &surface);
+            OverlapSurface &surface, Mantle::Partner partner = Mantle::Partner::polytope, bool from_apex = false);
 
   // Of what was found: where parts of the polytope's edges in the body begin and end, in its frame.
   template <typename Visit>
@@ -91,6 +91,7 @@ class RevolvedOnPolytope {
   double height_of(End end) const { return end == base ? -body_->half : body_->half; }
 
   const RevolvedBody *body_ = nullptr;
+  Mantle::Partner partner_ = Mantle::Partner::polytope;
   const convex::PolytopeView *polytope_ = nullptr;  // during find()
   // Of each vertex and edge that was met in this search.
   std::vector<Vertex> vertices_;

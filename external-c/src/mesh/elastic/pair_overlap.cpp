@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/elastic/depth_powers.hpp"
+
 namespace cmb::mesh {
 
 namespace {
@@ -59,8 +61,8 @@ void PairOverlap::add(std::uint32_t t) {
   if (in_wedge) end_below_surface();
   for (std::size_t number = 0; number < scratch_.facets.size(); ++number) add_below(number, below, size_below);
   // What passes by below all that counts leaves nothing.
-  if (std::fabs(below.first) > rounding_of_sums * size_below) inside.add(1.0, below);
-  part().first.integral += inside.first, part().third.integral += inside.third;
+  if (std::fabs(below.second) > rounding_of_sums * size_below) inside.add(1.0, below);
+  part().second.integral += inside.second, part().fourth.integral += inside.fourth;
   add_patch(patch_, patch_.load > 0.0 ? origin() + (1.0 / patch_.load) * patch_.moment : center_);
 }
 
@@ -299,7 +301,7 @@ void PairOverlap::add_below(std::size_t number, Powers &sum, double &size) {
     if (!meets) continue;
     const Powers there = plane.level > 0.0 ? powers_at(plane.level) : powers();
     sum.add(wanted ? -1.0 : 1.0, there);
-    size += std::fabs(there.first);
+    size += std::fabs(there.second);
   }
 }
 
@@ -348,18 +350,20 @@ PairOverlap::Powers PairOverlap::powers_at(double level) const {
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     area -= 0.5 * dot(face_normal(), cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]));
   }
-  return {level * area, level * level * level * area};
+  const double square = level * level;
+  return {square * area, square * square * area};
 }
 
-// Of the polygon. The integral of s^3 over a triangle is its area by a tenth of the sum of all products of three of its corners' s.
+// Of the polygon.
 PairOverlap::Powers PairOverlap::powers() const {
   Powers powers;
   const std::vector<Vec3> &polygon = scratch_.polygon;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const double area = -0.5 * dot(face_normal(), cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]));
     const double a = std::fmax(0.0, depth(polygon[0])), b = std::fmax(0.0, depth(polygon[i - 1])), c = std::fmax(0.0, depth(polygon[i]));
-    powers.first += area * (a + b + c) / 3.0;
-    powers.third += area * ((a * a + b * b + c * c) * (a + b + c) + a * b * c) / 10.0;
+    const ProductsOfDepths products(a, b, c);
+    powers.second += area / 6.0 * products.of_two;
+    powers.fourth += area / 15.0 * products.of_four();
   }
   return powers;
 }

@@ -45,10 +45,10 @@ class PairOverlap : public WedgeIntegrals {
 
  private:
   using Plane = PairOverlapScratch::Plane;
-  // Integrals of s^k by area as seen along the triangle's normal, k = 1 and 3.
+  // Integrals of s^k by area as seen along the triangle's normal, k = 2 and 4.
   struct Powers {
-    double first = 0.0, third = 0.0;
-    void add(double factor, const Powers &other) { first += factor * other.first, third += factor * other.third; }
+    double second = 0.0, fourth = 0.0;
+    void add(double factor, const Powers &other) { second += factor * other.second, fourth += factor * other.fourth; }
   };
 
   double reach(const Vec3 &direction) const;

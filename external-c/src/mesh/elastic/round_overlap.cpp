@@ -14,12 +14,12 @@ using convex::CoreShape;
 // How thick overlaps are, by the body's radius, whose square is as good as rounding.
 constexpr double hardly_thick = 2e-8;
 
-// What a body stores on a plane, by d^2/2, is 1 then. Of a shallow cap of an ellipsoid the mean of the square of the depth is a third of a
-// face's, of a lying cylinder's segment 24/35; a cylinder keeps that, as on a box.
+// What a body stores on a plane, by d^2/2, is 1 then. A shallow cap of an ellipsoid stores 3/5 of what a face does, a lying cylinder's segment
+// 16/21; a cylinder keeps that.
 double factor_of(const convex::ConvexBody &body) {
   switch (body.core) {
-    case CoreShape::ellipsoid: return 2.0;
-    case CoreShape::segment: return 35.0 / 24.0;
+    case CoreShape::ellipsoid: return 5.0 / 3.0;
+    case CoreShape::segment: return 21.0 / 16.0;
     default: return 1.0;
   }
 }
@@ -115,15 +115,26 @@ bool RoundOverlap::find_surface(const Piece &piece) {
   for (const Vec3 &v : cell.vertices) place = place + v;
   place = transposed_times(piece.place.rotation, (1.0 / static_cast<double>(cell.vertices.size())) * place - piece.place.translation);
   Pose in_body = piece.place.inverse();
+  const auto find = [&](bool from_apex) {
+    if (piece.is_ellipsoid()) return scratch_.ball.find(body.half, cell, in_body, place, surface);
+    return scratch_.revolved.find(revolved, cell, in_body, place, surface, Mantle::Partner::wedge, from_apex);
+  };
   constexpr int attempts = 8;
   double aside = 1e-10 * radius();
   for (int attempt = 1; attempt <= attempts; ++attempt) {
-    const bool found = piece.is_ellipsoid() ? scratch_.ball.find(body.half, cell, in_body, place, surface)
-                                           : scratch_.revolved.find(revolved, cell, in_body, place, surface);
+    const bool found = find(false);
     if (surface.of_a().empty() && surface.of_b().empty()) return false;
     const Vec3 nearer = surface.place() + surface.middle();
     const double way = norm(nearer - place), volume = surface.volume();
-    if (found && (attempt == attempts || (volume > thin * way * surface.area_a() && open * volume > way * surface.gap()))) return true;
+    if (found && (attempt == attempts || (volume > thin * way * surface.area_a() && open * volume > way * surface.gap()))) {
+      // Where a cone's border as good as turns in its apex the mantle may be added and taken off far from the triangle, at a depth of which the cube
+      // counts.
+      constexpr double far = 2.0;
+      if (piece.body.core != CoreShape::cone) return true;
+      const double off = farthest_off(piece);
+      if (off > far * deepest_below_ && (!find(true) || farthest_off(piece) > off)) return find(false);
+      return true;
+    }
     if (!found && attempt > 1) {
       in_body.translation = in_body.translation + aside * Vec3{0.61, -0.53, 0.59};
       aside *= 10.0;
@@ -131,6 +142,15 @@ bool RoundOverlap::find_surface(const Piece &piece) {
     place = found ? nearer : place_on_edges(piece, surface.place() + surface.middle_of_area());
   }
   return false;
+}
+
+// How far any of the surface that is summed over is from the triangle's plane.
+double RoundOverlap::farthest_off(const Piece &piece) const {
+  const Vec3 local = transposed_times(piece.place.rotation, face_normal());
+  const double at_place = depth(piece.place(scratch_.surface.place()));
+  double most = 0.0;
+  for (const OverlapSurface::Node &node : scratch_.surface.of_a()) most = std::fmax(most, std::fabs(at_place - dot(local, node.at)));
+  return most;
 }
 
 // Among the parts of the cell's edges in the piece, which are in the overlap; `otherwise` where there are none.
@@ -170,25 +190,29 @@ double RoundOverlap::deepest_of_overlap(const Piece &piece, const Vec3 &local, d
   return deepest;
 }
 
-// Of the depth, `at_place` being that of the surface's place and `local` the triangle's normal in the body's frame: over cones from the place, so
-// that the square of a thickness is no difference of squares of a width. The overlap is convex,
-// between a cone on the triangle's plane, with a tenth of the square of its height, and one that stands on its tip: what is so thin that
-// rounding counts keeps within these.
-double RoundOverlap::mean_square(const Piece &piece, double at_place, const Vec3 &local) const {
-  constexpr double thin = 1e-6, least = 0.1, most = 0.6;
+// `at_place` being the depth of the surface's place and `local` the triangle's normal in the body's frame: over cones from the place, so
+// that powers of a thickness are no difference of powers of a width. The overlap is convex,
+// between a cone on the triangle's plane, with a quarter of its height and a twentieth of the cube of it, and one that stands on its tip: what is so
+// thin that rounding counts keeps within these.
+RoundOverlap::Means RoundOverlap::means(const Piece &piece, double at_place, const Vec3 &local) const {
+  constexpr double thin = 1e-6, least[2] = {0.25, 0.05}, most[2] = {0.75, 0.5};
   const OverlapSurface &surface = scratch_.surface;
-  double sum = 0.0;
+  const double place2 = at_place * at_place, place3 = at_place * place2;
+  double depths = 0.0, cubes = 0.0;
   for (const auto *const side : {&surface.of_a(), &surface.of_b()}) {
     for (const OverlapSurface::Node &node : *side) {
       const double change = -dot(local, node.at);
-      sum += node.cone * (at_place * at_place + change * (1.5 * at_place + 0.6 * change));
+      depths += node.cone * (at_place + 0.75 * change);
+      cubes += node.cone * (place3 + change * (2.25 * place2 + change * (1.8 * at_place + 0.5 * change)));
     }
   }
-  const double square = sum / (3.0 * surface.volume());
-  if (surface.volume() > thin * radius() * surface.area_a()) return square;
+  const double part = 1.0 / (3.0 * surface.volume());
+  const Means known{part * depths, part * cubes};
+  if (surface.volume() > thin * radius() * surface.area_a()) return known;
   Vec3 deepest_place;
   const double deepest = deepest_of_overlap(piece, local, 0.0, deepest_place);
-  return std::clamp(square, least * deepest * deepest, most * deepest * deepest);
+  const double cube = deepest * deepest * deepest;
+  return {std::clamp(known.depth, least[0] * deepest, most[0] * deepest), std::clamp(known.cube, least[1] * cube, most[1] * cube)};
 }
 
 void RoundOverlap::integrate(const Piece &piece) {
@@ -196,15 +220,16 @@ void RoundOverlap::integrate(const Piece &piece) {
   const Vec3 place = piece.place(surface.place()), from_origin = place - origin();
   const Vec3 local = transposed_times(piece.place.rotation, face_normal());
   const double at_place = depth(place);
-  part().first.integral += surface.volume();
-  part().third.integral += 3.0 * surface.volume() * mean_square(piece, at_place, local);
-  Wrench first, third;  // torques about the surface's place
+  const Means mean = means(piece, at_place, local);
+  part().second.integral += 2.0 * surface.volume() * mean.depth;
+  part().fourth.integral += 4.0 * surface.volume() * mean.cube;
+  Wrench second, fourth;  // torques about the surface's place
   PatchSums patch;
   for (const OverlapSurface::Node &node : surface.of_a()) {
-    const double deep = at_place - dot(local, node.at), squares = 3.0 * deep * deep;
+    const double deep = at_place - dot(local, node.at), cubes = 4.0 * deep * deep * deep;
     const Vec3 torque = cross(node.at, node.area);
-    first.force = first.force + node.area, first.torque = first.torque + torque;
-    third.force = third.force + squares * node.area, third.torque = third.torque + squares * torque;
+    second.force = second.force + (2.0 * deep) * node.area, second.torque = second.torque + (2.0 * deep) * torque;
+    fourth.force = fourth.force + cubes * node.area, fourth.torque = fourth.torque + cubes * torque;
     patch.add_place(-dot(local, node.area), from_origin + piece.place.rotation * node.at, deep);
   }
   const auto add = [&](const Wrench &sum, Integral &integral) {
@@ -212,8 +237,8 @@ void RoundOverlap::integrate(const Piece &piece) {
     integral.gradient.add(force, from_origin);
     integral.gradient.torque = integral.gradient.torque + piece.place.rotation * sum.torque;
   };
-  add(first, part().first);
-  add(third, part().third);
+  add(second, part().second);
+  add(fourth, part().fourth);
   // Surface that faces away is taken off, which leaves sums of polynomials; a wall's patches right through the body vanish so. The area is at
   // least a part of what so great a volume has at the greatest depth.
   constexpr double least_area = 0.25;

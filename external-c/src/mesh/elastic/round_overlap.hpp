@@ -52,6 +52,7 @@ class RoundOverlap : public WedgeIntegrals {
   bool is_outside(const Piece &piece) const;
   bool set_cell(const Piece &piece);
   bool find_surface(const Piece &piece);
+  double farthest_off(const Piece &piece) const;
   Vec3 place_on_edges(const Piece &piece, const Vec3 &otherwise) const;
   // Of what was found.
   template <typename Visit>
@@ -62,8 +63,12 @@ class RoundOverlap : public WedgeIntegrals {
       scratch_.revolved.visit_edge_ends(visit);
     }
   }
+  // Over the overlap, of the depth and its cube.
+  struct Means {
+    double depth, cube;
+  };
   double deepest_of_overlap(const Piece &piece, const Vec3 &local, double enough, Vec3 &deepest_place) const;
-  double mean_square(const Piece &piece, double at_place, const Vec3 &local) const;
+  Means means(const Piece &piece, double at_place, const Vec3 &local) const;
   void integrate(const Piece &piece);
 
   const Piece whole_;

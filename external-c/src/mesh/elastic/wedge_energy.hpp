@@ -13,27 +13,24 @@ namespace cmb::mesh {
 struct WedgeEnergyScratch {
   // What a part counts by: sums over all parts, as far as they are one with it.
   struct Sums {
-    double volume = 0.0, surface = 0.0, patch_area = 0.0;
-    double by_volume = 0.0;  // of all parts' energy_by_volume
+    double second = 0.0, surface = 0.0, patch_area = 0.0;
+    double by_second = 0.0;  // of all parts' energy_by_second
 
-    // Minus the derivative of the part's energy by its volume sum, but for factor/2.
-    double energy_by_volume(const WedgeIntegrals::Part &part) const { return part.third.integral / (volume * volume); }
-  };
-  struct Apart {
-    std::size_t i, j;
-    double apart;  // 1 - K
+    // Minus the derivative of the part's energy by its sum of I2, but for factor/2.
+    double energy_by_second(const WedgeIntegrals::Part &part) const { return part.fourth.integral / (second * second); }
   };
   std::vector<Sums> sums;
-  std::vector<Apart> apart;
+  std::vector<double> together;  // K of parts i and j < i, at i (i - 1) / 2 + j; none where it is 1 for all
 };
 
 // The overlap of body and mesh stores
 //
-//   E = factor/2 sum_f I3_f / N_f,   N_f = sum_g K_fg I1_g,
+//   E = factor/2 sum_f I4_f / N_f,   N_f = sum_g K_fg I2_g,
 //
-// K_fg of faces f and g being FaceRelations' together(f, g). Where all are, that is factor 3/2 (mean of s^2): by factor 1 a face pressed in flat
-// stores d^2/2, whatever its area. A floor and a wall store what each does alone. K is the mesh's own: the gradient is that of the
-// integrals, exact for any wedges and any K.
+// K_fg of faces f and g being FaceRelations' together(f, g). Where all are, that is factor times the integral of s^3 by that of s: by factor 1 a face
+// pressed in flat stores d^2/2, whatever its area. A floor and a wall store what each does alone. K is the mesh's own: the gradient is that of the
+// integrals, exact for any wedges and any K. Both begin with the square of the depth, so that the force is continuous where a flat side of the body
+// comes to a flat side of the mesh all at once: with I3 and I1 the volume would grow by all of it, and the energy have an edge there.
 //
 // What faces the triangles, as patches, counts the same way: a load by the area of all that are one with it.
 class WedgeEnergy {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mesh/elastic/depth_powers.hpp"
+
 namespace cmb::mesh {
 
 void WedgeIntegrals::look_at(std::uint32_t t) {
@@ -50,7 +52,7 @@ void WedgeIntegrals::add_patch(const PatchSums &patch, const Vec3 &middle) {
 WedgeIntegrals::PolygonSums WedgeIntegrals::add_surface(const Vec3 *polygon, std::size_t count, const Vec3 &normal, PatchSums &patch) {
   const double cosine = -dot(normal, normal_);
   PolygonSums sums;
-  Vec3 places, places_by_squares;
+  Vec3 by_depths, by_cubes;  // places
   const Vec3 p = polygon[0] - origin_;
   const double dp = depth_behind(polygon[0]);
   Vec3 q = polygon[1] - origin_;
@@ -61,24 +63,22 @@ WedgeIntegrals::PolygonSums WedgeIntegrals::add_surface(const Vec3 *polygon, std
     const Vec3 r = polygon[i] - origin_;
     const double dr = depth_behind(polygon[i]);
     const double size = 0.5 * dot(normal, cross(q - p, r - p));
-    const double depths = dp + dq + dr, of_squares = dp * dp + dq * dq + dr * dr;
-    sums.area += size;
-    sums.squares += size * (depths * depths + of_squares) / 12.0;
-    const Vec3 sum = p + q + r, weighted = dp * p + dq * q + dr * r;
-    const Vec3 by_squares = (dp * dp) * p + (dq * dq) * q + (dr * dr) * r;
-    places = places + (size / 3.0) * sum;
-    places_by_squares = places_by_squares + (size / 60.0) * ((depths * depths + of_squares) * sum + (2.0 * depths) * weighted +
-                                                              2.0 * by_squares);
+    // The mean of s^k is that of all products of k of the corners' depths, that of s^k times the place their derivatives' by these.
+    const ProductsOfDepths products(dp, dq, dr);
+    sums.depths += size / 3.0 * products.of_one;
+    sums.cubes += size / 10.0 * products.of_three;
+    by_depths = by_depths + (size / 12.0) * ((products.of_one + dp) * p + (products.of_one + dq) * q + (products.of_one + dr) * r);
+    by_cubes = by_cubes + (size / 60.0) * (products.of_three_with(dp) * p + products.of_three_with(dq) * q + products.of_three_with(dr) * r);
     if (cosine > 0.0) patch.add_triangle(cosine * size, p, dp, q, dq, r, dr);
     if (dr > deepest) deepest = dr, deepest_place = polygon[i];
     q = r;
     dq = dr;
   }
-  Wrench &first = part().first.gradient, &third = part().third.gradient;
-  first.force = first.force + sums.area * normal;
-  first.torque = first.torque + cross(places, normal);
-  third.force = third.force + (3.0 * sums.squares) * normal;
-  third.torque = third.torque + cross(3.0 * places_by_squares, normal);
+  Wrench &second = part().second.gradient, &fourth = part().fourth.gradient;
+  second.force = second.force + (2.0 * sums.depths) * normal;
+  second.torque = second.torque + cross(2.0 * by_depths, normal);
+  fourth.force = fourth.force + (4.0 * sums.cubes) * normal;
+  fourth.torque = fourth.torque + cross(4.0 * by_cubes, normal);
   if (cosine > 0.0) offer_deepest(deepest, deepest_place);
   return sums;
 }

@@ -24,12 +24,12 @@ struct Wrench {
 
 // Integrals over the overlap with the wedge behind triangle t, s being the depth below it: Ik = integral of k s^(k-1). Wedges are regions of
 // the mesh's frame, so only the body's surface moves their contents: the gradient of Ik is the integral of k s^(k-1) times the normal over
-// the body's surface in the wedge.
+// the body's surface in the wedge. Of surface in the mesh's own that is nothing, so whether it counts makes no difference.
 //
 // Everything in the mesh's frame. Borrows the mesh.
 class WedgeIntegrals {
  public:
-  // I1 or I3 and its gradient by the body's pose; torques about the origin of places.
+  // I2 or I4 and its gradient by the body's pose; torques about the origin of places.
   struct Integral {
     double integral = 0.0;
     Wrench gradient;
@@ -37,7 +37,7 @@ class WedgeIntegrals {
   // What is behind one flat face, or a triangle by itself.
   struct Part {
     std::uint32_t face;
-    Integral first, third;
+    Integral second, fourth;
     DirectionPatches patches;  // that face it, as far as they carry
     double load = 0.0, carrying_area = 0.0, area = 0.0;  // of these; of all of them
     Wrench push;                                         // depth by area along the normals; torque about the origin
@@ -100,7 +100,7 @@ class WedgeIntegrals {
   void add_patch(const PatchSums &patch, const Vec3 &middle);
   // Of a plane polygon.
   struct PolygonSums {
-    double area = 0.0, squares = 0.0;  // of the depth
+    double depths = 0.0, cubes = 0.0;  // of the depth
   };
   // A plane convex piece of the body's surface in the wedge, whose unit outward normal is `normal`: takes its part of the gradients, and,
   // where it faces the triangle, of the patch.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mesh/elastic/depth_powers.hpp"
+
 namespace cmb::mesh {
 
 namespace {
@@ -175,9 +177,9 @@ WedgeIntegrals::PolygonSums WedgeOverlap::sums_of(const Vec3 *polygon, std::size
   for (std::size_t i = 2; i < count; ++i) {
     const double dr = depth_behind(polygon[i]);
     const double size = 0.5 * dot(normal, cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]));
-    const double depths = dp + dq + dr;
-    sums.area += size;
-    sums.squares += size * (depths * depths + dp * dp + dq * dq + dr * dr) / 12.0;
+    const ProductsOfDepths products(dp, dq, dr);
+    sums.depths += size / 3.0 * products.of_one;
+    sums.cubes += size / 10.0 * products.of_three;
     dq = dr;
   }
   return sums;
@@ -187,8 +189,8 @@ void WedgeOverlap::integrate(const OverlapScratch::Piece &piece) {
   const Vec3 *const polygon = scratch_.points.data() + piece.first;
   const PolygonSums sums = piece.of_body ? add_surface(polygon, piece.count, piece.normal, patch_) : sums_of(polygon, piece.count, piece.normal);
   const double height = dot(piece.normal, polygon[0] - apex_);
-  part().first.integral += height * sums.area / 3.0;
-  part().third.integral += 0.6 * height * sums.squares;
+  part().second.integral += 0.5 * height * sums.depths;
+  part().fourth.integral += 2.0 / 3.0 * height * sums.cubes;
 }
 
 }  // namespace cmb::mesh
