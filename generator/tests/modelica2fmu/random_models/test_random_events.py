@@ -18,7 +18,7 @@ from random_builds import sampled
 from random_events import END, AmbiguousError, RandomEvents, random_events
 
 FEW = 1
-MANY = int(os.environ.get("CMB_EVENTS", "60"))
+MANY = int(os.environ.get("CMB_EVENTS", "20"))
 STEP = 0.0041  # of the output: no event of the models is at a multiple of it
 
 

@@ -18,7 +18,7 @@ from random_builds import sampled
 from random_model import RandomModel, random_model
 
 FEW = 1
-MANY = int(os.environ.get("CMB_MODELS", "60"))
+MANY = int(os.environ.get("CMB_MODELS", "30"))
 TIMES = (0.3, 0.9)
 LARGEST = 1e8  # beyond it sums of products lose the digits that are compared
 
