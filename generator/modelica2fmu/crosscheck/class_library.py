@@ -60,7 +60,8 @@ class ClassLibrary:
         """Of the user's own file, or of all files of the package."""
         if self._file.name != "package.mo" or self.own is None:
             return self._text
-        return b"\n".join(file.read_bytes() for file in sorted(self._file.parent.rglob("*.mo")))
+        files = sorted(self._file.parent.rglob("*.mo"))
+        return b"\n".join(self._others[file] if file in self._others else file.read_bytes() for file in files)
 
     def texts(self) -> Iterator[bytes]:
         """The user's own text, and those of all libraries but the Standard Library."""

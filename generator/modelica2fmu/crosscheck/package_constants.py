@@ -37,13 +37,14 @@ class _Name:
 
     Attributes:
         parts: between its dots.
-        in_head: = true, if it stands in the head of a loop or of an if.
-        decides: = true, if that is one of equations.
+        is_shared: = true, if the front end takes one value there for all packages: in heads of loops and of ifs, and in
+            records, whose constructors are the same for all.
+        decides: = true, if it stands in such a head of equations.
     """
 
     parts: tuple[str, ...]
     extent: Extent
-    in_head: bool
+    is_shared: bool
     decides: bool
 
 
@@ -112,7 +113,7 @@ def _wrong_use(uses: Sequence[_Use]) -> _Use | None:
     others = [each for each in uses if not each.is_handed_over]
     if len({each.values for each in uses}) > 1:
         # a number in an expression is held against its source by the check of expressions
-        return next((each for each in others if each.name.in_head or not each.is_number), None)
+        return next((each for each in others if each.name.is_shared or not each.is_number), None)
     return next((each for each in others if each.is_modified and each.name.decides), None)
 
 
@@ -198,7 +199,9 @@ class _Uses:
                 found = self._constant(constant.binding.scope, each.parts)
             except (UnknownError, UnreadableError, RecursionError):
                 continue
-            use = found and self._note(found, replace(each, in_head=name.in_head, decides=name.decides), is_handed_over)
+            use = found and self._note(
+                found, replace(each, is_shared=name.is_shared, decides=name.decides), is_handed_over
+            )
             if use:
                 values |= use.values
                 is_modified |= use.is_modified
@@ -241,8 +244,10 @@ class _Uses:
         declared += [base.extent for base in definition.bases]
         # what is decided in declarations and functions has the values of expressions
         evaluated = (*declared, *(definition.behaviour if definition.kind in _CALLED else ()))
+        is_record = definition.kind == "record"
         for extent in evaluated:
-            yield from (replace(each, decides=False) for each in self._names_in(extent))
+            for each in self._names_in(extent):
+                yield replace(each, is_shared=each.is_shared or is_record, decides=False)
         for section in definition.behaviour if definition.kind not in _CALLED else ():
             yield from self._names_in(section)
 

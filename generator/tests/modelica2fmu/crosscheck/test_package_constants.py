@@ -26,6 +26,21 @@ PACKAGES = """
     algorithm
       y := u*d;
     end scaled;
+    record State
+      Real a = c;
+      Real b;
+    end State;
+    function together
+      input Real u;
+      output Real y;
+    protected
+      State s = State(b = u);
+    algorithm
+      y := s.a + s.b;
+    end together;
+    model Vessel
+      State s = State(b = 10);
+    end Vessel;
     model Part
       parameter Real q = d;
     end Part;
@@ -104,6 +119,11 @@ WRITTEN_OUT = {
     "short class": ("Real y = Medium.d; Real z = Light.d;", {"y": 9, "z": 7}),
     "two that inherit": ("Real y = Heavy.d; Real z = Light.d;", {"y": 15, "z": 7}),
     "function": ("Real y = Medium.scaled(2); Real z = Heavy.scaled(2);", {"y": 18, "z": 30}),
+    "record in a function": ("Real y = Medium.together(10); Real z = Heavy.together(10);", {"y": 12, "z": 15}),
+    "record in a model": (
+        "import P.Medium; import P.Heavy; Medium.Vessel v; Heavy.Vessel w;",
+        {"v.s.a": 2, "w.s.a": 5},
+    ),
     "parameter": ("import P.Medium; import P.Heavy; Medium.Part p; Heavy.Part q;", {"p.q": 9, "q.q": 15}),
     "inherited class": (
         "import P.Medium; import P.Heavy; extends Heavy.Part; Medium.Part p;",
@@ -128,7 +148,7 @@ REFUSED = {
 }
 
 
-QUICK = {"redeclared", "computed", "loop", "default beside a redeclared one"}
+QUICK = {"redeclared", "computed", "record in a function", "loop", "default beside a redeclared one"}
 
 
 def built(folder: Path, declarations: str, cache: Path | None = None) -> Path:

@@ -195,3 +195,15 @@ REFUSED = {
 @pytest.mark.parametrize("case", REFUSED)
 def test_what_cannot_be_written_out_stays_as_it_is(case, tmp_path):
     assert not written(tmp_path, f"package P {REFUSED[case]} model M end M; end P;")
+
+
+def test_other_texts_of_a_packages_files_are_its_own_text(tmp_path):
+    """Records that were written out again are looked for in what the front end gets."""
+    package = tmp_path / "P"
+    package.mkdir()
+    (package / "package.mo").write_text("package P end P;")
+    (package / "A.mo").write_text("within P; package A end A;")
+    library = ClassLibrary(package / "package.mo", b"package P end P;", [package])
+    written = library.with_texts({package / "A.mo": "within P; package A record R end R; end A;"})
+    assert b"record R" in written.own_text
+    assert b"record R" not in library.own_text
