@@ -16,6 +16,7 @@ from modelica2fmu.options import BuildOptions
 from modelica2fmu.packaging.dependencies import find_sundials
 from modelica2fmu.packaging.platforms import Platform, find_platforms
 from modelica2fmu.packaging.toolchain import run_tool
+from modelica2fmu.source_places import file_digest
 
 _BUILDER: Final = Path(__file__).resolve().parent
 _BUILDER_SUFFIXES: Final = (".py", ".c", ".h")
@@ -57,7 +58,7 @@ def fingerprint(model: str, sources: Sequence[Path], library: StandardLibrary, o
         is_package = (root / "package.mo").is_file()
         add(str(root) if root in libraries else "source", root.name if is_package else "")
         for path in _inputs(root):
-            add(path.relative_to(root).as_posix() if root.is_dir() else path.name, _digest(path))
+            add(path.relative_to(root).as_posix() if root.is_dir() else path.name, file_digest(path))
     return digest.hexdigest()
 
 
@@ -76,14 +77,8 @@ def _inputs(root: Path) -> Iterator[Path]:
                 yield folder / each
 
 
-def _digest(path: Path) -> str:
-    """SHA-256 of a file's content."""
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
-
-
 def _digest_all(paths: Iterable[Path]) -> str:
-    return hashlib.sha256("".join(_digest(path) for path in paths).encode()).hexdigest()
+    return hashlib.sha256("".join(file_digest(path) for path in paths).encode()).hexdigest()
 
 
 @cache
@@ -97,4 +92,4 @@ def _builder() -> str:
 def _toolchain(platform: Platform) -> str:
     program = platform.compiler()
     version = run_tool([program, "--version"], "asking the compiler for its version").splitlines()[0]
-    return f"{program} {version} {_digest(find_sundials(platform).archive)}"
+    return f"{program} {version} {file_digest(find_sundials(platform).archive)}"

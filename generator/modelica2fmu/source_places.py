@@ -63,7 +63,7 @@ class SourcePlaces:
         Raises:
             OSError: one cannot be read.
         """
-        return [(*self._shortened(file.resolve()), _digest(file)) for file in files]
+        return [(*self._shortened(file.resolve()), file_digest(file)) for file in files]
 
     def unchanged(self, digests: Iterable[tuple[int, str, str]]) -> tuple[Path, ...] | None:
         """The files beside these sources, and those that stand elsewhere; None if one holds something else now."""
@@ -71,7 +71,7 @@ class SourcePlaces:
         try:
             for number, path, digest in digests:
                 result.append(Path(self.folders[number]) / path if number >= 0 else Path(path))
-                if _digest(result[-1]) != digest:
+                if file_digest(result[-1]) != digest:
                     return None
         except (OSError, IndexError):
             return None
@@ -84,6 +84,7 @@ class SourcePlaces:
         return -1, str(file)
 
 
-def _digest(path: Path) -> str:
+def file_digest(path: Path) -> str:
+    """SHA-256 of what a file holds, in hexadecimal."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()

@@ -22,7 +22,7 @@ from modelica2fmu.crosscheck.class_syntax import Extent, Modifier, is_array
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.component_sizes import RECORDS
 from modelica2fmu.crosscheck.flat_expression_check import ExpressionCheck, Site
-from modelica2fmu.crosscheck.flat_reading import FlatReading, WrittenPlaces, spans
+from modelica2fmu.crosscheck.flat_reading import FlatReading, WrittenPlaces, objects, spans
 from modelica2fmu.crosscheck.own_classes import model_class
 
 _PART: Final = re.compile(r"'(?:\\.|[^'\\])*'|[^.\[\]]+(?:\[[^\]]*\])?")
@@ -131,15 +131,9 @@ def _is_outer(root: ClassInstance, variable: Mapping[str, Any]) -> bool:
 
 def _named(tree: Any) -> Iterator[str]:
     """Names of all variables that expressions name."""
-    stack = [tree]
-    while stack:
-        item = stack.pop()
-        if isinstance(item, dict):
-            if "VarRef" in item:
-                yield item["VarRef"]["name"]["name"]
-            stack.extend(item.values())
-        elif isinstance(item, list):
-            stack.extend(item)
+    for item in objects(tree):
+        if "VarRef" in item:
+            yield item["VarRef"]["name"]["name"]
 
 
 class _FlatCheck:

@@ -16,7 +16,7 @@ from contact_foundation.errors import UnsupportedModelError
 from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError, Value
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
-from modelica2fmu.crosscheck.flat_reading import FlatReading, spans
+from modelica2fmu.crosscheck.flat_reading import FlatReading, objects, spans
 
 _NAME: Final = re.compile(r"\.?\s*[A-Za-z_]\w*(?:\s*\.\s*[A-Za-z_]\w*)*")
 _OPERATORS: Final[Mapping[type[ast.operator], Callable[[float, float], object]]] = {
@@ -70,7 +70,7 @@ class ExpressionCheck:
         """Raises UnsupportedModelError where a constant or a function is not the one that is named."""
         # All parts of an expression that was put in the place of a name have that place.
         parts = Counter((span["source"], span["start"], span["end"]) for span in spans(tree))
-        for item in _objects(tree):
+        for item in objects(tree):
             try:
                 if "Literal" in item:
                     span = item["Literal"].get("span")
@@ -222,20 +222,8 @@ def _called(call: Mapping[str, Any]) -> str:
 
 def _assignments(body: Any) -> Iterator[Mapping[str, int]]:
     """Places of the targets of all assignments in statements."""
-    for item in _objects(body):
+    for item in objects(body):
         if "Assignment" in item:
             span = item["Assignment"]["comp"].get("span")
             if span:
                 yield span
-
-
-def _objects(tree: Any) -> Iterator[Mapping[str, Any]]:
-    """All objects of a tree, each before those in it."""
-    stack = [tree]
-    while stack:
-        item = stack.pop()
-        if isinstance(item, list):
-            stack.extend(item)
-        elif isinstance(item, dict):
-            stack.extend(item.values())
-            yield item

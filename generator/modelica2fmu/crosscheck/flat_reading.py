@@ -60,6 +60,18 @@ def spans(tree: Any) -> Iterator[RawSpan]:
             stack.extend(reversed(item))
 
 
+def objects(tree: Any) -> Iterator[Mapping[str, Any]]:
+    """All objects of a tree, each before those in it."""
+    stack = [tree]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, list):
+            stack.extend(item)
+        elif isinstance(item, dict):
+            stack.extend(item.values())
+            yield item
+
+
 class WrittenPlaces:
     """Where anything of a flattened model was written.
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from contact_foundation.errors import Place, UnsupportedModelError
 
-from modelica2fmu.crosscheck.flat_reading import FlatReading
+from modelica2fmu.crosscheck.flat_reading import FlatReading, objects
 
 _EXPRESSIONS = (
     "variables",
@@ -55,18 +55,11 @@ def check_function_names(flat: Mapping[str, Any], model: str, reading: FlatReadi
 
 def _calls(tree: Any, called: set[str]) -> Iterator[tuple[str, int, Mapping[str, int] | None]]:
     """Name, number of the declaration, and place of the calls by one of some names."""
-    stack = [tree]
-    while stack:
-        item = stack.pop()
-        if isinstance(item, list):
-            stack.extend(item)
-        elif isinstance(item, dict):
-            call = item.get("FunctionCall")
-            if isinstance(call, dict):
-                place = call["name"] if "name" in call else call["comp"]
-                parts: list[dict[str, Any]] = (
-                    place.get("parts") or (place.get("component_ref") or {}).get("parts") or []
-                )
-                if len(parts) == 1 and parts[0]["ident"] in called and parts[0].get("def_id") is not None:
-                    yield parts[0]["ident"], parts[0]["def_id"], call.get("span") or parts[0]["span"]
-            stack.extend(item.values())
+    for item in objects(tree):
+        call = item.get("FunctionCall")
+        if not isinstance(call, dict):
+            continue
+        place = call["name"] if "name" in call else call["comp"]
+        parts: list[dict[str, Any]] = place.get("parts") or (place.get("component_ref") or {}).get("parts") or []
+        if len(parts) == 1 and parts[0]["ident"] in called and parts[0].get("def_id") is not None:
+            yield parts[0]["ident"], parts[0]["def_id"], call.get("span") or parts[0]["span"]

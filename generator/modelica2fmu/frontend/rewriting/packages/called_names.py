@@ -54,7 +54,8 @@ def ambiguous_constructor(model: str, library: ClassLibrary) -> tuple[str, Exten
         model: full name.
         library: the sources.
     """
-    if len(set(_RECORD.findall(library.own_text))) == len(_RECORD.findall(library.own_text)):
+    records = _RECORD.findall(library.own_text)
+    if len(set(records)) == len(records):
         return None
     top = model_class(model.split(".")[0], library)
     calls = [] if top is None else _ambiguous_calls(library, top, frozenset({"record"}))
