@@ -321,10 +321,6 @@ const KnownFailure *known_failure(const KindPair &kinds, Property property) {
       {"any", "ball-mesh", Property::same_in_frames, 0.01},
       {"any", "ball-mesh", Property::gradient, 0.01},
       {"any", "ball-mesh", Property::steady, 0.01},
-      // Of equally large meshes the second one's wedges divide the first.
-      {"angle-mesh", "angle-mesh", Property::same_exchanged, 0.06},
-      {"box-mesh", "box-mesh", Property::same_exchanged, 0.06},
-      {"ball-mesh", "ball-mesh", Property::same_exchanged, 0.11},
       // Sides a few degrees apart fade into each other, which is not the same with the bodies exchanged: by up to 2e-3 of the load.
       {"box", "hull", Property::same_exchanged, 2e-3},
       {"prism", "hull", Property::same_exchanged, 2e-3},

@@ -284,6 +284,26 @@ TEST(MeshOnMesh, ExchangeReversesTheNormals) {
   }
 }
 
+// Of two meshes as large as each other, the same one or another one, none is the first.
+TEST(MeshOnMesh, ExchangeOfEqualOnesReversesTheNormals) {
+  const std::string one = mesh_text(mesh_samples::angle_prism({-0.5, 0.5, 0.5, 0, 0, -0.5}, {-0.5, -0.5, 0, 0, 0.5, 0.5}, -0.25, 0.25)),
+                    another = mesh_text(mesh_samples::angle_prism({-0.5, 0.5, 0.5, 0, 0, -0.5}, {-0.5, -0.5, 0.1, 0.1, 0.5, 0.5}, -0.25, 0.25));
+  random_bodies::Random random(8);
+  for (const std::string &two : {one, another}) {
+    const PairScene forward(one, two), backward(two, one);
+    int touching = 0;
+    for (int i = 0; i < 80; ++i) {
+      const BodyPose a{{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-0.6, 0.6)}, random_bodies::random_rotation(random)};
+      const Contact x = forward.query(a, {}, 256), y = backward.query({}, a, 256);
+      ASSERT_NEAR(x.distance, y.distance, 1e-12);
+      ASSERT_NEAR(norm(x.load() + y.load()), 0.0, 1e-9 * norm(x.load())) << i;
+      ASSERT_NEAR(norm(x.moment({}) + y.moment({})), 0.0, 1e-9 * norm(x.load())) << i;
+      touching += x.distance < 0.0 ? 1 : 0;
+    }
+    EXPECT_GT(touching, 20);
+  }
+}
+
 // Both directions of the load of equal spheres lie on the line of centres; its size is that of the mean depth.
 TEST(MeshOnMesh, SpheresPushAlongTheLineOfCentres) {
   const PairScene scene(mesh_text(with_speck(sphere_mesh(0.5, 4))), mesh_text(with_speck(sphere_mesh(0.5, 4), {0, 40, 0})));

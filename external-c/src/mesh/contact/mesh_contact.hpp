@@ -33,6 +33,7 @@ struct MeshContactScratch {
   std::vector<std::uint8_t> components;  // of a mesh: which ones count
   SheetPatchScratch sheets;
   ContactSet reaction;  // what the other mesh of a pair pushes
+  ContactSet opposite;  // what a pair of equally large meshes is from the other one
 };
 
 // A ball. `center` in world axes. Apart, distance is that of the nearest place. Touching, there is a point for each
@@ -59,8 +60,9 @@ void smooth_contact(const convex::ConvexBody &body, const Pose &body_pose, const
                     MeshContactScratch &scratch, ContactSet &result);
 
 // Two meshes, A and B; normals point out of B. What a closed mesh overlaps behind the triangles of the other one stores an energy as a
-// polytope does (PairOverlap): behind those of a sheet, or of two closed ones of the larger one. Two sheets touch where they cross, and
-// push each other, half each. Exchanging meshes gives the same points with normals reversed, but for closed meshes of one size.
+// polytope does (PairOverlap): behind those of a sheet, or of two closed ones of the larger one; of two equally large ones behind those of
+// both, half each. Two sheets touch where they cross, and push each other, half each. Exchanging meshes gives the same points with normals
+// reversed.
 void mesh_pair_contact(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
                        MeshContactScratch &scratch, ContactSet &result);
 // The same where they touch; false, with a result of no use, where they do not.

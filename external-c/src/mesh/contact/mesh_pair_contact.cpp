@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "math/pose_algebra.hpp"
 #include "mesh/contact/mesh_contact.hpp"
@@ -81,16 +82,14 @@ void add_reversed(ContactSet &from, double part, ContactSet &result) {
   result.witness = from.witness;
 }
 
-// The contact of two meshes, not both sheets, of which `one` pushes; normals point out of it. Of what is behind a sheet it
-// carries least_load_part times what crosses at most. Where it carries too little of what crosses, or lies in the other, the other
-// one pushes too, unless `one` is a sheet, and if it cannot either, the crossing triangles and the interior points do. Returns
-// whether the meshes touch.
-bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
+// The contact of two meshes, not both sheets, of which `one` pushes and whose crossings are in `scratch`; normals point out of `one`.
+// Of what is behind a sheet it carries least_load_part times what crosses at most. Where it carries too little of what crosses, or lies in
+// the other, the other one pushes too, unless `one` is a sheet, and if it cannot either, the crossing triangles and the interior points do.
+// `place`: the other's pose in its frame. Returns whether the meshes touch.
+bool push_out(const PlacedMesh &one, const PlacedMesh &other, const Pose &place, const PlacedVertices &vertices, MeshContactScratch &scratch,
+              ContactSet &result) {
   const std::size_t begin = result.points.size();
-  const Pose place = relative_pose(one.pose, other.pose);
   const double nothing = rounding_of_crossings(one.mesh, other.mesh);
-  const PlacedVertices vertices(other.mesh, place, scratch.placed);
-  find_crossings(one.mesh, other.mesh, place, vertices, scratch.crossings);
   CarriedLoad carried = push(one, other.mesh, place, vertices, scratch, result);
   if (!one.mesh.closed() && carried.load > 0.0) {
     const double depths =
@@ -132,6 +131,37 @@ bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch 
   return result.distance < 0.0;
 }
 
+// The contact of two meshes, not both sheets, of which `one` pushes; normals point out of it. Returns whether they touch.
+bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
+  const Pose place = relative_pose(one.pose, other.pose);
+  const PlacedVertices vertices(other.mesh, place, scratch.placed);
+  find_crossings(one.mesh, other.mesh, place, vertices, scratch.crossings);
+  return push_out(one, other, place, vertices, scratch, result);
+}
+
+// The same of two closed meshes of which neither is the larger one: both push, half each, so that none is told from the other.
+bool contact_of_equals(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
+  const std::size_t begin = result.points.size();
+  const auto take_half = [](bool touches, std::size_t first, ContactSet &half) {
+    if (!touches) half.points.resize(first), half.distance = 0.0;
+    scale(half.points, first, 0.5);
+    half.distance *= 0.5;
+  };
+  const bool touches = contact(one, other, scratch, result);
+  take_half(touches, begin, result);
+  for (Crossings::Cut &cut : scratch.crossings.cuts) std::swap(cut.pair.triangle, cut.pair.facet);
+  const Pose back = relative_pose(other.pose, one.pose);
+  ContactSet &opposite = scratch.opposite;
+  opposite.points.clear();
+  opposite.distance = 0.0;
+  const bool opposite_touches = push_out(other, one, back, PlacedVertices(one.mesh, back, scratch.placed), scratch, opposite);
+  take_half(opposite_touches, 0, opposite);
+  const double distance = result.distance + opposite.distance;
+  add_reversed(opposite, 1.0, result);
+  result.distance = distance;
+  return touches || opposite_touches;
+}
+
 // The contact of two sheets; normals point out of `one`. Both push, half each, what of the other's front is behind their own.
 // Nothing says where behind a sheet that ends. But sheets that touch from elsewhere than their fronts have hardly come through
 // at first, and those that have come through nearly altogether hardly hang together any more: their crossings are small.
@@ -169,6 +199,13 @@ bool sheet_contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactSc
   return true;
 }
 
+// Closed meshes as large as each other, to rounding of their coordinates: which of them is larger, a body's name and place would decide.
+bool are_equals(const TriangleMesh &one, const TriangleMesh &other) {
+  constexpr double rounding = 1e-9;
+  return one.closed() && other.closed() &&
+         std::fabs(one.bound_radius() - other.bound_radius()) <= rounding * (one.bound_radius() + other.bound_radius());
+}
+
 // Whether the first mesh pushes the second one's surface rather than the other way round: sheets do, which have no
 // inside, and the larger body, whose surface is likely to be the flatter one.
 bool pushes(const TriangleMesh &one, const TriangleMesh &other) {
@@ -181,7 +218,7 @@ bool pushes(const TriangleMesh &one, const TriangleMesh &other) {
 bool mesh_pair_touch(const TriangleMesh &a, const Pose &pose_a, const TriangleMesh &b, const Pose &pose_b,
                      MeshContactScratch &scratch, ContactSet &result) {
   const PlacedMesh first{a, pose_a}, second{b, pose_b};
-  const auto touch = a.closed() || b.closed() ? contact : sheet_contact;
+  const auto touch = are_equals(a, b) ? contact_of_equals : a.closed() || b.closed() ? contact : sheet_contact;
   if (!pushes(a, b)) return touch(second, first, scratch, result);
   if (!touch(first, second, scratch, result)) return false;
   reverse(result);
