@@ -93,9 +93,9 @@ def _translate(
             roots = [*(_shown(root, original, library_root) for root in found), library_root, *other_libraries()]
             ex.new_graph()
             with told_of_the_core_subset(library):
-                flat = load_flat_model(model, file, roots, source_map, clock.remark)
+                files = NamedFiles(roots, file)
+                flat = load_flat_model(model, file, roots, source_map, clock.remark, files.find)
             clock.begin("expand")
-            files = NamedFiles(roots, file)
             scalar = scalarize(flat, source_map, files.find)
             if OutputGroup.ENERGIES in outputs:
                 add_energies(scalar, find_mechanism(scalar.variables))

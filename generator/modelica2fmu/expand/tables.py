@@ -16,9 +16,9 @@ import numpy as np
 from contact_foundation.errors import InputError, UnsupportedModelError
 
 from modelica2fmu.expand.scalar_model import CallArgument
-from modelica2fmu.expand.table_files import read_table
 from modelica2fmu.interpreter import arrays
 from modelica2fmu.interpreter.arrays import Record, Value
+from modelica2fmu.library.table_files import read_table
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 

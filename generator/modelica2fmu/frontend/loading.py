@@ -73,8 +73,10 @@ _UNRESOLVED: Final = re.compile(r"\bunresolved\b")
 _NOT_FOUND: Final = re.compile(r"\bunresolved\b|base class not found")
 # Where connected arrays have different sizes.
 _SIZES_DIFFER: Final = "array dimension mismatch for `connect`"
-# Of loops over what is no range, which may be written out or not.
-_RANGE_REFUSED: Final = "for-equation range"
+# Of what may be written out or not: loops over what is no range, and tables in files.
+_CURABLE: Final = ("for-equation range", "(tableOnFile) is unsupported")
+
+FileFinder = Callable[[str], Path]
 # Of what it takes only when it is written out: concatenations, whose type is that of the dimension, and loops.
 _WRITTEN_OUT_TAKEN: Final = re.compile(
     r"type mismatch: expected `?[\w.]+`?, found `?Integer|comprehension index requires an explicit range"
@@ -100,7 +102,12 @@ class _Loaded:
 
 
 def load_flat_model(
-    model: str, file: Path, roots: Sequence[Path], source_map: SourceMap, remark: Callable[[str], None]
+    model: str,
+    file: Path,
+    roots: Sequence[Path],
+    source_map: SourceMap,
+    remark: Callable[[str], None],
+    find_file: FileFinder,
 ) -> ir.FlatModel:
     """Compiles ``model`` and returns its flattened form.
 
@@ -110,6 +117,7 @@ def load_flat_model(
         roots: library folders (those that contain packages) and single files that it uses.
         source_map: for the places in error messages.
         remark: told what the user should know of.
+        find_file: the file that a name in the model means.
 
     Raises:
         InputError: the model does not parse or compile.
@@ -125,7 +133,9 @@ def load_flat_model(
         check_numbers(text, given.file, _places(source_map))
         missing = _check_own_text(model, source_map, library)
         sources = Sources(_request(model, file, given), given.file, given.roots, library)
-        load = partial(_load, model, file, given, missing=missing, source_map=source_map, remark=remark)
+        load = partial(
+            _load, model, file, given, missing=missing, source_map=source_map, remark=remark, find_file=find_file
+        )
         refusal = mixed_up(sources, _places(source_map))
         flat = _load_or_refuse(load, sources) if refusal is None else refusal
         if isinstance(flat, ir.FlatModel):
@@ -156,6 +166,7 @@ def _load(
     missing: InputError | None,
     source_map: SourceMap,
     remark: Callable[[str], None],
+    find_file: FileFinder,
 ) -> ir.FlatModel:
     """The flattened form of a model.
 
@@ -167,6 +178,7 @@ def _load(
         missing: the error of a class that is not found.
         source_map: for places.
         remark: told what the user should know of.
+        find_file: the file that a name in the model means.
 
     Raises:
         InputError: the model does not parse or compile.
@@ -176,9 +188,9 @@ def _load(
     with scratch_folder("package") as folder:
         loaded = _Loaded(ask(request, remark), request, sources.file, sources.roots)
         if loaded.answer.flat is None and request.text is None:
-            loaded = _with_package_written_out(loaded, library, folder, source_map, remark)
+            loaded = _with_package_written_out(loaded, library, folder, source_map, remark, find_file)
         elif loaded.answer.flat is None:
-            loaded = _with_text_written_out(loaded, library, file, source_map, remark)
+            loaded = _with_text_written_out(loaded, library, file, source_map, remark, find_file)
         answer = loaded.answer
         if answer.flat is None:
             words = replace(
@@ -247,7 +259,12 @@ def _unbalanced(
 
 
 def _with_text_written_out(
-    loaded: _Loaded, library: ClassLibrary, file: Path, source_map: SourceMap, remark: Callable[[str], None]
+    loaded: _Loaded,
+    library: ClassLibrary,
+    file: Path,
+    source_map: SourceMap,
+    remark: Callable[[str], None],
+    find_file: FileFinder,
 ) -> _Loaded:
     """The same about the model with arrays written out and packages named.
 
@@ -257,16 +274,14 @@ def _with_text_written_out(
     if request.text is None:
         return loaded
     imports = imports_of_packages(request.model, library, loaded.file)
-    written = with_arrays_written_out(request.model, [with_imports(request.text, imports.get(loaded.file))])
+    written = with_arrays_written_out(request.model, [with_imports(request.text, imports.get(loaded.file))], find_file)
     (text,) = written.texts
     if text == request.text:
         return loaded
     about = replace(request, text=text)
     other = ask(about, remark)
     if other.flat is None:
-        is_taken = _WRITTEN_OUT_TAKEN.search(answer.error) is not None or (
-            _RANGE_REFUSED in answer.error and _RANGE_REFUSED not in other.error
-        )
+        is_taken = _WRITTEN_OUT_TAKEN.search(answer.error) is not None or _is_cured(answer, other)
         is_found = loaded.file in imports and _NOT_FOUND.search(answer.error) is not None
         tells_more = _SIZES_DIFFER in other.error or is_taken or is_found
     else:
@@ -275,6 +290,11 @@ def _with_text_written_out(
         return loaded
     source_map.add_text(file, text)
     return replace(loaded, answer=other, request=about)
+
+
+def _is_cured(answer: Answer, other: Answer) -> bool:
+    """= true, if what was written out is not refused any more, but something else."""
+    return any(words in answer.error and words not in other.error for words in _CURABLE)
 
 
 def _check_own_text(model: str, source_map: SourceMap, library: ClassLibrary) -> InputError | None:
@@ -302,7 +322,12 @@ def _places(source_map: SourceMap) -> Callable[[Extent], Place]:
 
 
 def _with_package_written_out(
-    loaded: _Loaded, library: ClassLibrary, folder: Path, source_map: SourceMap, remark: Callable[[str], None]
+    loaded: _Loaded,
+    library: ClassLibrary,
+    folder: Path,
+    source_map: SourceMap,
+    remark: Callable[[str], None],
+    find_file: FileFinder,
 ) -> _Loaded:
     """The same about a package's model with arrays written out, and packages and libraries named that nothing names.
 
@@ -311,7 +336,7 @@ def _with_package_written_out(
     """
     package = loaded.file.parent
     imports = imports_of_packages(loaded.request.model, library, package)
-    view = package_view(loaded.request.model, package, imports, folder)
+    view = package_view(loaded.request.model, package, imports, folder, find_file)
     error = loaded.answer.error
     is_told_here = _UNRESOLVED.search(error) is not None or is_unbalanced(error)
     if not (view.texts or is_told_here):
@@ -319,7 +344,7 @@ def _with_package_written_out(
     about = about_a_copy(loaded.request, view.package, view.root)
     other = ask(about, remark)
     if other.flat is None:
-        if not (is_told_here or is_unbalanced(other.error)):
+        if not (is_told_here or is_unbalanced(other.error) or _is_cured(loaded.answer, other)):
             return loaded
         view.register(source_map)
         return replace(loaded, answer=replace(other, error=view.restored(other.error)), request=about)

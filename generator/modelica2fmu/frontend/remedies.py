@@ -118,8 +118,9 @@ _KNOWN: Final = tuple(
         ),
         (
             r".*\ba table read from a file \(tableOnFile\) is unsupported",
-            "tables in files (tableOnFile=true) are not taken",
-            "write the rows into the model, as in table=[0, 1; 10, 2], and leave tableOnFile and fileName out",
+            "the front end does not know the file of a table",
+            'name it beside tableOnFile=true by a String, as in fileName="drive.txt", or write the rows, as in'
+            " table=[0, 1; 10, 2], in place of both",
             re.compile(r"\btableOnFile\s*=\s*true\b"),
         ),
         (

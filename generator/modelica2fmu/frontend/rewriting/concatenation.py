@@ -3,10 +3,10 @@
 rumoca 0.10 refuses ``cat(1, a, b)`` of Strings and records, whose type it takes to be that of the first argument, and
 ``{ball[i].geometry for i in 1:n}``, an array made of members of components. Written out, ``{ball[1].geometry,
 ball[2].geometry, floor.geometry}``, it takes both; so it does with ``sum(ball[i].r_0[3] for i in 1:n)``.
-``connect(ball.frame_a, contacts.frame[1:3])`` it takes with ``ball[1:3].frame_a``. What it does not take of loops and
-of Integers that are to be Reals is in ``for_loops`` and ``real_arguments``. The numbers that ranges and sizes
-depend on are read from the class that uses them, else from those around it and those the model uses, and from modifiers
-of ``extends``; whether they hold in the model is for the caller to check.
+``connect(ball.frame_a, contacts.frame[1:3])`` it takes with ``ball[1:3].frame_a``. What it does not take of loops, of
+Integers that are to be Reals and of tables in files is in ``for_loops``, ``real_arguments`` and ``tables_in_files``.
+The numbers that ranges and sizes depend on are read from the class that uses them, else from those around it and those
+the model uses, and from modifiers of ``extends``; whether they hold in the model is for the caller to check.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, Final
 
 from modelica2fmu.frontend.rewriting.class_scopes import (
@@ -30,6 +31,7 @@ from modelica2fmu.frontend.rewriting.class_scopes import (
 from modelica2fmu.frontend.rewriting.code_text import CodeText
 from modelica2fmu.frontend.rewriting.for_loops import Edit, elements, iteration_edits, loop_edits
 from modelica2fmu.frontend.rewriting.real_arguments import real_argument_edits
+from modelica2fmu.frontend.rewriting.tables_in_files import table_edits
 from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 
 _CALL: Final = re.compile(r"(?<![\w.])cat\s*\(")
@@ -107,24 +109,29 @@ class WrittenOut:
     numbers: Numbers
 
 
-def with_arrays_written_out(model: str, texts: Sequence[str]) -> WrittenOut:
+def with_arrays_written_out(model: str, texts: Sequence[str], find_file: Callable[[str], Path]) -> WrittenOut:
     """The same Modelica with concatenations, and arrays over members of components, written out where that is possible.
 
     Args:
         model: whose arrays are meant: classes that it does not use stay as they are.
         texts: of Modelica files.
+        find_file: the file that a name in a model means.
+
+    Raises:
+        InputError: a file that holds a table is missing or wrong.
+        UnsupportedModelError: a file that is not read.
     """
     numbers = Numbers()
-    given, written = list(texts), _written_once(model, texts, numbers)
+    given, written = list(texts), _written_once(model, texts, numbers, find_file)
     for _ in range(_MOST_PASSES):  # loops may hold others, and these arrays
         if written == given:
             break
-        given, written = written, _written_once(model, written, numbers)
+        given, written = written, _written_once(model, written, numbers, find_file)
     return WrittenOut(written, numbers)
 
 
-def _written_once(model: str, texts: Sequence[str], numbers: Numbers) -> list[str]:
-    writers = [_Writer(text, numbers) for text in texts]
+def _written_once(model: str, texts: Sequence[str], numbers: Numbers, find_file: Callable[[str], Path]) -> list[str]:
+    writers = [_Writer(text, numbers, find_file) for text in texts]
     used = used_classes(model, [scope for writer in writers for scope in writer.scopes])
     own = own_classes(model, used)
     return [writer.written(used, own) for writer in writers]
@@ -144,10 +151,11 @@ def _integer(expression: Any, variables: Mapping[str, Any], depth: int = 0) -> i
 
 
 class _Writer:
-    def __init__(self, text: str, numbers: Numbers) -> None:
+    def __init__(self, text: str, numbers: Numbers, find_file: Callable[[str], Path]) -> None:
         self._source = CodeText(text)
         self._text, self._plain, self._code = self._source.text, self._source.plain, self._source.code
         self._numbers = numbers
+        self._find_file = find_file
         self._used: Sequence[ClassScope] = ()
         self._own: Sequence[str] = ()
         self._scope: ClassScope | None = None  # of what is being written out
@@ -184,6 +192,7 @@ class _Writer:
             *loop_edits(self._source, self._number_at, self._first_of_model),
             *iteration_edits(self._source),
             *real_argument_edits(self._source),
+            *table_edits(self._source, self._enter, self._find_file),
         )
         return (edit for edit in edits if self._enter(edit[0]))
 

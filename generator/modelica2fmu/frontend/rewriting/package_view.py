@@ -6,7 +6,7 @@ is therefore given in a copy of the package.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -47,7 +47,9 @@ class PackageView:
         return text.replace(str(self.root / self.package.name), str(self.package))
 
 
-def package_view(model: str, package: Path, imports: Mapping[Path, Insertion], root: Path) -> PackageView:
+def package_view(
+    model: str, package: Path, imports: Mapping[Path, Insertion], root: Path, find_file: Callable[[str], Path]
+) -> PackageView:
     """Copies a package's Modelica files with arrays written out.
 
     Args:
@@ -55,11 +57,16 @@ def package_view(model: str, package: Path, imports: Mapping[Path, Insertion], r
         package: the folder that holds ``package.mo``.
         imports: of packages, by file.
         root: an empty folder.
+        find_file: the file that a name in a model means.
+
+    Raises:
+        InputError: a file that holds a table is missing or wrong.
+        UnsupportedModelError: a file that is not read.
     """
     originals = sorted(package.rglob("*.mo"))
     given = [original.read_bytes().decode("utf-8", errors="surrogateescape") for original in originals]
     named = [with_imports(text, imports.get(original)) for original, text in zip(originals, given, strict=True)]
-    written = with_arrays_written_out(model, named)
+    written = with_arrays_written_out(model, named, find_file)
     texts = {
         original: after
         for original, before, after in zip(originals, given, written.texts, strict=True)

@@ -429,7 +429,7 @@ def test_what_the_front_end_leaves_out_is_refused(case, tmp_path):
 
 def test_fixed_holds_beside_a_component_of_that_name_that_is_not(tmp_path):
     file = written(tmp_path, "  model Wanted\n    Carrier c(s(fixed = false));\n  end Wanted;")
-    flat = load_flat_model("Laws.Wanted", file, [], SourceMap([file]), [].append)
+    flat = load_flat_model("Laws.Wanted", file, [], SourceMap([file]), [].append, Path)
     fixed = {variable.name: variable.fixed for variable in flat.variables.values()}
     assert fixed["c.s"] == (False,)
     assert fixed["c.m.s"] == (True,)

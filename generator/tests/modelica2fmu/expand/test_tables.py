@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from contact_foundation.errors import InputError, UnsupportedModelError
-from modelica2fmu.expand.table_files import read_table
 from modelica2fmu.library.standard_library import find_standard_library
+from modelica2fmu.library.table_files import read_table
 from modelica2fmu.packaging.runtime_sources import runtime_file, runtime_folders
 from scipy.interpolate import Akima1DInterpolator, PchipInterpolator, RegularGridInterpolator
 

@@ -46,7 +46,7 @@ def translated(folder: Path, text: str, name: str = "M") -> Translation:
 def written_out(text: str) -> str:
     """The same in a model."""
     head, tail = "model M\n", "\nend M;"
-    (written,) = with_arrays_written_out("M", [head + text + tail]).texts
+    (written,) = with_arrays_written_out("M", [head + text + tail], Path).texts
     return written.removeprefix(head).removesuffix(tail)
 
 
@@ -310,7 +310,7 @@ def test_enumerations_of_other_texts_are_not_taken_for_those_of_the_text():
 def test_sizes_of_what_a_base_declares_are_not_taken_from_other_classes():
     text = "model M extends Base; algorithm for i in 1:size(v, 1) loop y := y + v[i]; end for; end M;\n"
     text += "model Other Real v[2]; end Other; model N extends M; Other other; end N;"
-    assert with_arrays_written_out("N", [text]).texts == [text]
+    assert with_arrays_written_out("N", [text], Path).texts == [text]
 
 
 def test_lines_and_elements_of_random_concatenations():

@@ -349,7 +349,7 @@ end Remedies;
         np.testing.assert_allclose(result[name][beside], form(time[beside]), atol=1e-6, err_msg=name)
 
 
-def test_a_table_in_a_file_is_told_in_the_file_of_its_model(tmp_path: Path) -> None:
+def test_a_table_of_an_unknown_file_is_told_in_the_file_of_its_model(tmp_path: Path) -> None:
     """Of the Standard Library as a whole, whose tables ask for the ending of the file's name."""
     library = find_standard_library()
     if library.folder == core_subset():
@@ -358,10 +358,10 @@ def test_a_table_in_a_file_is_told_in_the_file_of_its_model(tmp_path: Path) -> N
     package.mkdir()
     (package / "package.mo").write_text("package P end P;")
     (package / "T.mo").write_text(
-        "within P;\nmodel T\n  Modelica.Blocks.Sources.CombiTimeTable t(\n    tableOnFile=true, "
-        'tableName="a",\n    fileName=Modelica.Utilities.Files.loadResource("modelica://P/a.txt"));\nend T;\n'
+        'within P;\nmodel T\n  parameter String file = "a.txt";\n  Modelica.Blocks.Sources.CombiTimeTable t(\n'
+        '    tableOnFile=true, tableName="a",\n    fileName=Modelica.Utilities.Files.loadResource(file));\nend T;\n'
     )
-    with pytest.raises(InputError, match="tables in files") as refused:
+    with pytest.raises(InputError, match="file of a table") as refused:
         translate("P.T", [package], library)
-    assert refused.value.place == Place(file=package / "T.mo", line=4, component="P.T")
-    assert "table=[" in str(refused.value.remedy)
+    assert refused.value.place == Place(file=package / "T.mo", line=5, component="P.T")
+    assert "fileName=" in str(refused.value.remedy)

@@ -86,6 +86,9 @@ def _without_comments(lines: list[str]) -> Iterator[tuple[int, str]]:
 
 def _numbers(file: Path, line: int, words: list[str]) -> list[float]:
     try:
-        return [float(word.replace("d", "e").replace("D", "e")) for word in words]
+        numbers = [float(word.replace("d", "e").replace("D", "e")) for word in words]
     except ValueError as error:
         raise InputError(f"a number is needed here: {error}", place=Place(file=file, line=line)) from error
+    if not np.isfinite(numbers).all():
+        raise InputError("a table has a number that is not finite", place=Place(file=file, line=line))
+    return numbers
