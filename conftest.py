@@ -6,12 +6,13 @@ import gc
 import os
 import subprocess
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import fmpy
 import pytest
 from contact_foundation.cache import user_cache
+from fmu_regression.fmi.fmi2_binding import restore_fmpy_logger
 
 # What takes longest comes first, so that no process is left alone with it at last (scripts/test); browsers apart from
 # each other.
@@ -77,6 +78,13 @@ def pytest_collection_finish() -> None:
     """Takes what was collected, thousands of tests that all stay, out of the work of the garbage collector."""
     gc.collect()
     gc.freeze()
+
+
+@pytest.fixture(autouse=True)
+def fmpy_logger() -> Iterator[None]:
+    """Leaves no logger of a test in FMPy, which would hand it the messages of FMUs of later tests, or crash on it."""
+    yield
+    restore_fmpy_logger()
 
 
 @pytest.fixture(scope="session")

@@ -38,7 +38,7 @@ class Fmi2Binding(Binding):
     def free(self) -> None:
         """See Binding."""
         super().free()
-        _log_through(fmpy.fmi2.fmi2CallbackFunctions(logger=_FMPY_LOGGER))
+        restore_fmpy_logger()
 
     def set(self, data_type: str, reference: int, value: float | int | bool | str) -> None:
         """See Binding."""
@@ -76,6 +76,11 @@ class Fmi2Binding(Binding):
         """See Binding; a step that ends early, at the model's end too, is answered with discard, which raises."""
         self.raw.doStep(currentCommunicationPoint=time, communicationStepSize=step)
         return StepOutcome(time + step, False)
+
+
+def restore_fmpy_logger() -> None:
+    """Lets FMPy log through its own logger again, after a simulation that was given another one, which may be gone."""
+    _log_through(fmpy.fmi2.fmi2CallbackFunctions(logger=_FMPY_LOGGER))
 
 
 def _callbacks(log: LogMessage) -> Any:
