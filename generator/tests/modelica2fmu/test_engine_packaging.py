@@ -29,10 +29,10 @@ end Chosen;
 """
 
 
-def build(folder: Path, backend: str) -> Path:
+def build(folder: Path, backend: str, cache: Path) -> Path:
     source = folder / "Chosen.mo"
     source.write_text(MODEL.replace("BACKEND", backend), encoding="utf-8")
-    build_fmu("Chosen", [source, LIBRARY], folder / "chosen.fmu", BuildOptions())
+    build_fmu("Chosen", [source, LIBRARY], folder / "chosen.fmu", BuildOptions(cache=cache))
     return folder / "chosen.fmu"
 
 
@@ -42,8 +42,8 @@ def binaries(fmu: Path) -> set[str]:
 
 
 @pytest.mark.full
-def test_the_engine_of_an_fmu_needs_the_c_library_alone(tmp_path: Path) -> None:
-    fmu = build(tmp_path, "Automatic")
+def test_the_engine_of_an_fmu_needs_the_c_library_alone(tmp_path: Path, fmu_cache: Path) -> None:
+    fmu = build(tmp_path, "Automatic", fmu_cache)
     assert binaries(fmu) == {"linux64/Chosen.so"}
     with zipfile.ZipFile(fmu) as archive:
         library = archive.extract("binaries/linux64/Chosen.so", tmp_path)
@@ -53,8 +53,10 @@ def test_the_engine_of_an_fmu_needs_the_c_library_alone(tmp_path: Path) -> None:
 
 @pytest.mark.full
 @pytest.mark.skipif(not (ENGINE / "libContactMultiBodyFcl.so").is_file(), reason="the engine was built without FCL")
-def test_a_back_end_travels_where_the_model_chooses_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    fmu = build(tmp_path, "Fcl")
+def test_a_back_end_travels_where_the_model_chooses_it(
+    tmp_path: Path, fmu_cache: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fmu = build(tmp_path, "Fcl", fmu_cache)
     files = binaries(fmu)
     assert {"linux64/Chosen.so", "linux64/libContactMultiBodyFcl.so"} < files
     assert any(name.startswith("linux64/libfcl.so") for name in files)

@@ -10,12 +10,13 @@ from modelica2fmu.build import BuildOptions, build_fmu
 
 
 def sampled(
-    folder: Path, models: Iterable[tuple[int, str, Callable[[Path], Iterable[str]]]], name: str = "M"
+    folder: Path, cache: Path, models: Iterable[tuple[int, str, Callable[[Path], Iterable[str]]]], name: str = "M"
 ) -> tuple[int, list[str]]:
     """How many models were built, as refused ones count for nothing, and what is wrong of them.
 
     Args:
         folder: an empty one.
+        cache: of ``BuildOptions``, for what all FMUs have in common.
         models: seed, text of a file, and what is wrong of its model's FMU.
         name: of the model.
     """
@@ -24,7 +25,7 @@ def sampled(
     for seed, text, wrong in models:
         source.write_text(text, encoding="utf-8")
         try:
-            build_fmu(name, [source], fmu, BuildOptions())
+            build_fmu(name, [source], fmu, BuildOptions(cache=cache))
         except (InputError, UnsupportedModelError):
             continue
         taken += 1

@@ -53,14 +53,14 @@ def models(seeds: Iterable[int]) -> Iterator[tuple[int, str, Callable[[Path], It
             yield seed, model.text, partial(wrong_values, model)
 
 
-def test_a_few_models(tmp_path):
-    taken, failures = sampled(tmp_path, models(range(FEW)))
+def test_a_few_models(tmp_path, fmu_cache):
+    taken, failures = sampled(tmp_path, fmu_cache, models(range(FEW)))
     assert not failures, "\n".join(failures)
     assert taken > 0
 
 
 @pytest.mark.full
-def test_many_models(tmp_path):
-    taken, failures = sampled(tmp_path, models(range(1000, 1000 + MANY)))
+def test_many_models(tmp_path, fmu_cache):
+    taken, failures = sampled(tmp_path, fmu_cache, models(range(1000, 1000 + MANY)))
     assert not failures, "\n".join(failures)
     assert taken > MANY // 2
