@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from contact_foundation.errors import InputError, Place, UnsupportedModelError
+from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu.expand.scalar_model import CallArgument, ExternalCall, Kind, ScalarModel, ScalarVariable
 from modelica2fmu.expand.scalar_values import (
@@ -143,12 +143,7 @@ class CallExpansion:
             return self.lookup(function.name, symbol, tuple(arguments), span)
 
         assert function.external is not None
-        try:
-            return Tables(lookup, number, self._files).call(function.external.name, args)
-        except (InputError, UnsupportedModelError) as error:
-            if error.place != Place():
-                raise
-            raise type(error)(error.message, place=self._source_map.place(span or function.span)) from error
+        return Tables(lookup, number, self._files).call(function.external.name, args)
 
     def lookup(self, function: str, symbol: str, arguments: tuple[CallArgument, ...], span: Span | None) -> Node:
         """The result of a call of a function of the runtime, made once for equal arguments."""

@@ -87,11 +87,16 @@ class Tables:
         else:
             points = self._points(values["table"])
         columns = [int(self.number(item)) for item in arrays.scalars(values["columns"])] if "columns" in values else []
+        if not columns and kind == "CombiTable1D":
+            kind = "CombiTable2D"  # as library_repairs writes it
         record = Record({**values, "table": points, "columns": columns})
         _check(kind, points, columns)
         smoothness = self._whole(record, "smoothness")
         if kind == "CombiTable2D" and smoothness not in (_LINEAR, _CONSTANT):
-            raise UnsupportedModelError("a CombiTable2D with a smooth surface is not translated")
+            raise UnsupportedModelError(
+                "a CombiTable2D with a smooth surface is not translated",
+                remedy="take smoothness = LinearSegments or ConstantSegments, or more points",
+            )
         return record
 
     def _points(self, table: Value) -> np.ndarray:

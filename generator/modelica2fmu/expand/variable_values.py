@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 
 import numpy as np
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
@@ -67,7 +68,8 @@ class VariableValues:
         try:
             if self.is_table(declared):
                 assert declared.binding is not None
-                value = self._interpreter.evaluate(declared.binding, events=False)
+                with self._told_of(declared, declared.binding):
+                    value = self._interpreter.evaluate(declared.binding, events=False)
                 self._values[name] = value
                 return value
             value = self._parameter(declared) if declared.variability in ("parameter", "constant") else None
@@ -141,9 +143,15 @@ class VariableValues:
         return result
 
     def _items(self, variable: ir.Variable, expression: ir.Expression, names: list[str]) -> list[Scalar]:
-        """The values of a parameter's elements; a function that refuses its arguments is told with the parameter."""
-        try:
+        """The values of a parameter's elements."""
+        with self._told_of(variable, expression):
             return self.broadcast(expression, names)
+
+    @contextmanager
+    def _told_of(self, variable: ir.Variable, expression: ir.Expression) -> Iterator[None]:
+        """Tells with a variable of what is refused in its binding, as by a function its arguments."""
+        try:
+            yield
         except InputError as error:
             if error.place is not None and error.place.file is not None:
                 raise

@@ -110,13 +110,6 @@ _KNOWN: Final = tuple(
             None,
         ),
         (
-            r".*\bunsupported type `(?:Modelica\.Blocks\.Types\.)?ExternalCombiTable2D`",
-            "tables of two inputs (CombiTable2Ds, CombiTable2Dv) are not taken",
-            "write a function that interpolates in constant arrays, or tables of one input whose outputs are weighted"
-            " by the other",
-            re.compile(r"\bCombiTable2D[sv]\b"),
-        ),
-        (
             r".*\ba table read from a file \(tableOnFile\) is unsupported",
             "the front end does not know the file of a table",
             'name it beside tableOnFile=true by a String, as in fileName="drive.txt", or write the rows, as in'

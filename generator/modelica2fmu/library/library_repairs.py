@@ -88,6 +88,17 @@ REPAIRS: Final = (
         ),
         r"\1\2",
     ),
+    # The external object of tables of two inputs: that of tables of one, without columns, is known to the front end.
+    Repair(
+        ("Modelica/Blocks/Tables.mo",),
+        re.compile(r"\bModelica\.Blocks\.Types\.ExternalCombiTable2D(\s+tableID\b)"),
+        r"Modelica.Blocks.Types.ExternalCombiTable1D\1",
+    ),
+    Repair(
+        ("Modelica/Blocks/Tables.mo",),
+        re.compile(r"\bModelica\.Blocks\.Types\.ExternalCombiTable2D(\([^;]*?\btable,)"),
+        r"Modelica.Blocks.Types.ExternalCombiTable1D\1 fill(0, 0),",
+    ),
     # A base class that is declared in the class itself and has bases of its own.
     Repair(
         (f"{_TRANSLATIONAL}/MassWithStopAndFriction.mo",),

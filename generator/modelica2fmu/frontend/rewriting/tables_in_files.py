@@ -19,7 +19,7 @@ from modelica2fmu.library.brackets import end_of_bracket, parts_between_commas
 from modelica2fmu.library.table_files import read_table
 
 _ON_FILE: Final = re.compile(r"\btableOnFile\s*=\s*true\b")
-_TABLE: Final = re.compile(r"\b(?:CombiTimeTable|CombiTable1D[sv])\b")
+_TABLE: Final = re.compile(r"\b(?:CombiTimeTable|CombiTable1D[sv]|(?P<surface>CombiTable2D[sv]))\b")
 _MODIFIER: Final = re.compile(r"\s*(?:each\s+)?(?P<name>[A-Za-z_]\w*)\s*=\s*")
 _STRING: Final = re.compile(r'"(?P<text>[^"\\]*)"')
 _NAMED: Final = re.compile(r'(?:(?:[A-Za-z_]\w*\s*\.\s*)*loadResource\s*\(\s*)?"(?P<text>[^"\\]*)"\s*\)?')
@@ -44,7 +44,8 @@ def table_edits(source: CodeText, is_used: Callable[[int], bool], find_file: Cal
         opened = _opening(source.code, found.start())
         if opened is None or not is_used(opened):
             continue
-        if _TABLE.search(source.code, source.code.rfind(";", 0, opened) + 1, opened) is None:
+        kind = _TABLE.search(source.code, source.code.rfind(";", 0, opened) + 1, opened)
+        if kind is None:
             continue
         modifiers = dict(_modifiers(source.code, opened))
         rows = None if "table" in modifiers else _rows(source, modifiers, find_file)
@@ -53,7 +54,8 @@ def table_edits(source: CodeText, is_used: Callable[[int], bool], find_file: Cal
         yield *modifiers["tableOnFile"], "false"
         start, end = modifiers["fileName"]
         name = source.code.rindex("fileName", 0, start)
-        default = "" if "columns" in modifiers else ", columns={2}"  # that of a table without rows
+        has_columns = "columns" in modifiers or kind["surface"] is not None
+        default = "" if has_columns else ", columns={2}"  # that of a table without rows
         lines = "\n" * source.code.count("\n", name, end)
         yield name, end, f"table={rows}{default}{lines}"
 

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from contact_data import core_subset
 from contact_foundation.errors import InputError, Place
-from modelica2fmu.frontend.remedies import with_remedy
 from modelica2fmu.library.standard_library import StandardLibrary, find_standard_library
 from modelica2fmu.translation import translate
 
@@ -285,17 +284,6 @@ end Unused;
 """
     result = simulate(text, ["y"])
     np.testing.assert_allclose(result["y"], 6 * result["time"], atol=1e-9)
-
-
-def test_tables_of_two_inputs(tmp_path: Path) -> None:
-    file = tmp_path / "M.mo"
-    file.write_text("model M\n  Modelica.Blocks.Tables.CombiTable2Ds t(table = [0, 1; 1, 2]);\nend M;\n")
-    words = "the function `f.tableID` has unsupported type `Modelica.Blocks.Types.ExternalCombiTable2D`"
-    error = with_remedy(InputError(words, place=Place(file=file)), file)
-    assert "CombiTable2Ds" in error.message
-    assert error.remedy
-    assert error.place is not None
-    assert error.place.line == 2
 
 
 def test_what_the_messages_say_is_taken(simulate) -> None:

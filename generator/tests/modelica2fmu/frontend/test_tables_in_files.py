@@ -12,6 +12,7 @@ from fmpy import simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
 from modelica2fmu.frontend.rewriting.concatenation import with_arrays_written_out
 from modelica2fmu.library.standard_library import core_subset, find_standard_library
+from scipy.interpolate import RegularGridInterpolator
 
 ROWS = np.array([[0.0, 0.0, 1.0], [1.0, 2.0, -1.0], [2.0, 1.0, 5e-7]])
 PLACE = 'tableOnFile=true, tableName="drive", fileName='
@@ -39,6 +40,7 @@ def written(text: str, folder: Path) -> str:
         f'CombiTimeTable t(y(start={{1}}), {PLACE}\n  Modelica.Utilities.Files.loadResource(\n"drive.txt")) "(1)";',
         'CombiTimeTable t(tableOnFile = true, fileName = "drive.csv", delimiter=";", nHeaderLines=1, columns={2});',
         f'extends Modelica.Blocks.Sources.CombiTimeTable({PLACE}"drive.txt");',
+        f'CombiTable2Ds t({PLACE}"drive.txt");',
     ],
 )
 def test_rows_stand_in_the_model_in_as_many_lines(declaration: str, folder: Path) -> None:
@@ -49,7 +51,8 @@ def test_rows_stand_in_the_model_in_as_many_lines(declaration: str, folder: Path
     np.testing.assert_array_equal([[*map(float, row.split(","))] for row in matrix[1].split(";")], ROWS)
     assert re.search(r"tableOnFile\s*=\s*false", after) is not None
     assert "fileName" not in after
-    assert after.count("columns") == 1  # those of the table without rows that the file stands for, if none are given
+    # Those of the table without rows that the file stands for, if none are given.
+    assert after.count("columns") == (0 if "2D" in declaration else 1)
     assert after.count("\n") == text.count("\n")
 
 
@@ -107,3 +110,37 @@ def test_a_model_follows_its_file_and_is_built_anew_when_that_changes(folder: Pa
         for name, column in (("x[1]", 1), ("x[2]", 2)):
             expected = np.interp(result["time"], rows[:, 0], rows[:, column])
             np.testing.assert_allclose(result[name], expected, atol=1e-9)
+
+
+def test_tables_of_two_inputs_are_the_bilinear_surfaces_of_their_points(folder: Path, fmu_cache: Path) -> None:
+    """Against SciPy; beyond the points with the slope of the last ones, or as the last one."""
+    if find_standard_library().folder == core_subset():
+        pytest.skip("no Modelica Standard Library is installed")
+    points = np.array([[0.0, -1.0, 1.0, 2.0], [-1.0, 1.0, 2.0, 3.0], [0.5, 4.0, 5.0, 9.0], [3.0, 7.0, 8.0, 0.0]])
+    lines = "\n".join(" ".join(map(str, row)) for row in points)
+    (folder / "map.txt").write_text(f"#1\ndouble map(4, 4)\n{lines}\n")
+    rows = "; ".join(", ".join(map(str, row)) for row in points)
+    (folder / "M.mo").write_text(f"""model M
+  Modelica.Blocks.Tables.CombiTable2Ds file(tableOnFile=true, tableName="map", fileName="map.txt");
+  Modelica.Blocks.Tables.CombiTable2Dv rows(n=2, table=[{rows}],
+    extrapolation=Modelica.Blocks.Types.Extrapolation.HoldLastPoint);
+  Real u1 = 5*sin(time), u2 = 3*cos(2*time);
+equation
+  file.u1 = u1;
+  file.u2 = u2;
+  rows.u1 = {{u1, 0.5}};
+  rows.u2 = {{u2, u1}};
+end M;
+""")
+    build_fmu("M", [folder / "M.mo"], folder / "m.fmu", BuildOptions(cache=fmu_cache))
+    result = simulate_fmu(
+        str(folder / "m.fmu"), output=["u1", "u2", "file.y", "rows.y[1]", "rows.y[2]"], stop_time=3.0,
+        output_interval=0.01,
+    )  # fmt: skip
+    x, y = points[1:, 0], points[0, 1:]
+    surface = RegularGridInterpolator((x, y), points[1:, 1:], bounds_error=False, fill_value=None)
+    u1, u2 = result["u1"], result["u2"]
+    held = np.clip(u1, x[0], x[-1]), np.clip(u2, y[0], y[-1])
+    np.testing.assert_allclose(result["file.y"], surface((u1, u2)), atol=1e-12)
+    np.testing.assert_allclose(result["rows.y[1]"], surface(held), atol=1e-12)
+    np.testing.assert_allclose(result["rows.y[2]"], surface((0.5, np.clip(u1, y[0], y[-1]))), atol=1e-12)
