@@ -131,31 +131,40 @@ bool push_out(const PlacedMesh &one, const PlacedMesh &other, const Pose &place,
   return result.distance < 0.0;
 }
 
+// Whether two meshes have anything in common: surfaces that do not cross part all of one from all of the other, or hold it.
+bool may_overlap(const PlacedMesh &one, const PlacedMesh &other, const Pose &place, const Crossings &crossings) {
+  return any_meet(one.mesh, other.mesh, place, crossings) || may_hold_component(one.mesh, other.mesh, place) || may_hold_component(other.mesh, one.mesh, place.inverse());
+}
+
 // The contact of two meshes, not both sheets, of which `one` pushes; normals point out of it. Returns whether they touch.
 bool contact(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
   const Pose place = relative_pose(one.pose, other.pose);
   const PlacedVertices vertices(other.mesh, place, scratch.placed);
   find_crossings(one.mesh, other.mesh, place, vertices, scratch.crossings);
-  return push_out(one, other, place, vertices, scratch, result);
+  return may_overlap(one, other, place, scratch.crossings) && push_out(one, other, place, vertices, scratch, result);
 }
 
 // The same of two closed meshes of which neither is the larger one: both push, half each, so that none is told from the other.
 bool contact_of_equals(const PlacedMesh &one, const PlacedMesh &other, MeshContactScratch &scratch, ContactSet &result) {
+  const Pose place = relative_pose(one.pose, other.pose), back = relative_pose(other.pose, one.pose);
   const std::size_t begin = result.points.size();
-  const auto take_half = [](bool touches, std::size_t first, ContactSet &half) {
+  const auto push_half = [&](const PlacedMesh &from, const PlacedMesh &to, const Pose &to_in_from, const PlacedVertices &vertices, std::size_t first,
+                             ContactSet &half) {
+    const bool touches = push_out(from, to, to_in_from, vertices, scratch, half);
     if (!touches) half.points.resize(first), half.distance = 0.0;
     scale(half.points, first, 0.5);
     half.distance *= 0.5;
+    return touches;
   };
-  const bool touches = contact(one, other, scratch, result);
-  take_half(touches, begin, result);
+  const PlacedVertices vertices(other.mesh, place, scratch.placed);
+  find_crossings(one.mesh, other.mesh, place, vertices, scratch.crossings);
+  if (!may_overlap(one, other, place, scratch.crossings)) return false;
+  const bool touches = push_half(one, other, place, vertices, begin, result);
   for (Crossings::Cut &cut : scratch.crossings.cuts) std::swap(cut.pair.triangle, cut.pair.facet);
-  const Pose back = relative_pose(other.pose, one.pose);
   ContactSet &opposite = scratch.opposite;
   opposite.points.clear();
   opposite.distance = 0.0;
-  const bool opposite_touches = push_out(other, one, back, PlacedVertices(one.mesh, back, scratch.placed), scratch, opposite);
-  take_half(opposite_touches, 0, opposite);
+  const bool opposite_touches = push_half(other, one, back, PlacedVertices(one.mesh, back, scratch.placed), 0, opposite);
   const double distance = result.distance + opposite.distance;
   add_reversed(opposite, 1.0, result);
   result.distance = distance;

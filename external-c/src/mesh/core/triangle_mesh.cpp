@@ -51,7 +51,9 @@ TriangleMesh::TriangleMesh(MeshData data, MeshUse use, const std::string &source
       neighbours_(triangle_neighbours(data_.triangles)),
       components_(connected_components(neighbours_)),
       component_count_(1 + *std::max_element(components_.begin(), components_.end())),
+      component_triangles_(component_count_),
       hierarchy_(data_.vertices, data_.triangles) {
+  for (std::uint32_t t = 0; t < components_.size(); ++t) component_triangles_[components_[t]] = t;
   for (const auto &row : neighbours_) {
     for (const std::int32_t t : row) closed_ = closed_ && t >= 0;
   }

@@ -55,6 +55,8 @@ class TriangleMesh {
   // What hangs together by edges, numbered from 0.
   std::uint32_t component_of(std::uint32_t t) const { return components_[t]; }
   std::uint32_t component_count() const { return component_count_; }
+  // One of its vertices.
+  const Vec3 &place_of_component(std::uint32_t component) const { return corner(component_triangles_[component], 0); }
   // The triangles at vertex v: vertex_triangles()[vertex_begin(v) .. vertex_begin(v + 1)).
   const std::vector<std::uint32_t> &vertex_triangles() const { return vertex_triangles_; }
   std::uint32_t vertex_begin(std::uint32_t v) const { return vertex_begin_[v]; }
@@ -130,6 +132,7 @@ class TriangleMesh {
   std::vector<std::array<std::int32_t, 3>> neighbours_;
   std::vector<std::uint32_t> components_;
   std::uint32_t component_count_ = 0;
+  std::vector<std::uint32_t> component_triangles_;  // one of each
   TriangleHierarchy hierarchy_;
   PlanarFaces faces_;
   FaceRelations face_relations_;

@@ -45,6 +45,8 @@ void PairOverlap::add(std::uint32_t t) {
   const auto support = [this](const Vec3 &direction) { return reach(direction); };
   if (is_out_of_reach(center_) || is_outside(place_, support)) return;
   if (!(depth(place_.translation) - support(transposed_times(place_.rotation, face_normal())) < mesh().depth_limit(t))) return;
+  // Behind a sheet nothing ends, and most of what is there meets.
+  if (mesh().closed() && !meets_surface() && !may_fill()) return;
   const bool meets = gather();
   if (scratch_.facets.empty()) return;
   set_planes();
@@ -97,18 +99,56 @@ struct HalfSpaces {
   }
 };
 
+// What holds the triangle's wedge but for what parts it from other sides of the mesh.
+HalfSpaces<5> around_wedge(const TriangleMesh &mesh, std::uint32_t t) {
+  const Vec3 &normal = mesh.face_normal(t);
+  const double front = dot(normal, mesh.corner(t, 0));
+  HalfSpaces<5> wedge{{-normal, normal, {}, {}, {}}, {-front, front - mesh.depth_limit(t), 0.0, 0.0, 0.0}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WedgeSide &side = mesh.wedge_sides(t)[k];
+    wedge.normal[k + 2] = side.normal, wedge.offset[k + 2] = side.offset;
+  }
+  return wedge;
+}
+
 }  // namespace
+
+// Whether some of the body's surface may be in the wedge.
+bool PairOverlap::meets_surface() const {
+  const HalfSpaces<5> wedge = around_wedge(mesh(), triangle()), own = wedge.seen_from(place_);
+  const TriangleHierarchy &hierarchy = body_.hierarchy();
+  const double slack = rounding * radius();
+  bool meets = false;
+  hierarchy.visit_near_unless(
+      hierarchy.bounds(), [&meets] { return meets ? -1.0 : 0.0; }, [&](const Bounds &box) { return own.leave_out(box, slack); },
+      [&](std::uint32_t facet) {
+        if (meets || !counts(facet)) return;
+        meets = !wedge.leave_out(vertices_.corner(facet, 0), vertices_.corner(facet, 1), vertices_.corner(facet, 2));
+      });
+  return meets;
+}
+
+// Where none of the body's surface is in the wedge: false where the triangle's middle is well outside of the body, so that all of the wedge is.
+bool PairOverlap::may_fill() {
+  constexpr double slack = 1e-9;
+  const Vec3 middle = (1.0 / 3.0) * (mesh().corner(triangle(), 0) + mesh().corner(triangle(), 1) + mesh().corner(triangle(), 2));
+  const Vec3 in_body = transposed_times(place_.rotation, middle - place_.translation);
+  const Bounds point{in_body, in_body};
+  if (distance2(body_.hierarchy().bounds(), point) > 0.0) return false;
+  if (components_ != nullptr && body_.component_count() > 1) return true;
+  const NearestPoint nearest = body_.nearest(in_body, nearest_facet_);
+  nearest_facet_ = nearest.triangle;
+  return nearest.distance < slack * radius();
+}
 
 // The facets that are in the wedge or may be below it. Returns whether some may be in it.
 bool PairOverlap::gather() {
   const double front = dot(face_normal(), mesh().corner(triangle(), 0));
-  const double limit = mesh().depth_limit(triangle());
-  HalfSpaces<5> wedge{{-face_normal(), face_normal(), {}, {}, {}}, {-front, front - limit, 0.0, 0.0, 0.0}};
+  const HalfSpaces<5> wedge = around_wedge(mesh(), triangle());
   // Behind a convex side the wedge becomes narrower: what is below it is behind the side's own plane.
   HalfSpaces<4> column{{-face_normal(), {}, {}, {}}, {-front, 0.0, 0.0, 0.0}};
   for (std::size_t k = 0; k < 3; ++k) {
     const WedgeSide &side = mesh().wedge_sides(triangle())[k];
-    wedge.normal[k + 2] = side.normal, wedge.offset[k + 2] = side.offset;
     const double slope = dot(side.normal, face_normal());
     column.normal[k + 1] = slope > 0.0 ? side.normal - slope * face_normal() : side.normal;
     column.offset[k + 1] = slope > 0.0 ? dot(column.normal[k + 1], mesh().corner(triangle(), k)) : side.offset;
@@ -122,7 +162,7 @@ bool PairOverlap::gather() {
   hierarchy.visit_near_unless(
       hierarchy.bounds(), [] { return 0.0; }, [&](const Bounds &box) { return own.leave_out(box, slack); },
       [&](std::uint32_t facet) {
-        if (components_ != nullptr && (*components_)[body_.component_of(facet)] == 0) return;
+        if (!counts(facet)) return;
         const Vec3 &p = vertices_.corner(facet, 0), &q = vertices_.corner(facet, 1), &r = vertices_.corner(facet, 2);
         if (column.leave_out(p, q, r)) return;
         meets = meets || !wedge.leave_out(p, q, r);

@@ -53,6 +53,9 @@ class PairOverlap : public WedgeIntegrals {
 
   double reach(const Vec3 &direction) const;
   void add(std::uint32_t t);
+  bool counts(std::uint32_t facet) const { return components_ == nullptr || (*components_)[body_.component_of(facet)] != 0; }
+  bool meets_surface() const;
+  bool may_fill();
   bool gather();
   bool holds(const Vec3 &place) const;
   void set_planes();
@@ -75,6 +78,7 @@ class PairOverlap : public WedgeIntegrals {
   PlacedVertices vertices_;
   PairOverlapScratch &scratch_;
   const std::vector<std::uint8_t> *components_ = nullptr;
+  std::uint32_t nearest_facet_ = 0;  // to a triangle looked at before
   // Of the triangle at hand:
   double deepest_corner_ = 0.0, deepest_inside_ = 0.0;
   PatchSums patch_;

@@ -31,6 +31,16 @@ void InteriorPoint::push_out(double other, double part, const Pose &pose, Contac
   result.witness = witness;
 }
 
+bool may_hold_component(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place) {
+  if (!mesh.closed()) return false;
+  const double rounding = 1e-12 * (mesh.bound_radius() + body.bound_radius());
+  for (std::uint32_t component = 0; component < body.component_count(); ++component) {
+    const Vec3 at = place(body.place_of_component(component));
+    if (holds(mesh.hierarchy().bounds(), at, -rounding) && mesh.nearest(at).distance < rounding) return true;
+  }
+  return false;
+}
+
 InteriorPoints::InteriorPoints(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place,
                                double enough) {
   for (const Vec3 &p : body.interior_points()) {

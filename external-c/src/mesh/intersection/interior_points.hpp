@@ -31,6 +31,10 @@ class InteriorPoint {
   NearestPoint nearest_;
 };
 
+// Whether a closed mesh may hold a component of the body, whose surface none of its own crosses; of a sheet false. `place`: the body's pose in
+// the mesh's frame.
+bool may_hold_component(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place);
+
 // The interior points of a body that is a mesh itself. One alone may lie in the other's surface: faces of meshes may be flush.
 class InteriorPoints {
  public:

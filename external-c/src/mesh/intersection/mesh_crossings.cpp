@@ -65,16 +65,33 @@ void find_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Po
 
 namespace {
 
-TriangleSection crossing_of(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const TrianglePairNumbers &pair,
-                            double enough) {
+// Calls act(corners of the triangle, its normal, corners of the facet, its normal).
+template <typename Act>
+auto of_triangles(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const TrianglePairNumbers &pair, Act &&act) {
   const Vec3 own[3] = {mesh.corner(pair.triangle, 0), mesh.corner(pair.triangle, 1), mesh.corner(pair.triangle, 2)};
   const Vec3 facet[3] = {place(body.corner(pair.facet, 0)), place(body.corner(pair.facet, 1)),
                          place(body.corner(pair.facet, 2))};
-  return triangle_crossing(own, mesh.face_normal(pair.triangle), facet, place.rotation * body.face_normal(pair.facet),
-                           enough);
+  return act(own, mesh.face_normal(pair.triangle), facet, place.rotation * body.face_normal(pair.facet));
+}
+
+TriangleSection crossing_of(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const TrianglePairNumbers &pair,
+                            double enough) {
+  return of_triangles(mesh, body, place, pair, [enough](const auto &a, const Vec3 &normal_a, const auto &b, const Vec3 &normal_b) {
+    return triangle_crossing(a, normal_a, b, normal_b, enough);
+  });
 }
 
 }  // namespace
+
+bool any_meet(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const Crossings &crossings) {
+  constexpr double rounding = 1e-12;  // by the meshes' size: more than moves take
+  const double near = rounding * (mesh.bound_radius() + body.bound_radius());
+  return std::any_of(crossings.cuts.begin(), crossings.cuts.end(), [&](const Crossings::Cut &cut) {
+    return of_triangles(mesh, body, place, cut.pair, [near](const auto &a, const Vec3 &normal_a, const auto &b, const Vec3 &normal_b) {
+      return may_meet(a, normal_a, b, normal_b, near);
+    });
+  });
+}
 
 double deepest_crossing(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const Crossings &crossings,
                         double enough) {

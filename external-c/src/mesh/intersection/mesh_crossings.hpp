@@ -33,6 +33,9 @@ double rounding_of_crossings(const TriangleMesh &a, const TriangleMesh &b);
 void find_crossings(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const PlacedVertices &vertices,
                     Crossings &crossings);
 
+// Whether some of these pairs meet, or as good as do.
+bool any_meet(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const Crossings &crossings);
+
 // The depth of the deepest crossing of two triangles (triangle_crossing), 0 where that is at most `enough`.
 double deepest_crossing(const TriangleMesh &mesh, const TriangleMesh &body, const Pose &place, const Crossings &crossings, double enough);
 

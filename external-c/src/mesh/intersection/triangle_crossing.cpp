@@ -58,25 +58,41 @@ TriangleSection common_segment(const Vec3 (&a)[3], const Vec3 &normal_a, const V
   return {along > 0.0 ? norm(high_at - low_at) : 0.0, 0.5 * (low_at + high_at)};
 }
 
-TriangleSection triangle_crossing(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b,
-                                  double enough) {
+namespace {
+
+// The least that the triangles reach into each other along any axis that may part them, negative where they are apart; as soon as that is not
+// more than `enough`, any that is not.
+double least_overlap(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b, double enough) {
   const Vec3 &origin = a[0];
-  double depth = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
   const auto still_crosses = [&](const Vec3 &axis) {
-    depth = std::fmin(depth, overlap(extent(a, axis, origin), extent(b, axis, origin)));
-    return depth > enough;
+    least = std::fmin(least, overlap(extent(a, axis, origin), extent(b, axis, origin)));
+    return least > enough;
   };
-  if (!still_crosses(normal_a) || !still_crosses(normal_b)) return {};
+  if (!still_crosses(normal_a) || !still_crosses(normal_b)) return least;
   for (int i = 0; i < 3; ++i) {
     const Vec3 along = a[(i + 1) % 3] - a[i];
     for (int j = 0; j < 3; ++j) {
       const Vec3 other = b[(j + 1) % 3] - b[j], axis = cross(along, other);
       const double length2 = norm2(axis);
       if (!(length2 > 1e-24 * norm2(along) * norm2(other))) continue;  // parallel: the planes' normals bound it
-      if (!still_crosses((1.0 / std::sqrt(length2)) * axis)) return {};
+      if (!still_crosses((1.0 / std::sqrt(length2)) * axis)) return least;
     }
   }
+  return least;
+}
+
+}  // namespace
+
+TriangleSection triangle_crossing(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b,
+                                  double enough) {
+  const double depth = least_overlap(a, normal_a, b, normal_b, enough);
+  if (!(depth > enough)) return {};
   return {depth, common_segment(a, normal_a, b, normal_b, 0.0).place};
+}
+
+bool may_meet(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b, double rounding) {
+  return least_overlap(a, normal_a, b, normal_b, -rounding) > -rounding;
 }
 
 }  // namespace cmb::mesh

@@ -18,4 +18,7 @@ TriangleSection common_segment(const Vec3 (&a)[3], const Vec3 &normal_a, const V
 TriangleSection triangle_crossing(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b,
                                   double enough = 0.0);
 
+// Whether they meet, or as good as do: false where an axis parts them by more than `rounding` (m).
+bool may_meet(const Vec3 (&a)[3], const Vec3 &normal_a, const Vec3 (&b)[3], const Vec3 &normal_b, double rounding);
+
 }  // namespace cmb::mesh
