@@ -22,6 +22,7 @@ from modelica2fmu.equations.continuous_system import (
 )
 from modelica2fmu.equations.matching import Matching
 from modelica2fmu.equations.state_selection import StateSelection
+from modelica2fmu.equations.table_rates import NotDifferentiableError, TableRates
 from modelica2fmu.expand.scalar_model import Kind, ScalarModel, derivative_name, is_call_output, unwrapped
 from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
@@ -68,9 +69,7 @@ class _Reducer:
         self._model = model
         self._resolve = resolve
         self._place = place
-        self._equations = [
-            ContinuousEquation(number, residual, span) for number, (residual, span) in enumerate(residuals)
-        ]
+        self._tables = TableRates(model)
         names: dict[str, None] = dict.fromkeys(unknowns)
         for name in continuous_symbols(model, [*(residual for residual, _ in residuals), *others]):
             order, inner = order_and_variable(name)
@@ -80,17 +79,45 @@ class _Reducer:
                 current = derivative_name(current)
                 names.setdefault(current)
         self._names = names
+        residuals = [(self._with_rates_of_tables(residual, span), span) for residual, span in residuals]
+        self._equations = [
+            ContinuousEquation(number, residual, span) for number, (residual, span) in enumerate(residuals)
+        ]
         for root, span in (*residuals, *((other, None) for other in others)):
             self._require_derivatives(root, span)
         self._differentiate = ex.Differentiation(self._rate)
         self._incidence: dict[int, list[str]] = {}
         for equation in self._equations:
-            self._incidence[equation.number] = continuous_symbols(model, [equation.residual])
+            self._incidence[equation.number] = self._symbols(equation.residual)
         # Elements of rotation matrices with the equations that define them: they take no part in the search for
         # equations to differentiate, since their derivative is known from the angular velocity.
         self._defined, self._definitions = self._matrix_definitions()
         self._incidence_is_stale = False
         self._angular_velocities = self._angular_velocity_names()
+
+    def _symbols(self, residual: float | Node) -> list[str]:
+        """Continuous unknowns of an equation, those that its tables are asked for among them."""
+        return continuous_symbols(self._model, [residual, *self._tables.inputs(residual)])
+
+    def _with_rates_of_tables(self, root: float | Node, span: Span | None) -> float | Node:
+        """The same with what gives the derivatives of tables' values in their place."""
+        rates: dict[str, float | Node] = {}
+        for name in ex.symbols(root):
+            order, inner = order_and_variable(name)
+            if order == 0 or not is_call_output(inner) or unwrapped(name)[0] == "pre":
+                continue
+            rate: float | Node = ex.symbol(inner)
+            try:
+                for _ in range(order):
+                    rate = ex.Differentiation(self._rate)(rate)
+            except NotDifferentiableError as error:
+                raise UnsupportedModelError(
+                    f"the derivative of {error} is not translated",
+                    place=self._place(span),
+                    remedy="prescribe the motion with its derivatives",
+                ) from error
+            rates[name] = rate
+        return ex.Substitution(rates)(root) if rates else root
 
     def _require_derivatives(self, root: float | Node, span: Span | None) -> None:
         """Only continuous variables of the equations have derivatives."""
@@ -144,15 +171,15 @@ class _Reducer:
         if variable is None or unwrapped(name)[0] == "pre":
             return 0
         if variable.kind is Kind.INPUT:
-            raise _NotDifferentiableError(f"the input {name}")
+            raise NotDifferentiableError(f"the input {name}")
         if variable.kind is not Kind.CONTINUOUS:
             return 0
         if is_call_output(inner):
-            raise _NotDifferentiableError("the output of an external function")
+            return self._tables.rate(inner, ex.Differentiation(self._rate))
         if order == 0 and variable.orientation is not None:
             return self._orientation_rate(*variable.orientation)
         if order >= _ORDER_LIMIT:
-            raise _NotDifferentiableError(f"{inner} more than {_ORDER_LIMIT} times")
+            raise NotDifferentiableError(f"{inner} more than {_ORDER_LIMIT} times")
         derivative = derivative_name(name)
         self._names.setdefault(derivative)
         return ex.symbol(derivative)
@@ -166,7 +193,7 @@ class _Reducer:
     def _add_derivative(self, equation: ContinuousEquation) -> ContinuousEquation:
         try:
             residual = self._differentiate(equation.residual)
-        except _NotDifferentiableError as error:
+        except NotDifferentiableError as error:
             raise UnsupportedModelError(
                 f"an equation must be differentiated for index reduction, but contains {error}",
                 place=self._place(equation.span),
@@ -175,7 +202,7 @@ class _Reducer:
         derivative = ContinuousEquation(len(self._equations), residual, equation.span, equation.number)
         equation.derivative = derivative.number
         self._equations.append(derivative)
-        self._incidence[derivative.number] = continuous_symbols(self._model, [residual])
+        self._incidence[derivative.number] = self._symbols(residual)
         return derivative
 
     # --- Pantelides ---
@@ -262,7 +289,3 @@ def explicit_variables(residual: float | Node) -> list[str]:
         if inner.op == "symbol" and inner.name not in ex.symbols(*(s for i, s in enumerate(sides) if i != position)):
             result.append(inner.name)
     return result
-
-
-class _NotDifferentiableError(Exception):
-    """An expression has no derivative by time; the message says what."""

@@ -72,6 +72,9 @@ class _Builder:
         self._warnings: list[str] = list(self._model.warnings)
         removed = {*reduced.replacements, *(name for name, _ in reduced.invariants)}
         self._live = {name: variable for name, variable in self._model.variables.items() if name not in removed}
+        self._note_calls()
+
+    def _note_calls(self) -> None:
         self._calls = [call for call in self._model.calls if not self._is_known(call)]
         self._outputs = {name for call in self._calls for name in call.outputs}
 
@@ -98,6 +101,7 @@ class _Builder:
             self._resolve,
             self._place,
         )
+        self._note_calls()  # derivatives of tables are calls, too
         simulation = self._simulation(assignments, reduction)
         initialization = self._initialization(assignments, reduction)
         drifting = [

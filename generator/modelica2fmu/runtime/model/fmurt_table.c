@@ -87,15 +87,17 @@ static double inside(const double *x, const double *y, int n, int i, int smoothn
   if (!(h > 0.0)) return order == 0 ? y[i + 1] : 0.0;
   if (smoothness == FMURT_TABLE_CONSTANT) return order == 0 ? (u >= x[i + 1] ? y[i + 1] : y[i]) : 0.0;
   const double m = (y[i + 1] - y[i]) / h, v = u - x[i];
-  if (smoothness == FMURT_TABLE_LINEAR) return order == 0 ? y[i] + m * v : m;
+  if (smoothness == FMURT_TABLE_LINEAR) return order == 0 ? y[i] + m * v : order == 1 ? m : 0.0;
   const part p = part_around(x, y, n, i);
   const double s0 = slope_at(&p, i, smoothness), s1 = slope_at(&p, i + 1, smoothness);
   const double c2 = (3.0 * m - 2.0 * s0 - s1) / h, c3 = (s0 + s1 - 2.0 * m) / (h * h);
-  return order == 0 ? y[i] + ((c3 * v + c2) * v + s0) * v : (3.0 * c3 * v + 2.0 * c2) * v + s0;
+  if (order == 0) return y[i] + ((c3 * v + c2) * v + s0) * v;
+  return order == 1 ? (3.0 * c3 * v + 2.0 * c2) * v + s0 : 6.0 * c3 * v + 2.0 * c2;
 }
 
 /* Linearly on from an end (0 or n - 1): by the curve's slope there, or by the last two points. */
 static double beyond(const double *x, const double *y, int n, int end, int smoothness, double u, int order) {
+  if (order > 1) return 0.0;
   const int i = end == 0 ? 0 : n - 2;
   double m = 0.0;
   if (x[i + 1] > x[i]) {

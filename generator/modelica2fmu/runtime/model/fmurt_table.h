@@ -26,7 +26,8 @@ enum {
 };
 enum { FMURT_TABLE_ALL_EVENTS = 1, FMURT_TABLE_EVENTS_AT_JUMPS = 2, FMURT_TABLE_NO_EVENTS = 3 };
 
-/* The curve through (x[i], y[i]), 0 <= i < n, x rising, at u: its value (order 0) or its slope (order 1). */
+/* The curve through (x[i], y[i]), 0 <= i < n, x rising, at u: its value (order 0), its
+ * slope (order 1) or its second derivative (order 2), which jumps at points. */
 double fmurt_table_value(const double *x, const double *y, int n, int smoothness, int extrapolation, double u,
                          int order);
 

@@ -83,6 +83,9 @@ def test_akima(tables, smoothness, method):
     expected = Akima1DInterpolator(X, Y, method=method)
     assert curve(tables, smoothness, HOLD, INSIDE) == pytest.approx(expected(INSIDE), abs=1e-12)
     assert curve(tables, smoothness, HOLD, INSIDE, order=1) == pytest.approx(expected.derivative()(INSIDE), abs=1e-11)
+    second = curve(tables, smoothness, LAST_TWO_POINTS, INSIDE[:-1], order=2)
+    assert second == pytest.approx(expected.derivative(2)(INSIDE[:-1]), abs=1e-10)
+    assert not curve(tables, smoothness, LAST_TWO_POINTS, np.array([-3.0, 8.0]), order=2).any()
 
 
 def test_fritsch_butland(tables):
