@@ -20,11 +20,11 @@ from program import HAMMER, HANGS, CaseCheck, Cmb
 
 
 @pytest.fixture(scope="session")
-def cmb(cache_home: Path) -> Cmb:
-    """Runs the program as a user does, with the tests' cache; the words after ``cmb`` in, status and output out."""
+def cmb() -> Cmb:
+    """Runs the program as a user does; the words after ``cmb`` in, status and output out."""
 
     def call(*words: str | Path, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-        environment = {"XDG_CACHE_HOME": str(cache_home), **os.environ}
+        environment = dict(os.environ)
         environment.pop("MODELICAPATH", None)
         return subprocess.run(
             [sys.executable, "-m", "cmb.main", *map(str, words)],
@@ -39,19 +39,12 @@ def cmb(cache_home: Path) -> Cmb:
 
 
 @pytest.fixture
-def tests_cache(cache_home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Keeps what the tests' own process builds in the tests' cache, not in the user's."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(cache_home))
-
-
-@pytest.fixture
-def cmb_here(cache_home: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Cmb:
+def cmb_here(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Cmb:
     """The same in the tests' own process, which spares the program's start; what it does not catch fails the test."""
 
     def call(*words: str | Path, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
         capfd.readouterr()
         with monkeypatch.context() as there:
-            there.setenv("XDG_CACHE_HOME", os.environ.get("XDG_CACHE_HOME", str(cache_home)))
             there.delenv("MODELICAPATH", raising=False)
             there.chdir(cwd or Path.cwd())
             try:

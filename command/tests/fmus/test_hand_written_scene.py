@@ -12,8 +12,6 @@ from fmu_regression.results.result import read_csv
 from fmu_regression.scene.body_loads import body_loads
 from fmu_regression.scene.fmu_scene import scene_of_fmu
 
-pytestmark = pytest.mark.usefixtures("tests_cache")
-
 README = checkout() / "README.md"
 TWO = """model Two
   inner Modelica.Mechanics.MultiBody.World world(n={0,0,-1});

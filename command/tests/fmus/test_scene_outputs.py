@@ -11,8 +11,6 @@ from contact_foundation.errors import InputError
 from fmpy import read_model_description, simulate_fmu
 from modelica2fmu.scene.outputs import OutputGroup, output_groups
 
-pytestmark = pytest.mark.usefixtures("tests_cache")
-
 DROP = """model Drop
   inner Modelica.Mechanics.MultiBody.World world(n={0,0,-1});
   ContactMultiBody.Parts.Body ball(
