@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cad2modelica import GenerateOptions, generate, read_assembly
+from cad2modelica import GeneratedPackage, GenerateOptions, generate, read_assembly
 from contact_foundation.errors import InputError
 from fmu_regression.scene.scene_file import load_scene
 from lxml import etree
@@ -35,8 +35,13 @@ def without_contacts(hammer: Path, folder: Path) -> Path:
     return folder / "hammer.xml"
 
 
-def test_what_is_written(hammer: Path, tmp_path: Path) -> None:
-    package = generate(hammer, tmp_path / "out")
+@pytest.fixture(scope="module")
+def package(hammer: Path, tmp_path_factory: pytest.TempPathFactory) -> GeneratedPackage:
+    """What is made of the sample, to be looked at and not changed."""
+    return generate(hammer, tmp_path_factory.mktemp("hammer") / "out")
+
+
+def test_what_is_written(package: GeneratedPackage) -> None:
     assert package.name == "Hammer"
     assert (package.mechanics, package.mechatronics) == ("Hammer.Mechanics", "Hammer.Mechatronics")
     order = (package.root / "package.order").read_text().split()
@@ -50,18 +55,18 @@ def test_what_is_written(hammer: Path, tmp_path: Path) -> None:
     assert any("convex pieces" in note and "'arm'" in note for note in package.notes)
 
 
-def test_distances_are_bounds_unless_clearances_are_asked_for(hammer: Path, tmp_path: Path) -> None:
-    package = generate(hammer, tmp_path / "out")
+def test_distances_are_bounds_unless_clearances_are_asked_for(
+    package: GeneratedPackage, hammer: Path, tmp_path: Path
+) -> None:
     found = re.search(r"exactWithin=([^,)\s]+)", (package.root / "Mechanics.mo").read_text())
     assert found is not None
     assert 0.0 < float(found[1]) < 0.01  # a fiftieth of the ball's radius
-    package = generate(hammer, tmp_path / "exact", GenerateOptions(clearances=True))
-    assert "exactWithin" not in (package.root / "Mechanics.mo").read_text()
+    exact = generate(hammer, tmp_path / "exact", GenerateOptions(clearances=True))
+    assert "exactWithin" not in (exact.root / "Mechanics.mo").read_text()
 
 
-def test_graph_shows_every_body_and_joint(hammer: Path, tmp_path: Path) -> None:
-    generate(hammer, tmp_path / "out")
-    svg = etree.parse(tmp_path / "out" / "graph.svg").getroot()
+def test_graph_shows_every_body_and_joint(package: GeneratedPackage) -> None:
+    svg = etree.parse(package.root.parent / "graph.svg").getroot()
     texts = [element.text for element in svg.iter("{http://www.w3.org/2000/svg}text")]
     names = ["ground", "frame", "arm", "hammer head", "anvil", "ball", "shoulder", "revolute", "elbow", "revolute"]
     assert sorted(filter(None, texts)) == sorted(names)
@@ -73,8 +78,7 @@ def test_graph_shows_every_body_and_joint(hammer: Path, tmp_path: Path) -> None:
         assert x1 + w1 <= x2 or x2 + w2 <= x1 or y1 + h1 <= y2 or y2 + h2 <= y1
 
 
-def test_diagram_components_do_not_overlap(hammer: Path, tmp_path: Path) -> None:
-    package = generate(hammer, tmp_path / "out")
+def test_diagram_components_do_not_overlap(package: GeneratedPackage) -> None:
     text = (package.root / "Mechanics.mo").read_text()
     found = re.findall(r"transformation\(extent=\{\{(-?\d+),(-?\d+)\},\{(-?\d+),(-?\d+)\}\}", text)
     extents = [tuple(map(int, extent)) for extent in found]
@@ -83,22 +87,22 @@ def test_diagram_components_do_not_overlap(hammer: Path, tmp_path: Path) -> None
         assert c <= e or g <= a or d <= f or h <= b
 
 
-def test_same_input_same_bytes(hammer: Path, tmp_path: Path) -> None:
-    generate(hammer, tmp_path / "first")
+def test_same_input_same_bytes(package: GeneratedPackage, hammer: Path, tmp_path: Path) -> None:
     generate(hammer, tmp_path / "second")
     generate(hammer, tmp_path / "second")
-    assert files_of(tmp_path / "first") == files_of(tmp_path / "second")
+    assert files_of(package.root.parent) == files_of(tmp_path / "second")
 
 
 @pytest.mark.full
-def test_geometry_beside_another_path_gives_the_same_bytes(hammer: Path, tmp_path: Path) -> None:
+def test_geometry_beside_another_path_gives_the_same_bytes(
+    package: GeneratedPackage, hammer: Path, tmp_path: Path
+) -> None:
     copy = tmp_path / "elsewhere"
     copy.mkdir()
     for name in ("hammer.xml", "hammer.wrl"):
         (copy / name).write_bytes((hammer.parent / name).read_bytes())
-    generate(hammer, tmp_path / "first")
     generate(copy / "hammer.xml", tmp_path / "second")
-    assert files_of(tmp_path / "first") == files_of(tmp_path / "second")
+    assert files_of(package.root.parent) == files_of(tmp_path / "second")
 
 
 @pytest.mark.full
@@ -222,9 +226,8 @@ def test_start_poses_agree_with_the_scene_file(hammer: Path, tmp_path: Path) -> 
         assert joint["rate"] in found.columns
 
 
-def test_pairs_of_the_scene(hammer: Path, tmp_path: Path) -> None:
+def test_pairs_of_the_scene(package: GeneratedPackage) -> None:
     """All pairs but: joined neighbours, fixed with fixed, and the excluded one."""
-    package = generate(hammer, tmp_path / "out")
     scene = json.loads(package.scene.read_text())
     pairs = {frozenset(pair["bodies"]) for pair in scene["contacts"]["pairs"]}
     names = ["frame", "arm", "hammerHead", "anvil", "ball", "floorPlane"]

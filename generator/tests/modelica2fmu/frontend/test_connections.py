@@ -70,9 +70,9 @@ def test_frames_beyond_those_that_are_connected_are_named(tmp_path):
 
 
 def test_a_missing_world_is_warned_of(tmp_path):
-    said = translated(tmp_path, DROP.replace(WORLD, ""), LIBRARY).scalar.warnings
+    said = translated(tmp_path, SWING.replace(WORLD, "")).scalar.warnings
     assert [warning for warning in said if "no component world is declared as inner" in warning]
-    said = translated(tmp_path, DROP, LIBRARY).scalar.warnings
+    said = translated(tmp_path, SWING).scalar.warnings
     assert not [warning for warning in said if "inner" in warning]
 
 
