@@ -4,38 +4,13 @@ from __future__ import annotations
 
 import os
 import signal
-from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 from accuracy_study.cluster import carry_out_on_cluster
 from contact_foundation.errors import InputError
 from fmu_regression.simulate.workers import carry_out
-
-
-@dataclass(frozen=True)
-class Note:
-    """Writes its file; its process is killed before that the first ``deaths`` times."""
-
-    folder: Path
-    number: int
-    deaths: int = 0
-
-    def __call__(self) -> None:
-        tried = self.folder / f"tried-{self.number}"
-        count = len(tried.read_text()) if tried.exists() else 0
-        tried.write_text("x" * (count + 1))
-        if count < self.deaths:
-            os.kill(os.getpid(), signal.SIGKILL)
-        (self.folder / f"done-{self.number}").write_text(str(os.getpid()))
-
-
-@dataclass(frozen=True)
-class Wrong:
-    """Raises."""
-
-    def __call__(self) -> None:
-        raise ValueError("wrong")
+from worker_tasks import Note, Wrong
 
 
 @pytest.mark.parametrize("jobs", [1, 3])
@@ -67,7 +42,7 @@ def test_what_a_task_raises_is_raised(tmp_path):
 @pytest.fixture
 def cluster(monkeypatch):
     distributed = pytest.importorskip("distributed", reason="distributed is not installed")
-    monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parent))  # tasks of this file are found by workers
+    monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parent))  # the tasks' file is found by workers
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as found:
         yield found
 

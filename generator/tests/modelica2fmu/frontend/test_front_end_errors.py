@@ -64,6 +64,15 @@ def states_of_ball(folder: Path, heard: Heard) -> tuple[str, ...]:
     return tuple(translate("Ball", [folder / "Ball.mo"], LIBRARY, PhaseClock(heard)).systems.reduction.states)
 
 
+@pytest.mark.parametrize("preloaded", ["", "libm.so.6"])
+def test_the_front_end_answers_the_same_whatever_is_loaded_before_it(tmp_path, monkeypatch, preloaded):
+    """The user's choice, also of nothing, comes before the allocator that the front end's process gets."""
+    (tmp_path / "Decay.mo").write_text("model Decay Real x(start=1); equation der(x) = -x; end Decay;\n")
+    expected = translate("Decay", [tmp_path / "Decay.mo"], LIBRARY).generated.sources
+    monkeypatch.setenv("LD_PRELOAD", preloaded)
+    assert translate("Decay", [tmp_path / "Decay.mo"], LIBRARY).generated.sources == expected
+
+
 def test_a_damaged_cache_of_the_front_end_is_made_anew(tmp_path, cache):
     first = states_of_ball(tmp_path, Heard())
     whole = kept(cache)
