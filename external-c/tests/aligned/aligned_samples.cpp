@@ -300,17 +300,15 @@ const KnownFailure *known_failure(const KindPair &kinds, Property property) {
   static const KnownFailure known[] = {
       // A side of the body in the plane between two wedges of a valley; what passes through a body pushes; places where the energy would pull, torque
       // beside little load, bodies deeper than half of what is behind a triangle.
-      {"box-mesh", "field", Property::same_in_frames, 0.06},
-      {"angle-mesh", "field", Property::same_in_frames, 0.04},
+      {"box-mesh", "field", Property::same_in_frames, 0.04},
+      {"angle-mesh", "field", Property::same_in_frames, 0.03},
       {"any", "field", Property::same_in_frames, 0.01},
-      {"box-mesh", "field", Property::gradient, 0.09},
-      {"angle-mesh", "field", Property::gradient, 0.09},
-      {"any", "field", Property::gradient, 0.03},
+      {"angle-mesh", "field", Property::gradient, 0.02},
+      {"any", "field", Property::gradient, 0.015},
       {"any", "field", Property::steady, 0.02},
       {"any", "field", Property::near_bodies, 0.01},
       {"box-mesh", "angle-mesh", Property::same_in_frames, 0.02},
       {"any", "angle-mesh", Property::same_in_frames, 0.01},
-      {"ball-mesh", "angle-mesh", Property::gradient, 0.03},
       {"any", "angle-mesh", Property::gradient, 0.015},
       {"any", "angle-mesh", Property::steady, 0.01},
       {"any", "angle-mesh", Property::near_bodies, 0.01},

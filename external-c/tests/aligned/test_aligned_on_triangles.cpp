@@ -61,6 +61,28 @@ TEST(AlignedOnTriangles, SideInThePlaneOfAMeshsSideCarriesTheSameInAllFrames) {
   }
 }
 
+// A box whose sole as good as touches level ground and whose edge is deep in the slope beside it: the force is its energy's gradient, whatever the
+// sole's area.
+TEST(AlignedOnTriangles, WideSideThatHardlyTouchesLeavesAnEdgeItsLoad) {
+  const std::string rise = mesh_samples::height_field_text(2, 9, [](double x, double) { return std::fmax(0.0, x); });
+  using namespace mesh_samples;
+  for (const std::string &body : {std::string("cmb/1 box size=0.8,0.5,0.4"), mesh_text(with_speck(box_mesh({0.8, 0.5, 0.4}, 2), {0, 0, 20}))}) {
+    const PairScene scene(body, rise);
+    for (const double deep : {1e-9, 1e-7, 1e-5}) {
+      const BodyPose pose{{-0.37, 0.03, 0.2 - deep}, {}};
+      const Contact contact = scene.query(pose, {}, 128);
+      constexpr double step = 1e-6;
+      for (const Vec3 &way : {Vec3{1, 0, 0}, Vec3{0, 0, 1}}) {
+        const auto energy_at = [&](double length) { return scene.query({pose.position + length * way, pose.rotation}, {}, 128).energy(); };
+        const double slope = (energy_at(step) - energy_at(-step)) / (2.0 * step);
+        // The sole itself comes off within the step.
+        EXPECT_NEAR(dot(way, contact.load()), -slope, 1e-3 * norm(contact.load())) << body.substr(0, 10) << ", " << deep << " deep";
+      }
+      EXPECT_GT(norm(contact.load()), 0.01) << body.substr(0, 10) << ", " << deep << " deep";
+    }
+  }
+}
+
 // Long beside its depth: the square of that would be a difference of squares of the length.
 TEST(AlignedOnTriangles, LyingConeCarriesTheSameInAllFrames) {
   using namespace mesh_samples;

@@ -145,7 +145,8 @@ double append_elastic_points(const WedgeIntegrals &overlap, const WedgeEnergy &s
   result.distance = -overlap.deepest();
   result.normal = pose.rotation * overlap.deepest_normal();
   result.witness = pose(overlap.deepest_place() + (0.5 * overlap.deepest()) * overlap.deepest_normal());
-  return load;
+  constexpr double part_by_area = 0.5;  // with more, bodies come to rest between the sides of a wall more often (test_pierced_mesh)
+  return part_by_area * load;
 }
 
 }  // namespace cmb::mesh

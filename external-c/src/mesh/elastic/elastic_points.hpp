@@ -26,7 +26,7 @@ struct ElasticScratch {
 //
 // `stored`: of `overlap`. Where its force would pull, it is bounded by the patches' load.
 //
-// Returns the load of the patches, their mean depth.
+// Returns the load of the patches, about their mean depth by area.
 double append_elastic_points(const WedgeIntegrals &overlap, const WedgeEnergy &stored, const Pose &pose, std::vector<LoadPoint> &points,
                              ContactSet &result);
 

@@ -245,7 +245,10 @@ void RoundOverlap::integrate(const Piece &piece) {
   patch.area = std::max(patch.area, least_area * surface.volume() / deepest_below_);
   patch.load = std::max(patch.load, 0.0);
   if (patch.load > deepest_below_ * patch.area) patch.scale(deepest_below_ * patch.area / patch.load);
-  patch.energy = std::clamp(patch.energy, 0.0, deepest_below_ * patch.load);
+  // Nor is its mean depth much more than that by area: what vanishes has none.
+  constexpr double most_uneven = 4.0;
+  const double most_mean = std::min(deepest_below_, most_uneven * patch.load / patch.area);
+  patch.energy = std::clamp(patch.energy, 0.0, most_mean * patch.load);
   patch.keep_within(piece.place.translation - origin(), radius_of(piece.body));
   add_patch(patch, piece.place(surface.place() + surface.middle()));
   if (!(patch.load > 0.0)) return;

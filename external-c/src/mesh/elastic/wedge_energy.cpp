@@ -28,11 +28,11 @@ WedgeEnergy::WedgeEnergy(const WedgeIntegrals &overlap, WedgeEnergyScratch &scra
     : factor_(overlap.factor()), deepest_(overlap.deepest()) {
   using Sums = WedgeEnergyScratch::Sums;
   const std::vector<Part> &parts = overlap.parts();
-  const double uncarried = 1.0 - overlap.most_carried();
+  const double most_carried = overlap.most_carried();
   const auto add_part = [&](double share, const Part &part, Sums &sums) {
     sums.second += share * part.second.integral;
     sums.surface += share * norm(part.second.gradient.force);
-    sums.patch_area += share * (part.carrying_area + uncarried * part.area);
+    if (part.load > 0.0) sums.depth_load += share * part.depth_load, sums.mean_load += share * part.depth_load * part.mean_depth();
   };
   const FaceRelations &relations = overlap.mesh().face_relations();
   scratch.together.clear();
@@ -80,8 +80,9 @@ WedgeEnergy::WedgeEnergy(const WedgeIntegrals &overlap, WedgeEnergyScratch &scra
     add(0.5 * factor_ * known * sums.by_second, part.second.gradient, wrench_);
     if (!(part.load > 0.0)) continue;
     touches_ = deepest_ > 0.0;
-    patches_.add(1.0 / sums.patch_area, part.patches);
-    add((1.0 - known) / sums.patch_area, part.push, wrench_);
+    const double by_area = most_carried * part.mean_depth() * sums.mean_load / (sums.depth_load * sums.depth_load);
+    patches_.add(by_area, part.patches);
+    add((1.0 - known) * by_area, part.push, wrench_);
   }
 }
 

@@ -13,7 +13,7 @@ namespace cmb::mesh {
 struct WedgeEnergyScratch {
   // What a part counts by: sums over all parts, as far as they are one with it.
   struct Sums {
-    double second = 0.0, surface = 0.0, patch_area = 0.0;
+    double second = 0.0, surface = 0.0, depth_load = 0.0, mean_load = 0.0;
     double by_second = 0.0;  // of all parts' energy_by_second
 
     // Minus the derivative of the part's energy by its sum of I2, but for factor/2.
@@ -32,7 +32,8 @@ struct WedgeEnergyScratch {
 // integrals, exact for any wedges and any K. Both begin with the square of the depth, so that the force is continuous where a flat side of the body
 // comes to a flat side of the mesh all at once: with I3 and I1 the volume would grow by all of it, and the energy have an edge there.
 //
-// What faces the triangles, as patches, counts the same way: a load by the area of all that are one with it.
+// What faces the triangles, as patches, counts the same way: faces that are one carry the mean of their depths, each place counting by its depth and each
+// face by its part of the depth's square. (By area a wide side that hardly touches would take away the load of an edge beside it.)
 class WedgeEnergy {
  public:
   WedgeEnergy(const WedgeIntegrals &overlap, WedgeEnergyScratch &scratch);

@@ -32,19 +32,17 @@ void WedgeIntegrals::begin(const Vec3 &place) {
     return;
   }
   at_hand_ = parts_.size();
-  parts_.push_back({face, {}, {}, {}, 0.0, 0.0, 0.0, {}});
+  parts_.push_back({face, {}, {}, {}, 0.0, 0.0, {}});
 }
 
 void WedgeIntegrals::add_patch(const PatchSums &patch, const Vec3 &middle) {
   if (!(patch.area > 0.0)) return;
   const double share = inside_share(middle);
   Part &part = parts_[at_hand_];
-  part.area += patch.area;
-  part.carrying_area += share * patch.area;
   if (!(patch.load > 0.0) || !(share > 0.0)) return;
   most_carried_ = std::fmax(most_carried_, share);
   part.patches.add(share, patch, normal_);
-  part.load += share * patch.load;
+  part.load += share * patch.load, part.depth_load += share * patch.energy;
   part.push.force = part.push.force + (share * patch.load) * normal_;
   part.push.torque = part.push.torque + share * cross(patch.moment, normal_);
 }

@@ -39,8 +39,10 @@ class WedgeIntegrals {
     std::uint32_t face;
     Integral second, fourth;
     DirectionPatches patches;  // that face it, as far as they carry
-    double load = 0.0, carrying_area = 0.0, area = 0.0;  // of these; of all of them
-    Wrench push;                                         // depth by area along the normals; torque about the origin
+    double load = 0.0, depth_load = 0.0;  // of these: of the depth and its square, by area
+    Wrench push;                          // depth by area along the normals; torque about the origin
+
+    double mean_depth() const { return depth_load / load; }  // each place by its depth
   };
 
   // `radius`: of a ball that holds the body. `factor`: of the energy (WedgeEnergy). Of overlaps as thin as `hardly_known`, by the radius, the
