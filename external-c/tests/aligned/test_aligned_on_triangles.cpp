@@ -83,6 +83,26 @@ TEST(AlignedOnTriangles, WideSideThatHardlyTouchesLeavesAnEdgeItsLoad) {
   }
 }
 
+// Bodies let down until they touch, and so much further: squares of such depths are below rounding.
+TEST(AlignedOnTriangles, LoadIsANumberHoweverShallow) {
+  using namespace mesh_samples;
+  const std::string ramp = height_field_text(2, 9, [](double x, double) { return 0.5 * std::fmax(0.0, x); });
+  random_bodies::Random random(5);
+  for (const std::string body : {"box size=0.4,0.3,0.2", "cylinder radius=0.2 length=0.4", "cone radius=0.2 length=0.3", "capsule radius=0.1 length=0.4",
+                                 "ellipsoid size=0.4,0.2,0.3"}) {
+    const PairScene scene("cmb/1 " + body, ramp);
+    for (int trial = 0; trial < 100; ++trial) {
+      const Mat3 rotation = trial % 3 == 0 ? Mat3{} : random_bodies::random_rotation(random);
+      Vec3 place{random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6), 1.0};
+      for (int step = 0; step < 60; ++step) place.z -= scene.query({place, rotation}, {}, 128).distance;
+      for (int digits = 6; digits < 18; ++digits) {
+        const Contact contact = scene.query({place - Vec3{0, 0, std::pow(10.0, -digits)}, rotation}, {}, 128);
+        EXPECT_TRUE(std::isfinite(norm(contact.load())) && std::isfinite(contact.energy())) << body << ", trial " << trial << ", 1e-" << digits << " deep";
+      }
+    }
+  }
+}
+
 // Long beside its depth: the square of that would be a difference of squares of the length.
 TEST(AlignedOnTriangles, LyingConeCarriesTheSameInAllFrames) {
   using namespace mesh_samples;

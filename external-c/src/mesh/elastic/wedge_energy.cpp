@@ -78,9 +78,9 @@ WedgeEnergy::WedgeEnergy(const WedgeIntegrals &overlap, WedgeEnergyScratch &scra
     const double known = known_part(2.0 * sums.second / (sums.surface * overlap.radius()), overlap.hardly_known());
     add(-0.5 * factor_ * known / sums.second, part.fourth.gradient, wrench_);
     add(0.5 * factor_ * known * sums.by_second, part.second.gradient, wrench_);
-    if (!(part.load > 0.0)) continue;
+    if (!(part.load > 0.0 && sums.depth_load > 0.0)) continue;  // squares of the least depths are 0
     touches_ = deepest_ > 0.0;
-    const double by_area = most_carried * part.mean_depth() * sums.mean_load / (sums.depth_load * sums.depth_load);
+    const double by_area = most_carried * (part.mean_depth() / sums.depth_load) * (sums.mean_load / sums.depth_load);
     patches_.add(by_area, part.patches);
     add((1.0 - known) * by_area, part.push, wrench_);
   }
