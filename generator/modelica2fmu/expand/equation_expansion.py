@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
@@ -35,6 +37,16 @@ class EquationExpansion:
         self._interpreter = interpreter
         self._values = values
         self._source_map = source_map
+        self._is_lasting = False  # = true, while what holds at all times is expanded
+
+    @contextmanager
+    def lasting(self) -> Iterator[None]:
+        """What is expanded within holds at all times, and so do the assertions of its functions."""
+        self._is_lasting = True
+        try:
+            yield
+        finally:
+            self._is_lasting = False
 
     def binding(self, variable: ir.Variable) -> None:
         """The binding of a variable becomes equations of its elements."""
@@ -124,9 +136,8 @@ class EquationExpansion:
         if isinstance(condition, str | Text) or not isinstance(message, str | Text):
             return
         self._require(condition, text_of(message), is_warning, Place())
-        # Checked when it depends on parameters alone; an assertion of an inlined function on variables may
-        # stand in a branch that is not taken, so it cannot be lifted out of it.
-        if isinstance(condition, Node) and only_parameters(self._result, condition):
+        # Initial equations and when-clauses call functions at events alone: what these say of variables holds there.
+        if isinstance(condition, Node) and (self._is_lasting or only_parameters(self._result, condition)):
             self._result.asserts.append(ScalarAssert(condition, text_of(message), is_warning))
 
     def _require(self, condition: float | Node, message: Text, is_warning: bool, place: Place) -> None:

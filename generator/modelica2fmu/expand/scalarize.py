@@ -65,13 +65,14 @@ class _Scalarizer:
             result.variables.update({scalar.name: scalar for scalar in declaration.scalars(variable)})
         for variable in variables:
             self._values.set_attributes(variable)
-        for variable in variables:
-            if variable.binding is not None and variable.variability not in ("parameter", "constant"):
-                if variable.causality == "input" and variable.is_top_level and "." not in variable.name:
-                    continue  # a default value of a top-level input
-                self._equations.binding(variable)
-        for equation in model.equations:
-            result.equations.extend(self._equations.equation(equation))
+        with self._equations.lasting():
+            for variable in variables:
+                if variable.binding is not None and variable.variability not in ("parameter", "constant"):
+                    if variable.causality == "input" and variable.is_top_level and "." not in variable.name:
+                        continue  # a default value of a top-level input
+                    self._equations.binding(variable)
+            for equation in model.equations:
+                result.equations.extend(self._equations.equation(equation))
         for algorithm in model.algorithms:
             self._whens.algorithm(algorithm)
         for position, when in enumerate(model.whens):

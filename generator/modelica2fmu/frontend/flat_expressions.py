@@ -143,7 +143,7 @@ class ExpressionReader:
 
     def _field(self, body: Any, span: Span | None) -> ir.Expression:
         base = self.expression(body["base"])
-        owner = _as_reference(base)
+        owner = as_reference(base)
         if owner is None:
             return ir.FieldAccess(base, body["field"], span)
         # o[i].x may be a member of a component, which is no value of its own.
@@ -200,7 +200,7 @@ def plain_parts(name: str) -> tuple[tuple[str, tuple[ir.Subscript, ...]], ...]:
     return ((name, ()),)
 
 
-def _as_reference(expression: ir.Expression) -> ir.Reference | None:
+def as_reference(expression: ir.Expression) -> ir.Reference | None:
     """``o[i]`` as one reference with trailing subscripts; None for anything else."""
     if isinstance(expression, ir.Indexed) and isinstance(expression.base, ir.Reference):
         base = expression.base

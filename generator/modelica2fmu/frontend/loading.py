@@ -42,6 +42,7 @@ from modelica2fmu.frontend.balance import (
     unplaced_frames,
     world_without_inner,
 )
+from modelica2fmu.frontend.control_flow import with_control_flow
 from modelica2fmu.frontend.culprit import culprit
 from modelica2fmu.frontend.errors import (
     FrontEndError,
@@ -63,6 +64,7 @@ from modelica2fmu.frontend.rewriting.concatenation import with_arrays_written_ou
 from modelica2fmu.frontend.rewriting.inherited_classes import imports_of_packages, with_imports
 from modelica2fmu.frontend.rewriting.package_view import package_view
 from modelica2fmu.frontend.runner import Answer, Request, ask
+from modelica2fmu.frontend.straight_sources import StraightSources
 from modelica2fmu.frontend.syntax import syntax_error
 from modelica2fmu.frontend.written_sources import Sources, mixed_up, written_sources
 from modelica2fmu.library.source_map import SourceMap, Span, source_number
@@ -140,14 +142,24 @@ def load_flat_model(
         flat = _load_or_refuse(load, sources) if refusal is None else refusal
         if isinstance(flat, ir.FlatModel):
             return flat
+        source_map.forget_texts()
         for written in written_sources(sources, file, folder, source_map):
             other = _load_or_refuse(load, written)
             if isinstance(other, ir.FlatModel):
                 return other
-            source_map.forget(written.texts)
+            source_map.forget_texts()
+        straight = StraightSources(sources, file, folder, source_map)
+        last: CmbError = flat
+        while (without := straight.after(str(last.__cause__))) is not None:
+            other = _load_or_refuse(load, without)
+            if isinstance(other, ir.FlatModel):
+                return other
+            source_map.forget_texts()
+            last = other
         if refusal is not None:  # what else is wrong comes first
             load(sources)
-        raise flat
+        # What is not the front end's own goes for the functions as they are, too, and says more.
+        raise flat if isinstance(last.__cause__, FrontEndError) else last
 
 
 def _load_or_refuse(load: Callable[[Sources], ir.FlatModel], sources: Sources) -> ir.FlatModel | CmbError:
@@ -227,7 +239,7 @@ def _load(
         )
         for name in (*copies_of_inner(answer.flat, model, library), *unused_members(answer.flat)):
             del answer.flat["variables"][name]
-        flat = with_references(read_flat_model(answer.flat, model, source_map), source_map)
+        flat = with_control_flow(with_references(read_flat_model(answer.flat, model, source_map), source_map))
         return replace(flat, warnings=warnings)
 
 

@@ -78,10 +78,23 @@ def written_sources(given: Sources, file: Path, folder: Path, source_map: Source
         if texts == before or has_mixed_constants(model, written) or ambiguous_constructor(model, written):
             continue
         before = texts
-        if given.request.text is None:
-            yield _of_package(given, texts, folder / str(with_clauses), source_map)
-        else:
-            yield _of_file(given, file, texts[given.file], source_map)
+        own = texts if given.request.text is None else {file: texts[given.file]}
+        yield with_texts(given, own, folder / str(with_clauses), source_map)
+
+
+def with_texts(given: Sources, texts: Mapping[Path, str], folder: Path, source_map: SourceMap) -> Sources:
+    """The same with other texts of the user's files.
+
+    Args:
+        given: the sources as they are.
+        texts: by file, that of the model's file if it is a single one.
+        folder: an empty one.
+        source_map: is told what the front end gets.
+    """
+    if given.request.text is None:
+        return _of_package(given, texts, folder, source_map)
+    ((file, text),) = texts.items()
+    return _of_file(given, file, text, source_map)
 
 
 def _of_file(given: Sources, file: Path, text: str, source_map: SourceMap) -> Sources:
@@ -91,7 +104,7 @@ def _of_file(given: Sources, file: Path, text: str, source_map: SourceMap) -> So
     return Sources(asked, given.file, given.roots, given.library.with_texts({given.file: text}), {file: text})
 
 
-def _of_package(given: Sources, texts: dict[Path, str], folder: Path, source_map: SourceMap) -> Sources:
+def _of_package(given: Sources, texts: Mapping[Path, str], folder: Path, source_map: SourceMap) -> Sources:
     view = package_with(texts, given.file.parent, folder)
     view.register(source_map)
     about = about_a_copy(given.request, view.package, view.root)

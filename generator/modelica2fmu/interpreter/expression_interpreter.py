@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Final
 
 import numpy as np
@@ -41,6 +43,7 @@ class ExpressionInterpreter(TranslationValues, ABC):
         self._strings = StringOperator(model, host, self)
         self.events = True  # relations generate events: not inside noEvent, smooth and functions
         self.call_depth = 0
+        self._taken: bool | Node = True  # = true, where what is evaluated is that of the branch that holds
         self._constructors = model.record_types
 
     def evaluate(self, expression: ir.Expression, scope: Scope | None = None, events: bool = True) -> Value:
@@ -55,12 +58,8 @@ class ExpressionInterpreter(TranslationValues, ABC):
             UnsupportedModelError: a construct that is not translated.
             InputError: operands that do not fit.
         """
-        before = self.events
-        self.events = events and before
-        try:
+        with self._of_model(events):
             return self.value(expression, scope or Scope())
-        finally:
-            self.events = before
 
     def outputs(self, call: ir.Expression, scope: Scope | None = None, events: bool = True) -> tuple[Value, ...]:
         """All outputs of a call, whose value is the first (Modelica 3.6, section 12.4.3).
@@ -72,14 +71,21 @@ class ExpressionInterpreter(TranslationValues, ABC):
         """
         if not isinstance(call, ir.Call):
             return (self.evaluate(call, scope, events),)
-        before = self.events
-        self.events = events and before
         try:
-            return self.call(call, scope or Scope())
+            with self._of_model(events):
+                return self.call(call, scope or Scope())
         except ShapeError as error:
             raise self.wrong(str(error), call.span) from error
+
+    @contextmanager
+    def _of_model(self, events: bool) -> Iterator[None]:
+        """What is evaluated within belongs to the model, in whatever branch its value was asked for."""
+        before = self.events, self._taken
+        self.events, self._taken = events and self.events, True
+        try:
+            yield
         finally:
-            self.events = before
+            self.events, self._taken = before
 
     def value(self, expression: ir.Expression, scope: Scope) -> Value:
         """The value of an expression with local variables; errors name its place."""
@@ -182,13 +188,26 @@ class ExpressionInterpreter(TranslationValues, ABC):
                 rest = expression.branches[position + 1 :]
                 otherwise = ir.If(rest, expression.otherwise, expression.span) if rest else expression.otherwise
                 try:
-                    return self.merged(chosen, self.value(value, scope), self.value(otherwise, scope), expression.span)
+                    with self._where(chosen):
+                        first = self.value(value, scope)
+                    with self._where(ex.logical_not(chosen)):
+                        second = self.value(otherwise, scope)
+                    return self.merged(chosen, first, second, expression.span)
                 except (UnsupportedModelError, ShapeError) as error:
                     # A branch cannot be translated; it need not be if parameters alone decide.
                     return self.value(value if self._decided(chosen, error) else otherwise, scope)
             if chosen:
                 return self.value(value, scope)
         return self.value(expression.otherwise, scope)
+
+    @contextmanager
+    def _where(self, condition: bool | Node) -> Iterator[None]:
+        """What is evaluated within counts where a condition holds: assertions are checked there alone."""
+        before, self._taken = self._taken, ex.logical_and(self._taken, condition)
+        try:
+            yield
+        finally:
+            self._taken = before
 
     def _decided(self, condition: Node, error: Exception) -> bool:
         """A condition that parameters decide, which can no longer be changed; raises ``error`` for others."""

@@ -12,14 +12,16 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 import numpy as np
+from contact_foundation.errors import UnsupportedModelError
 
 from modelica2fmu.frontend import ir
 from modelica2fmu.interpreter import arrays
-from modelica2fmu.interpreter.arrays import Record, ShapeError, Text, Value
+from modelica2fmu.interpreter.arrays import Record, Scalar, ShapeError, Text, Value
+from modelica2fmu.interpreter.declaration_order import declaration_order
 from modelica2fmu.interpreter.expression_interpreter import ITERATION_LIMIT, ExpressionInterpreter
 from modelica2fmu.interpreter.interpreter_host import Scope
 from modelica2fmu.interpreter.string_functions import STRING_FUNCTIONS
-from modelica2fmu.interpreter.value_functions import scalar_number
+from modelica2fmu.interpreter.value_functions import scalar_number, with_elements
 from modelica2fmu.interpreter.vectorized_calls import arguments_of_element, results_as_arrays, vectorized_shape
 from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
@@ -76,7 +78,7 @@ class Interpreter(ExpressionInterpreter):
         before, self.events = self.events, False
         self.call_depth += 1
         try:
-            for variable in (*function.locals, *function.outputs):
+            for variable in declaration_order(function):
                 local.values[variable.name] = self._initial_value(variable, local)
             if function.external is not None:
                 return self._external(function, local, span)
@@ -188,8 +190,8 @@ class Interpreter(ExpressionInterpreter):
                 assert isinstance(text, str | Text)
                 checked = self.value(condition, scope)
                 assert isinstance(checked, bool | int | float | Node)
-                if scope.left is False:
-                    self._host.function_assert(checked, text, is_warning)
+                passed_by = ex.logical_or(ex.logical_not(self._taken), scope.left)
+                self._host.function_assert(ex.logical_or(passed_by, checked), text, is_warning)
             case ir.Return():
                 scope.returned = True
             case ir.Break():
@@ -228,7 +230,6 @@ class Interpreter(ExpressionInterpreter):
             return value.copy() if isinstance(value, np.ndarray) else value
         if not isinstance(old, np.ndarray):
             raise self.unsupported("an assignment to elements of an array of unknown size", target.span)
-        result = old.copy()
         index: list[Any] = []
         for position, subscript in enumerate(target.subscripts):
             if isinstance(subscript, ir.Colon):
@@ -241,10 +242,11 @@ class Interpreter(ExpressionInterpreter):
                 index.append(
                     [self.checked(self.integer(n, target.span), old.shape[position], target.span) for n in item]
                 )
+            elif isinstance(item, Node) and not self.is_known(item, target.span, "an index"):
+                index.append(item)
             else:
                 index.append(self.checked(self.integer(item, target.span), old.shape[position], target.span))
-        result[tuple(index)] = value
-        return result
+        return with_elements(old, index, value)
 
     def _if_statement(
         self,
@@ -260,8 +262,10 @@ class Interpreter(ExpressionInterpreter):
                     return
                 continue
             first, second = scope.branch(), scope.branch()
-            self._execute(body, first)
-            self._if_statement(branches[position + 1 :], otherwise, second)
+            with self._where(chosen):
+                self._execute(body, first)
+            with self._where(ex.logical_not(chosen)):
+                self._if_statement(branches[position + 1 :], otherwise, second)
             for name in scope.values:
                 scope.values[name] = self._merged_local(chosen, first.values[name], second.values[name])
             scope.returned = _either(chosen, first.returned, second.returned)
@@ -309,8 +313,27 @@ class Interpreter(ExpressionInterpreter):
 
     def _while(self, statement: ir.While, scope: Scope) -> None:
         outer, scope.broken = scope.broken, False
-        self._iterate(statement, scope, 0)
-        scope.broken = outer
+        trial = scope.branch()
+        try:
+            self._iterate(statement, trial, 0)
+        except UnsupportedModelError:
+            # Parameters that decide how often it runs can be changed no more.
+            trial = scope.branch()
+            trial.values = {name: self._settled(value, statement.span) for name, value in scope.values.items()}
+            if all(value is scope.values[name] for name, value in trial.values.items()):
+                raise
+            self._iterate(statement, trial, 0)
+        scope.values, scope.returned, scope.broken = trial.values, trial.returned, outer
+
+    def _settled(self, value: Value | None, span: Span | None) -> Value | None:
+        """The number that a value has which depends on parameters alone; others as they are."""
+        if isinstance(value, np.ndarray) and any(isinstance(item, Node) for item in value.flat):
+            return arrays.elementwise(lambda item: self._settled_number(item, span), value)
+        return self._settled_number(value, span) if isinstance(value, Node) else value
+
+    def _settled_number(self, value: Scalar, span: Span | None) -> Scalar:
+        is_known = isinstance(value, Node) and self.is_known(value, span, "a value that a while-loop begins with")
+        return self._host.constant(value, span, "a loop") if is_known and isinstance(value, Node) else value
 
     def _iterate(self, statement: ir.While, scope: Scope, unrolled: int) -> None:
         """Runs a while-loop from here on.
@@ -329,8 +352,9 @@ class Interpreter(ExpressionInterpreter):
                         statement.span,
                     )
                 on = scope.branch()
-                self._execute(statement.body, on)
-                self._iterate(statement, on, unrolled + 1)
+                with self._where(condition):
+                    self._execute(statement.body, on)
+                    self._iterate(statement, on, unrolled + 1)
                 for name in scope.values:
                     scope.values[name] = self._merged_local(condition, on.values[name], scope.values[name])
                 scope.returned = _either(condition, on.returned, scope.returned)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -67,6 +67,27 @@ def dynamic_element(value: arrays.Array, index: Node, dimension: int) -> Value:
         item = np.take(value, number - 1, axis=dimension)
         result = arrays.elementwise(partial(ex.select, ex.equal(index, number)), item, result)
     return result
+
+
+def with_elements(array: arrays.Array, index: Sequence[Any], value: Value) -> arrays.Array:
+    """The array with other elements; no numbers where an index that changes at run time is out of bounds.
+
+    Args:
+        array: which stays as it is.
+        index: of each dimension that has one a number from 0, several, a slice, or what changes, counted from 1.
+        value: of the elements.
+    """
+    changing = next((position for position, item in enumerate(index) if isinstance(item, Node)), None)
+    if changing is None:
+        result = array.copy()
+        result[tuple(index)] = value
+        return result
+    item = index[changing]
+    chosen: arrays.Array = np.full(array.shape, math.nan, dtype=object)
+    for number in range(array.shape[changing], 0, -1):
+        written = with_elements(array, [*index[:changing], number - 1, *index[changing + 1 :]], value)
+        chosen = array_value(arrays.elementwise(partial(ex.select, ex.equal(item, number)), written, chosen))
+    return chosen
 
 
 RELATIONS: Final = {"Lt": "lt", "Le": "le", "Gt": "gt", "Ge": "ge", "Eq": "eq", "Neq": "ne", "Ne": "ne"}

@@ -151,8 +151,20 @@ def repaired_library(library: Path, source_map: SourceMap, environment: Mapping[
         environment: for the place of the user's cache.
     """
     replaced = _replaced_files(library)
-    if not replaced:
-        return library
+    return library_with(replaced, library, source_map, environment) if replaced else library
+
+
+def library_with(
+    replaced: Mapping[Path, str], library: Path, source_map: SourceMap, environment: Mapping[str, str] = os.environ
+) -> Path:
+    """A folder that shows the library with other texts of some files.
+
+    Args:
+        replaced: the texts, of the same lines, by paths in the library.
+        library: folder that contains the package Modelica, or shows it.
+        source_map: is told what the front end gets for the library's files.
+        environment: for the place of the user's cache.
+    """
     folder = views_folder(environment) / _digest(library, replaced)
     if not folder.is_dir():
         _write(folder, library, replaced)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -59,10 +59,9 @@ class SourceMap:
         """Tells that the front end was given another text of the same lines in place of a file's."""
         self._texts[self._original(original)] = text.encode()
 
-    def forget(self, originals: Iterable[Path]) -> None:
+    def forget_texts(self) -> None:
         """Tells that the front end is given what stands in files, after all."""
-        for original in originals:
-            self._texts.pop(self._original(original), None)
+        self._texts.clear()
 
     def _original(self, path: Path) -> Path:
         return self._copies.get(source_number(str(path)), path)
@@ -74,8 +73,8 @@ class SourceMap:
         return self._texts[path]
 
     def add_view(self, given: Path, original: Path) -> None:
-        """Tells that the front end was given a folder ``given`` that shows the files of ``original``."""
-        self._views[given] = original
+        """Tells that the front end was given a folder ``given`` that shows ``original``, which may be a view itself."""
+        self._views[given] = self._views.get(original, original)
         self._files = None
 
     def place(self, span: Span | None, component: str | None = None) -> Place:

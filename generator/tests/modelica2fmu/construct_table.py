@@ -392,6 +392,119 @@ equation
             ),
         },
     ),
+    Covered(
+        "ControlFlow",
+        """
+  Real found = 1.0*search({0, 0.5, 1.5}, time);
+  Law law = lawOf(time);
+  Real damping = law.d;
+  Real placed = sum(marked(time));
+  Real sums = last(time);
+  Real named = second(time);
+  Real checked = if time < 1.5 then below(time) else below(1);
+  Real slopes = sum(partialSums({time, 1, 2}));
+""",
+        {
+            "`break` under a condition of variables": (
+                "found",
+                lambda t: np.select([t < 0.5, t < 1.5], [1.0, 2.0], 3.0),
+            ),
+            "records that branches change": ("damping", lambda t: np.where(t < 1, 2 * t, 3.0)),
+            "assignments to elements whose index changes": ("placed", lambda t: np.where(t < 1, 2 + t, 1 + t)),
+            "loops in functions over lists and vectors, in which elements change": ("sums", lambda t: 6 * t + 3),
+            "calls in functions with outputs left out, arguments named": ("named", lambda t: 2 * t),
+            "assertions in functions, where they are called": ("checked", lambda t: np.where(t < 1.5, t, 1.0)),
+            "loops in functions from one index to another": ("slopes", lambda t: 3 * t + 2 + 2),
+        },
+        """
+  record Law
+    Real k;
+    Real d;
+  end Law;
+  function search
+    input Real table[:];
+    input Real x;
+    output Integer index = 0;
+  algorithm
+    for i in 1:size(table, 1) loop
+      if table[i] > x then
+        break;
+      end if;
+      index := i;
+    end for;
+  end search;
+  function lawOf
+    input Real x;
+    output Law law;
+  algorithm
+    law := Law(k = 1, d = 3);
+    if x < 1 then
+      law.d := 2*x;
+    end if;
+  end lawOf;
+  function marked
+    input Real x;
+    output Real v[2];
+  algorithm
+    v := {1, 2}; // the one that x names is written over
+    v[integer(x) + 1] := x;
+  end marked;
+  function last
+    input Real x;
+    output Real y = 0;
+  protected
+    Real v[3] = {1, 2, 3};
+  algorithm
+    for factor in {x, 2*x} loop
+      for each_ in v loop
+        y := y + factor*each_/3;
+      end for;
+    end for;
+    y := y + (if x < 0 then 1 else v[3]);
+    if x < 0 then
+      return;
+    end if;
+  end last;
+  function both
+    input Real a = 5;
+    input Real b;
+    output Real first = a;
+    output Real twice;
+  algorithm
+    twice := 2*b;
+    if b < 0 then
+      return;
+    end if;
+  end both;
+  function second
+    input Real x;
+    output Real y;
+  algorithm
+    (, y) := both(b = x);
+  end second;
+  function below
+    input Real x;
+    output Real y;
+  algorithm
+    if x > 5 then
+      assert(false, "never called so");
+    end if;
+    assert(x < 1.6, "too large: " + String(x));
+    y := x;
+  end below;
+  function partialSums
+    input Real x[:];
+    output Real s[size(x, 1)];
+  algorithm
+    for i in 1:size(x, 1) loop
+      s[i] := 0;
+      for k in i:size(x, 1) loop
+        s[i] := s[i] + (if k == 2 then 1 elseif k == 1 then 3*x[1] else x[3]/3);
+      end for;
+    end for;
+  end partialSums;
+""",
+    ),
 )
 
 REFUSED = (
@@ -399,8 +512,8 @@ REFUSED = (
     Refused(
         "while-loops without a bound that is known at translation",
         "Real x = root(time);",
-        "root",
-        "front end",
+        "more than 200 times",
+        "builder",
         classes="""
   function root
     input Real a;
@@ -487,26 +600,6 @@ REFUSED = (
         "Real x(start = 0);\nequation\n  when Clock(0.1) then\n    x = previous(x) + 1;\n  end when;",
         "previous",
         "front end",
-    ),
-    Refused(
-        "`break` under a condition of variables",
-        "Integer x = search({0, 1}, time);",
-        "search",
-        "front end",
-        classes="""
-  function search
-    input Real table[:];
-    input Real x;
-    output Integer index = 0;
-  algorithm
-    for i in 1:size(table, 1) loop
-      if table[i] > x then
-        break;
-      end if;
-      index := i;
-    end for;
-  end search;
-""",
     ),
     Refused(
         "external objects other than the Standard Library's tables",

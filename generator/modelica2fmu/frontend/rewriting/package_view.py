@@ -75,7 +75,7 @@ def package_view(
     return _copied(package, texts, written.numbers, root)
 
 
-def package_with(texts: dict[Path, str], package: Path, root: Path) -> PackageView:
+def package_with(texts: Mapping[Path, str], package: Path, root: Path) -> PackageView:
     """Copies a package's Modelica files, some with other texts.
 
     Args:
@@ -83,7 +83,7 @@ def package_with(texts: dict[Path, str], package: Path, root: Path) -> PackageVi
         package: the folder that holds ``package.mo``.
         root: an empty folder.
     """
-    return _copied(package, texts, Numbers(), root)
+    return _copied(package, dict(texts), Numbers(), root)
 
 
 def _copied(package: Path, texts: dict[Path, str], numbers: Numbers, root: Path) -> PackageView:
