@@ -28,9 +28,8 @@ def _restored(function: ir.Function) -> ir.Function:
     reader = _Reader(function.body)
     body = reader.statements()
     added = {*straight.MARKS, *reader.added}
-    return replace(
-        function, body=body, locals=tuple(variable for variable in function.locals if variable.name not in added)
-    )
+    declared = tuple(variable for variable in function.locals if variable.name not in added)
+    return replace(function, body=body, locals=declared, is_unproven=True)
 
 
 class _Reader:

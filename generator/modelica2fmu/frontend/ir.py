@@ -335,7 +335,11 @@ class External:
 
 @dataclass(frozen=True)
 class Function:
-    """A function, or a record constructor."""
+    """A function, or a record constructor.
+
+    Attributes:
+        is_unproven: = true, if the front end has checked no sizes in it.
+    """
 
     name: str
     inputs: tuple[FunctionVariable, ...]
@@ -345,6 +349,7 @@ class Function:
     external: External | None = None
     is_constructor: bool = False
     span: Span | None = None
+    is_unproven: bool = False
 
 
 # --- model ---------------------------------------------------------------------------------------------------

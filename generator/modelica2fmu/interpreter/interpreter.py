@@ -19,11 +19,12 @@ from modelica2fmu.interpreter import arrays
 from modelica2fmu.interpreter.arrays import Record, Scalar, ShapeError, Text, Value
 from modelica2fmu.interpreter.declaration_order import declaration_order
 from modelica2fmu.interpreter.expression_interpreter import ITERATION_LIMIT, ExpressionInterpreter
-from modelica2fmu.interpreter.interpreter_host import Scope
+from modelica2fmu.interpreter.interpreter_host import Host, Scope
+from modelica2fmu.interpreter.size_requirements import require_sizes
 from modelica2fmu.interpreter.string_functions import STRING_FUNCTIONS
-from modelica2fmu.interpreter.value_functions import scalar_number, with_elements
+from modelica2fmu.interpreter.value_functions import scalar_number, selected_shape, with_elements
 from modelica2fmu.interpreter.vectorized_calls import arguments_of_element, results_as_arrays, vectorized_shape
-from modelica2fmu.library.source_map import Span
+from modelica2fmu.library.source_map import SourceMap, Span
 from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
@@ -39,6 +40,11 @@ class Interpreter(ExpressionInterpreter):
         host: see :class:`modelica2fmu.interpreter.interpreter_host.Host`.
         source_map: for the places in error messages.
     """
+
+    def __init__(self, model: ir.FlatModel, host: Host, source_map: SourceMap) -> None:
+        super().__init__(model, host, source_map)
+        self._is_unproven = False  # = true, in functions whose sizes the front end has not checked, and what they call
+        self._declared: Mapping[str, ir.FunctionVariable] = {}  # of the function that is executed
 
     # --- functions ---
 
@@ -73,9 +79,14 @@ class Interpreter(ExpressionInterpreter):
                 local.values[variable.name] = self.value(variable.default, local)
             else:
                 raise self.wrong(f"{function.name} is called without {variable.name}", span)
+        if self._is_unproven:
+            for variable in function.inputs:
+                self._require_sizes(variable, self.known(local.values[variable.name]), local, span)
         if function.is_constructor:
             return (Record({variable.name: self.known(local.values[variable.name]) for variable in function.inputs}),)
-        before, self.events = self.events, False
+        before = self.events, self._is_unproven, self._declared
+        self.events, self._is_unproven = False, self._is_unproven or function.is_unproven
+        self._declared = {variable.name: variable for variable in (*function.locals, *function.outputs)}
         self.call_depth += 1
         try:
             for variable in declaration_order(function):
@@ -85,7 +96,7 @@ class Interpreter(ExpressionInterpreter):
             self._execute(function.body, local)
         finally:
             self.call_depth -= 1
-            self.events = before
+            self.events, self._is_unproven, self._declared = before
         outputs = []
         for variable in function.outputs:
             value = local.values[variable.name]
@@ -93,6 +104,19 @@ class Interpreter(ExpressionInterpreter):
                 raise self.wrong(f"{function.name} does not assign its output {variable.name}", function.span)
             outputs.append(value)
         return tuple(outputs)
+
+    def _require_sizes(self, variable: ir.FunctionVariable, value: Value, local: Scope, span: Span | None) -> None:
+        """Raises InputError where a variable of a function is given a value of other sizes than it is declared with."""
+        wanted = [
+            None if isinstance(each, ir.Colon) else self.integer(self._references.subscript_value(each, local), span)
+            for each in variable.shape
+        ]
+        if len(wanted) != variable.rank:  # some are those of its type
+            return
+        try:
+            require_sizes(variable.name, wanted, value)
+        except ShapeError as error:
+            raise self.wrong(str(error), span) from error
 
     def _external(self, function: ir.Function, local: Scope, span: Span | None) -> tuple[Value, ...]:
         assert function.external is not None
@@ -217,6 +241,8 @@ class Interpreter(ExpressionInterpreter):
             record.fields[fields[0]] = self._unless_left(scope, old, self._with_element(old, target, value, scope))
             scope.values[name] = record
             return
+        if self._is_unproven and not target.subscripts and name in self._declared:
+            self._require_sizes(self._declared[name], value, scope, target.span)
         old = scope.values[name]
         scope.values[name] = self._unless_left(scope, old, self._with_element(old, target, value, scope))
 
@@ -246,7 +272,12 @@ class Interpreter(ExpressionInterpreter):
                 index.append(item)
             else:
                 index.append(self.checked(self.integer(item, target.span), old.shape[position], target.span))
-        return with_elements(old, index, value)
+        try:
+            if self._is_unproven:
+                require_sizes(f"a part of {target.name}", selected_shape(old, index), value)
+            return with_elements(old, index, value)
+        except ShapeError as error:
+            raise self.wrong(str(error), target.span) from error
 
     def _if_statement(
         self,

@@ -90,6 +90,12 @@ def with_elements(array: arrays.Array, index: Sequence[Any], value: Value) -> ar
     return chosen
 
 
+def selected_shape(array: arrays.Array, index: Sequence[Any]) -> tuple[int, ...]:
+    """The sizes of what :func:`with_elements` replaces."""
+    selected = array[tuple(0 if isinstance(item, Node) else item for item in index)]
+    return selected.shape if isinstance(selected, np.ndarray) else ()
+
+
 RELATIONS: Final = {"Lt": "lt", "Le": "le", "Gt": "gt", "Ge": "ge", "Eq": "eq", "Neq": "ne", "Ne": "ne"}
 STEPPING: Final = frozenset({"floor", "ceil", "integer", "div", "mod", "rem"})
 ELEMENTWISE: Final[dict[str, Callable[..., Scalar]]] = {

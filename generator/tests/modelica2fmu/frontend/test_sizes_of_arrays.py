@@ -68,7 +68,7 @@ def refusal(text: str, folder: Path) -> InputError:
             marks=pytest.mark.full,
         ),
         ("y := 2*u", "y := u + {1, 2}", 10, "sizes of arrays do not fit each other in: y := u + {1, 2}"),
-        ("y := 2*u", "y := u[1:2]", 10, "sizes of arrays do not fit each other in: y := u[1:2]"),
+        ("y := 2*u", "y := u[1:2]", 10, "y has 3 elements, and what it is given has 2 elements"),
         pytest.param(
             "y := 2*u", "y := 2*u; y[1] := u*{1, 2}", 10, "other in: y[1] := u*{1, 2}", marks=pytest.mark.full
         ),

@@ -85,3 +85,48 @@ def test_an_error_behind_it_has_its_line(tmp_path, fmu_cache):
         build_fmu("P.M", [source], tmp_path / "M.fmu", BuildOptions(cache=fmu_cache))
     assert caught.value.place is not None
     assert caught.value.place.line == 18
+
+
+@pytest.mark.parametrize(
+    ("statement", "said"),
+    [
+        ("y := u[1:2]", "y has 4 elements, and what it is given has 2 elements"),
+        ("v[1:2] := {1}", "a part of v has 2 elements, and what it is given has 1 element"),
+        ("y[1] := u", "a part of y has no dimensions, and what it is given has 4 elements"),
+        ("v := 3", "v has 3 elements, and what it is given has no dimensions"),
+        ("y[1] := count(u[1:2])", "u wants 3 elements in dimension 1, not 2"),
+    ],
+)
+def test_sizes_are_checked_behind_it(statement, said, tmp_path, fmu_cache):
+    text = f"""package P
+  function f
+    input Real u[:];
+    output Real y[size(u, 1)];
+  protected
+    Real v[3];
+  algorithm
+    y := u;
+    {statement};
+    if u[1] > 5 then
+      return;
+    end if;
+  end f;
+  function count
+    input Real u[3];
+    output Real y;
+  algorithm
+    y := 3;
+    if u[1] > 5 then
+      return;
+    end if;
+  end count;
+  model M
+    Real y = sum(f({{time, 2, 3, 4}}));
+  end M;
+end P;
+"""
+    source = tmp_path / "P.mo"
+    source.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError) as caught:
+        build_fmu("P.M", [source], tmp_path / "M.fmu", BuildOptions(cache=fmu_cache))
+    assert said in str(caught.value)
