@@ -29,6 +29,7 @@ from modelica2fmu.symbolic import expression as ex
 from modelica2fmu.symbolic.expression import Node
 
 _CALL_DEPTH_LIMIT: Final = 100
+_REMEDY_OF_SIZES: Final = "give it as many, or declare it with as many"
 _UNROLLING_LIMIT: Final = 200  # of while-loops that variables end
 
 
@@ -116,7 +117,7 @@ class Interpreter(ExpressionInterpreter):
         try:
             require_sizes(variable.name, wanted, value)
         except ShapeError as error:
-            raise self.wrong(str(error), span) from error
+            raise self.wrong(str(error), span, _REMEDY_OF_SIZES) from error
 
     def _external(self, function: ir.Function, local: Scope, span: Span | None) -> tuple[Value, ...]:
         assert function.external is not None
@@ -277,7 +278,7 @@ class Interpreter(ExpressionInterpreter):
                 require_sizes(f"a part of {target.name}", selected_shape(old, index), value)
             return with_elements(old, index, value)
         except ShapeError as error:
-            raise self.wrong(str(error), target.span) from error
+            raise self.wrong(str(error), target.span, _REMEDY_OF_SIZES) from error
 
     def _if_statement(
         self,

@@ -31,9 +31,9 @@ class TranslationValues:
             remedy="see docs/fmu-builder.md for the constructs that are, and rewrite the model with those",
         )
 
-    def wrong(self, message: str, span: Span | None) -> InputError:
+    def wrong(self, message: str, span: Span | None, remedy: str | None = None) -> InputError:
         """The error for a model that is wrong."""
-        return InputError(message, place=self._source_map.place(span))
+        return InputError(message, place=self._source_map.place(span), remedy=remedy)
 
     def integer(self, value: Value, span: Span | None) -> int:
         """A whole number that is needed at translation."""
