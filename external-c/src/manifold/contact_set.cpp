@@ -39,7 +39,9 @@ void unite(ContactPoint &point, const ContactPoint &other) {
   point.depth = std::fmax(least, point.depth + part * (other.depth - point.depth));
   point.weight = sum / point.depth;
   point.position = point.position + part * (other.position - point.position);
-  point.normal = normalized(point.normal + part * (other.normal - point.normal), point.normal);
+  const Vec3 turn = other.normal - point.normal;
+  if (turn.x == 0.0 && turn.y == 0.0 && turn.z == 0.0) return;  // as on a plane
+  point.normal = normalized(point.normal + part * turn, point.normal);
 }
 
 // Loads as columns: what uniting one of them with each of the others costs is found for all at once. Borrows four columns of `room`.
@@ -72,9 +74,8 @@ class LoadColumns {
   double *load_, *x_, *y_, *z_;
 };
 
-// The first place of the least of `count` values, one at least.
-std::size_t least_place(const double *values, std::size_t count) {
-  const double least = convex::least_of(values, count);
+// The first place of the least of `count` values.
+std::size_t place_of(double least, const double *values, std::size_t count) {
   std::size_t place = 0;
   while (place + 1 < count && values[place] != least) ++place;
   return place;
@@ -107,39 +108,46 @@ void keep_heaviest(std::vector<ContactPoint> &points, std::size_t capacity) {
   for (std::size_t k = capacity; k < points.size(); ++k) {
     const ContactPoint &point = points[room.order[k].place];
     columns.find_costs(point, capacity, costs);
-    const std::size_t partner = least_place(costs, capacity);
+    const std::size_t partner = place_of(convex::least_of(costs, capacity), costs, capacity);
     unite(room.heaviest[partner], point);
     columns.note(partner, room.heaviest[partner]);
   }
   points.assign(room.heaviest.begin(), room.heaviest.end());
 }
 
-// Finds the cheapest pair again and again. What uniting costs is kept for all pairs, and the least of each point with those before it.
+// Finds the cheapest pair again and again. What uniting costs is kept for all pairs, of each point with those before it, and the least
+// of each; beyond these nothing is cheap, so that rows are of one length.
 class CheapestPair {
  public:
   explicit CheapestPair(std::vector<ContactPoint> &points) : points_(points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       columns_.note(i, points[i]);
       columns_.find_costs(i, i, cost_[i]);
-      least_[i] = convex::least_of(cost_[i], i);
+      std::fill(cost_[i] + i, cost_[i] + points_for_all_pairs, HUGE_VAL);
+      least_[i] = least_of_row(i);
     }
+    std::fill(least_ + points.size(), least_ + points_for_all_pairs, HUGE_VAL);
   }
 
   // Unites pairs until `capacity` points are left.
   void unite_cheapest(std::size_t capacity) {
     for (;;) {
-      const std::size_t second = least_place(least_, points_.size()), first = least_place(cost_[second], second);
+      const std::size_t second = place_of(convex::least_of(least_, points_for_all_pairs), least_, points_.size());
+      const std::size_t first = place_of(least_[second], cost_[second], second);
       unite(points_[first], points_[second]);
       points_[second] = points_.back();
       points_.pop_back();
-      if (points_.size() <= capacity) return;
+      const std::size_t count = points_.size();
+      if (count <= capacity) return;
+      least_[count] = HUGE_VAL;
       renew(first);
-      if (second < points_.size()) renew(second);
-      for (std::size_t i = first; i < points_.size(); ++i) least_[i] = convex::least_of(cost_[i], i);
+      if (second < count) renew(second);
+      for (std::size_t i = first; i < count; ++i) least_[i] = least_of_row(i);
     }
   }
 
  private:
+  double least_of_row(std::size_t i) const { return convex::least_of(cost_[i], points_for_all_pairs); }
   void renew(std::size_t i) {
     double costs[points_for_all_pairs];
     columns_.note(i, points_[i]);

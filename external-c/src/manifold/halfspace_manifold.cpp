@@ -102,9 +102,9 @@ class Collector {
   Vec3 missing_;
 };
 
-// Room to look for vertices: a bit for each that was met, and those that are found.
+// Room to look for vertices: a bit for each that was met, and for each that is found; these in turn.
 struct VertexSearch {
-  std::vector<std::uint64_t> met;
+  std::vector<std::uint64_t> met, deeper;
   std::vector<std::int32_t> found;
 };
 
@@ -128,6 +128,7 @@ void visit_deeper(const convex::Polytope &polytope, std::int32_t lowest, double 
     VertexSearch &search = vertex_search();
     if (search.found.size() <= vertices) {
       search.met.resize(words);
+      search.deeper.resize(words);
       search.found.resize(vertices + 1);
     }
     met = search.met.data();
@@ -151,8 +152,24 @@ void visit_deeper(const convex::Polytope &polytope, std::int32_t lowest, double 
       look_at(polytope.neighbours()[static_cast<std::size_t>(slot)]);
     }
   }
-  std::sort(found, found + count);
-  for (std::size_t k = 0; k < count; ++k) visit(found[k]);
+  constexpr std::size_t few = 12;
+  if (count < few || vertices < in_word) {
+    std::sort(found, found + count);
+    for (std::size_t k = 0; k < count; ++k) visit(found[k]);
+    return;
+  }
+  // Many are set in order by a bit each.
+  std::uint64_t *const deeper = vertex_search().deeper.data();
+  std::fill_n(deeper, words, 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto v = static_cast<std::size_t>(found[k]);
+    deeper[v / in_word] |= std::uint64_t{1} << (v % in_word);
+  }
+  for (std::size_t word = 0; word < words; ++word) {
+    for (std::uint64_t left = deeper[word]; left != 0; left &= left - 1) {
+      visit(static_cast<std::int32_t>(in_word * word) + __builtin_ctzll(left));
+    }
+  }
 }
 
 void polytope_contact(const ContactPolytope &polytope, Collector &collector) {

@@ -60,17 +60,18 @@ ContactPolytope::ContactPolytope(convex::Polytope geometry) : geometry_(std::mov
         }
       }
     }
-    corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+    faces_begin_.push_back(static_cast<std::int32_t>(vertex_faces_.size()));
     double low = 1.0, high = 0.0;
     for (const Neighbourhood &corner : corners) {
-      corners_.push_back({corner.share, corner.face});
+      vertex_faces_.push_back(corner.face);
+      face_shares_.push_back({geometry_.faces()[index(corner.face)].normal, corner.share});
       low = std::min(low, corner.share);
       high = std::max(high, corner.share);
     }
     constant_.push_back(high - low <= 1e-12 ? 0.5 * (high + low) : -1.0);
     all_constant_ = all_constant_ && constant_.back() >= 0.0;
   }
-  corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+  faces_begin_.push_back(static_cast<std::int32_t>(vertex_faces_.size()));
   build_polar();
   if (geometry_.edges().size() <= most_in_set) {
     build_sets();
@@ -133,29 +134,29 @@ double ContactPolytope::greatest_face_cosine(const Vec3 &direction) const {
 }
 
 ContactPolytope::Share ContactPolytope::share(std::int32_t v, const Vec3 &down) const {
-  const FaceCorner *const first = corners(v), *const last = corners(v + 1);
   Share result{constant_[index(v)], {}};
   if (result.value >= 0.0) return result;
+  const FaceShare *const first = face_shares_.data() + faces_begin_[index(v)];
+  const FaceShare *const last = face_shares_.data() + faces_begin_[index(v) + 1];
   // Shepard's interpolation over the faces at v in the angle between face normal and load.
   constexpr std::size_t most_kept = 32;
   std::array<double, most_kept> kept;  // only the first ones are used
   const auto inverse_term = [&](double cosine) { return 1.0 / std::max(1.0 - cosine, smallest_angle_term); };
   double sum = 0.0, weighted = 0.0;
   std::size_t i = 0;
-  for (const FaceCorner *corner = first; corner != last; ++corner, ++i) {
-    const double cosine = dot(face_of(*corner).normal, down);
-    const double inverse = inverse_term(cosine), influence = inverse * inverse;
+  for (const FaceShare *face = first; face != last; ++face, ++i) {
+    const double inverse = inverse_term(dot(face->normal, down)), influence = inverse * inverse;
     if (i < most_kept) kept[i] = inverse;
     sum += influence;
-    weighted += influence * corner->share;
+    weighted += influence * face->share;
   }
   const double part = 1.0 / sum, share = weighted * part, factor = 2.0 * part;
   i = 0;
   double x = 0.0, y = 0.0, z = 0.0;
-  for (const FaceCorner *corner = first; corner != last; ++corner, ++i) {
-    const Vec3 &normal = face_of(*corner).normal;
+  for (const FaceShare *face = first; face != last; ++face, ++i) {
+    const Vec3 &normal = face->normal;
     const double inverse = i < most_kept ? kept[i] : inverse_term(dot(normal, down));
-    const double scale = factor * inverse * inverse * inverse * (corner->share - share);
+    const double scale = factor * inverse * inverse * inverse * (face->share - share);
     x += scale * normal.x, y += scale * normal.y, z += scale * normal.z;
   }
   result.value = share;

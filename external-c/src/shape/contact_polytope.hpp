@@ -26,19 +26,8 @@ class ContactPolytope {
 
   const convex::Polytope &geometry() const { return geometry_; }
 
-  // A face as one of its vertices sees it.
-  struct FaceCorner {
-    double share = 0.0;  // of the vertex in this face
-    std::int32_t face = 0;
-  };
-  // The faces at vertex v, in turn counter-clockwise from outside: [corners(v), corners(v + 1)).
-  const FaceCorner *corners(std::int32_t v) const {
-    return corners_.data() + corner_begin_[static_cast<std::size_t>(v)];
-  }
-
-  const convex::Polytope::Face &face_of(const FaceCorner &corner) const {
-    return geometry_.faces()[static_cast<std::size_t>(corner.face)];
-  }
+  // The faces at vertex v, in turn counter-clockwise from outside: [faces_at(v), faces_at(v + 1)).
+  const std::int32_t *faces_at(std::int32_t v) const { return vertex_faces_.data() + faces_begin_[static_cast<std::size_t>(v)]; }
 
   struct Share {
     double value;
@@ -82,9 +71,16 @@ class ContactPolytope {
   void build_sets();
   void build_polar();
 
+  // A face as one of its vertices sees it: its normal, so that those of a vertex stand together, and the vertex' share in it.
+  struct FaceShare {
+    Vec3 normal;
+    double share;
+  };
+
   convex::Polytope geometry_;
-  std::vector<FaceCorner> corners_;
-  std::vector<std::int32_t> corner_begin_;  // vertex -> first corner
+  std::vector<std::int32_t> vertex_faces_;
+  std::vector<FaceShare> face_shares_;      // in step
+  std::vector<std::int32_t> faces_begin_;   // vertex -> its first face among them
   std::vector<double> constant_;            // share where it does not depend on the direction, else -1
   bool all_constant_ = true;
   double fineness_ = 0.0;

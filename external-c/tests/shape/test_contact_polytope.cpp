@@ -92,8 +92,8 @@ TEST(ContactPolytope, KnowsEdgesAndFacesAtAVertexAsSets) {
       for (std::int32_t slot = geometry.neighbour_begin(number); slot < geometry.neighbour_begin(number + 1); ++slot) {
         edges |= std::uint64_t{1} << geometry.neighbour_edges()[static_cast<std::size_t>(slot)];
       }
-      for (const auto *corner = polytope.corners(number); corner != polytope.corners(number + 1); ++corner) {
-        faces |= std::uint64_t{1} << corner->face;
+      for (const std::int32_t *face = polytope.faces_at(number); face != polytope.faces_at(number + 1); ++face) {
+        faces |= std::uint64_t{1} << *face;
       }
       EXPECT_EQ(polytope.incidence(number).edges, edges);
       EXPECT_EQ(polytope.incidence(number).faces, faces);

@@ -173,11 +173,11 @@ void ContactSide::near_faces(std::vector<std::int32_t> &faces) {
   }
   for (std::size_t k = 0; k < inside_count_; ++k) {
     const std::int32_t v = number_[index(inside_[k])];
-    const auto *const last = body_->corners(v + 1);
-    for (const auto *corner = body_->corners(v); corner != last; ++corner) {
-      if (face_mark_[index(corner->face)] == face_gathering_) continue;
-      face_mark_[index(corner->face)] = face_gathering_;
-      faces.push_back(corner->face);
+    const std::int32_t *const last = body_->faces_at(v + 1);
+    for (const std::int32_t *face = body_->faces_at(v); face != last; ++face) {
+      if (face_mark_[index(*face)] == face_gathering_) continue;
+      face_mark_[index(*face)] = face_gathering_;
+      faces.push_back(*face);
     }
   }
 }
