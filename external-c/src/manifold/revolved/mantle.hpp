@@ -42,6 +42,7 @@ class Mantle {
   OffSide off(const Vec3 &at) const;
   std::vector<BorderPlace> &border() { return *border_; }
   bool counts_from_apex() const { return to_apex_; }
+  void count_from_apex(bool to_apex) { to_apex_ = to_apex; }
   // Adds the nodes, once the border is whole.
   void integrate();
   // What a border's place at this height adds by its turn, as much as counts; from `begin` on where it is the first one.

@@ -57,15 +57,8 @@ bool RevolvedOnPolytope::find(const RevolvedBody &body, const convex::PolytopeVi
                               OverlapSurface &surface, Mantle::Partner partner, bool from_apex) {
   body_ = &body, polytope_ = &polytope, partner_ = partner;
   find_faces(in_frame, place, surface);
-  const Vec3 apex{0.0, 0.0, body.half};
-  const bool to_apex = !body.is_cylinder() && (from_apex || holds(apex, in_frame));
-  const bool found = integrate(in_frame, place, to_apex, surface);
-  // Where the border as good as turns in an apex that is outside, more than the overlap's is added and taken off: so much counts by rounding.
-  constexpr double cancels = 3.0;
-  const double area = surface.area_a();
-  if (body.is_cylinder() || to_apex || !(area > cancels * surface.area_b()) || !has_near(apex, body.near_apex(), in_frame)) return found;
-  const bool found_from_apex = integrate(in_frame, place, true, surface);
-  return surface.area_a() < area ? found_from_apex : integrate(in_frame, place, false, surface);
+  const bool to_apex = !body.is_cylinder() && (from_apex || holds({0.0, 0.0, body.half}, in_frame));
+  return integrate(in_frame, place, to_apex, surface);
 }
 
 void RevolvedOnPolytope::find_faces(const Pose &in_frame, const Vec3 &place, OverlapSurface &surface) {
@@ -161,8 +154,24 @@ bool RevolvedOnPolytope::integrate(const Pose &in_frame, const Vec3 &place, bool
     // What does not reach beyond an end does not hold its rim, which rounding may deny where a face lies in the end.
     if ((beyond_any_ & bit_of(end)) != 0 && !rim_[end].follow(end_fan[end], in_polytope)) return false;
   }
-  mantle.integrate();
-  return surface.sum();
+  // The mantle alone depends on where it counts from, and comes last.
+  const std::size_t beside_mantle = surface.of_a().size();
+  const auto measure = [&](bool from_apex) {
+    mantle.count_from_apex(from_apex);
+    surface.of_a().resize(beside_mantle);
+    mantle.integrate();
+    return surface.measure();
+  };
+  bool found = measure(to_apex);
+  // Where the border as good as turns in an apex that is outside, more than the overlap's is added and taken off: so much counts by rounding.
+  constexpr double cancels = 3.0;
+  const double area = surface.area_a();
+  if (!body_->is_cylinder() && !to_apex && area > cancels * surface.area_b() &&
+      has_near({0.0, 0.0, body_->half}, body_->near_apex(), in_frame)) {
+    found = measure(true);
+    if (!(surface.area_a() < area)) found = measure(false);
+  }
+  return found && surface.settle();
 }
 
 // First the faces that may bound the overlap, which most places outside are beyond. They decide alone, as for a conic's way about a cone's

@@ -63,7 +63,7 @@ class RevolvedOnPolytope {
   // Keeps a face unless it is beyond the body.
   void offer_face(std::int32_t face, const Pose &in_frame);
   const Vertex &place_vertex(std::int32_t vertex, const Pose &in_frame);
-  // All of the surface, the mantle from the apex on or from its border's height.
+  // All of the surface, the mantle from the apex on, or from its border's height or from there, too, as is better.
   bool integrate(const Pose &in_frame, const Vec3 &place, bool to_apex, OverlapSurface &surface);
   const EdgePart &part_of(std::int32_t edge);
   Stretch in_mantle(const Vec3 &p, bool p_inside, const Vec3 &q, bool q_inside) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "math/pi.hpp"
 #include "math/trigonometric_polynomial.hpp"
@@ -79,8 +80,11 @@ bool RevolvedPair::find_from(const RevolvedBody &a, const RevolvedBody &b, const
   const bool from_apex_a = !a.is_cylinder() && !apex_a && area_a > cancels * area_b;
   const bool from_apex_b = !b.is_cylinder() && !apex_b && area_b > cancels * area_a;
   if (!from_apex_a && !from_apex_b) return found;
+  std::swap(surface, before_);
   const bool found_from_apex = integrate(a, b, b_in_a, place, apex_a || from_apex_a, apex_b || from_apex_b, surface);
-  return surface.area_a() + surface.area_b() < area_a + area_b ? found_from_apex : integrate(a, b, b_in_a, place, apex_a, apex_b, surface);
+  if (surface.area_a() + surface.area_b() < area_a + area_b) return found_from_apex;
+  std::swap(surface, before_);
+  return found;
 }
 
 bool RevolvedPair::integrate(const RevolvedBody &a, const RevolvedBody &b, const Pose &b_in_a, const Vec3 &place, bool apex_a, bool apex_b,

@@ -56,6 +56,7 @@ class RevolvedPair {
   std::vector<Vec3> corners_;  // where a rim passes the other body's mantle, in common axes
   EdgePlaces edge_;
   EdgePlaces *fitted_ = nullptr;
+  OverlapSurface before_;  // what was found first, of two
 };
 
 }  // namespace cmb

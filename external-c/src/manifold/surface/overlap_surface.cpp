@@ -42,7 +42,7 @@ bool OverlapSurface::is_closed() const {
 
 // The integral of a homogeneous polynomial of degree k over the cones from the origin to the surface's parts is place . area times its
 // value there, by k + 3. From a place in the overlap no part is negative, so that nothing cancels: so first that place is found.
-bool OverlapSurface::sum() {
+bool OverlapSurface::measure() {
   LaneVec3 opens, firsts;
   Lanes volumes{};
   const auto add = [&](const std::vector<Node> &side) {
@@ -58,13 +58,18 @@ bool OverlapSurface::sum() {
   };
   area_[0] = add(a_), area_[1] = add(b_);
   const Vec3 open = convex::sum_of(opens);
-  double volume = convex::sum_of(volumes);
-  Vec3 first = convex::sum_of(firsts);
+  const double volume = convex::sum_of(volumes);
   gap_ = norm(open);
   if (!(volume > 0.0) || !(gap_ <= most_open * (area_[0] + area_[1]))) return false;
-  const Vec3 shift = (3.0 / (4.0 * volume)) * first;
+  to_middle_ = (3.0 / (4.0 * volume)) * convex::sum_of(firsts);
+  return true;
+}
+
+bool OverlapSurface::settle() {
+  const Vec3 shift = to_middle_;
+  LaneVec3 firsts;
+  Lanes volumes{};
   place_ = place_ + shift;
-  volumes = Lanes{}, firsts = {};
   for (std::vector<Node> *const side : {&a_, &b_}) {
     for (Node &node : *side) {
       node.at = node.at - shift;
@@ -75,7 +80,8 @@ bool OverlapSurface::sum() {
       firsts = firsts + node.cone * node.at;
     });
   }
-  volume = convex::sum_of(volumes), first = convex::sum_of(firsts);
+  const double volume = convex::sum_of(volumes);
+  const Vec3 first = convex::sum_of(firsts);
   if (!(volume > 0.0)) return false;
   volume_ = volume / 3.0;
   middle_ = (3.0 / (4.0 * volume)) * first;

@@ -50,7 +50,10 @@ class OverlapSurface {
   bool is_closed() const;
   // Finds what follows, and moves the place to the overlap's middle, as good as; false where the surface is not closed, or the bodies
   // overlap by rounding alone.
-  bool sum();
+  bool sum() { return measure() && settle(); }
+  // The two halves of that: areas and how open it is, before which nodes may still change; and all else.
+  bool measure();
+  bool settle();
   // After sum(): turns all to axes one of which is perpendicular to a face, where one bounds an overlap that is thin, so that the square of its
   // thickness is not a difference of squares of its width, nor that of its width one of its length. Returns the turn to these axes.
   Mat3 align();
@@ -73,6 +76,7 @@ class OverlapSurface {
   std::vector<Node> a_, b_;
   Vec3 place_;
   double volume_ = 0.0, gap_ = 0.0, area_[2] = {};
+  Vec3 to_middle_;  // from the place, as good as; found by measure()
   Vec3 middle_;
   convex::SymmetricMatrix spread_;
 };
