@@ -35,6 +35,10 @@ inline LaneVec3 cross(const LaneVec3 &a, const LaneVec3 &b) {
 inline Lanes norm2(const LaneVec3 &a) { return dot(a, a); }
 inline Vec3 sum_of(const LaneVec3 &v) { return {sum_of(v.x), sum_of(v.y), sum_of(v.z)}; }
 
+inline LaneVec3 operator*(const Mat3 &m, const LaneVec3 &p) {
+  const auto along = [&p](const Vec3 &row) { return row.x * p.x + row.y * p.y + row.z * p.z; };
+  return {along(m.row[0]), along(m.row[1]), along(m.row[2])};
+}
 inline LaneVec3 times(const SymmetricMatrix &matrix, const LaneVec3 &p) {
   const double(&m)[6] = matrix.m;
   return {m[0] * p.x + m[5] * p.y + m[4] * p.z, m[5] * p.x + m[1] * p.y + m[3] * p.z, m[4] * p.x + m[3] * p.y + m[2] * p.z};

@@ -46,20 +46,35 @@ TEST(Lanes, AreTheBitsOfSingleNumbers) {
   }
 }
 
-TEST(Lanes, NodesAreAllVisited) {
+TEST(SurfaceNodes, AreAllVisitedAndShortened) {
   Random random(2);
+  const Vec3 shift = random.direction();
   for (std::size_t count = 0; count < 8; ++count) {
-    std::vector<OverlapSurface::Node> nodes;
-    Vec3 sum;
-    for (std::size_t k = 0; k < count; ++k) {
-      nodes.push_back({random.direction(), random.direction(), 1.0});
-      sum = sum + nodes.back().area;
+    for (std::size_t left = 0; left <= count; ++left) {
+      OverlapSurface::Nodes nodes;
+      std::vector<Vec3> places, areas;
+      for (std::size_t k = 0; k < count; ++k) {
+        places.push_back(random.direction()), areas.push_back(random.direction());
+        nodes.add(places.back(), areas.back());
+      }
+      nodes.shorten(left);
+      ASSERT_EQ(nodes.size(), left);
+      nodes.change_pairs([&](OverlapSurface::Nodes::Pair &pair) { pair.at = pair.at - LaneVec3(shift), pair.cone = pair.cone + 1.0; });
+      Vec3 sum;
+      std::size_t visited = 0;
+      for (const OverlapSurface::Node &node : nodes) {
+        const Vec3 at = places[visited] - shift;
+        EXPECT_TRUE(node.at.x == at.x && node.at.y == at.y && node.at.z == at.z);
+        EXPECT_EQ(node.cone, 1.0);
+        sum = sum + areas[visited++];
+      }
+      EXPECT_EQ(visited, left);
+      LaneVec3 area_sum;
+      Lanes cones{};
+      nodes.visit_pairs([&](const OverlapSurface::Nodes::Pair &pair) { area_sum = area_sum + pair.area, cones += pair.cone; });
+      EXPECT_LE(norm(sum_of(area_sum) - sum), 1e-14);
+      EXPECT_EQ(cmb::convex::sum_of(cones), static_cast<double>(left));
     }
-    LaneVec3 areas;
-    Lanes cones{};
-    OverlapSurface::visit_lanes(nodes, [&](const OverlapSurface::NodeLanes &node) { areas = areas + node.area, cones += node.cone; });
-    EXPECT_LE(norm(sum_of(areas) - sum), 1e-14);
-    EXPECT_EQ(cmb::convex::sum_of(cones), static_cast<double>(count));
   }
 }
 

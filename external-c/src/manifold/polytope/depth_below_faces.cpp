@@ -20,11 +20,6 @@ SymmetricMatrix turned(const Mat3 &turn, const SymmetricMatrix &matrix) {
   return {{dot(turn.row[0], x), dot(turn.row[1], y), dot(turn.row[2], z), dot(turn.row[1], z), dot(turn.row[2], x), dot(turn.row[0], y)}};
 }
 
-LaneVec3 turned(const Mat3 &turn, const LaneVec3 &p) {
-  const auto along = [&p](const Vec3 &row) { return row.x * p.x + row.y * p.y + row.z * p.z; };
-  return {along(turn.row[0]), along(turn.row[1]), along(turn.row[2])};
-}
-
 // The sum of row x row of both matrices, row by row.
 Vec3 sum_of_crosses(const SymmetricMatrix &left, const SymmetricMatrix &right) {
   const double(&l)[6] = left.m, (&r)[6] = right.m;
@@ -113,7 +108,7 @@ void DepthBelowFaces::find(const Vec3 &overlap_middle, const SymmetricMatrix &ov
   for (std::size_t k = 0; k < pairs; ++k) {
     const std::size_t f = near[2 * k], g = near[2 * k + 1];
     PairOfFaces &pair = pairs_[k];
-    pair.normal = turned(in_axes.rotation, LaneVec3(Lanes{x[f], x[g]}, Lanes{y[f], y[g]}, Lanes{z[f], z[g]}));
+    pair.normal = in_axes.rotation * LaneVec3(Lanes{x[f], x[g]}, Lanes{y[f], y[g]}, Lanes{z[f], z[g]});
     pair.below = Lanes{below[f], below[g]};
     pair.mean_square = pair.below * pair.below + dot(pair.normal, times(overlap_spread, pair.normal));
     leasts = pair.mean_square < leasts ? pair.mean_square : leasts;

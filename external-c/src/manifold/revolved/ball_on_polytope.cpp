@@ -18,7 +18,10 @@ constexpr double widest = 1.0;     // rad: of an arc's part that one rule serves
 constexpr int round_places = 16;   // evenly round a circle
 constexpr double rounding = 1e-12;
 
-Vec3 scaled(const Vec3 &by, const Vec3 &v) { return {by.x * v.x, by.y * v.y, by.z * v.z}; }
+template <typename Vector>
+Vector scaled(const Vec3 &by, const Vector &v) {
+  return {by.x * v.x, by.y * v.y, by.z * v.z};
+}
 Vec3 divided(const Vec3 &v, const Vec3 &by) { return {v.x / by.x, v.y / by.y, v.z / by.z}; }
 
 GaussNodes rule_along(double angle) {
@@ -57,7 +60,7 @@ void visit_arc(const Arc &arc, double longest, Visit &&visit) {
 }
 
 // All of the ball.
-void add_ball(const Vec3 &place, std::vector<OverlapSurface::Node> &nodes) {
+void add_ball(const Vec3 &place, OverlapSurface::Nodes &nodes) {
   const auto &heights = gauss_rule<6>;
   constexpr int around = 12;
   for (std::size_t k = 0; k < 6; ++k) {
@@ -65,7 +68,7 @@ void add_ball(const Vec3 &place, std::vector<OverlapSurface::Node> &nodes) {
     for (int j = 0; j < around; ++j) {
       const double angle = 2.0 * pi * j / around;
       const Vec3 at{r * std::cos(angle), r * std::sin(angle), z};
-      nodes.push_back({at - place, part * at});
+      nodes.add(at - place, part * at);
     }
   }
 }
@@ -101,8 +104,10 @@ bool BallOnPolytope::find(const Vec3 &semi_axes, const convex::PolytopeView &pol
   }
   add_ball_part(from, surface.of_a());
   const Vec3 areas{semi_axes.y * semi_axes.z, semi_axes.z * semi_axes.x, semi_axes.x * semi_axes.y};
-  for (std::vector<OverlapSurface::Node> *const side : {&surface.of_a(), &surface.of_b()}) {
-    for (OverlapSurface::Node &node : *side) node.at = scaled(semi_axes, node.at), node.area = scaled(areas, node.area);
+  for (OverlapSurface::Nodes *const side : {&surface.of_a(), &surface.of_b()}) {
+    side->change_pairs([&](OverlapSurface::Nodes::Pair &node) {
+      node.at = scaled(semi_axes, node.at), node.area = scaled(areas, node.area);
+    });
   }
   return surface.sum();
 }
@@ -174,7 +179,7 @@ void BallOnPolytope::add_arc(const Arc &arc, PlaneFan &fan) {
   visit_arc(arc, widest, [&](const Vec3 &at, const Vec3 &step) { fan.add_curve_node(at, step); });
 }
 
-void BallOnPolytope::add_ball_part(const Vec3 &place, std::vector<OverlapSurface::Node> &nodes) const {
+void BallOnPolytope::add_ball_part(const Vec3 &place, OverlapSurface::Nodes &nodes) const {
   if (arcs_.empty()) {
     if (holds({1.0, 0.0, 0.0})) add_ball(place, nodes);
     return;
@@ -229,7 +234,7 @@ void BallOnPolytope::add_ball_part(const Vec3 &place, std::vector<OverlapSurface
       for (std::size_t k = 0; k < rule.count; ++k) {
         const double part = rule.node[k] * angle, here = std::sin(part);
         const Vec3 on_ball = std::cos(part) * start + here * ahead;
-        nodes.push_back({on_ball - place, (rule.weight[k] * angle * here / sine * sweep) * on_ball});
+        nodes.add(on_ball - place, (rule.weight[k] * angle * here / sine * sweep) * on_ball);
       }
     });
   }

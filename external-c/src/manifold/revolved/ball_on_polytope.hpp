@@ -60,7 +60,7 @@ class BallOnPolytope {
   bool follow_face(std::size_t index, PlaneFan &fan);
   void add_arc(const Arc &arc, PlaneFan &fan);
   bool holds(const Vec3 &at) const;
-  void add_ball_part(const Vec3 &place, std::vector<OverlapSurface::Node> &nodes) const;
+  void add_ball_part(const Vec3 &place, OverlapSurface::Nodes &nodes) const;
 
   Vec3 semi_axes_;
   const convex::PolytopeView *polytope_ = nullptr;  // during find()

@@ -44,7 +44,7 @@ double DepthInRevolved::mean_square_in_mantle(const OverlapSurface &surface) con
   const convex::LaneVec3 axis(axis_), from_axis(from_axis_);
   convex::Lanes sum{};
   for (const auto *const side : {&surface.of_a(), &surface.of_b()}) {
-    OverlapSurface::visit_lanes(*side, [&](const OverlapSurface::NodeLanes &node) {
+    side->visit_pairs([&](const OverlapSurface::Nodes::Pair &node) {
       const Inside<convex::Lanes> way = inside_along(node.at, dot(axis, node.at), from_axis);
       sum += node.cone * (there_ * there_ * third + way.first * (0.5 * there_ + 0.2 * way.first + third * way.second) +
                           way.second * (0.4 * there_ + seventh * way.second));

@@ -19,7 +19,7 @@ GaussNodes heights_of(const RevolvedBody &body, Mantle::Partner partner) {
 }  // namespace
 
 Mantle::Mantle(const RevolvedBody &body, const Pose &in_common, const Vec3 &place, bool to_apex, Partner partner,
-               std::vector<BorderPlace> &border, std::vector<OverlapSurface::Node> &nodes, bool is_fitted)
+               std::vector<BorderPlace> &border, OverlapSurface::Nodes &nodes, bool is_fitted)
     : body_(&body),
       in_common_(in_common),
       border_(&border),
@@ -142,7 +142,7 @@ void Mantle::integrate_from(double height) {
     const double rise = place.height - height;
     for (std::size_t k = 0; k < heights.count; ++k) {
       const double z = height + heights.node[k] * rise, r = body_->radius_at(z), part = place.turn * rise * heights.weight[k] * r;
-      nodes_->push_back({r * place.outward + z * axis_ + from_place_, part * (place.outward - body_->slope * axis_)});
+      nodes_->add(r * place.outward + z * axis_ + from_place_, part * (place.outward - body_->slope * axis_));
     }
   }
 }
@@ -156,7 +156,7 @@ void Mantle::integrate_from(const Cut &cut) {
     const Vec3 ruling = axis_ + slope * place.outward, outward = place.outward - slope * axis_;
     for (std::size_t k = 0; k < heights.count; ++k) {
       const double back = (1.0 - heights.node[k]) * rise, r = radius - slope * back;
-      nodes_->push_back({place.at - back * ruling, (place.turn * rise * heights.weight[k] * r) * outward});
+      nodes_->add(place.at - back * ruling, (place.turn * rise * heights.weight[k] * r) * outward);
     }
   }
 }

@@ -29,7 +29,7 @@ class Mantle {
   // apex is in the other body, or its border turns there. Heights then count from there; else from the border's mean one, so that no more is
   // added than has to be. `border`: room to work in. `is_fitted`: whether its edges are fitted (edge_places.hpp).
   Mantle(const RevolvedBody &body, const Pose &in_common, const Vec3 &place, bool to_apex, Partner partner,
-         std::vector<BorderPlace> &border, std::vector<OverlapSurface::Node> &nodes, bool is_fitted = false);
+         std::vector<BorderPlace> &border, OverlapSurface::Nodes &nodes, bool is_fitted = false);
 
   const RevolvedBody &body() const { return *body_; }
   Partner partner() const { return partner_; }
@@ -73,7 +73,7 @@ class Mantle {
   const RevolvedBody *body_;
   Pose in_common_;
   std::vector<BorderPlace> *border_;
-  std::vector<OverlapSurface::Node> *nodes_;
+  OverlapSurface::Nodes *nodes_;
   Vec3 axis_, from_place_;  // in the nodes' axes; to the body's origin
   Vec3 from_axis_;          // the place's, across the axis
   double height_there_, radius_there_, beyond_there_;  // at the place

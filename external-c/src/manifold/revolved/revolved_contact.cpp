@@ -46,11 +46,11 @@ OverlapLoad load_of(const OverlapSurface &surface, const PartA &a, const PartB &
     torque = torque + pressure * cross(node.at - middle, node.area);
   };
   // Of A's or B's surface what counts as that, and what of the other one's counts so, too.
-  const auto push = [&](const std::vector<OverlapSurface::Node> &side, double sense, const auto &excess) {
+  const auto push = [&](const OverlapSurface::Nodes &side, double sense, const auto &excess) {
     if (!flush.any()) {
       const convex::LaneVec3 from(middle);
       convex::LaneVec3 forces, torques;
-      OverlapSurface::visit_lanes(side, [&](const OverlapSurface::NodeLanes &node) {
+      side.visit_pairs([&](const OverlapSurface::Nodes::Pair &node) {
         const convex::LaneVec3 push_there = (sense * excess(node.at)) * node.area;
         forces = forces + push_there;
         torques = torques + cross(node.at - from, push_there);

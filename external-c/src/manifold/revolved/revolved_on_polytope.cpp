@@ -158,7 +158,7 @@ bool RevolvedOnPolytope::integrate(const Pose &in_frame, const Vec3 &place, bool
   const std::size_t beside_mantle = surface.of_a().size();
   const auto measure = [&](bool from_apex) {
     mantle.count_from_apex(from_apex);
-    surface.of_a().resize(beside_mantle);
+    surface.of_a().shorten(beside_mantle);
     mantle.integrate();
     return surface.measure();
   };

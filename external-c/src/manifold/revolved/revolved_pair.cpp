@@ -50,7 +50,7 @@ bool is_thin(const OverlapSurface &surface, double size) {
 }  // namespace
 
 RevolvedPair::Side::Side(const RevolvedBody &of, const Pose &in_common, bool to_apex, bool is_fitted, std::vector<BorderPlace> &border,
-                         std::vector<OverlapSurface::Node> &nodes)
+                         OverlapSurface::Nodes &nodes)
     : body(of),
       pose(in_common),
       mantle(body, in_common, {}, to_apex, Mantle::Partner::revolved, border, nodes, is_fitted),

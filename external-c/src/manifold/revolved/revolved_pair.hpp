@@ -29,7 +29,7 @@ class RevolvedPair {
     Mantle mantle;
     PlaneFan fan[ends];
     Side(const RevolvedBody &of, const Pose &in_common, bool to_apex, bool is_fitted, std::vector<BorderPlace> &border,
-         std::vector<OverlapSurface::Node> &nodes);
+         OverlapSurface::Nodes &nodes);
     double height(End end) const { return end == base ? -body.half : body.half; }
     Vec3 center(End end) const { return pose({0.0, 0.0, height(end)}); }
     Vec3 in_frame(const Vec3 &common) const { return transposed_times(pose.rotation, common - pose.translation); }

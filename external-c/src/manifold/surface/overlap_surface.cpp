@@ -18,7 +18,7 @@ constexpr double most_open = 1e-5;  // by all of the surface: what may be open
 Vec3 OverlapSurface::middle_of_area() const {
   Vec3 sum;
   double whole = 0.0;
-  for (const std::vector<Node> *const side : {&a_, &b_}) {
+  for (const Nodes *const side : {&a_, &b_}) {
     for (const Node &node : *side) {
       const double area = norm(node.area);
       sum = sum + area * node.at;
@@ -31,7 +31,7 @@ Vec3 OverlapSurface::middle_of_area() const {
 bool OverlapSurface::is_closed() const {
   Vec3 open;
   double whole = 0.0;
-  for (const std::vector<Node> *const side : {&a_, &b_}) {
+  for (const Nodes *const side : {&a_, &b_}) {
     for (const Node &node : *side) {
       open = open + node.area;
       whole += std::fabs(node.area.x) + std::fabs(node.area.y) + std::fabs(node.area.z);
@@ -45,9 +45,9 @@ bool OverlapSurface::is_closed() const {
 bool OverlapSurface::measure() {
   LaneVec3 opens, firsts;
   Lanes volumes{};
-  const auto add = [&](const std::vector<Node> &side) {
+  const auto add = [&](const Nodes &side) {
     Lanes whole{};
-    visit_lanes(side, [&](const NodeLanes &node) {
+    side.visit_pairs([&](const Nodes::Pair &node) {
       const Lanes part = dot(node.at, node.area);
       whole += convex::square_root(norm2(node.area));
       opens = opens + node.area;
@@ -66,16 +66,14 @@ bool OverlapSurface::measure() {
 }
 
 bool OverlapSurface::settle() {
-  const Vec3 shift = to_middle_;
+  const LaneVec3 shift(to_middle_);
   LaneVec3 firsts;
   Lanes volumes{};
-  place_ = place_ + shift;
-  for (std::vector<Node> *const side : {&a_, &b_}) {
-    for (Node &node : *side) {
+  place_ = place_ + to_middle_;
+  for (Nodes *const side : {&a_, &b_}) {
+    side->change_pairs([&](Nodes::Pair &node) {
       node.at = node.at - shift;
       node.cone = dot(node.at, node.area);
-    }
-    visit_lanes(*side, [&](const NodeLanes &node) {
       volumes += node.cone;
       firsts = firsts + node.cone * node.at;
     });
@@ -91,8 +89,8 @@ bool OverlapSurface::settle() {
 
 void OverlapSurface::find_spread() {
   Lanes sums[6] = {};
-  for (const std::vector<Node> *const side : {&a_, &b_}) {
-    visit_lanes(*side, [&](const NodeLanes &node) {
+  for (const Nodes *const side : {&a_, &b_}) {
+    side->visit_pairs([&](const Nodes::Pair &node) {
       const LaneVec3 &at = node.at, part = node.cone * at;
       sums[0] += part.x * at.x, sums[1] += part.y * at.y, sums[2] += part.z * at.z;
       sums[3] += part.y * at.z, sums[4] += part.z * at.x, sums[5] += part.x * at.y;
@@ -133,8 +131,8 @@ Mat3 OverlapSurface::align() {
 }
 
 void OverlapSurface::turn_by(const Mat3 &turn) {
-  for (std::vector<Node> *const side : {&a_, &b_}) {
-    for (Node &node : *side) node.at = turn * node.at, node.area = turn * node.area;
+  for (Nodes *const side : {&a_, &b_}) {
+    side->change_pairs([&](Nodes::Pair &node) { node.at = turn * node.at, node.area = turn * node.area; });
   }
   place_ = turn * place_, middle_ = turn * middle_;
   find_spread();

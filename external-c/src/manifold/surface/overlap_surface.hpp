@@ -1,9 +1,7 @@
 // The surface of what two convex bodies have in common, as places and areas that integrals are summed over.
 #pragma once
 
-#include <vector>
-
-#include "math/lanes.hpp"
+#include "manifold/surface/surface_nodes.hpp"
 #include "math/symmetric_matrix.hpp"
 
 namespace cmb {
@@ -15,34 +13,17 @@ using convex::Vec3;
 // as its partner asks for (mantle.hpp).
 class OverlapSurface {
  public:
-  struct Node {
-    Vec3 at;    // from place()
-    Vec3 area;  // outward
-    double cone = 0.0;  // place . area: three times the volume of the cone from the place; found by sum()
-  };
-
-  // Two nodes; where there is no second one, that has no area.
-  struct NodeLanes {
-    convex::LaneVec3 at, area;
-    convex::Lanes cone;
-  };
-  // Visits all, two at once: sums over them come in an order of their own.
-  template <typename Visit>
-  static void visit_lanes(const std::vector<Node> &side, Visit &&visit) {
-    constexpr Node none{};
-    for (std::size_t k = 0; k < side.size(); k += 2) {
-      const Node &first = side[k], &second = k + 1 < side.size() ? side[k + 1] : none;
-      visit(NodeLanes{{first.at, second.at}, {first.area, second.area}, convex::Lanes{first.cone, second.cone}});
-    }
-  }
+  // From place(); their cones are found by sum().
+  using Node = SurfaceNode;
+  using Nodes = SurfaceNodes;
 
   // `place`: near the overlap.
   void start(const Vec3 &place) { a_.clear(), b_.clear(), place_ = place, area_[0] = area_[1] = 0.0; }
   const Vec3 &place() const { return place_; }
-  std::vector<Node> &of_a() { return a_; }
-  std::vector<Node> &of_b() { return b_; }
-  const std::vector<Node> &of_a() const { return a_; }
-  const std::vector<Node> &of_b() const { return b_; }
+  Nodes &of_a() { return a_; }
+  Nodes &of_b() { return b_; }
+  const Nodes &of_a() const { return a_; }
+  const Nodes &of_b() const { return b_; }
 
   // The mean of the surface's places, from the place; known whether it is closed or not.
   Vec3 middle_of_area() const;
@@ -73,7 +54,7 @@ class OverlapSurface {
   void find_spread();
   void turn_by(const Mat3 &turn);
 
-  std::vector<Node> a_, b_;
+  Nodes a_, b_;
   Vec3 place_;
   double volume_ = 0.0, gap_ = 0.0, area_[2] = {};
   Vec3 to_middle_;  // from the place, as good as; found by measure()

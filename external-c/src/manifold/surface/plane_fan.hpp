@@ -12,7 +12,7 @@ namespace cmb {
 class PlaneFan {
  public:
   // `normal`: unit, outward. `place`: where the nodes' places are from. `offset`: how far the plane is from there along the normal.
-  PlaneFan(const Vec3 &normal, const Vec3 &place, double offset, std::vector<OverlapSurface::Node> &nodes)
+  PlaneFan(const Vec3 &normal, const Vec3 &place, double offset, OverlapSurface::Nodes &nodes)
       : normal_(normal), place_(place), offset_(offset), nodes_(&nodes) {}
 
   const Vec3 &normal() const { return normal_; }
@@ -29,7 +29,7 @@ class PlaneFan {
 
   Vec3 normal_, place_;
   double offset_;
-  std::vector<OverlapSurface::Node> *nodes_;
+  OverlapSurface::Nodes *nodes_;
   Vec3 apex_;  // the first place of the border, so that all of the fan is in both bodies
   bool has_apex_ = false;
 };
