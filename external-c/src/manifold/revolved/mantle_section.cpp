@@ -13,27 +13,37 @@ namespace {
 using overlap::gauss_rule;
 using overlap::GaussNodes;
 
-// A rule that serves for curves through so great an angle. What is cut off by a chord is as deep as the angle's square, and that counts by
-// its third power.
-GaussNodes rule_for(double through, const EdgePlaces *fitted, const Mantle &mantle) {
-  if (fitted != nullptr) return GaussNodes(gauss_rule<14>);
-  const double angle = (mantle.partner() == Mantle::Partner::wedge ? 1.4 : 1.0) * through;  // of one degree more
-  if (angle < 0.5) return GaussNodes(gauss_rule<7>);
-  if (angle < 1.1) return GaussNodes(gauss_rule<8>);
-  if (angle < 1.8) return GaussNodes(gauss_rule<10>);
-  if (angle < 2.5) return GaussNodes(gauss_rule<12>);
-  return GaussNodes(gauss_rule<14>);
+// Of so many places, from 7 to 16.
+GaussNodes rule_of(int places) {
+  switch (places) {
+    case 7: return GaussNodes(gauss_rule<7>);
+    case 8: return GaussNodes(gauss_rule<8>);
+    case 9: return GaussNodes(gauss_rule<9>);
+    case 10: return GaussNodes(gauss_rule<10>);
+    case 11: return GaussNodes(gauss_rule<11>);
+    case 12: return GaussNodes(gauss_rule<12>);
+    case 13: return GaussNodes(gauss_rule<13>);
+    case 14: return GaussNodes(gauss_rule<14>);
+    case 15: return GaussNodes(gauss_rule<15>);
+    default: return GaussNodes(gauss_rule<16>);
+  }
 }
+constexpr double most_places = 16.0;
+
+// So many serve for curves through so great an angle. What is cut off by a chord is as deep as the angle's square, and that counts by its third
+// power. Of a plane as good as along the axis the height goes by the angle's square, and its fifth power counts: so seven at least.
+int places_for(double through, const EdgePlaces *fitted, const Mantle &mantle) {
+  constexpr int fewest = 7, most = 14;
+  constexpr double widest_of[most - fewest] = {0.5, 1.1, 1.4, 1.8, 2.1, 2.5, 2.9};
+  if (fitted != nullptr) return most;
+  const double angle = (mantle.partner() == Mantle::Partner::wedge ? 1.4 : 1.0) * through;  // of one degree more
+  int places = fewest;
+  while (places < most && !(angle < widest_of[places - fewest])) ++places;
+  return places;
+}
+GaussNodes rule_for(double through, const EdgePlaces *fitted, const Mantle &mantle) { return rule_of(places_for(through, fitted, mantle)); }
 // That one rule serves for.
 constexpr double widest = 3.3, widest_of_cone = 1.8;
-
-GaussNodes rule_of_places(double places) {
-  if (places <= 7.0) return GaussNodes(gauss_rule<7>);
-  if (places <= 8.0) return GaussNodes(gauss_rule<8>);
-  if (places <= 10.0) return GaussNodes(gauss_rule<10>);
-  if (places <= 12.0) return GaussNodes(gauss_rule<12>);
-  return GaussNodes(gauss_rule<14>);
-}
 
 // How many places a part of a cone's conic asks for, beside those of its angle: the distance from the apex is the inverse of a linear function of
 // the angle's cosine, which has a pole where that is `pole`, real or not. What Gauss' rule leaves falls with each place by the square of
@@ -399,7 +409,18 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
   }
   const double inverse0 = 1.0 / down0, inverse1 = 1.0 / down1, ratio = down1 / down0;
   constexpr double most_ratio = 2.0;
-  const int parts = 1 + static_cast<int>(std::max(std::fabs(turn) / widest_of_cone, std::fabs(std::log(ratio)) / std::log(most_ratio)));
+  const auto places_of = [&](double begin, double angle) {
+    const double by_angle = places_for(std::fabs(angle), fitted_, *mantle_);
+    return fitted_ != nullptr ? by_angle : std::max(by_angle, places_by_pole(pole_, begin, angle));
+  };
+  int parts = 1 + static_cast<int>(std::max(std::fabs(turn) / widest_of_cone, std::fabs(std::log(ratio)) / std::log(most_ratio)));
+  double places_of_whole = HUGE_VAL;
+  if (parts == 1 || (fitted_ == nullptr && std::fabs(turn) < widest)) {
+    // One rule may serve for several such parts, angle and pole together.
+    constexpr double together = 1.5;
+    places_of_whole = places_of(angle0, turn) + (parts == 1 ? 0.0 : together);
+    if (places_of_whole <= most_places) parts = 1;
+  }
   const CosineWay whole_way(angle0, turn);
   // Where the cosine has gone a part of its way; by both ends' half angles, as a lying cone's conic is narrower than cosines tell.
   const auto square = [](double x) { return x * x; };
@@ -423,8 +444,8 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     }
     const double part_turn = to - from;
     const CosineWay cosine_way(from, part_turn);
-    const GaussNodes by_angle = rule_for(std::fabs(part_turn), fitted_, *mantle_), rule =
-        fitted_ != nullptr ? by_angle : rule_of_places(std::max(static_cast<double>(by_angle.count), places_by_pole(pole_, from, part_turn)));
+    const double places = parts == 1 ? places_of_whole : places_of(from, part_turn);
+    const GaussNodes rule = rule_of(static_cast<int>(std::ceil(std::min(places, most_places))));
     begin_arc(fitted_, rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
       const CosineWay::Place at = cosine_way.at(rule.node[k]);
