@@ -103,17 +103,20 @@ void ContactPolytope::build_sets() {
 
 void ContactPolytope::build_polar() {
   const std::vector<convex::Polytope::Face> &faces = geometry_.faces();
-  faces_across_.resize(geometry_.face_edges().size());
   polar_corners_.reserve(faces.size());
-  polar_corners_across_.reserve(faces_across_.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    polar_corners_.push_back((1.0 / (faces[f].offset - dot(faces[f].normal, geometry_.center()))) * faces[f].normal);
+    const double from_center = faces[f].offset - dot(faces[f].normal, geometry_.center());
+    inner_radius_ = f == 0 ? from_center : std::min(inner_radius_, from_center);
+    polar_corners_.push_back((1.0 / from_center) * faces[f].normal);
+  }
+  faces_across_.resize(geometry_.face_edges().size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
     for (std::int32_t k = faces[f].first; k < faces[f].first + faces[f].count; ++k) {
       const convex::Polytope::Edge &edge = geometry_.edges()[index(geometry_.face_edges()[index(k)])];
-      faces_across_[index(k)] = edge.face[edge.face[0] == static_cast<std::int32_t>(f) ? 1 : 0];
+      const std::int32_t across = edge.face[edge.face[0] == static_cast<std::int32_t>(f) ? 1 : 0];
+      faces_across_[index(k)] = {polar_corners_[index(across)], across, faces[index(across)].first, faces[index(across)].count};
     }
   }
-  for (const std::int32_t face : faces_across_) polar_corners_across_.push_back(polar_corners_[index(face)]);
 }
 
 double ContactPolytope::greatest_face_cosine(const Vec3 &direction) const {

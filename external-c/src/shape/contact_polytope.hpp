@@ -46,9 +46,15 @@ class ContactPolytope {
   // Corners of the polar body about the center, one for each face: the face's normal divided by its distance from there. Of all faces
   // the one whose corner is farthest along a place's direction from the center is the one beyond which that place is first.
   const std::vector<Vec3> &polar_corners() const { return polar_corners_; }
-  // In step with the geometry's face_edges(): the face across, and its corner.
-  const std::vector<std::int32_t> &faces_across() const { return faces_across_; }
-  const std::vector<Vec3> &polar_corners_across() const { return polar_corners_across_; }
+  // How far all faces' planes are from the center, at least.
+  double inner_radius() const { return inner_radius_; }
+  // In step with the geometry's face_edges(): the face across with its corner, and where its own edges are, so that who goes on
+  // there looks nowhere else.
+  struct FaceAcross {
+    Vec3 polar_corner;
+    std::int32_t face, first, count;
+  };
+  const std::vector<FaceAcross> &faces_across() const { return faces_across_; }
 
   // Vertices for each metre of the polytope's width, 1/m: how finely it is tessellated.
   double fineness() const { return fineness_; }
@@ -83,14 +89,14 @@ class ContactPolytope {
   std::vector<std::int32_t> faces_begin_;   // vertex -> its first face among them
   std::vector<double> constant_;            // share where it does not depend on the direction, else -1
   bool all_constant_ = true;
-  double fineness_ = 0.0;
+  double fineness_ = 0.0, inner_radius_ = 0.0;
   std::vector<Incidence> incidence_;
   std::vector<double> coordinates_, normal_coordinates_;  // of vertices and of faces, axis by axis
   // Of others: the hull of the faces' normals, whose vertex that is farthest along a direction is the nearest normal. Without
   // vertices where it could not be made.
   convex::Polytope normals_;
-  std::vector<Vec3> polar_corners_, polar_corners_across_;
-  std::vector<std::int32_t> faces_across_;
+  std::vector<Vec3> polar_corners_;
+  std::vector<FaceAcross> faces_across_;
 };
 
 }  // namespace cmb

@@ -70,7 +70,7 @@ TEST(ContactPolytope, PolarCornersLeadToTheFaceBeyond) {
         farther = false;
         const convex::Polytope::Face face = geometry.faces()[best];
         for (std::int32_t k = face.first; k < face.first + face.count; ++k) {
-          const auto next = static_cast<std::size_t>(polytope.faces_across()[static_cast<std::size_t>(k)]);
+          const auto next = static_cast<std::size_t>(polytope.faces_across()[static_cast<std::size_t>(k)].face);
           if (!(dot(polytope.polar_corners()[next] - polytope.polar_corners()[best], place - geometry.center()) > 0.0)) continue;
           best = next;
           farther = true;

@@ -13,6 +13,8 @@ namespace {
 
 // So many planes are looked at one by one, as members of a set. Of more than so many none fades.
 constexpr std::size_t few_planes = 24, most_that_fade = 16;
+// Of a ball within a body, what is as good as on its surface left out.
+constexpr double within_ball = 1.0 - 1e-9;
 // By the size: what is nearer to a plane lies in it.
 constexpr double flush_tolerance = 1e-9;
 // Planes whose normals have a greater cosine are one plane where they are near; where they are as good as parallel, one fades into
@@ -132,24 +134,31 @@ bool OverlapSolid::keep_cutting(Body &body, const Body &other) const {
   return true;
 }
 
-// Beyond which the place is by the greatest part of the body's own reach: a linear function on the corners of the polar body, which has
+// Beyond which the place is, if any, by the greatest part of the body's own reach: a linear function on the corners of the polar body, which has
 // no maximum but one.
 void OverlapSolid::find_farthest_plane(const Body &body, const Vec3 &where, std::int32_t start, std::int32_t &plane, double &below) {
   const convex::Polytope &geometry = body.geometry();
   const convex::Polytope::Face *const faces = geometry.faces().data();
-  const Vec3 *const polar_across = body.side.body().polar_corners_across().data();
-  const std::int32_t *const across = body.side.body().faces_across().data();
+  const ContactPolytope::FaceAcross *const across = body.side.body().faces_across().data();
   const Vec3 place = transposed_times(body.in_axes.rotation, where - body.in_axes.translation), at = place - geometry.center();
-  std::int32_t best = start;
+  // In a ball that is in the body no plane is asked for.
+  const double inner = within_ball * body.side.body().inner_radius();
+  if (norm2(at) < inner * inner) {
+    plane = start, below = HUGE_VAL;
+    return;
+  }
   double farthest = dot(body.side.body().polar_corners()[index(start)], at);
-  for (std::int32_t next_best = best;; best = next_best) {
-    const convex::Polytope::Face &face = faces[best];
-    for (std::int32_t k = face.first; k < face.first + face.count; ++k) {
-      const double beyond = dot(polar_across[k], at);
-      next_best = beyond > farthest ? across[k] : next_best;
-      farthest = beyond > farthest ? beyond : farthest;
+  std::int32_t best = start, first = faces[start].first, count = faces[start].count;
+  for (bool goes_on = true; goes_on;) {
+    const ContactPolytope::FaceAcross *const begin = across + first, *const end = begin + count;
+    goes_on = false;
+    for (const ContactPolytope::FaceAcross *next = begin; next != end; ++next) {
+      const double beyond = dot(next->polar_corner, at);
+      const bool is_farther = beyond > farthest;
+      best = is_farther ? next->face : best, first = is_farther ? next->first : first, count = is_farther ? next->count : count;
+      farthest = is_farther ? beyond : farthest;
+      goes_on |= is_farther;
     }
-    if (next_best == best) break;
   }
   plane = best;
   below = faces[best].offset - dot(faces[best].normal, place);
