@@ -24,8 +24,9 @@ constexpr double relative_tolerance = 1e-11;
 // Agreement of a minimum, sharpened by Newton's method, with a search's lower bound that proves it the least, relative to the
 // bodies; and of the search's own bounds.
 constexpr double proof = 1e-8, searched = 1e-9;
-// Bodies shrink by this part of the greatest balls in them; the gap between the bounds of their distance, relative to it.
-constexpr double shrinkage = 0.05, shrunk_gap = 0.02;
+// Bodies shrink by these parts of the greatest balls in them until they are apart; the gap between the bounds of their distance, relative
+// to it.
+constexpr double shrinkages[] = {0.05, 0.3, 0.6}, shrunk_gap = 0.02;
 // One minus the cosine up to which directions belong to one minimum.
 constexpr double same_minimum = 1e-5;
 // One minus the cosine up to which a direction is that of a place known to be near, and that angle; how far places are from where
@@ -153,6 +154,8 @@ void nearest_points(const GjkResult &gjk, Vec3 &a, Vec3 &b) {
   }
 }
 
+bool is_ellipsoid(const ConvexBody &body) { return body.core == CoreShape::ellipsoid; }
+
 // To what part of the cores, and how many times in alternation.
 struct Projections {
   double part;
@@ -199,17 +202,26 @@ Quick find_quickly(const MinkowskiDifference &difference, const Vec3 &first, Cor
       if (r.height > 0.0) break;
     }
   }
-  const InsetBody a = inset(difference.body_a, shrinkage), b = inset(difference.body_b, shrinkage);
-  const Pose b_in_a{pose.rotation, pose(b.origin) - a.origin};
-  const MinkowskiDifference apart(a.body, b.body, b_in_a);
-  const GjkResult gjk = gjk_distance(apart, first, 1e-6 * apart.scale, shrunk_gap);
-  if (gjk.status != GjkResult::Status::apart) return Quick::too_deep;
-  Vec3 on_a, on_b;
-  nearest_points(gjk, on_a, on_b);
-  on_b = transposed_times(pose.rotation, on_b - b_in_a.translation);
-  const bool found =
-      feature_direction(difference, gjk.direction, grown(a, on_a), grown(b, on_b), r) && proven(difference, r, result);
-  return found ? Quick::found : Quick::not_proven;
+  for (const double part : shrinkages) {
+    const InsetBody a = inset(difference.body_a, part), b = inset(difference.body_b, part);
+    const Pose b_in_a{pose.rotation, pose(b.origin) - a.origin};
+    const MinkowskiDifference apart(a.body, b.body, b_in_a);
+    const GjkResult gjk = gjk_distance(apart, first, 1e-6 * apart.scale, shrunk_gap);
+    if (gjk.status != GjkResult::Status::apart) {
+      // Where no body is round all over there is seldom a ball that proves what is that deep.
+      if (is_ellipsoid(difference.body_a) || is_ellipsoid(difference.body_b)) continue;
+      break;
+    }
+    Vec3 on_a, on_b;
+    nearest_points(gjk, on_a, on_b);
+    on_b = transposed_times(pose.rotation, on_b - b_in_a.translation);
+    const bool found =
+        feature_direction(difference, gjk.direction, grown(a, on_a), grown(b, on_b), r) && proven(difference, r, result);
+    if (found) return Quick::found;
+    if (part == shrinkages[0]) return Quick::not_proven;
+    break;
+  }
+  return Quick::too_deep;
 }
 
 // Curved cores: Newton's method sharpens the answer; `best_possible` bounds the distance from above.
