@@ -110,11 +110,25 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
     result.b = p.b;
     return result;
   }
+  search(difference, tolerance, most_points, result);
+  return result;
+}
+
+PenetrationResult ExpandingPolytope::go_on(const MinkowskiDifference &difference, const PenetrationResult &before, double tolerance,
+                                           std::int32_t most_points) {
+  PenetrationResult result;
+  result.depth = before.depth, result.direction = before.direction, result.a = before.a, result.b = before.b, result.steps = before.steps;
+  search(difference, tolerance, most_points, result);
+  return result;
+}
+
+// From the surface there is.
+void ExpandingPolytope::search(const MinkowskiDifference &difference, double tolerance, std::int32_t most_points, PenetrationResult &result) {
   const double thickness = relative_thickness * difference.scale;
   const double visibility = 4e-16 * difference.scale;
   queue_.clear();
   // Faces farther than this have nothing to tell.
-  double limit = INFINITY;
+  double limit = result.depth - tolerance;
   const auto lower_depth = [&](double depth) {
     result.depth = depth;
     limit = depth - tolerance;
@@ -122,7 +136,7 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
   const auto enqueue = [&](std::int32_t begin) {
     for (std::int32_t f = begin; f < hull_.face_count(); ++f) {
       const IncrementalHull::Face &face = hull_.face(f);
-      if (face.sliver || face.offset >= limit) continue;
+      if (!face.alive || face.sliver || face.offset >= limit) continue;
       const double distance = hull_.distance(face);
       if (distance >= limit) continue;
       queue_.emplace_back(distance, f);
@@ -172,7 +186,6 @@ PenetrationResult ExpandingPolytope::depth(const MinkowskiDifference &difference
   result.lower = std::min(result.lower, result.depth - tolerance);
   witness(result);
   if (!result.proven) other_directions(result);
-  return result;
 }
 
 namespace {

@@ -43,12 +43,16 @@ class ExpandingPolytope {
   PenetrationResult depth(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count,
                           double tolerance, std::int32_t most_points);
 
+  // Goes on from the search that ended last, of the same difference and with steps, to a lesser tolerance.
+  PenetrationResult go_on(const MinkowskiDifference &difference, const PenetrationResult &before, double tolerance, std::int32_t most_points);
+
   // Of the depth found last: sets the other directions in which the surface may be no farther than `depth`.
   void find_others(double depth, PenetrationResult &result) const;
 
  private:
   bool start(const MinkowskiDifference &difference, const DifferencePoint *simplex, int count);
   bool start_from(const DifferencePoint *tetrahedron, double thickness);
+  void search(const MinkowskiDifference &difference, double tolerance, std::int32_t most_points, PenetrationResult &result);
   void other_directions(PenetrationResult &result);
   void witness(PenetrationResult &result) const;
 

@@ -241,10 +241,9 @@ CoreDistance refined(const MinkowskiDifference &difference, const CoreDistance &
 
 // A minimum from rough bounds, where a ball proves it.
 bool find_from_rough_bounds(const MinkowskiDifference &difference, const GjkResult &gjk, DistanceScratch &scratch,
-                            CoreDistance &result) {
+                            PenetrationResult &rough, CoreDistance &result) {
   const Pose &pose = difference.b_in_a;
-  const PenetrationResult rough =
-      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, rough_depth * difference.scale, rough_points);
+  rough = scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, rough_depth * difference.scale, rough_points);
   RefinedDirection r;
   return feature_direction(difference, rough.direction, rough.a, transposed_times(pose.rotation, rough.b - pose.translation),
                            r) &&
@@ -281,10 +280,14 @@ CoreDistance sharpened(const MinkowskiDifference &difference, const PenetrationR
   return best;
 }
 
-CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult &gjk, DistanceScratch &scratch,
+// `rough`: of a search of the same difference that ended last; without steps where there is none.
+CoreDistance overlapping(const MinkowskiDifference &difference, const GjkResult &gjk, const PenetrationResult &rough, DistanceScratch &scratch,
                          const KnownMinima *known) {
-  PenetrationResult inside =
-      scratch.expanding_polytope.depth(difference, gjk.simplex, gjk.count, searched * difference.scale, 160);
+  constexpr std::int32_t most_points = 160;
+  const double tolerance = searched * difference.scale;
+  ExpandingPolytope &polytope = scratch.expanding_polytope;
+  PenetrationResult inside = rough.steps > 0 ? polytope.go_on(difference, rough, tolerance, most_points)
+                                             : polytope.depth(difference, gjk.simplex, gjk.count, tolerance, most_points);
   CoreDistance best = sharpened(difference, inside, scratch);
   if (known == nullptr) return best;
   // What is nearer by less than the search tells.
@@ -330,8 +333,9 @@ CoreDistance curved_distance(const ConvexBody &body_a, const ConvexBody &body_b,
   const bool apart = gjk.status == GjkResult::Status::apart ||
                      (gjk.status == GjkResult::Status::uncertain && gjk.lower > 0.0);
   if (!apart) {
-    if (quick == Quick::too_deep && find_from_rough_bounds(difference, gjk, scratch, result)) return result;
-    return overlapping(difference, gjk, scratch, known);
+    PenetrationResult rough;
+    if (quick == Quick::too_deep && find_from_rough_bounds(difference, gjk, scratch, rough, result)) return result;
+    return overlapping(difference, gjk, rough, scratch, known);
   }
   result = {norm(gjk.closest), gjk.direction, {}, {}, DistanceMethod::gjk, true};
   nearest_points(gjk, result.a, result.b);
