@@ -86,22 +86,26 @@ void MantleCrossing::find_strands() {
 }
 
 bool MantleCrossing::find_place(const Strand &strand, double parameter, Place &place) const {
-  double angle = strand.sense * parameter, growth = 0.0, speed = 0.0;  // the turn by the growth
+  double angle = strand.sense * parameter, s_on_oval = 0.0, c_on_oval = 0.0;
   place.turn = strand.sense;
   if (strand.is_oval()) {
-    const double s = std::sin(parameter), c = std::cos(parameter);
-    const double above = s > 0.0 ? 1.0 + s : c * c / (1.0 - s), below = s > 0.0 ? c * c / (1.0 + s) : 1.0 - s;
-    const double steepness = strand.steepness(strand.half * s, strand.half * above, strand.half * below);
-    angle = strand.middle + strand.half * s, growth = strand.half * c * steepness, speed = 1.0 / steepness;
-    place.turn = strand.half * c;
+    s_on_oval = std::sin(parameter), c_on_oval = std::cos(parameter);
+    angle = strand.middle + strand.half * s_on_oval;
+    place.turn = strand.half * c_on_oval;
   }
   const MantleRulings::Ruling ruling = rulings_.ruling(angle);
   // Where it is no small difference, the discriminant is known best as one.
   constexpr double clear = 1e4;
   const double discriminant = rulings_.discriminant_on(ruling), rounding = rulings_.rounding_on(ruling);
+  double growth = 0.0, speed = 0.0;  // the turn by the growth
   if (!strand.is_oval() || discriminant > clear * rounding) {
     const double root = std::sqrt(std::max({discriminant, rounding, 1e-300}));
     growth = place.turn > 0.0 ? root : -root, speed = place.turn / growth;
+  } else {
+    const double s = s_on_oval, c = c_on_oval;
+    const double above = s > 0.0 ? 1.0 + s : c * c / (1.0 - s), below = s > 0.0 ? c * c / (1.0 + s) : 1.0 - s;
+    const double steepness = strand.steepness(strand.half * s, strand.half * above, strand.half * below);
+    growth = strand.half * c * steepness, speed = 1.0 / steepness;
   }
   const RevolvedBody &body = ruled_.body();
   const double on_ruling = rulings_.place_on(ruling, growth), height = rulings_.height_at(on_ruling);
