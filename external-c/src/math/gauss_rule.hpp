@@ -82,4 +82,18 @@ struct GaussNodes {
         series{n, rule.node.data(), rule.weight.data(), gauss_series<n>.last.data(), gauss_series<n>.next.data(), gauss_series<n>.part[0].data()} {}
 };
 
+// Cosines and sines of an angle's parts up to the nodes; of two nodes opposite each other one from the other.
+struct NodeTurns {
+  static constexpr std::size_t most = 16;
+  double cosine[most], sine[most];
+  NodeTurns(const GaussNodes &rule, double angle, double whole_cosine, double whole_sine) {
+    for (std::size_t near = rule.count / 2; near < rule.count; ++near) {
+      const double part = rule.node[near] * angle, c = std::cos(part), s = std::sin(part);
+      const std::size_t far = rule.count - 1 - near;
+      cosine[near] = c, sine[near] = s;
+      if (far < near) cosine[far] = whole_cosine * c + whole_sine * s, sine[far] = whole_sine * c - whole_cosine * s;
+    }
+  }
+};
+
 }  // namespace cmb::overlap

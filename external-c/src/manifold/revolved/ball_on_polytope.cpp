@@ -13,6 +13,7 @@ namespace {
 
 using overlap::gauss_rule;
 using overlap::GaussNodes;
+using overlap::NodeTurns;
 
 constexpr double widest = 1.0;     // rad: of an arc's part that one rule serves for
 constexpr int round_places = 16;   // evenly round a circle
@@ -40,21 +41,23 @@ GaussNodes rule_across(double angle) {
 // Places of an arc, their ways by the weight of the rule.
 template <typename Arc, typename Visit>
 void visit_arc(const Arc &arc, double longest, Visit &&visit) {
-  const auto offer = [&](double angle, double step) {
-    const double cosine = std::cos(angle), sine = std::sin(angle);
+  const auto offer = [&](double cosine, double sine, double step) {
     visit(arc.center + cosine * arc.along + sine * arc.across, step * (cosine * arc.across - sine * arc.along));
   };
   if (arc.turn == 2.0 * pi && longest >= widest) {
     const double width = arc.turn / round_places;
-    for (int k = 0; k < round_places; ++k) offer(arc.from + width * k, width);
+    for (int k = 0; k < round_places; ++k) offer(std::cos(arc.from + width * k), std::sin(arc.from + width * k), width);
     return;
   }
   const int parts = 1 + static_cast<int>(arc.turn / longest);
   const double width = arc.turn / parts;
   const GaussNodes rule = rule_along(width);
+  const NodeTurns turns(rule, width, std::cos(width), std::sin(width));
   for (int part = 0; part < parts; ++part) {
+    const double cosine = std::cos(arc.from + width * part), sine = std::sin(arc.from + width * part);
     for (std::size_t k = 0; k < rule.count; ++k) {
-      offer(arc.from + width * (part + rule.node[k]), width * rule.weight[k]);
+      const double c = turns.cosine[k], s = turns.sine[k];
+      offer(cosine * c - sine * s, sine * c + cosine * s, width * rule.weight[k]);
     }
   }
 }
@@ -226,14 +229,15 @@ void BallOnPolytope::add_ball_part(const Vec3 &place, OverlapSurface::Nodes &nod
   for (const Arc &arc : arcs_) {
     visit_arc(arc, longest, [&](const Vec3 &at, const Vec3 &step) {
       const Vec3 turn = cross(start, at);
-      const double sine = norm(turn), angle = std::atan2(sine, dot(start, at));
+      const double sine = norm(turn), cosine = dot(start, at), angle = std::atan2(sine, cosine);
       if (!(sine > 0.0)) return;
       const double sweep = -dot(turn, step) / sine;  // clockwise about the ball's part, by the radius there
       const Vec3 ahead = cross((1.0 / sine) * turn, start);
       const GaussNodes rule = rule_across(angle);
+      const NodeTurns turns(rule, angle, cosine, sine);
       for (std::size_t k = 0; k < rule.count; ++k) {
-        const double part = rule.node[k] * angle, here = std::sin(part);
-        const Vec3 on_ball = std::cos(part) * start + here * ahead;
+        const double here = turns.sine[k];
+        const Vec3 on_ball = turns.cosine[k] * start + here * ahead;
         nodes.add(on_ball - place, (rule.weight[k] * angle * here / sine * sweep) * on_ball);
       }
     });

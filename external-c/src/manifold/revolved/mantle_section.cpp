@@ -12,6 +12,7 @@ namespace {
 
 using overlap::gauss_rule;
 using overlap::GaussNodes;
+using overlap::NodeTurns;
 
 // Of so many places, from 7 to 16.
 GaussNodes rule_of(int places) {
@@ -75,16 +76,20 @@ double round_places_of_cone(double swing) {
 // The cosines' way from angle0 to angle1, and its slope, at parts of the turn between them. No angles of both signs.
 class CosineWay {
  public:
-  CosineWay(double angle0, double turn) : turn_(turn), cosine0_(std::cos(angle0)), sine0_(std::sin(angle0)) {
-    const double cosine = std::cos(0.5 * turn), sine = std::sin(0.5 * turn);
-    whole_ = (sine0_ * cosine + cosine0_ * sine) * sine;
+  CosineWay(double angle0, double turn)
+      : turn_(turn), cosine0_(std::cos(angle0)), sine0_(std::sin(angle0)), half_cosine_(std::cos(0.5 * turn)), half_sine_(std::sin(0.5 * turn)) {
+    whole_ = (sine0_ * half_cosine_ + cosine0_ * half_sine_) * half_sine_;
     is_short_ = std::fabs(turn) < 1e-12 || whole_ == 0.0;
   }
   struct Place {
     double cosine, sine, way, slope;
   };
-  Place at(double part) const {
-    const double c = std::cos(0.5 * part * turn_), s = std::sin(0.5 * part * turn_), cosine = 1.0 - 2.0 * s * s, sine = 2.0 * s * c;
+  Place at(double part) const { return at(part, std::cos(0.5 * part * turn_), std::sin(0.5 * part * turn_)); }
+  // Of half of the turn up to the rule's nodes, for what follows.
+  NodeTurns half_turns(const GaussNodes &rule) const { return {rule, 0.5 * turn_, half_cosine_, half_sine_}; }
+  // By the cosine and sine of half of the turn's part.
+  Place at(double part, double c, double s) const {
+    const double cosine = 1.0 - 2.0 * s * s, sine = 2.0 * s * c;
     Place place{cosine0_ * cosine - sine0_ * sine, sine0_ * cosine + cosine0_ * sine, part, 1.0};
     if (!is_short_) {
       place.way = (sine0_ * c + cosine0_ * s) * s / whole_;
@@ -94,7 +99,7 @@ class CosineWay {
   }
 
  private:
-  double turn_, cosine0_, sine0_, whole_;
+  double turn_, cosine0_, sine0_, half_cosine_, half_sine_, whole_;
   bool is_short_;
 };
 
@@ -334,11 +339,13 @@ void Rim::add_arc(PlaneFan &fan, double from, double turn) {
   const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
   const double width = turn / parts;
   const GaussNodes rule = rule_for(std::fabs(width), fitted_, *mantle_);
+  const NodeTurns turns(rule, width, std::cos(width), std::sin(width));
   for (int part = 0; part < parts; ++part) {
     begin_arc(fitted_, rule);
+    const double cosine = std::cos(from + width * part), sine = std::sin(from + width * part);
     for (std::size_t k = 0; k < rule.count; ++k) {
-      const double angle = from + width * (part + rule.node[k]);
-      add_place(fan, std::cos(angle), std::sin(angle), width * rule.weight[k]);
+      const double c = turns.cosine[k], s = turns.sine[k];
+      add_place(fan, cosine * c - sine * s, sine * c + cosine * s, width * rule.weight[k]);
     }
   }
 }
@@ -347,10 +354,12 @@ void MantleSection::add_swing(PlaneFan &fan, double from, double turn) {
   const int parts = 1 + static_cast<int>(std::fabs(turn) / widest);
   const double width = turn / parts;
   const GaussNodes rule = rule_for(std::fabs(width), fitted_, *mantle_);
+  const NodeTurns turns(rule, width, std::cos(width), std::sin(width));
   for (int part = 0; part < parts; ++part) {
     begin_arc(fitted_, rule);
+    const double cosine0 = std::cos(from + width * part), sine0 = std::sin(from + width * part);
     for (std::size_t k = 0; k < rule.count; ++k) {
-      const double angle = from + width * (part + rule.node[k]), cosine = std::cos(angle), sine = std::sin(angle);
+      const double c = turns.cosine[k], s = turns.sine[k], cosine = cosine0 * c - sine0 * s, sine = sine0 * c + cosine0 * s;
       const double step = width * rule.weight[k];
       add_place(fan, cosine, sine, swing_front_ + swing_ * (1.0 - cosine), step, swing_ * sine * step);
     }
@@ -380,11 +389,14 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     const bool is_line = std::fabs(turn) < hardly * std::min(std::fabs(angle0), std::fabs(angle1));
     const GaussNodes rule = is_line ? GaussNodes(gauss_rule<5>) : rule_for(std::fabs(turn) / parts, fitted_, *mantle_);
     const CosineWay cosine_way(angle0, turn);
+    const double half = 0.5 * turn / parts;
+    const NodeTurns halves(rule, half, std::cos(half), std::sin(half));
     for (int part = 0; part < parts; ++part) {
       begin_arc(fitted_, rule);
+      const double cosine = std::cos(part * half), sine = std::sin(part * half);
       for (std::size_t k = 0; k < rule.count; ++k) {
-        const double weight = rule.weight[k] / parts;
-        const CosineWay::Place at = cosine_way.at((part + rule.node[k]) / parts);
+        const double weight = rule.weight[k] / parts, c = halves.cosine[k], s = halves.sine[k];
+        const CosineWay::Place at = cosine_way.at((part + rule.node[k]) / parts, cosine * c - sine * s, sine * c + cosine * s);
         add_place(fan, at.cosine, at.sine, height0 + at.way * (height1 - height0), weight * turn, weight * at.slope * (height1 - height0));
       }
     }
@@ -447,8 +459,9 @@ void MantleSection::add_arc(PlaneFan &fan, double angle0, double height0, double
     const double places = parts == 1 ? places_of_whole : places_of(from, part_turn);
     const GaussNodes rule = rule_of(static_cast<int>(std::ceil(std::min(places, most_places))));
     begin_arc(fitted_, rule);
+    const NodeTurns halves = cosine_way.half_turns(rule);
     for (std::size_t k = 0; k < rule.count; ++k) {
-      const CosineWay::Place at = cosine_way.at(rule.node[k]);
+      const CosineWay::Place at = cosine_way.at(rule.node[k], halves.cosine[k], halves.sine[k]);
       const double down = 1.0 / (from_inverse + at.way * (to_inverse - from_inverse));
       add_place(fan, at.cosine, at.sine, body.half - down, rule.weight[k] * part_turn,
                 rule.weight[k] * at.slope * (to_inverse - from_inverse) * down * down);
