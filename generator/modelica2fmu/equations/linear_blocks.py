@@ -71,13 +71,30 @@ def linear_block(
     # Sparse columns first: those of a leg stay apart from those of the other legs while they are eliminated.
     fill = {name: sum(name in found for found in columns) for name in torn}
     ordered = tuple(sorted(torn, key=lambda name: fill[name]))
+    places = _matching_rows(ordered, columns)
     return LinearBlock(
         ordered,
         tuple(inner),
-        tuple(entry.residual for entry in remaining),
+        tuple(remaining[row].residual for row in places),
         len(names),
-        None if rows is None else _system(ordered, rows),
+        None if rows is None else _system(ordered, [rows[row] for row in places]),
     )
+
+
+def _matching_rows(torn: Sequence[str], unknowns: Sequence[Collection[str]]) -> list[int]:
+    """An order of the rows in which the sparsest that has each unknown stands at its place, as far as there is one.
+
+    There it is a pivot as a rule, and rows of many unknowns, as those of a robot's trunk, stay below those of its legs.
+    """
+    left = dict.fromkeys(range(len(unknowns)))
+    chosen: dict[int, int] = {}
+    for place, name in enumerate(torn):
+        found = min((row for row in left if name in unknowns[row]), key=lambda row: len(unknowns[row]), default=None)
+        if found is not None:
+            chosen[place] = found
+            del left[found]
+    others = iter(left)
+    return [chosen[place] if place in chosen else next(others) for place in range(len(torn))]
 
 
 class _Reach:

@@ -139,6 +139,24 @@ def test_long_chains_are_evaluated_from_their_equations_and_short_ones_in_closed
         assert [values[node.name] for node in s] == pytest.approx(list(expected))
 
 
+def test_rows_of_a_trunk_stand_below_those_of_its_legs():
+    # Each of four legs shares the trunk's unknown alone; their rows come in another order, behind the trunk's.
+    p, legs, trunk = ex.symbol("p"), [ex.symbol(f"leg{k}") for k in range(4)], ex.symbol("trunk")
+    of_trunk = ex.multiply(p, trunk)
+    for leg in legs:
+        of_trunk = ex.add(of_trunk, ex.multiply(p, leg))
+    of_legs = [ex.add(ex.multiply(p, leg), ex.add(ex.multiply(p, trunk), k)) for k, leg in enumerate(legs)]
+    entries = [Residual(row) for row in (of_trunk, *of_legs[::-1])]
+    names = [node.name for node in (trunk, *legs)]
+    (block,) = solve_order(entries, names, [], nowhere)
+    assert isinstance(block, LinearBlock)
+    assert block.system is not None
+    matrix, _ = linear_system(block, {"p": 2.0})
+    assert (np.diag(matrix) != 0.0).all()
+    values = execute([block], {"p": 2.0})
+    assert [values[node.name] for node in legs] == pytest.approx([-values["trunk"] - 0.5 * k for k in range(4)])
+
+
 def test_tearing_assumes_the_preferred_unknown():
     # A pendulum's equations: given the acceleration a, all forces follow.
     a, f, g, m = (ex.symbol(name) for name in ("der(w)", "f", "g", "m"))
