@@ -10,6 +10,7 @@
 #include "c_api/pose_check.hpp"
 #include "query/overlap_query.hpp"
 #include "query/pair_query.hpp"
+#include "query/query_memory.hpp"
 #include "scene/descriptor.hpp"
 #include "scene/inline_files.hpp"
 #include "scene/registry.hpp"
@@ -119,6 +120,11 @@ void query_pair(const PosedPair &pair, double exact_within, std::size_t point_ca
   fill_vectors(contact.witness, output.point + 3 * used, point_capacity - used);
 }
 
+cmb::QueryMemory &query_memory() {
+  static thread_local cmb::QueryMemory memory;
+  return memory;
+}
+
 }  // namespace
 
 extern "C" {
@@ -178,7 +184,12 @@ cmb_status cmb_query_scene(cmb_scene scene, const cmb_poses *poses, double exact
       status = read_body_pose(body, poses->position, poses->rotation, body_poses[body]);
       if (status != CMB_OK) return status;
     }
+    // A library's answers are counted, each time that it is asked; of a single pair little is to be known.
+    const bool is_remembered = found->library == nullptr && found->pairs.size() > 1;
+    cmb::QueryMemory *const memory = is_remembered ? &query_memory() : nullptr;
+    if (memory != nullptr) memory->begin(*found, *poses, exact_within, points->point_capacity);
     for (size_t pair = 0; pair < points->pair_count; ++pair) {
+      if (memory != nullptr && memory->recall(pair, *points)) continue;
       const Scene::Pair &bodies = found->pairs[pair];
       const size_t slot = pair * points->point_capacity;
       query_pair({found, pair, body_poses[bodies.first], body_poses[bodies.second]}, exact_within,
@@ -186,6 +197,7 @@ cmb_status cmb_query_scene(cmb_scene scene, const cmb_poses *poses, double exact
                  {points->distance + pair, points->depth + slot, points->weight + slot, points->normal + 3 * slot,
                   points->point + 3 * slot});
     }
+    if (memory != nullptr) memory->end(*poses, *points);
     return CMB_OK;
   });
 }

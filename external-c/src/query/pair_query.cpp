@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -69,16 +70,22 @@ const Pose &shape_pose(const Pose &body, const Shape &shape, Pose &placed) {
   return placed;
 }
 
-// Where the shapes of a compound and their bounding spheres are; half-spaces have none, and theirs is their origin.
-void place_shapes(const BodyShapes &shapes, const Pose &body, std::vector<Pose> &poses, std::vector<Vec3> &centers) {
-  poses.clear();
-  centers.clear();
-  Pose placed;
-  for (const Shape &shape : shapes) {
-    const Pose &pose = shape_pose(body, shape, placed);
-    poses.push_back(pose);
-    centers.push_back(pose(shape.bound_center));
+const PlacedShapes &place_shapes(const Scene &scene, std::size_t body, const Pose &pose, QueryScratch &scratch) {
+  static_assert(sizeof(Pose) == 12 * sizeof(double));
+  PlacedShapes &placed = scratch.placed[body];
+  if (placed.scene_number == scene.number && std::memcmp(&placed.body, &pose, sizeof pose) == 0) return placed;
+  placed.scene_number = 0;  // should there be no room
+  placed.body = pose;
+  placed.poses.clear();
+  placed.centers.clear();
+  Pose at;
+  for (const Shape &shape : scene.bodies[body]) {
+    const Pose &of_shape = shape_pose(pose, shape, at);
+    placed.poses.push_back(of_shape);
+    placed.centers.push_back(of_shape(shape.bound_center));
   }
+  placed.scene_number = scene.number;
+  return placed;
 }
 
 }  // namespace
@@ -132,17 +139,19 @@ void query_shapes_within(double exact_within, const BoundGap &gap, const Scene &
   fade_to_gap(gap, exact_within, result);
 }
 
-void query_compounds(const Scene &scene, const BodyShapes &a, const Pose &pose_a, const BodyShapes &b,
+void query_compounds(const Scene &scene, std::size_t body_a, const Pose &pose_a, std::size_t body_b,
                      const Pose &pose_b, QueryScratch &scratch, ContactSet &result, PairReport &report,
                      double exact_within) {
+  const BodyShapes &a = scene.bodies[body_a], &b = scene.bodies[body_b];
   scratch.apart.clear();
-  place_shapes(a, pose_a, scratch.poses_a, scratch.centers_a);
-  place_shapes(b, pose_b, scratch.poses_b, scratch.centers_b);
+  if (scratch.placed.size() < scene.bodies.size()) scratch.placed.resize(scene.bodies.size());
+  const PlacedShapes &placed_a = place_shapes(scene, body_a, pose_a, scratch);
+  const PlacedShapes &placed_b = place_shapes(scene, body_b, pose_b, scratch);
   const auto take = [&](std::size_t i, std::size_t j, const BoundGap &gap) {
     ContactSet &contact = scratch.shape_contact;
     contact.points.clear();
     cmb_backend who = CMB_BACKEND_AUTO;
-    query_shapes_within(exact_within, gap, scene, a[i], scratch.poses_a[i], b[j], scratch.poses_b[j], scratch, contact,
+    query_shapes_within(exact_within, gap, scene, a[i], placed_a.poses[i], b[j], placed_b.poses[j], scratch, contact,
                         who);
     result.points.insert(result.points.end(), contact.points.begin(), contact.points.end());
     if (contact.distance < result.distance) {
@@ -153,13 +162,13 @@ void query_compounds(const Scene &scene, const BodyShapes &a, const Pose &pose_a
     }
   };
   const auto gap = [&](std::size_t i, std::size_t j) {
-    return bound_gap(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);
+    return bound_gap(a[i], placed_a.poses[i], b[j], placed_b.poses[j]);
   };
   const auto gap_of_spheres = [&](std::size_t i, std::size_t j) {
     if (a[i].kind == ShapeKind::halfspace || b[j].kind == ShapeKind::halfspace) {
-      return sphere_gap(a[i], scratch.poses_a[i], b[j], scratch.poses_b[j]);
+      return sphere_gap(a[i], placed_a.poses[i], b[j], placed_b.poses[j]);
     }
-    return norm(scratch.centers_a[i] - scratch.centers_b[j]) - a[i].bound_radius - b[j].bound_radius;
+    return norm(placed_a.centers[i] - placed_b.centers[j]) - a[i].bound_radius - b[j].bound_radius;
   };
   // First what may touch; of what is apart the shapes that seem nearest, and then what can be nearer than they are.
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -195,7 +204,7 @@ void query_compounds_within(double exact_within, const Scene &scene, std::size_t
                             const Pose &pose_b, QueryScratch &scratch, ContactSet &result, PairReport &report) {
   const BodyBounds &bounds_a = scene.bounds[a], &bounds_b = scene.bounds[b];
   if (!bounds_a.bounded() || !bounds_b.bounded()) {
-    query_compounds(scene, scene.bodies[a], pose_a, scene.bodies[b], pose_b, scratch, result, report, exact_within);
+    query_compounds(scene, a, pose_a, b, pose_b, scratch, result, report, exact_within);
     return;
   }
   const BoundGap gap = bound_gap(bounds_a, pose_a, bounds_b, pose_b);
@@ -204,7 +213,7 @@ void query_compounds_within(double exact_within, const Scene &scene, std::size_t
     report.backend = CMB_BACKEND_ANALYTIC;
     return;
   }
-  query_compounds(scene, scene.bodies[a], pose_a, scene.bodies[b], pose_b, scratch, result, report, exact_within);
+  query_compounds(scene, a, pose_a, b, pose_b, scratch, result, report, exact_within);
   fade_to_gap(gap, exact_within, result);
 }
 
@@ -231,7 +240,7 @@ void query_bodies(const Scene &scene, std::size_t body_a, const Pose &pose_a, st
   result.witness = 0.5 * (pose_a.translation + pose_b.translation);
   if (single) return;
   if (exact_within == std::numeric_limits<double>::infinity()) {
-    query_compounds(scene, a, pose_a, b, pose_b, scratch, result, report, exact_within);
+    query_compounds(scene, body_a, pose_a, body_b, pose_b, scratch, result, report, exact_within);
   } else {
     query_compounds_within(exact_within, scene, body_a, pose_a, body_b, pose_b, scratch, result, report);
   }

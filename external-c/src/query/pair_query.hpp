@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -20,6 +21,15 @@ struct ShapesApart {
   double at_least;  // their distance, m
 };
 
+// Where the shapes of a compound and their bounding spheres are, for the pose that its body was last seen at: many pairs have
+// a body in common.
+struct PlacedShapes {
+  std::uint64_t scene_number = 0;
+  Pose body;
+  std::vector<Pose> poses;
+  std::vector<Vec3> centers;  // half-spaces have no bounding sphere; theirs is their origin
+};
+
 // Room that queries work in; one for each thread.
 struct QueryScratch {
   BackendScratch backend;
@@ -28,9 +38,8 @@ struct QueryScratch {
   ContactSet contact;
   ContactSet shape_contact;
   std::vector<Pose> body_poses;        // of a scene
-  std::vector<Pose> poses_a, poses_b;  // of the shapes of two compounds
-  std::vector<Vec3> centers_a, centers_b;  // of their bounding spheres
-  std::vector<ShapesApart> apart;      // of them
+  std::vector<PlacedShapes> placed;    // of the bodies of a scene, as far as they were asked for
+  std::vector<ShapesApart> apart;      // of two compounds
   Pose placed_a, placed_b;             // of two single shapes that are not where their bodies are
   SignedDistance answer;                 // kept here, where it need not be cleared for each pair
 };

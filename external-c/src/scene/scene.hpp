@@ -20,6 +20,7 @@ struct Scene {
   struct Pair {
     std::size_t first = 0, second = 0;  // 0-based body numbers
   };
+  const std::uint64_t number = next_number();  // of each scene another, of released ones too; positive
   std::vector<BodyShapes> bodies;
   std::vector<std::shared_ptr<const BodyShapes>> geometry;  // what bodies were copied from: shared with other scenes
   std::vector<double> thickness;   // of each body, see thickness.hpp
@@ -31,6 +32,12 @@ struct Scene {
   // How often the library named as back end gave an answer that held, and how often not; diagnostics only.
   mutable std::atomic<std::uint64_t> answered{0};
   mutable std::atomic<std::uint64_t> refused{0};
+
+ private:
+  static std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+  }
 };
 
 }  // namespace cmb
