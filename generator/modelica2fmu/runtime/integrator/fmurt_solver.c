@@ -142,12 +142,24 @@ static int states_between(void *context, double share, double *state) {
   return 0;
 }
 
+/* 1 if the instance is where the step of which `time` is a part ends: there it was evaluated last, as a rule. */
+static int is_at_end_of_step(const fmurt_solver *solver, double time) {
+  const fmurt_instance *instance = solver->instance;
+  double end = time;
+  return CVodeGetCurrentTime(solver->memory, &end) == CV_SUCCESS && end > time && instance->values.time == end &&
+         !instance->situation.continuous_stale;
+}
+
 /* At the start, the end of a step or a time inside that CVODE looks at before the end: whether bodies passed through each other since
- * the time before. Earlier times, at which zeros are looked for, do nothing. */
+ * the time before; up to the end of the step where that costs no evaluation. Earlier times, at which zeros are looked for, do nothing. */
 static void look_for_passages(fmurt_solver *solver, double time, N_Vector state, int is_start) {
   fmurt_instance *instance = solver->instance;
   if (solver->passage == NULL || solver->step_of_meeting > 0.0 || !(is_start || time > solver->looked_from)) return;
-  if (instance->values.time != time) fmurt_set_point(instance, time, NV_DATA_S(state));
+  if (!is_start && is_at_end_of_step(solver, time)) {
+    time = instance->values.time;
+  } else if (instance->values.time != time) {
+    fmurt_set_point(instance, time, NV_DATA_S(state));
+  }
   if (fmurt_update_rates(instance) != FMURT_RESULT_OK) return;
   if (is_start) {
     fmurt_passage_begin(solver->passage);
