@@ -61,6 +61,35 @@ TEST(AlignedOnTriangles, SideInThePlaneOfAMeshsSideCarriesTheSameInAllFrames) {
   }
 }
 
+// Meshes of boxes and Ls over roofs with sides in the planes between these and along lines of the grid: what cuts leave of such a side counts for one of the
+// two wedges, in any frame.
+TEST(AlignedOnTriangles, SidesOfMeshesInPlanesBetweenWedgesCarryTheSameInAllFrames) {
+  using namespace mesh_samples;
+  const std::string roofs = height_field_text(2, 9, [](double x, double) { return x <= 0.0 ? 0.0 : 0.25 - std::fabs(x - 0.25 - 0.5 * std::floor(2.0 * x)); });
+  random_bodies::Random random(7);
+  for (const std::string &body : {mesh_text(with_speck(box_mesh({0.25, 0.75, 0.5}, 2))), mesh_text(with_speck(box_mesh({0.5, 0.5, 0.25}, 1))),
+                                  mesh_text(angle_prism({-0.25, 0.25, 0.25, 0, 0, -0.25}, {-0.25, -0.25, 0, 0, 0.25, 0.25}, -0.25, 0.25))}) {
+    const PairScene scene(body, roofs);
+    for (int trial = 0; trial < 24; ++trial) {
+      const double deep = random.log_uniform(1e-5, 1e-2);
+      Mat3 rotation;
+      for (const Vec3 &axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        rotation = product(rotation_about(axis, 2.0 * std::atan(1.0) * random.integer(0, 3)), rotation);
+      }
+      BodyPose pose{{0.125 * random.integer(-4, 6), 0.125 * random.integer(-4, 4), 1.0}, rotation};
+      for (int step = 0; step < 60; ++step) pose.position.z -= scene.query(pose, {}, 128).distance;
+      pose.position.z -= deep;
+      const Vec3 at_rest = scene.query(pose, {}, 128).load();
+      for (int k = 0; k < 20; ++k) {
+        const BodyPose frame{random.direction(), random_bodies::random_rotation(random)};
+        const BodyPose moved{frame.rotation * pose.position + frame.position, product(frame.rotation, pose.rotation)};
+        const Vec3 load = transposed_times(frame.rotation, scene.query(moved, frame, 128).load());
+        EXPECT_LT(norm(load - at_rest), 1e-8 * norm(at_rest)) << body.substr(0, 60) << ", trial " << trial << ", frame " << k;
+      }
+    }
+  }
+}
+
 // A box whose sole as good as touches level ground and whose edge is deep in the slope beside it: the force is its energy's gradient, whatever the
 // sole's area.
 TEST(AlignedOnTriangles, WideSideThatHardlyTouchesLeavesAnEdgeItsLoad) {

@@ -134,7 +134,7 @@ double append_elastic_points(const WedgeIntegrals &overlap, const WedgeEnergy &s
   // Where the patches as good as vanish, as those of a wall right through the body, they cannot store the energy: on faces, edges and corners
   // of meshes points are up to 2.3 times as deep as the deepest place.
   constexpr double most_deep = 4.0;
-  const double deeper = stored.energy() / in_points, most = most_deep * overlap.deepest();
+  const double deeper = stored.energy() / in_points, most = most_deep * overlap.lowest();
   for (const LoadPoint &point : points) {
     const double force = norm(point.force), depth = std::fmin(deeper * point.depth, most);
     if (!(force > 0.0) || !(depth > 0.0)) continue;

@@ -13,7 +13,7 @@ namespace {
 constexpr double least_slope = 1e-12;
 // Terms that cancel to this part of their size cancel.
 constexpr double rounding_of_sums = 1e-14;
-// By the body's radius: what boxes of facets are widened by.
+// By the body's radius: what facets and their boxes are widened by, more than planes are moved aside.
 constexpr double rounding = 1e-12;
 
 // The greatest direction . x in a box.
@@ -91,9 +91,10 @@ struct HalfSpaces {
     }
     return false;
   }
-  bool leave_out(const Vec3 &p, const Vec3 &q, const Vec3 &r) const {
+  bool leave_out(const Vec3 &p, const Vec3 &q, const Vec3 &r, double slack) const {
     for (std::size_t k = 0; k < count; ++k) {
-      if (dot(normal[k], p) < offset[k] && dot(normal[k], q) < offset[k] && dot(normal[k], r) < offset[k]) return true;
+      const double least = offset[k] - slack;
+      if (dot(normal[k], p) < least && dot(normal[k], q) < least && dot(normal[k], r) < least) return true;
     }
     return false;
   }
@@ -123,7 +124,7 @@ bool PairOverlap::meets_surface() const {
       hierarchy.bounds(), [&meets] { return meets ? -1.0 : 0.0; }, [&](const Bounds &box) { return own.leave_out(box, slack); },
       [&](std::uint32_t facet) {
         if (meets || !counts(facet)) return;
-        meets = !wedge.leave_out(vertices_.corner(facet, 0), vertices_.corner(facet, 1), vertices_.corner(facet, 2));
+        meets = !wedge.leave_out(vertices_.corner(facet, 0), vertices_.corner(facet, 1), vertices_.corner(facet, 2), slack);
       });
   return meets;
 }
@@ -164,8 +165,8 @@ bool PairOverlap::gather() {
       [&](std::uint32_t facet) {
         if (!counts(facet)) return;
         const Vec3 &p = vertices_.corner(facet, 0), &q = vertices_.corner(facet, 1), &r = vertices_.corner(facet, 2);
-        if (column.leave_out(p, q, r)) return;
-        meets = meets || !wedge.leave_out(p, q, r);
+        if (column.leave_out(p, q, r, slack)) return;
+        meets = meets || !wedge.leave_out(p, q, r, slack);
         deepest_corner_ = std::max({deepest_corner_, depth(p), depth(q), depth(r)});
         scratch_.facets.push_back(facet);
       });
@@ -198,8 +199,12 @@ bool PairOverlap::holds(const Vec3 &middle) const {
 }
 
 void PairOverlap::set_planes() {
+  // They change places with each cut: neither would have grown for good.
+  constexpr std::size_t enough_corners = 64;
+  scratch_.polygon.reserve(enough_corners), scratch_.kept.reserve(enough_corners);
   scratch_.planes.clear();
-  visit_wedge_planes(mesh(), triangle(), deepest_corner_, [&](const WedgePlane &plane) {
+  visit_wedge_planes(mesh(), triangle(), deepest_corner_, [&](const WedgePlane &in_mesh) {
+    const WedgePlane plane = moved_aside(in_mesh);
     for (const Plane &other : scratch_.planes) {
       if (coincide(plane, other, radius())) return true;
     }

@@ -254,7 +254,7 @@ void RoundOverlap::integrate(const Piece &piece) {
   if (!(patch.load > 0.0)) return;
   Vec3 deepest_place;
   const double deep = deepest_of_overlap(piece, local, deepest(), deepest_place);
-  if (deep > deepest()) offer_deepest(deep, piece.place(deepest_place));
+  if (deep > deepest()) offer_deepest(deep, piece.place(deepest_place)), offer_lowest(deep, piece.place(deepest_place));
 }
 
 }  // namespace cmb::mesh

@@ -17,7 +17,7 @@ struct WedgeEnergyScratch {
     double by_second = 0.0;  // of all parts' energy_by_second
 
     // Minus the derivative of the part's energy by its sum of I2, but for factor/2.
-    double energy_by_second(const WedgeIntegrals::Part &part) const { return part.fourth.integral / (second * second); }
+    double energy_by_second(const WedgeIntegrals::Part &part) const { return second > 0.0 ? part.fourth.value() / (second * second) : 0.0; }
   };
   std::vector<Sums> sums;
   std::vector<double> together;  // K of parts i and j < i, at i (i - 1) / 2 + j; none where it is 1 for all
@@ -51,7 +51,7 @@ class WedgeEnergy {
   double carrying_depth() const;
 
  private:
-  double factor_, deepest_, energy_ = 0.0;
+  double factor_, lowest_, energy_ = 0.0;
   bool touches_ = false;
   Wrench wrench_;
   DirectionPatches patches_;

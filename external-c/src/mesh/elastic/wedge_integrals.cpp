@@ -78,6 +78,9 @@ WedgeIntegrals::PolygonSums WedgeIntegrals::add_surface(const Vec3 *polygon, std
   fourth.force = fourth.force + (4.0 * sums.cubes) * normal;
   fourth.torque = fourth.torque + cross(4.0 * by_cubes, normal);
   if (cosine > 0.0) offer_deepest(deepest, deepest_place);
+  // Whether a side upright on the triangle faces it rounding decides: it counts here, and what faces away a little more less and less.
+  constexpr double upright = 1e-6;
+  if (cosine > -2.0 * upright) offer_lowest(std::fmin(1.0, 2.0 + cosine / upright) * deepest, deepest_place);
   return sums;
 }
 
@@ -86,6 +89,10 @@ void WedgeIntegrals::offer_deepest(double depth, const Vec3 &place) {
   deepest_ = depth;
   deepest_place_ = place;
   deepest_normal_ = normal_;
+}
+
+void WedgeIntegrals::offer_lowest(double depth, const Vec3 &place) {
+  if (depth > lowest_ && inside_share(place) > 0.0) lowest_ = depth;
 }
 
 // 1 where the triangle's plane is what is nearest to a point behind it; falls to 0 where another part of the surface

@@ -33,6 +33,8 @@ class WedgeIntegrals {
   struct Integral {
     double integral = 0.0;
     Wrench gradient;
+
+    double value() const { return integral > 0.0 ? integral : 0.0; }  // what is next to nothing may be less, by rounding
   };
   // What is behind one flat face, or a triangle by itself.
   struct Part {
@@ -63,6 +65,8 @@ class WedgeIntegrals {
   double hardly_known() const { return hardly_known_; }
 
   double deepest() const { return deepest_; }
+  // The same of surface that does not face away from the triangles.
+  double lowest() const { return lowest_; }
   const Vec3 &deepest_place() const { return deepest_place_; }
   const Vec3 &deepest_normal() const { return deepest_normal_; }
 
@@ -95,6 +99,11 @@ class WedgeIntegrals {
   // both wedges' the same way.
   double aside() const { return 1e-11 * radius_; }
   double moved_offset(const WedgePlane &plane) const { return plane.offset + (plane.strict ? aside() : -aside()); }
+  // The same where all is plane, of which rounding is less: what cuts leave of a side in the plane would be on either side of it by chance.
+  WedgePlane moved_aside(const WedgePlane &plane) const {
+    const double aside = 1e-13 * radius_;
+    return {plane.normal, plane.offset + (plane.strict ? aside : -aside), plane.strict};
+  }
   // Before what follows is called. `place`: near its overlap.
   void begin(const Vec3 &place);
   Part &part() { return parts_[at_hand_]; }
@@ -109,6 +118,8 @@ class WedgeIntegrals {
   PolygonSums add_surface(const Vec3 *polygon, std::size_t count, const Vec3 &normal, PatchSums &patch);
   // A place of the body's surface that faces the triangle at hand.
   void offer_deepest(double depth, const Vec3 &place);
+  // One that does not face away from it.
+  void offer_lowest(double depth, const Vec3 &place);
 
   std::uint32_t triangle() const { return triangle_; }
   // Its normal.
@@ -129,7 +140,7 @@ class WedgeIntegrals {
   std::vector<Part> &parts_;
   std::size_t at_hand_ = 0;
   Vec3 origin_;
-  double most_carried_ = 0.0, deepest_ = 0.0;
+  double most_carried_ = 0.0, deepest_ = 0.0, lowest_ = 0.0;
   Vec3 deepest_place_, deepest_normal_;
   // Of the triangle at hand:
   std::uint32_t triangle_ = 0;

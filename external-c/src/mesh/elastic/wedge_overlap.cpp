@@ -93,9 +93,7 @@ bool WedgeOverlap::set_planes(std::uint32_t t) {
     for (std::size_t v = 0; v < vertices_.size(); ++v) scratch_.outside[v] = scratch_.depths[v] < 0.0 ? 1 : 0;
   }
   return visit_wedge_planes(mesh(), t, deepest, [&](const WedgePlane &in_mesh) {
-    // As aside(), but of plane faces rounding is less.
-    const double aside = 1e-13 * radius();
-    const WedgePlane plane{in_mesh.normal, in_mesh.offset + (in_mesh.strict ? aside : -aside), in_mesh.strict};
+    const WedgePlane plane = moved_aside(in_mesh);
     if (dot(plane.normal, center_) - plane.offset >= radius()) return true;
     for (const Plane &other : scratch_.planes) {
       if (coincide(plane, other, radius())) return true;
