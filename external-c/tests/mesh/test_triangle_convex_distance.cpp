@@ -9,7 +9,7 @@
 #include "mesh/contact/mesh_contact.hpp"
 #include "mesh/contact/polytope_distance.hpp"
 #include "mesh/contact/triangle_convex_distance.hpp"
-#include "mesh/core/triangle_wedge.hpp"
+#include "mesh/wedges/triangle_wedge.hpp"
 #include "shape/convex_hull.hpp"
 #include "support/mesh_samples.hpp"
 #include "support/random_bodies.hpp"

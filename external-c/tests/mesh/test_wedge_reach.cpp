@@ -1,6 +1,7 @@
 // No triangle in whose wedge a body is, or that it touches, is left out with its node.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -33,9 +34,19 @@ bool is_in_wedge(const TriangleMesh &mesh, std::uint32_t t, const Vec3 &p) {
   return true;
 }
 
+// Or in what of it counts for the faces across its folds.
+bool is_beyond_fold(const TriangleMesh &mesh, std::uint32_t t, const Vec3 &p) {
+  const FoldRegions::Regions folds = mesh.fold_regions().of(t);
+  return std::any_of(folds.begin, folds.end, [&](const FoldRegion &fold) {
+    if (!(dot(mesh.face_normal(fold.triangle), p - mesh.corner(fold.triangle, 0)) < -1e-12)) return false;
+    const FoldRegions::Planes planes = mesh.fold_regions().planes(fold);
+    return std::all_of(planes.begin, planes.end, [&](const WedgePlane &plane) { return dot(plane.normal, p) > plane.offset + 1e-12; });
+  });
+}
+
 TEST(WedgeReach, LeavesNothingOut) {
   Random random(1);
-  long inside = 0, visited = 0, all = 0;
+  long inside = 0, beyond_folds = 0, visited = 0, all = 0;
   for (const TriangleMesh &mesh : meshes()) {
     for (int k = 0; k < 400; ++k) {
       // A tetrahedron, of which the corners and places between them are asked.
@@ -58,14 +69,17 @@ TEST(WedgeReach, LeavesNothingOut) {
         Vec3 place;
         for (std::size_t j = 0; j < 4; ++j) place = place + (part[j] / sum) * corners[j];
         for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
-          if (!is_in_wedge(mesh, t, place)) continue;
+          const bool beyond_fold = is_beyond_fold(mesh, t, place);
+          beyond_folds += beyond_fold ? 1 : 0;
+          if (!beyond_fold && !is_in_wedge(mesh, t, place)) continue;
           ++inside;
-          ASSERT_TRUE(found.count(t) == 1) << k << ", triangle " << t;
+          ASSERT_TRUE(found.count(t) == 1) << k << ", triangle " << t << (beyond_fold ? ", beyond a fold" : "");
         }
       }
     }
   }
   EXPECT_GT(inside, 10000);
+  EXPECT_GT(beyond_folds, 100);
   EXPECT_LT(visited, 2 * all / 3);
 }
 

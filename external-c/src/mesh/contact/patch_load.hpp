@@ -6,7 +6,7 @@
 #include "manifold/contact_set.hpp"
 #include "mesh/contact/direction_sums.hpp"
 #include "mesh/core/triangle_mesh.hpp"
-#include "mesh/core/triangle_wedge.hpp"
+#include "mesh/wedges/triangle_wedge.hpp"
 
 namespace cmb::mesh {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "mesh/core/triangle_mesh.hpp"
-#include "mesh/core/triangle_wedge.hpp"
+#include "mesh/wedges/triangle_wedge.hpp"
 #include "mesh/distance/segment_distance.hpp"
 
 namespace cmb::mesh {

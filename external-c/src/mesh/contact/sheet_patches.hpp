@@ -7,7 +7,7 @@
 #include "mesh/contact/patch_load.hpp"
 #include "mesh/core/placed_vertices.hpp"
 #include "mesh/core/triangle_mesh.hpp"
-#include "mesh/core/triangle_wedge.hpp"
+#include "mesh/wedges/triangle_wedge.hpp"
 #include "mesh/intersection/mesh_crossings.hpp"
 
 namespace cmb::mesh {

@@ -7,7 +7,7 @@
 
 #include "mesh/core/mesh_topology.hpp"
 #include "mesh/core/ray_hit.hpp"
-#include "mesh/core/triangle_wedge.hpp"
+#include "mesh/wedges/triangle_wedge.hpp"
 
 namespace cmb::mesh {
 
@@ -77,8 +77,9 @@ void TriangleMesh::build_wedge_sides() {
   for (std::uint32_t t = 0; t < triangles().size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) wedge_sides_[t][k] = make_wedge_side(*this, t, k);
   }
-  wedge_reach_ = WedgeReach(data_, face_normals_, wedge_sides_, hierarchy_);
   wedge_cuts_ = WedgeCuts(data_, neighbours_, face_normals_, wedge_sides_, faces_, hierarchy_, bound_radius_, depth_limits_);
+  fold_regions_ = FoldRegions(*this);
+  wedge_reach_ = WedgeReach(data_, face_normals_, wedge_sides_, fold_regions_.spreads(), hierarchy_);
 }
 
 void TriangleMesh::build_vertex_triangles() {

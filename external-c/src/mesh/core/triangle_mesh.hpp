@@ -11,8 +11,9 @@
 #include "mesh/core/mesh_data.hpp"
 #include "mesh/core/planar_faces.hpp"
 #include "mesh/core/triangle_hierarchy.hpp"
-#include "mesh/core/wedge_cuts.hpp"
-#include "mesh/core/wedge_reach.hpp"
+#include "mesh/wedges/fold_regions.hpp"
+#include "mesh/wedges/wedge_cuts.hpp"
+#include "mesh/wedges/wedge_reach.hpp"
 
 namespace cmb::mesh {
 
@@ -81,6 +82,8 @@ class TriangleMesh {
   // Where other sides of the mesh reach into triangle t's wedge, the planes that part it from these.
   WedgeCuts::Planes wedge_cuts(std::uint32_t t) const { return wedge_cuts_.of(t); }
 
+  const FoldRegions &fold_regions() const { return fold_regions_; }
+
   // Calls visit(triangle) for the triangles of all leaves that are within `farthest` of the box and in whose wedges some of a convex body in
   // the box may be, the nearer ones first. support(d) is a place of the body farthest along d.
   template <typename Support, typename Visit>
@@ -142,6 +145,7 @@ class TriangleMesh {
   std::vector<std::array<WedgeSide, 3>> wedge_sides_;
   WedgeReach wedge_reach_;
   WedgeCuts wedge_cuts_;
+  FoldRegions fold_regions_;
   std::vector<Vec3> interior_points_;
   MassProperties mass_properties_;
   double area_ = 0.0;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mesh/elastic/wedge_planes.hpp"
+#include "mesh/wedges/wedge_plane.hpp"
 #include "shape/convex_body.hpp"
 
 namespace cmb::mesh {

@@ -37,14 +37,16 @@ void PairOverlap::add_all() {
     const Vec3 local = transposed_times(place_.rotation, direction);
     return center_ + ((reach(local) - dot(body_.bound_center(), local)) / norm2(local)) * direction;
   };
-  mesh().visit_wedges(box, 0.5 * norm(box.high - box.low), farthest, [&](std::uint32_t t) { add(t); });
+  mesh().visit_wedges(box, 0.5 * norm(box.high - box.low), farthest, [&](std::uint32_t t) {
+    visit_regions(mesh(), t, [this](const WedgeRegion &region) { add(region); });
+  });
 }
 
-void PairOverlap::add(std::uint32_t t) {
-  look_at(t);
+void PairOverlap::add(const WedgeRegion &region) {
+  look_at(region);
   const auto support = [this](const Vec3 &direction) { return reach(direction); };
   if (is_out_of_reach(center_) || is_outside(place_, support)) return;
-  if (!(depth(place_.translation) - support(transposed_times(place_.rotation, face_normal())) < mesh().depth_limit(t))) return;
+  if (!(depth(place_.translation) - support(transposed_times(place_.rotation, face_normal())) < mesh().depth_limit(triangle()))) return;
   // Behind a sheet nothing ends, and most of what is there meets.
   if (mesh().closed() && !meets_surface() && !may_fill()) return;
   const bool meets = gather();
@@ -100,13 +102,14 @@ struct HalfSpaces {
   }
 };
 
-// What holds the triangle's wedge but for what parts it from other sides of the mesh.
-HalfSpaces<5> around_wedge(const TriangleMesh &mesh, std::uint32_t t) {
+// What holds the region but for what parts it from other sides of the mesh.
+HalfSpaces<5> around_region(const TriangleMesh &mesh, const WedgeRegion &region) {
+  const std::uint32_t t = region.triangle();
   const Vec3 &normal = mesh.face_normal(t);
   const double front = dot(normal, mesh.corner(t, 0));
   HalfSpaces<5> wedge{{-normal, normal, {}, {}, {}}, {-front, front - mesh.depth_limit(t), 0.0, 0.0, 0.0}};
   for (std::size_t k = 0; k < 3; ++k) {
-    const WedgeSide &side = mesh.wedge_sides(t)[k];
+    const WedgeSide &side = region.sides()[k];
     wedge.normal[k + 2] = side.normal, wedge.offset[k + 2] = side.offset;
   }
   return wedge;
@@ -116,7 +119,7 @@ HalfSpaces<5> around_wedge(const TriangleMesh &mesh, std::uint32_t t) {
 
 // Whether some of the body's surface may be in the wedge.
 bool PairOverlap::meets_surface() const {
-  const HalfSpaces<5> wedge = around_wedge(mesh(), triangle()), own = wedge.seen_from(place_);
+  const HalfSpaces<5> wedge = around_region(mesh(), region()), own = wedge.seen_from(place_);
   const TriangleHierarchy &hierarchy = body_.hierarchy();
   const double slack = rounding * radius();
   bool meets = false;
@@ -132,7 +135,7 @@ bool PairOverlap::meets_surface() const {
 // Where none of the body's surface is in the wedge: false where the triangle's middle is well outside of the body, so that all of the wedge is.
 bool PairOverlap::may_fill() {
   constexpr double slack = 1e-9;
-  const Vec3 middle = (1.0 / 3.0) * (mesh().corner(triangle(), 0) + mesh().corner(triangle(), 1) + mesh().corner(triangle(), 2));
+  const Vec3 middle = region().middle();
   const Vec3 in_body = transposed_times(place_.rotation, middle - place_.translation);
   const Bounds point{in_body, in_body};
   if (distance2(body_.hierarchy().bounds(), point) > 0.0) return false;
@@ -145,14 +148,14 @@ bool PairOverlap::may_fill() {
 // The facets that are in the wedge or may be below it. Returns whether some may be in it.
 bool PairOverlap::gather() {
   const double front = dot(face_normal(), mesh().corner(triangle(), 0));
-  const HalfSpaces<5> wedge = around_wedge(mesh(), triangle());
+  const HalfSpaces<5> wedge = around_region(mesh(), region());
   // Behind a convex side the wedge becomes narrower: what is below it is behind the side's own plane.
   HalfSpaces<4> column{{-face_normal(), {}, {}, {}}, {-front, 0.0, 0.0, 0.0}};
   for (std::size_t k = 0; k < 3; ++k) {
-    const WedgeSide &side = mesh().wedge_sides(triangle())[k];
+    const WedgeSide &side = region().sides()[k];
     const double slope = dot(side.normal, face_normal());
     column.normal[k + 1] = slope > 0.0 ? side.normal - slope * face_normal() : side.normal;
-    column.offset[k + 1] = slope > 0.0 ? dot(column.normal[k + 1], mesh().corner(triangle(), k)) : side.offset;
+    column.offset[k + 1] = slope > 0.0 ? dot(column.normal[k + 1], region().place_on_side(k)) : side.offset;
   }
   scratch_.facets.clear();
   deepest_corner_ = 0.0;
@@ -203,7 +206,7 @@ void PairOverlap::set_planes() {
   constexpr std::size_t enough_corners = 64;
   scratch_.polygon.reserve(enough_corners), scratch_.kept.reserve(enough_corners);
   scratch_.planes.clear();
-  visit_wedge_planes(mesh(), triangle(), deepest_corner_, [&](const WedgePlane &in_mesh) {
+  region().visit_planes(deepest_corner_, [&](const WedgePlane &in_mesh) {
     const WedgePlane plane = moved_aside(in_mesh);
     for (const Plane &other : scratch_.planes) {
       if (coincide(plane, other, radius())) return true;

@@ -7,7 +7,7 @@
 #include "math/pose_algebra.hpp"
 #include "mesh/core/placed_vertices.hpp"
 #include "mesh/elastic/wedge_integrals.hpp"
-#include "mesh/elastic/wedge_planes.hpp"
+#include "mesh/wedges/wedge_region.hpp"
 
 namespace cmb::mesh {
 
@@ -52,7 +52,7 @@ class PairOverlap : public WedgeIntegrals {
   };
 
   double reach(const Vec3 &direction) const;
-  void add(std::uint32_t t);
+  void add(const WedgeRegion &region);
   bool counts(std::uint32_t facet) const { return components_ == nullptr || (*components_)[body_.component_of(facet)] != 0; }
   bool meets_surface() const;
   bool may_fill();

@@ -65,7 +65,7 @@ bool RoundOverlap::set_cell(const Piece &piece) {
   deepest_below_ = std::min(deepest, mesh().depth_limit(triangle()));
   // Most of what is not there a plane tells, before anything is cut.
   const auto may_hold = [&](const WedgePlane &plane) { return reach(plane.normal) > moved_offset(plane); };
-  if (!visit_wedge_planes(mesh(), triangle(), deepest, may_hold)) return false;
+  if (!region().visit_planes(deepest, may_hold)) return false;
   scratch_.planes.clear();
   scratch_.cell.start(center, 1.1 * radius_of(piece.body));
   // A plane that would cut through a corner of the cell is moved by as little as that.
@@ -88,7 +88,7 @@ bool RoundOverlap::set_cell(const Piece &piece) {
   };
   if (std::isfinite(piece.low) && !limit(1.0, piece.low)) return false;
   if (std::isfinite(piece.high) && !limit(-1.0, -piece.high)) return false;
-  return visit_wedge_planes(mesh(), triangle(), deepest, [&](const WedgePlane &plane) {
+  return region().visit_planes(deepest, [&](const WedgePlane &plane) {
     const double offset = moved_offset(plane);
     if (-reach(-plane.normal) >= offset) return true;
     const WedgePlane in_body{transposed_times(piece.place.rotation, plane.normal), offset - dot(plane.normal, center), false};
@@ -162,8 +162,8 @@ Vec3 RoundOverlap::place_on_edges(const Piece &piece, const Vec3 &otherwise) con
   return count > 0 ? (1.0 / count) * sum : otherwise;
 }
 
-void RoundOverlap::add(std::uint32_t t) {
-  look_at(t);
+void RoundOverlap::add(const WedgeRegion &region) {
+  look_at(region);
   if (is_out_of_reach(whole_.place.translation) || is_outside(whole_)) return;
   for (std::size_t k = 0; k < count_; ++k) {
     const Piece &piece = pieces_[k];

@@ -11,7 +11,7 @@
 #include "math/pose_algebra.hpp"
 #include "mesh/elastic/convex_cell.hpp"
 #include "mesh/elastic/wedge_integrals.hpp"
-#include "mesh/elastic/wedge_planes.hpp"
+#include "mesh/wedges/wedge_region.hpp"
 #include "shape/convex_body.hpp"
 
 namespace cmb::mesh {
@@ -37,7 +37,9 @@ class RoundOverlap : public WedgeIntegrals {
   RoundOverlap(const convex::ConvexBody &body, const Pose &place, const TriangleMesh &mesh, RoundOverlapScratch &scratch);
 
   // What lies behind triangle t.
-  void add(std::uint32_t t);
+  void add(std::uint32_t t) {
+    visit_regions(mesh(), t, [this](const WedgeRegion &region) { add(region); });
+  }
 
  private:
   // What is asked by itself, with its axes along the body's.
@@ -49,6 +51,7 @@ class RoundOverlap : public WedgeIntegrals {
     bool is_ellipsoid() const { return body.core == convex::CoreShape::ellipsoid; }
   };
 
+  void add(const WedgeRegion &region);
   bool is_outside(const Piece &piece) const;
   bool set_cell(const Piece &piece);
   bool find_surface(const Piece &piece);

@@ -6,15 +6,15 @@
 
 namespace cmb::mesh {
 
-void WedgeIntegrals::look_at(std::uint32_t t) {
-  triangle_ = t;
-  normal_ = mesh_.face_normal(t);
-  offset_ = dot(normal_, mesh_.corner(t, 0));
+void WedgeIntegrals::look_at(const WedgeRegion &region) {
+  region_ = region;
+  normal_ = mesh_.face_normal(triangle());
+  offset_ = dot(normal_, mesh_.corner(triangle(), 0));
 }
 
 bool WedgeIntegrals::is_out_of_reach(const Vec3 &center) const {
   if (depth(center) <= -radius_) return true;
-  for (const WedgeSide &side : mesh_.wedge_sides(triangle_)) {
+  for (const WedgeSide &side : region_.sides()) {
     if (dot(side.normal, center) - side.offset <= -radius_) return true;
   }
   return false;
@@ -23,7 +23,7 @@ bool WedgeIntegrals::is_out_of_reach(const Vec3 &center) const {
 void WedgeIntegrals::begin(const Vec3 &place) {
   if (parts_.empty()) origin_ = place;
   // Triangles of a face follow each other, mostly.
-  const std::uint32_t face = mesh_.faces().face_of(triangle_);
+  const std::uint32_t face = mesh_.faces().face_of(triangle());
   for (at_hand_ = parts_.size(); at_hand_ > 0; --at_hand_) {
     if (parts_[at_hand_ - 1].face == face) break;
   }
@@ -98,9 +98,9 @@ void WedgeIntegrals::offer_lowest(double depth, const Vec3 &place) {
 // 1 where the triangle's plane is what is nearest to a point behind it; falls to 0 where another part of the surface
 // is nearer by half, as on the far side of a thin wall. Down to the clear depth nothing is, which need not be looked up.
 double WedgeIntegrals::inside_share(const Vec3 &p) const {
-  const double clear = mesh_.clear_depth(triangle_), deep = depth(p);
+  const double clear = mesh_.clear_depth(triangle()), deep = depth(p);
   if (!mesh_.closed() || deep <= clear) return 1.0;
-  const double share = std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, triangle_).distance / deep - 1.0 + 1e-9));
+  const double share = std::fmin(1.0, std::fmax(0.0, -2.0 * mesh_.nearest(p, triangle()).distance / deep - 1.0 + 1e-9));
   return deep >= 2.0 * clear ? share : 1.0 - (deep / clear - 1.0) * (1.0 - share);
 }
 

@@ -8,7 +8,7 @@
 
 #include "mesh/core/triangle_mesh.hpp"
 #include "mesh/elastic/direction_patches.hpp"
-#include "mesh/elastic/wedge_planes.hpp"
+#include "mesh/wedges/wedge_region.hpp"
 
 namespace cmb::mesh {
 
@@ -71,8 +71,8 @@ class WedgeIntegrals {
   const Vec3 &deepest_normal() const { return deepest_normal_; }
 
  protected:
-  // What follows is of triangle t.
-  void look_at(std::uint32_t t);
+  // What follows is of that region.
+  void look_at(const WedgeRegion &region);
   // Whether the body's ball, about `center`, lies before it or beyond a side of its wedge.
   bool is_out_of_reach(const Vec3 &center) const;
   // Whether nothing of a body is below it, or that lies beyond a side of its wedge. support(d) is the greatest d . x of the body in its own
@@ -83,7 +83,7 @@ class WedgeIntegrals {
     const double front = depth(place.translation);
     if (!(front + support(-normal) > 0.0)) return true;
     // The side that the body is farthest beyond comes first.
-    const std::array<WedgeSide, 3> &sides = mesh_.wedge_sides(triangle_);
+    const std::array<WedgeSide, 3> &sides = region_.sides();
     double offset[3];
     for (std::size_t k = 0; k < 3; ++k) offset[k] = sides[k].offset - dot(sides[k].normal, place.translation);
     const std::size_t first = offset[0] > offset[1] ? (offset[0] > offset[2] ? 0 : 2) : (offset[1] > offset[2] ? 1 : 2);
@@ -121,7 +121,8 @@ class WedgeIntegrals {
   // One that does not face away from it.
   void offer_lowest(double depth, const Vec3 &place);
 
-  std::uint32_t triangle() const { return triangle_; }
+  const WedgeRegion &region() const { return region_; }
+  std::uint32_t triangle() const { return region_.triangle(); }
   // Its normal.
   const Vec3 &face_normal() const { return normal_; }
   double depth(const Vec3 &p) const { return offset_ - dot(normal_, p); }
@@ -142,8 +143,8 @@ class WedgeIntegrals {
   Vec3 origin_;
   double most_carried_ = 0.0, deepest_ = 0.0, lowest_ = 0.0;
   Vec3 deepest_place_, deepest_normal_;
-  // Of the triangle at hand:
-  std::uint32_t triangle_ = 0;
+  // At hand:
+  WedgeRegion region_{mesh_, 0};
   Vec3 normal_;
   double offset_ = 0.0;
 };

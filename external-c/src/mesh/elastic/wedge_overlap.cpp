@@ -70,12 +70,12 @@ bool WedgeOverlap::offer(const Plane &plane) {
 }
 
 // The planes that cut the body; false where nothing of it is left. The triangle's own comes first.
-bool WedgeOverlap::set_planes(std::uint32_t t) {
-  look_at(t);
+bool WedgeOverlap::set_planes(const WedgeRegion &region) {
+  look_at(region);
   const auto support = [&](const Vec3 &d) { return dot(d, body_.vertices()[static_cast<std::size_t>(body_.support_vertex(d))]); };
   if (is_out_of_reach(center_) || is_outside(place_, support)) return false;
   scratch_.depths.clear();
-  const double limit = mesh().depth_limit(t);
+  const double limit = mesh().depth_limit(triangle());
   double deepest = 0.0, shallowest = limit;
   for (const Vec3 &v : vertices_) {
     const double deep = depth(v);
@@ -89,10 +89,10 @@ bool WedgeOverlap::set_planes(std::uint32_t t) {
   scratch_.outside.assign(vertices_.size(), 0);
   front_ = front ? 1 : 0;
   if (front) {
-    scratch_.planes.push_back({{-face_normal(), -dot(face_normal(), mesh().corner(t, 0)), false}, false});
+    scratch_.planes.push_back({{-face_normal(), -dot(face_normal(), mesh().corner(triangle(), 0)), false}, false});
     for (std::size_t v = 0; v < vertices_.size(); ++v) scratch_.outside[v] = scratch_.depths[v] < 0.0 ? 1 : 0;
   }
-  return visit_wedge_planes(mesh(), t, deepest, [&](const WedgePlane &in_mesh) {
+  return region.visit_planes(deepest, [&](const WedgePlane &in_mesh) {
     const WedgePlane plane = moved_aside(in_mesh);
     if (dot(plane.normal, center_) - plane.offset >= radius()) return true;
     for (const Plane &other : scratch_.planes) {
@@ -102,8 +102,8 @@ bool WedgeOverlap::set_planes(std::uint32_t t) {
   });
 }
 
-void WedgeOverlap::add(std::uint32_t t) {
-  if (!set_planes(t)) return;
+void WedgeOverlap::add(const WedgeRegion &region) {
+  if (!set_planes(region)) return;
   patch_ = {};
   const std::vector<std::int32_t> &corners = body_.face_vertices();
   scratch_.points.clear();

@@ -6,7 +6,7 @@
 
 #include "math/pose_algebra.hpp"
 #include "mesh/elastic/wedge_integrals.hpp"
-#include "mesh/elastic/wedge_planes.hpp"
+#include "mesh/wedges/wedge_region.hpp"
 #include "shape/polytope.hpp"
 
 namespace cmb::mesh {
@@ -46,10 +46,13 @@ class WedgeOverlap : public WedgeIntegrals {
       : WedgeIntegrals(mesh, radius, 1.0, 0.0, scratch.parts), body_(body), place_(place), vertices_(vertices), normals_(normals), center_(center), scratch_(scratch) {}
 
   // What lies behind triangle t.
-  void add(std::uint32_t t);
+  void add(std::uint32_t t) {
+    visit_regions(mesh(), t, [this](const WedgeRegion &region) { add(region); });
+  }
 
  private:
-  bool set_planes(std::uint32_t t);
+  void add(const WedgeRegion &region);
+  bool set_planes(const WedgeRegion &region);
   bool offer(const OverlapScratch::Plane &plane);
   void keep_before(const OverlapScratch::Plane &plane);
   PolygonSums sums_of(const Vec3 *polygon, std::size_t count, const Vec3 &normal) const;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "mesh/core/triangle_mesh.hpp"
-#include "mesh/core/triangle_wedge.hpp"
+#include "mesh/wedges/triangle_wedge.hpp"
 
 namespace cmb::mesh {
 

@@ -8,22 +8,17 @@
 
 #include "mesh/core/mesh_data.hpp"
 #include "mesh/core/triangle_hierarchy.hpp"
+#include "mesh/wedges/wedge_plane.hpp"
 
 namespace cmb::mesh {
-
-// A plane between what lies behind two neighbours (see make_wedge_side).
-struct WedgeSide {
-  Vec3 normal;  // inward, unit
-  double offset = 0.0;
-};
 
 // Behind a concave edge a wedge becomes wider with depth: what is s deep in it lies within `spread` times s of its triangle. So what is beside a
 // triangle has to be as deep below its plane to be in its wedge; which leaves out whole nodes of the hierarchy.
 class WedgeReach {
  public:
-  // `normals` and `sides` of the triangles.
+  // `normals` and `sides` of the triangles; `beyond_folds`: how far what counts across their folds spreads, by its depth below them.
   WedgeReach(const MeshData &data, const std::vector<Vec3> &normals, const std::vector<std::array<WedgeSide, 3>> &sides,
-             const TriangleHierarchy &hierarchy);
+             const std::vector<double> &beyond_folds, const TriangleHierarchy &hierarchy);
   WedgeReach() = default;
 
   // Whether some of a convex body may be in the wedge of a triangle of the node. support(d) is a place of the body farthest along d.

@@ -1,4 +1,4 @@
-#include "mesh/core/wedge_reach.hpp"
+#include "mesh/wedges/wedge_reach.hpp"
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ constexpr double least_steepness = 0.05;
 }  // namespace
 
 WedgeReach::WedgeReach(const MeshData &data, const std::vector<Vec3> &normals, const std::vector<std::array<WedgeSide, 3>> &sides,
-                       const TriangleHierarchy &hierarchy) {
+                       const std::vector<double> &beyond_folds, const TriangleHierarchy &hierarchy) {
   const std::vector<TriangleHierarchy::Node> &nodes = hierarchy.nodes();
   bundles_.resize(nodes.size());
   std::vector<std::uint32_t> triangles, open;
@@ -44,7 +44,7 @@ WedgeReach::WedgeReach(const MeshData &data, const std::vector<Vec3> &normals, c
     double deviation = 0.0, spread = 0.0, height = 0.0;
     for (const std::uint32_t t : triangles) {
       deviation = std::fmax(deviation, norm(normals[t] - bundle.axis) + rounding);
-      spread = std::fmax(spread, widened * spread_of(normals[t], sides[t]));
+      spread = std::fmax(spread, widened * std::fmax(spread_of(normals[t], sides[t]), beyond_folds[t]));
       for (const std::uint32_t v : data.triangles[t]) {
         const Vec3 from_center = data.vertices[v] - bundle.center;
         bundle.radius = std::fmax(bundle.radius, widened * norm(from_center));

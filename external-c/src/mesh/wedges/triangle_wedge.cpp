@@ -1,4 +1,4 @@
-#include "mesh/core/triangle_wedge.hpp"
+#include "mesh/wedges/triangle_wedge.hpp"
 
 #include <algorithm>
 #include <cmath>

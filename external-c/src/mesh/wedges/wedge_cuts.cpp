@@ -1,11 +1,11 @@
-#include "mesh/core/wedge_cuts.hpp"
+#include "mesh/wedges/wedge_cuts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "mesh/core/ray_hit.hpp"
-#include "mesh/core/triangle_wedge.hpp"
+#include "mesh/wedges/triangle_wedge.hpp"
 
 namespace cmb::mesh {
 

@@ -8,7 +8,7 @@
 #include "mesh/core/mesh_data.hpp"
 #include "mesh/core/planar_faces.hpp"
 #include "mesh/core/triangle_hierarchy.hpp"
-#include "mesh/core/wedge_reach.hpp"
+#include "mesh/wedges/wedge_plane.hpp"
 
 namespace cmb::mesh {
 
