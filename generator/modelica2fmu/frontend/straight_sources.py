@@ -45,7 +45,7 @@ class StraightSources:
         Returns:
             None where it says nothing of functions, or nothing of other functions than before.
         """
-        if _REFUSED.search(words) is None or self._given.library.own is None:
+        if _REFUSED.search(words) is None:
             return None
         is_new = self._add_library_file(words)
         if self._own is None:
@@ -54,6 +54,8 @@ class StraightSources:
         return self._sources(self._own) if is_new else None
 
     def _own_texts(self) -> dict[Path, str]:
+        if self._given.library.own is None:
+            return {}
         if self._given.request.text is None:
             files = sorted(self._given.file.parent.rglob("*.mo"))
             texts = {each: each.read_text(encoding="utf-8", errors="surrogateescape") for each in files}
