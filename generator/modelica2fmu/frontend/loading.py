@@ -78,6 +78,9 @@ _SIZES_DIFFER: Final = "array dimension mismatch for `connect`"
 # Of what may be written out or not: loops over what is no range, and tables in files.
 _CURABLE: Final = ("for-equation range", "(tableOnFile) is unsupported")
 
+# What only functions without control flow have in them, or that they could not be read.
+_OF_STRAIGHT_LINES: Final = re.compile(r"\bcmb[A-Z]|noEvent\(size\(|resolve/parse failed")
+
 FileFinder = Callable[[str], Path]
 # Of what it takes only when it is written out: concatenations, whose type is that of the dimension, and loops.
 _WRITTEN_OUT_TAKEN: Final = re.compile(
@@ -158,8 +161,8 @@ def load_flat_model(
             last = other
         if refusal is not None:  # what else is wrong comes first
             load(sources)
-        # What is not the front end's own goes for the functions as they are, too, and says more.
-        raise flat if isinstance(last.__cause__, FrontEndError) else last
+        # What is left without control flow says more, unless it is about that.
+        raise flat if _OF_STRAIGHT_LINES.search(f"{last} {last.__cause__}") is not None else last
 
 
 def _load_or_refuse(load: Callable[[Sources], ir.FlatModel], sources: Sources) -> ir.FlatModel | CmbError:

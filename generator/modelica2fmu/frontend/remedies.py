@@ -129,6 +129,18 @@ _KNOWN: Final = tuple(
             re.compile(r"\w\s*\[[^\]]*\bsize\s*\("),
         ),
         (
+            r"unevaluable array dimensions for '(?P<name>[\w.]+)': .*FunctionCall \{ comp: (?P<function>[\w.]+).*",
+            "the size of {name} depends on the function {function}, which the front end cannot evaluate",
+            "give the size as a number, or as a parameter that no function computes",
+            None,
+        ),
+        (
+            r"unevaluable array dimensions for '(?P<name>[\w.]+)': .*",
+            "the size of {name} cannot be evaluated",
+            "give the size as a number, or as a parameter that no function with break, return or the like computes",
+            None,
+        ),
+        (
             r"cannot evaluate structural parameter `connection range`.*",
             "a range in connect is not taken whose ends are no numbers or parameters",
             "write a number in place of end: connect(a.y[2:3], b.u)",

@@ -67,14 +67,17 @@ def test_functions_of_a_package_of_files(tmp_path, fmu_cache):
     np.testing.assert_allclose(result["x"], 4 * result["time"])
 
 
-@pytest.mark.parametrize("size", ["n", "count(3)"])
-def test_sizes_are_not_guessed(size, tmp_path, fmu_cache):
+@pytest.mark.parametrize(
+    ("size", "said"), [("n", "size of v cannot be"), ("count(3)", "size of v depends on the function count")]
+)
+def test_sizes_are_not_guessed(size, said, tmp_path, fmu_cache):
     """The front end computes sizes, and must not take what stands for outputs of functions that it cannot follow."""
     text = f"package P\n{COUNT}  model M\n    parameter Integer n = count(3);\n    Real v[{size}] = fill(time, 3);\n"
     source = tmp_path / "P.mo"
     source.write_text(f"{text}  end M;\nend P;\n", encoding="utf-8")
-    with pytest.raises(InputError, match=r"P\.mo:\d+"):
+    with pytest.raises(InputError, match=r"P\.mo:\d+") as caught:
         build_fmu("P.M", [source], tmp_path / "M.fmu", BuildOptions(cache=fmu_cache))
+    assert said in str(caught.value)
 
 
 def test_an_error_behind_it_has_its_line(tmp_path, fmu_cache):
