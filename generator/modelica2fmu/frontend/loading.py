@@ -78,8 +78,8 @@ _SIZES_DIFFER: Final = "array dimension mismatch for `connect`"
 # Of what may be written out or not: loops over what is no range, and tables in files.
 _CURABLE: Final = ("for-equation range", "(tableOnFile) is unsupported")
 
-# What only functions without control flow have in them, or that they could not be read.
-_OF_STRAIGHT_LINES: Final = re.compile(r"\bcmb[A-Z]|noEvent\(size\(|resolve/parse failed")
+# Where it cannot evaluate a function that a size depends on.
+_UNKNOWN_SIZE: Final = "unevaluable array dimensions"
 
 FileFinder = Callable[[str], Path]
 # Of what it takes only when it is written out: concatenations, whose type is that of the dimension, and loops.
@@ -161,8 +161,9 @@ def load_flat_model(
             last = other
         if refusal is not None:  # what else is wrong comes first
             load(sources)
-        # What is left without control flow says more, unless it is about that.
-        raise flat if _OF_STRAIGHT_LINES.search(f"{last} {last.__cause__}") is not None else last
+        # What is not the front end's own goes for the functions as they are, too, and says more; so do sizes.
+        says_more = not isinstance(last.__cause__, FrontEndError) or _UNKNOWN_SIZE in str(last.__cause__)
+        raise last if says_more else flat
 
 
 def _load_or_refuse(load: Callable[[Sources], ir.FlatModel], sources: Sources) -> ir.FlatModel | CmbError:
