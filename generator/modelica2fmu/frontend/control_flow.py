@@ -5,11 +5,11 @@ See :mod:`modelica2fmu.frontend.rewriting.straight_line`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from contact_foundation.errors import UnsupportedModelError
+from contact_foundation.errors import Place, UnsupportedModelError
 
 from modelica2fmu.frontend import ir
 from modelica2fmu.frontend.flat_expressions import as_reference
@@ -17,15 +17,23 @@ from modelica2fmu.frontend.rewriting import straight_line as straight
 from modelica2fmu.library.source_map import Span
 
 
-def with_control_flow(flat: ir.FlatModel) -> ir.FlatModel:
-    """The same model with the statements that its functions have in the sources."""
-    return replace(flat, functions={name: _restored(each) for name, each in flat.functions.items()})
+def with_control_flow(flat: ir.FlatModel, place_of: Callable[[Span | None], Place]) -> ir.FlatModel:
+    """The same model with the statements that its functions have in the sources.
+
+    Args:
+        flat: the model.
+        place_of: the place of a range of the sources.
+
+    Raises:
+        UnsupportedModelError: a statement assigns to what is no variable.
+    """
+    return replace(flat, functions={name: _restored(each, place_of) for name, each in flat.functions.items()})
 
 
-def _restored(function: ir.Function) -> ir.Function:
+def _restored(function: ir.Function, place_of: Callable[[Span | None], Place]) -> ir.Function:
     if not any(variable.name == straight.BEGIN for variable in function.locals):
         return function
-    reader = _Reader(function.body)
+    reader = _Reader(function.body, place_of)
     body = reader.statements()
     added = {*straight.MARKS, *reader.added}
     declared = tuple(variable for variable in function.locals if variable.name not in added)
@@ -33,13 +41,14 @@ def _restored(function: ir.Function) -> ir.Function:
 
 
 class _Reader:
-    def __init__(self, body: Sequence[ir.Statement]) -> None:
+    def __init__(self, body: Sequence[ir.Statement], place_of: Callable[[Span | None], Place]) -> None:
+        self._place_of = place_of
         begin = next(place for place, each in enumerate(body) if _mark(each) == straight.BEGIN)
         self._body = body
         self._at = begin + 1
         # Iterators, of which the front end was told that they are variables.
         self.added = {
-            _target(_part(each.value)).name
+            self._target(_part(each.value)).name
             for each in body[:begin]
             if isinstance(each, ir.Assignment) and _mark(each) == straight.ITERATOR
         }
@@ -106,26 +115,29 @@ class _Reader:
         while self._next() != straight.VALUE:
             is_left_out = self._next() == straight.NO_TARGET
             target = self._take()
-            targets.append(None if is_left_out else _target(target))
+            targets.append(None if is_left_out else self._target(target))
         value = self._take()
         if isinstance(value, ir.Call) and not value.is_constructor and (len(targets) > 1 or targets[0] is None):
             return ir.CallAssignment(tuple(targets), value, span)
         assert targets[0] is not None
         return ir.Assignment(targets[0], value, span)
 
+    def _target(self, expression: ir.Expression) -> ir.Reference:
+        """What a statement assigns to, which the front end took for a value.
 
-def _target(expression: ir.Expression) -> ir.Reference:
-    """What a statement assigns to, which the front end took for a value.
-
-    Raises:
-        UnsupportedModelError: it is nothing that could be assigned to.
-    """
-    read = as_reference(expression)
-    if read is None:
-        raise UnsupportedModelError("this target of an assignment is not covered")
-    names = [(name, inner) for part, inner in read.parts for name in part.split(".")]
-    parts = tuple((name, ()) if place < len(names) - 1 else (name, inner) for place, (name, inner) in enumerate(names))
-    return replace(read, parts=parts)
+        Raises:
+            UnsupportedModelError: it is nothing that could be assigned to.
+        """
+        read = as_reference(expression)
+        if read is None:
+            raise UnsupportedModelError(
+                "this target of an assignment is not covered", place=self._place_of(expression.span)
+            )
+        names = [(name, inner) for part, inner in read.parts for name in part.split(".")]
+        parts = tuple(
+            (name, ()) if place < len(names) - 1 else (name, inner) for place, (name, inner) in enumerate(names)
+        )
+        return replace(read, parts=parts)
 
 
 def _mark(statement: ir.Statement) -> str:

@@ -142,22 +142,19 @@ def load_flat_model(
             _load, model, file, given, missing=missing, source_map=source_map, remark=remark, find_file=find_file
         )
         refusal = mixed_up(sources, _places(source_map))
-        flat = _load_or_refuse(load, sources) if refusal is None else refusal
+        flat = _load_or_refuse(load, sources, source_map) if refusal is None else refusal
         if isinstance(flat, ir.FlatModel):
             return flat
-        source_map.forget_texts()
         for written in written_sources(sources, file, folder, source_map):
-            other = _load_or_refuse(load, written)
+            other = _load_or_refuse(load, written, source_map)
             if isinstance(other, ir.FlatModel):
                 return other
-            source_map.forget_texts()
         straight = StraightSources(sources, file, folder, source_map)
         last: CmbError = flat
         while (without := straight.after(str(last.__cause__))) is not None:
-            other = _load_or_refuse(load, without)
+            other = _load_or_refuse(load, without, source_map)
             if isinstance(other, ir.FlatModel):
                 return other
-            source_map.forget_texts()
             last = other
         if refusal is not None:  # what else is wrong comes first
             load(sources)
@@ -166,10 +163,14 @@ def load_flat_model(
         raise last if says_more else flat
 
 
-def _load_or_refuse(load: Callable[[Sources], ir.FlatModel], sources: Sources) -> ir.FlatModel | CmbError:
+def _load_or_refuse(
+    load: Callable[[Sources], ir.FlatModel], sources: Sources, source_map: SourceMap
+) -> ir.FlatModel | CmbError:
+    """The model or its refusal, after which the front end may be given other texts."""
     try:
         return load(sources)
     except (InputError, UnsupportedModelError) as refusal:
+        source_map.forget_texts()
         return refusal
 
 
@@ -243,7 +244,8 @@ def _load(
         )
         for name in (*copies_of_inner(answer.flat, model, library), *unused_members(answer.flat)):
             del answer.flat["variables"][name]
-        flat = with_control_flow(with_references(read_flat_model(answer.flat, model, source_map), source_map))
+        read = with_references(read_flat_model(answer.flat, model, source_map), source_map)
+        flat = with_control_flow(read, source_map.place)
         return replace(flat, warnings=warnings)
 
 

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
-from functools import cache
 from typing import Any
 
 from modelica2fmu.frontend import ir
 
 
-@cache
 def declaration_order(function: ir.Function) -> tuple[ir.FunctionVariable, ...]:
     """Local variables and outputs, each behind those that its value or its size names.
 

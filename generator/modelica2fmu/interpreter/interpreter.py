@@ -45,7 +45,10 @@ class Interpreter(ExpressionInterpreter):
     def __init__(self, model: ir.FlatModel, host: Host, source_map: SourceMap) -> None:
         super().__init__(model, host, source_map)
         self._is_unproven = False  # = true, in functions whose sizes the front end has not checked, and what they call
-        self._declared: Mapping[str, ir.FunctionVariable] = {}  # of the function that is executed
+        # Local variables and outputs by name, in the order of their values: of the functions that were called, and of
+        # the one that is executed.
+        self._declarations: dict[str, Mapping[str, ir.FunctionVariable]] = {}
+        self._declared: Mapping[str, ir.FunctionVariable] = {}
 
     # --- functions ---
 
@@ -87,10 +90,10 @@ class Interpreter(ExpressionInterpreter):
             return (Record({variable.name: self.known(local.values[variable.name]) for variable in function.inputs}),)
         before = self.events, self._is_unproven, self._declared
         self.events, self._is_unproven = False, self._is_unproven or function.is_unproven
-        self._declared = {variable.name: variable for variable in (*function.locals, *function.outputs)}
+        self._declared = self._declarations_of(function)
         self.call_depth += 1
         try:
-            for variable in declaration_order(function):
+            for variable in self._declared.values():
                 local.values[variable.name] = self._initial_value(variable, local)
             if function.external is not None:
                 return self._external(function, local, span)
@@ -105,6 +108,13 @@ class Interpreter(ExpressionInterpreter):
                 raise self.wrong(f"{function.name} does not assign its output {variable.name}", function.span)
             outputs.append(value)
         return tuple(outputs)
+
+    def _declarations_of(self, function: ir.Function) -> Mapping[str, ir.FunctionVariable]:
+        found = self._declarations.get(function.name)
+        if found is None:
+            found = {variable.name: variable for variable in declaration_order(function)}
+            self._declarations[function.name] = found
+        return found
 
     def _require_sizes(self, variable: ir.FunctionVariable, value: Value, local: Scope, span: Span | None) -> None:
         """Raises InputError where a variable of a function is given a value of other sizes than it is declared with."""
