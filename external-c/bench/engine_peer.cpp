@@ -11,6 +11,7 @@ namespace cmb::bench {
 namespace {
 
 constexpr std::size_t capacity = 8;
+constexpr double hardly_apart = 1e-9;  // m; whose bounds are farther apart than twice this do not touch
 
 class EnginePeer : public ContactPeer {
  public:
@@ -33,8 +34,12 @@ class EnginePeer : public ContactPeer {
 
   double ask(std::size_t k) override {
     double distance = 0.0;
-    cmb::test::query_scene(scene_, &position_[6 * k], &rotation_[18 * k], 2, 1, capacity, &distance, depth_, weight_, normal_,
-                    point_, exact_within_);
+    const cmb_status status = cmb::test::query_scene(scene_, &position_[6 * k], &rotation_[18 * k], 2, 1, capacity, &distance, depth_,
+                                                     weight_, normal_, point_, exact_within_);
+    if (status != CMB_OK) {  // to refuse is quicker than to answer
+      std::fprintf(stderr, "%s\n", cmb_last_error());
+      std::exit(1);
+    }
     return distance;
   }
 
@@ -49,6 +54,6 @@ class EnginePeer : public ContactPeer {
 
 std::unique_ptr<ContactPeer> make_engine(const PosedPair &pair) { return std::make_unique<EnginePeer>(pair, HUGE_VAL); }
 
-std::unique_ptr<ContactPeer> make_engine_within_bounds(const PosedPair &pair) { return std::make_unique<EnginePeer>(pair, 0.0); }
+std::unique_ptr<ContactPeer> make_engine_within_bounds(const PosedPair &pair) { return std::make_unique<EnginePeer>(pair, hardly_apart); }
 
 }  // namespace cmb::bench
