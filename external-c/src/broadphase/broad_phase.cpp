@@ -32,7 +32,7 @@ BroadPhase::BroadPhase(std::shared_ptr<const Scene> given, CollisionFilter filte
     for (std::size_t shape = 0; shape < scene.bodies[body].size(); ++shape) {
       shapes_.push_back(&scene.bodies[body][shape]);
       ball_radius_.push_back(0.0);
-      is_where_body_is_.push_back(is_identity(scene.bodies[body][shape].in_body) ? 1 : 0);
+      is_where_body_is_.push_back(scene.bodies[body][shape].is_moved ? 0 : 1);
       const Proxy proxy{static_cast<std::uint32_t>(body), static_cast<std::uint32_t>(shape)};
       if (scene.bodies[body][shape].kind == ShapeKind::halfspace) {
         halfspaces_.push_back(proxy);

@@ -8,6 +8,7 @@
 #include "backend/distance_library.hpp"
 #include "c_api/call_guard.hpp"
 #include "c_api/pose_check.hpp"
+#include "math/lanes.hpp"
 #include "query/overlap_query.hpp"
 #include "query/pair_query.hpp"
 #include "query/query_memory.hpp"
@@ -38,8 +39,8 @@ cmb_status check_query(cmb_scene handle, const cmb_poses *poses, const Scene *&s
   return cmb::check_poses(poses, scene->bodies.size());
 }
 
-// What receives the points of `pair_count` pairs.
-cmb_status check_room(const cmb_contact_points *points, std::size_t pair_count) {
+// What is wrong with what receives the points of `pair_count` pairs, if anything is.
+cmb_status check_room_closely(const cmb_contact_points *points, std::size_t pair_count) {
   if (points == nullptr) return fail(CMB_ERROR_ARGUMENT, "points is NULL");
   if (points->point_capacity < 1) return fail(CMB_ERROR_ARGUMENT, "point_capacity is 0; it has to be at least 1");
   if (points->pair_count != pair_count) {
@@ -53,17 +54,17 @@ cmb_status check_room(const cmb_contact_points *points, std::size_t pair_count) 
   return CMB_OK;
 }
 
+cmb_status check_room(const cmb_contact_points *points, std::size_t pair_count) {
+  const bool is_there = points != nullptr && points->point_capacity >= 1 && points->pair_count == pair_count &&
+                        points->distance != nullptr && points->depth != nullptr && points->weight != nullptr &&
+                        points->normal != nullptr && points->point != nullptr;
+  return is_there ? CMB_OK : check_room_closely(points, pair_count);
+}
+
 void write_vector(const Vec3 &v, double *target) {
   target[0] = v.x;
   target[1] = v.y;
   target[2] = v.z;
-}
-
-// The same vector `count` times, two at once: most slots hold nothing.
-void fill_vectors(const Vec3 &v, double *target, std::size_t count) {
-  const double two[6] = {v.x, v.y, v.z, v.x, v.y, v.z};
-  for (; count >= 2; count -= 2, target += 6) std::memcpy(target, two, sizeof two);
-  if (count > 0) write_vector(v, target);
 }
 
 // One pair of a scene with the poses of its bodies.
@@ -98,26 +99,52 @@ struct PairOutput {
   double *distance, *depth, *weight, *normal, *point;
 };
 
-void query_pair(const PosedPair &pair, double exact_within, std::size_t point_capacity, cmb::QueryScratch &scratch,
-                const PairOutput &output) {
-  cmb::PairReport report;
-  ContactSet &contact = scratch.contact;
-  cmb::query_bodies(*pair.scene, pair.body_a(), pair.pose_a, pair.body_b(), pair.pose_b, scratch, contact, report,
-                    exact_within);
-  cmb::merge_points(contact.points, point_capacity);
+// A vector twice, as it lies in memory.
+struct TwoVectors {
+  cmb::convex::Lanes lanes[3];
+  explicit TwoVectors(const Vec3 &v) : lanes{{v.x, v.y}, {v.z, v.x}, {v.y, v.z}} {}
+  void write(double *target) const {
+    for (int k = 0; k < 3; ++k) std::memcpy(target + 2 * k, &lanes[k], sizeof lanes[k]);
+  }
+};
+
+// The slots from `slot` on, which hold no point; two at once, for most are such.
+void write_no_points(const ContactSet &contact, std::size_t slot, std::size_t point_capacity, const PairOutput &output) {
+  const TwoVectors normals(contact.normal), places(contact.witness);
+  const cmb::convex::Lanes zeros{0.0, 0.0};
+  for (; slot + 2 <= point_capacity; slot += 2) {
+    std::memcpy(output.depth + slot, &zeros, sizeof zeros);
+    std::memcpy(output.weight + slot, &zeros, sizeof zeros);
+    normals.write(output.normal + 3 * slot);
+    places.write(output.point + 3 * slot);
+  }
+  if (slot == point_capacity) return;
+  output.depth[slot] = output.weight[slot] = 0.0;
+  write_vector(contact.normal, output.normal + 3 * slot);
+  write_vector(contact.witness, output.point + 3 * slot);
+}
+
+void write_contact(const ContactSet &contact, std::size_t point_capacity, const PairOutput &output) {
   *output.distance = contact.distance;
+  double *__restrict depth = output.depth, *__restrict weight = output.weight, *__restrict normal = output.normal,
+                     *__restrict place = output.point;
   const std::size_t used = contact.points.size();
   for (std::size_t k = 0; k < used; ++k) {
     const ContactPoint &point = contact.points[k];
-    output.depth[k] = point.depth;
-    output.weight[k] = point.weight;
-    write_vector(point.normal, output.normal + 3 * k);
-    write_vector(point.position, output.point + 3 * k);
+    depth[k] = point.depth;
+    weight[k] = point.weight;
+    write_vector(point.normal, normal + 3 * k);
+    write_vector(point.position, place + 3 * k);
   }
-  for (std::size_t k = used; k < point_capacity; ++k) output.depth[k] = 0.0;
-  for (std::size_t k = used; k < point_capacity; ++k) output.weight[k] = 0.0;
-  fill_vectors(contact.normal, output.normal + 3 * used, point_capacity - used);
-  fill_vectors(contact.witness, output.point + 3 * used, point_capacity - used);
+  write_no_points(contact, used, point_capacity, output);
+}
+
+void query_pair(const Scene &scene, const Scene::Pair &bodies, const Pose &pose_a, const Pose &pose_b, double exact_within,
+                cmb::QueryScratch &scratch, std::size_t point_capacity, const PairOutput &output) {
+  cmb::PairReport report;
+  cmb::query_bodies(scene, bodies.first, pose_a, bodies.second, pose_b, scratch, scratch.contact, report, exact_within);
+  cmb::merge_points(scratch.contact.points, point_capacity);
+  write_contact(scratch.contact, point_capacity, output);
 }
 
 cmb::QueryMemory &query_memory() {
@@ -180,10 +207,8 @@ cmb_status cmb_query_scene(cmb_scene scene, const cmb_poses *poses, double exact
     cmb::QueryScratch &scratch = cmb::query_scratch();
     std::vector<Pose> &body_poses = scratch.body_poses;
     if (body_poses.size() < poses->body_count) body_poses.resize(poses->body_count);
-    for (size_t body = 0; body < poses->body_count; ++body) {
-      status = read_body_pose(body, poses->position, poses->rotation, body_poses[body]);
-      if (status != CMB_OK) return status;
-    }
+    status = cmb::read_body_poses(*poses, body_poses.data());
+    if (status != CMB_OK) return status;
     // A library's answers are counted, each time that it is asked; of a single pair little is to be known.
     const bool is_remembered = found->library == nullptr && found->pairs.size() > 1;
     cmb::QueryMemory *const memory = is_remembered ? &query_memory() : nullptr;
@@ -192,8 +217,7 @@ cmb_status cmb_query_scene(cmb_scene scene, const cmb_poses *poses, double exact
       if (memory != nullptr && memory->recall(pair, *points)) continue;
       const Scene::Pair &bodies = found->pairs[pair];
       const size_t slot = pair * points->point_capacity;
-      query_pair({found, pair, body_poses[bodies.first], body_poses[bodies.second]}, exact_within,
-                 points->point_capacity, scratch,
+      query_pair(*found, bodies, body_poses[bodies.first], body_poses[bodies.second], exact_within, scratch, points->point_capacity,
                  {points->distance + pair, points->depth + slot, points->weight + slot, points->normal + 3 * slot,
                   points->point + 3 * slot});
     }
@@ -208,8 +232,8 @@ cmb_status cmb_query_pair(cmb_scene scene, size_t pair, const cmb_poses *poses, 
     cmb_status status = check_pair_query(scene, pair, poses, posed);
     if (status == CMB_OK) status = check_room(points, 1);
     if (status != CMB_OK) return status;
-    query_pair(posed, HUGE_VAL, points->point_capacity, cmb::query_scratch(),
-               {points->distance, points->depth, points->weight, points->normal, points->point});
+    query_pair(*posed.scene, posed.scene->pairs[posed.index], posed.pose_a, posed.pose_b, HUGE_VAL, cmb::query_scratch(),
+               points->point_capacity, {points->distance, points->depth, points->weight, points->normal, points->point});
     return CMB_OK;
   });
 }

@@ -81,11 +81,7 @@ cmb_status check_query(cmb_broadphase handle, const cmb_poses *poses, const Broa
   if (counted != CMB_OK) return counted;
   std::vector<cmb::convex::Pose> &body_poses = cmb::response_scratch().broad_phase.body_poses;
   body_poses.resize(poses->body_count);
-  for (std::size_t body = 0; body < poses->body_count; ++body) {
-    const cmb_status status = cmb::read_body_pose(body, poses->position, poses->rotation, body_poses[body]);
-    if (status != CMB_OK) return status;
-  }
-  return CMB_OK;
+  return cmb::read_body_poses(*poses, body_poses.data());
 }
 
 // Checks the bodies that a query is about, and sets scratch.among and their poses.

@@ -164,8 +164,7 @@ class CheapestPair {
 
 }  // namespace
 
-void merge_points(std::vector<ContactPoint> &points, std::size_t capacity) {
-  if (points.size() <= capacity) return;
+void merge_surplus(std::vector<ContactPoint> &points, std::size_t capacity) {
   const std::size_t most = std::max(capacity, points_for_all_pairs);
   if (points.size() > most) keep_heaviest(points, most);
   if (points.size() <= capacity) return;

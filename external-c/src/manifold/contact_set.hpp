@@ -48,6 +48,9 @@ double greatest_depth(const std::vector<Corner> &corners, std::size_t begin = 0)
 // weight * depth^2 (the energy stored at exponent 1) and weight * depth * position stay the same; normals are
 // averaged by load. Of all pairs (of the 16 heaviest points), the one whose union changes the second moment of the load
 // least goes first.
-void merge_points(std::vector<ContactPoint> &points, std::size_t capacity);
+void merge_surplus(std::vector<ContactPoint> &points, std::size_t capacity);
+inline void merge_points(std::vector<ContactPoint> &points, std::size_t capacity) {
+  if (points.size() > capacity) merge_surplus(points, capacity);
+}
 
 }  // namespace cmb

@@ -261,6 +261,18 @@ void cone_contact(const convex::ConvexBody &body, Collector &collector) {
   collector.finish(convex::core_support(body, down).point);
 }
 
+// Of a ball, which looks the same from everywhere.
+void ball_contact(double radius, const Vec3 &center, const Plane &plane, ContactSet &result) {
+  const double height = dot(plane.normal, center) - plane.offset - radius;
+  result.distance = height;
+  result.normal = plane.normal;
+  result.witness = center - (radius + 0.5 * height) * plane.normal;
+  if (!(height < 0.0)) return;
+  ContactPoint &point = result.points.emplace_back();
+  point.depth = -height, point.weight = 1.0;
+  point.normal = plane.normal, point.position = result.witness;
+}
+
 void single_point_contact(const convex::ConvexBody &body, Collector &collector) {
   const Vec3 lowest = convex::core_support(body, collector.down()).point + body.radius * collector.down();
   collector.add(lowest, 1.0);
@@ -270,6 +282,10 @@ void single_point_contact(const convex::ConvexBody &body, Collector &collector) 
 }  // namespace
 
 void halfspace_contact(const Shape &shape, const Pose &pose, const Plane &plane, ContactSet &result) {
+  if (shape.kind == ShapeKind::sphere) {
+    ball_contact(shape.body.radius, pose.translation, plane, result);
+    return;
+  }
   Collector collector(pose, plane, result);
   switch (shape.kind) {
     case ShapeKind::box:

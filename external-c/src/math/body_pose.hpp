@@ -23,16 +23,23 @@ struct GivenAxes {
         xy(dot(x, y)) {}
 };
 
+// The axes of a body, or of two at once, that are orthonormal to 1e-8 made so to rounding: x keeps its direction, y its plane with x.
+// Squares of what is missing are lost in rounding: one step of Newton's for the inverse root will do.
+template <typename Vector, typename Number>
+void straighten(const Vector &given_x, const Vector &given_y, Number xx, Number yy, Number xy, Vector &x, Vector &y) {
+  x = (1.5 - 0.5 * xx) * given_x;
+  y = (1.5 - 0.5 * yy) * (given_y - xy * x);
+}
+constexpr double hardly_crooked = 1e-8;
+
 // The pose of a body: point_in_world = pose(point_in_body). Its rotation is made orthonormal to rounding: x keeps its
 // direction, y its plane with x.
 inline convex::Pose body_pose(const double *position, const GivenAxes &axes) {
   using convex::Vec3;
-  constexpr double small = 1e-8;  // its square is lost in rounding: one step of Newton's for the inverse root will do
   Vec3 x, y;
   const double largest = std::max({std::fabs(axes.xx - 1.0), std::fabs(axes.yy - 1.0), std::fabs(axes.xy)});
-  if (largest <= small) {
-    x = (1.5 - 0.5 * axes.xx) * axes.x;
-    y = (1.5 - 0.5 * axes.yy) * (axes.y - axes.xy * x);
+  if (largest <= hardly_crooked) {
+    straighten(axes.x, axes.y, axes.xx, axes.yy, axes.xy, x, y);
   } else {
     x = normalized(axes.x);
     y = normalized(axes.y - dot(axes.y, x) * x);

@@ -12,6 +12,7 @@ namespace cmb::convex {
 using Lanes = double __attribute__((vector_size(16)));
 
 inline double sum_of(Lanes v) { return v[0] + v[1]; }
+inline Lanes magnitude(Lanes v) { return Lanes{std::fabs(v[0]), std::fabs(v[1])}; }
 inline Lanes square_root(Lanes v) { return Lanes{std::sqrt(v[0]), std::sqrt(v[1])}; }
 
 // Two vectors.

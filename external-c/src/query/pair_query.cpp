@@ -65,7 +65,7 @@ void fade_to_gap(const BoundGap &gap, double exact_within, ContactSet &result) {
 
 // Where a shape is whose body is at `body`: that pose, or `placed`, which receives the shape's own.
 const Pose &shape_pose(const Pose &body, const Shape &shape, Pose &placed) {
-  if (is_identity(shape.in_body)) return body;
+  if (!shape.is_moved) return body;
   placed = compose(body, shape.in_body);
   return placed;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/pose_algebra.hpp"
 #include "scene/mesh_descriptor.hpp"
 #include "shape/bounds.hpp"
 
@@ -62,6 +63,7 @@ Shape parse_shape(const Token &part, GeometryFiles &files) {
   Keys keys(kind, {tokens.begin() + 2, tokens.end()});
   Shape shape;
   shape.in_body = parse_pose(keys);
+  shape.is_moved = !is_identity(shape.in_body);
   if (kind.text == "halfspace") {
     shape.kind = ShapeKind::halfspace;
   } else if (kind.text == "sphere") {

@@ -40,7 +40,8 @@ struct Shape {
   std::shared_ptr<const mesh::TriangleMesh> mesh;    // of mesh, which height fields are too, and of hulls given as meshes
   std::shared_ptr<const ContactPolytope> mesh_hull;  // of a mesh that a half-space may touch, if it is no plane
   std::shared_ptr<const LibraryShape> in_library;    // for the scene's back end; null where that keeps none
-  Pose in_body;                                      // point_in_body = in_body(point_in_shape)
+  Pose in_body;                                      // point_in_body = in_body(point_in_shape);
+  bool is_moved = false;                             // whether that is not the identity
   Vec3 bound_center;                                 // bounding sphere in the shape's frame;
   double bound_radius = 0.0;                         // not for halfspace
   LocalBounds bounds;                                // nor these
