@@ -126,20 +126,21 @@ void write_no_points(const ContactSet &contact, std::size_t slot, std::size_t po
 
 void write_contact(const ContactSet &contact, std::size_t point_capacity, const PairOutput &output) {
   *output.distance = contact.distance;
-  double *__restrict depth = output.depth, *__restrict weight = output.weight, *__restrict normal = output.normal,
-                     *__restrict place = output.point;
+  // No two overlap, as compilers cannot know.
+  double *const __restrict depth = output.depth, *const __restrict weight = output.weight, *const __restrict normal = output.normal,
+                          *const __restrict place = output.point;
+  const ContactPoint *const __restrict points = contact.points.data();
   const std::size_t used = contact.points.size();
   for (std::size_t k = 0; k < used; ++k) {
-    const ContactPoint &point = contact.points[k];
-    depth[k] = point.depth;
-    weight[k] = point.weight;
-    write_vector(point.normal, normal + 3 * k);
-    write_vector(point.position, place + 3 * k);
+    depth[k] = points[k].depth;
+    weight[k] = points[k].weight;
+    normal[3 * k] = points[k].normal.x, normal[3 * k + 1] = points[k].normal.y, normal[3 * k + 2] = points[k].normal.z;
+    place[3 * k] = points[k].position.x, place[3 * k + 1] = points[k].position.y, place[3 * k + 2] = points[k].position.z;
   }
   write_no_points(contact, used, point_capacity, output);
 }
 
-void query_pair(const Scene &scene, const Scene::Pair &bodies, const Pose &pose_a, const Pose &pose_b, double exact_within,
+inline void query_pair(const Scene &scene, const Scene::Pair &bodies, const Pose &pose_a, const Pose &pose_b, double exact_within,
                 cmb::QueryScratch &scratch, std::size_t point_capacity, const PairOutput &output) {
   cmb::PairReport report;
   cmb::query_bodies(scene, bodies.first, pose_a, bodies.second, pose_b, scratch, scratch.contact, report, exact_within);

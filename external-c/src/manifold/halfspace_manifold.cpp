@@ -193,14 +193,25 @@ void polytope_contact(const ContactPolytope &polytope, Collector &collector) {
   collector.finish(place(lowest));
 }
 
+// Whether a body of that radius whose lowest point is known is apart by more than rounding, so that no other point need be looked at.
+bool is_apart(const Vec3 &lowest, double radius, const Collector &collector) {
+  constexpr double more_than_rounding = 1e-9;
+  return collector.height(lowest) > more_than_rounding * radius;
+}
+
 void capsule_contact(const convex::ConvexBody &body, Collector &collector) {
   const Vec3 &down = collector.down();
   const double sine = down.z;
-  const double difference = end_share_difference(sine), slope = end_share_slope(sine);
   const Vec3 upper = Vec3{0, 0, body.half.z} + body.radius * down, lower = Vec3{0, 0, -body.half.z} + body.radius * down;
+  const Vec3 &lowest = sine < 0.0 ? lower : upper;
+  if (is_apart(lowest, body.radius, collector)) {
+    collector.finish(lowest);
+    return;
+  }
+  const double difference = end_share_difference(sine), slope = end_share_slope(sine);
   collector.add(upper, 0.5 * (1.0 + difference), {0, 0, 0.5 * slope});
   collector.add(lower, 0.5 * (1.0 - difference), {0, 0, -0.5 * slope});
-  collector.finish(sine < 0.0 ? lower : upper);
+  collector.finish(lowest);
 }
 
 // How a body of revolution about z is inclined: its lowest direction across that axis, and the sine of the angle between both.
@@ -235,17 +246,27 @@ void rim_contact(const Inclination &disc, double radius, double height, double e
 
 // The ends share as those of a capsule do.
 void cylinder_contact(const convex::ConvexBody &body, Collector &collector) {
+  const Vec3 bottom = convex::core_support(body, collector.down()).point;
+  if (is_apart(bottom, body.half.x, collector)) {
+    collector.finish(bottom);
+    return;
+  }
   const Inclination inclination(collector.down());
   const double sine = collector.down().z;
   const double difference = end_share_difference(sine), slope = end_share_slope(sine);
   rim_contact(inclination, body.half.x, body.half.z, 1.0, 0.5 * (1.0 + difference), {0, 0, 0.5 * slope}, collector);
   rim_contact(inclination, body.half.x, -body.half.z, 1.0, 0.5 * (1.0 - difference), {0, 0, -0.5 * slope}, collector);
-  collector.finish(convex::core_support(body, collector.down()).point);
+  collector.finish(bottom);
 }
 
 // Apex and base share by the inclination of the lowest line of the mantle; all is the base's where that lies flat.
 void cone_contact(const convex::ConvexBody &body, Collector &collector) {
   const Vec3 &down = collector.down();
+  const Vec3 bottom = convex::core_support(body, down).point;
+  if (is_apart(bottom, body.half.x, collector)) {
+    collector.finish(bottom);
+    return;
+  }
   const Inclination inclination(down);
   const Vec3 &lowest = inclination.lowest;
   const double height = 2.0 * body.half.z;
@@ -258,7 +279,7 @@ void cone_contact(const convex::ConvexBody &body, Collector &collector) {
   // Lying on its mantle the cone touches with one point of the rim.
   const double edge_sine = height / std::sqrt(height * height + body.half.x * body.half.x);
   rim_contact(inclination, body.half.x, -body.half.z, edge_sine, 0.5 * (1.0 - difference), -gradient, collector);
-  collector.finish(convex::core_support(body, down).point);
+  collector.finish(bottom);
 }
 
 // Of a ball, which looks the same from everywhere.

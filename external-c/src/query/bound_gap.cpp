@@ -12,12 +12,12 @@ namespace cmb {
 namespace {
 
 BoundGap gap_to_halfspace(const Shape &shape, const Pose &pose, const Plane &plane) {
-  const Vec3 center = pose(shape.bound_center);
-  const double height = dot(plane.normal, center) - plane.offset;
-  const double of_box = dot(plane.normal, pose(shape.bounds.center)) - plane.offset -
-                        half_extent(shape.bounds, transposed_times(pose.rotation, plane.normal));
+  const Vec3 upwards = transposed_times(pose.rotation, plane.normal);
+  const double of_origin = dot(plane.normal, pose.translation) - plane.offset;
+  const double height = of_origin + dot(upwards, shape.bound_center);
+  const double of_box = of_origin + dot(upwards, shape.bounds.center) - half_extent(shape.bounds, upwards);
   return {std::max(height - shape.bound_radius, of_box), plane.normal,
-          center - (0.5 * (height + shape.bound_radius)) * plane.normal};
+          pose(shape.bound_center) - (0.5 * (height + shape.bound_radius)) * plane.normal};
 }
 
 // The largest gap along the axes of both boxes; where two boxes are apart, as a rule one of these six tells.
@@ -52,10 +52,10 @@ BoundGap gap_of_volumes(const Volumes &a, const Pose &pose_a, const Volumes &b, 
 }  // namespace
 
 BoundGap bound_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {
-  if (b.kind == ShapeKind::halfspace) return gap_to_halfspace(a, pose_a, world_plane(pose_b));
-  if (a.kind == ShapeKind::halfspace) {
-    BoundGap gap = gap_to_halfspace(b, pose_b, world_plane(pose_a));
-    gap.normal = -gap.normal;
+  const bool below_a = b.kind == ShapeKind::halfspace;
+  if (below_a || a.kind == ShapeKind::halfspace) {
+    BoundGap gap = gap_to_halfspace(below_a ? a : b, below_a ? pose_a : pose_b, world_plane(below_a ? pose_b : pose_a));
+    if (!below_a) gap.normal = -gap.normal;
     return gap;
   }
   return gap_of_volumes({a.bound_center, a.bound_radius, a.bounds}, pose_a, {b.bound_center, b.bound_radius, b.bounds}, pose_b);
