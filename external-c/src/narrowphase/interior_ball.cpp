@@ -182,10 +182,25 @@ double interior_ball_radius(const ConvexBody &body_a, const ConvexBody &body_b, 
                             const Vec3 &b, double enough, double slack) {
   const Vec3 u = any_perpendicular(outward), v = cross(outward, u);
   const Mat3 &r = b_in_a.rotation;
-  const Surroundings of_a = around(body_a, a, outward, u, v, enough, slack);
-  const Surroundings of_b = around(body_b, transposed_times(r, b - b_in_a.translation), -transposed_times(r, outward),
-                                   transposed_times(r, u), transposed_times(r, v), enough, slack);
-  if (!of_a.inside || !of_b.inside) return 0.0;
+  const auto around_a = [&](double missing) { return around(body_a, a, outward, u, v, missing, slack); };
+  const auto around_b = [&](double missing) {
+    return around(body_b, transposed_times(r, b - b_in_a.translation), -transposed_times(r, outward), transposed_times(r, u),
+                  transposed_times(r, v), missing, slack);
+  };
+  // A polytope last, which has many faces: most places that do not serve lie outside the other body, and it need have no more than what
+  // that one's ball leaves.
+  Surroundings of_a, of_b;
+  if (body_a.core == CoreShape::polytope) {
+    of_b = around_b(enough);
+    if (!of_b.inside) return 0.0;
+    of_a = around_a(enough - of_b.ball);
+    if (!of_a.inside) return 0.0;
+  } else {
+    of_a = around_a(enough);
+    if (!of_a.inside) return 0.0;
+    of_b = around_b(enough - of_a.ball);
+    if (!of_b.inside) return 0.0;
+  }
   const double balls = of_a.ball + of_b.ball;
   if (balls >= enough) return balls;
   const double both = ball_within(of_a.uu + of_b.uu, of_a.uv + of_b.uv, of_a.vv + of_b.vv, of_a.chord + of_b.chord);
