@@ -25,8 +25,8 @@ constexpr double relative_tolerance = 1e-11;
 // bodies; and of the search's own bounds.
 constexpr double proof = 1e-8, searched = 1e-9;
 // Bodies shrink by these parts of the greatest balls in them until they are apart; the gap between the bounds of their distance, relative
-// to it.
-constexpr double shrinkages[] = {0.05, 0.3, 0.6}, shrunk_gap = 0.02;
+// to it, at which the features there are looked at. Ellipsoids have no border to miss: beside them a wider one will do first.
+constexpr double shrinkages[] = {0.05, 0.3, 0.6}, shrunk_gap = 0.02, wide_gap = 0.3, wide_gap_of_segments = 0.1;
 // One minus the cosine up to which directions belong to one minimum.
 constexpr double same_minimum = 1e-5;
 // One minus the cosine up to which a direction is that of a place known to be near, and that angle; how far places are from where
@@ -89,36 +89,36 @@ bool is_within_sides(const Polytope &polytope, const Polytope::Face &face, const
 }
 
 // How far p is from the polytope's vertex that is farthest along d, the edges and the faces there: an upper bound of how far
-// outside it is, from that vertex' surroundings alone.
-double off_support(const Polytope &polytope, const Vec3 &p, const Vec3 &d) {
+// outside it is, from that vertex' surroundings alone. `little` will do: what is less is not told.
+double off_support(const Polytope &polytope, const Vec3 &p, const Vec3 &d, double little) {
   const std::int32_t v = polytope.support_vertex(d);
   const Vec3 from = p - polytope.vertices()[static_cast<std::size_t>(v)];
   double nearest2 = norm2(from), nearest_plane = INFINITY;
+  if (nearest2 <= little * little) return std::sqrt(nearest2);
   for (std::int32_t k = polytope.neighbour_begin(v); k < polytope.neighbour_begin(v + 1); ++k) {
+    const Vec3 &along = polytope.neighbour_ways()[static_cast<std::size_t>(k)];
+    const double part = dot(from, along);
+    if (part > 0.0) nearest2 = std::min(nearest2, norm2(from - std::min(part / norm2(along), 1.0) * along));
+    // Each face has one edge that leads from the vertex in its own turn.
     const Polytope::Edge &edge = polytope.edges()[static_cast<std::size_t>(polytope.neighbour_edges()[static_cast<std::size_t>(k)])];
-    const std::int32_t other = edge.vertex[edge.vertex[0] == v ? 1 : 0];
-    const Vec3 along = polytope.vertices()[static_cast<std::size_t>(other)] - polytope.vertices()[static_cast<std::size_t>(v)];
-    nearest2 = std::min(nearest2, norm2(from - std::clamp(dot(from, along) / norm2(along), 0.0, 1.0) * along));
-    for (const std::int32_t f : edge.face) {
-      const Polytope::Face &face = polytope.faces()[static_cast<std::size_t>(f)];
-      const double height = std::fabs(dot(face.normal, from));
-      if (height < nearest_plane && height * height < nearest2 && is_within_sides(polytope, face, p)) nearest_plane = height;
-    }
+    const Polytope::Face &face = polytope.faces()[static_cast<std::size_t>(edge.face[edge.vertex[0] == v ? 0 : 1])];
+    const double height = std::fabs(dot(face.normal, from));
+    if (height < nearest_plane && height * height < nearest2 && is_within_sides(polytope, face, p)) nearest_plane = height;
   }
   return std::min(nearest_plane, std::sqrt(nearest2));
 }
 
 // The same of any core; `d` is the outward direction there.
-double off_support(const ConvexBody &body, const Vec3 &p, const Vec3 &d) {
-  return body.core == CoreShape::polytope ? off_support(*body.polytope, p, d) : outside(body, p);
+double off_support(const ConvexBody &body, const Vec3 &p, const Vec3 &d, double little) {
+  return body.core == CoreShape::polytope ? off_support(*body.polytope, p, d, little) : outside(body, p);
 }
 
-// How far the points nearest to each other, in A's frame, are from lying in the bodies.
-double missing(const MinkowskiDifference &difference, const RefinedDirection &r) {
+// How far the points nearest to each other, in A's frame, are from lying in the bodies; `little` will do.
+double missing(const MinkowskiDifference &difference, const RefinedDirection &r, double little) {
   const Mat3 &rotation = difference.b_in_a.rotation;
-  return off_support(difference.body_a, r.a, r.direction) +
+  return off_support(difference.body_a, r.a, r.direction, little) +
          off_support(difference.body_b, transposed_times(rotation, r.b - difference.b_in_a.translation),
-                     -transposed_times(rotation, r.direction));
+                     -transposed_times(rotation, r.direction), little);
 }
 
 // The same, by the planes of polytopes' faces.
@@ -139,7 +139,7 @@ bool proven(const MinkowskiDifference &difference, const RefinedDirection &r, Co
     ball = interior_ball_radius(a, b, pose, r.direction, r.a, r.b, enough, tolerance);
     if (!(ball >= r.height)) return false;
   } else {
-    if (!(missing(difference, r) <= tolerance)) return false;
+    if (!(missing(difference, r, 0.01 * tolerance) <= tolerance)) return false;
   }
   result = {-r.height, r.direction, r.a, r.b, DistanceMethod::refined, true, ball};
   return true;
@@ -162,6 +162,18 @@ struct Projections {
   int rounds;
 };
 constexpr Projections attempts[] = {{0.9, 4}, {1.0, 8}};
+
+// The gap between the bounds of the distance of shrunk bodies at which their features are looked at first.
+double first_gap(const MinkowskiDifference &difference) {
+  const ConvexBody &a = difference.body_a, &b = difference.body_b;
+  if (!is_ellipsoid(a) && !is_ellipsoid(b)) return shrunk_gap;
+  const ConvexBody &other = is_ellipsoid(a) ? b : a;
+  if (other.core == CoreShape::segment) return wide_gap_of_segments;
+  if (other.core != CoreShape::polytope) return wide_gap;
+  // A gap leaves the square root of its double open in the direction: as much as a corner's part of the sphere is wide.
+  constexpr double two_pi = 6.283;
+  return std::min(wide_gap, two_pi / static_cast<double>(other.polytope->vertices().size()));
+}
 
 enum class Quick { found, not_proven, too_deep };
 
@@ -206,18 +218,24 @@ Quick find_quickly(const MinkowskiDifference &difference, const Vec3 &first, Cor
     const InsetBody a = inset(difference.body_a, part), b = inset(difference.body_b, part);
     const Pose b_in_a{pose.rotation, pose(b.origin) - a.origin};
     const MinkowskiDifference apart(a.body, b.body, b_in_a);
-    const GjkResult gjk = gjk_distance(apart, first, 1e-6 * apart.scale, shrunk_gap);
+    const auto features_prove_it = [&](const GjkResult &gjk) {
+      Vec3 on_a, on_b;
+      nearest_points(gjk, on_a, on_b);
+      on_b = transposed_times(pose.rotation, on_b - b_in_a.translation);
+      return feature_direction(difference, gjk.direction, grown(a, on_a), grown(b, on_b), r) && proven(difference, r, result);
+    };
+    const double tolerance = 1e-6 * apart.scale, gap = first_gap(difference);
+    GjkResult gjk = gjk_distance(apart, first, tolerance, gap);
+    if (gap > shrunk_gap && gjk.status == GjkResult::Status::apart) {
+      if (features_prove_it(gjk)) return Quick::found;
+      gjk_continue(apart, tolerance, shrunk_gap, gjk);
+    }
     if (gjk.status != GjkResult::Status::apart) {
       // Where no body is round all over there is seldom a ball that proves what is that deep.
       if (is_ellipsoid(difference.body_a) || is_ellipsoid(difference.body_b)) continue;
       break;
     }
-    Vec3 on_a, on_b;
-    nearest_points(gjk, on_a, on_b);
-    on_b = transposed_times(pose.rotation, on_b - b_in_a.translation);
-    const bool found =
-        feature_direction(difference, gjk.direction, grown(a, on_a), grown(b, on_b), r) && proven(difference, r, result);
-    if (found) return Quick::found;
+    if (features_prove_it(gjk)) return Quick::found;
     if (part == shrinkages[0]) return Quick::not_proven;
     break;
   }

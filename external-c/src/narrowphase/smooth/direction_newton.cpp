@@ -72,7 +72,7 @@ double crease_radius(const Crease &crease) { return std::sqrt(std::max(0.0, 1.0 
 
 }  // namespace
 
-bool newton_on_sphere(const MinkowskiDifference &difference, Vec3 &m) {
+bool newton_on_sphere(const MinkowskiDifference &difference, Vec3 &m, int most_halvings) {
   Vec3 w = difference.support(m).w;
   for (int step = 0; step < most_steps; ++step) {
     const double height = dot(w, m);
@@ -98,7 +98,7 @@ bool newton_on_sphere(const MinkowskiDifference &difference, Vec3 &m) {
     // Near the minimum rounding hides the decrease; Newton's step is then right without it.
     const double slack = size < 1e-5 ? INFINITY : 0.0;
     for (int halving = 0;; ++halving, factor *= 0.5) {
-      if (halving == 12) return false;
+      if (halving == most_halvings) return false;
       const Vec3 next = normalized(m + (factor * du) * u + (factor * dv) * v);
       const Vec3 next_w = difference.support(next).w;
       if (!(dot(next_w, next) < height + slack)) continue;

@@ -24,8 +24,8 @@ inline Crease crease_of_other(const Crease &c, const Mat3 &rotation) {
 // Each of the following moves the unit vector m to a minimum nearby; false, and m of no meaning, where it ends elsewhere.
 
 // Among directions where the support function is smooth; with shortened steps while far from the minimum. Where it is false
-// m is as low as before or lower all the same.
-bool newton_on_sphere(const MinkowskiDifference &difference, Vec3 &m);
+// m is as low as before or lower all the same. A step that does not lead lower is halved `most_halvings` times.
+bool newton_on_sphere(const MinkowskiDifference &difference, Vec3 &m, int most_halvings = 12);
 
 // Along a crease, from a point m on it: by steps that are not shortened, or, `from_afar`, down the slope until Newton's method
 // holds.

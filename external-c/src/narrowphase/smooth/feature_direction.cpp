@@ -15,6 +15,9 @@ constexpr double on_rim = 0.9;
 // Sine of the angle between lines that cross.
 constexpr double least_slope = 1e-3;
 
+// So near to a feature's own minimum steps lead upwards where the minimum is on a crease beside it, which shorter ones would not tell.
+constexpr int halvings_on_feature = 1;
+
 // What a point of a core's surface lies on.
 struct Place {
   enum class Kind { point, line, flat } kind = Kind::point;  // a point where one point alone is the farthest
@@ -116,7 +119,7 @@ bool feature_direction(const MinkowskiDifference &difference, const Vec3 &direct
   } else if (of_a.kind == Kind::line || of_b.kind == Kind::line) {
     const Crease &crease = of_a.kind == Kind::line ? of_a.crease : crease_b;
     if (!project_on_crease(crease, m) || !newton_on_crease(difference, crease, m)) return false;
-  } else if (!newton_on_sphere(difference, m)) {
+  } else if (!newton_on_sphere(difference, m, halvings_on_feature)) {
     return false;
   }
   const DifferencePoint p = difference.support(m);
