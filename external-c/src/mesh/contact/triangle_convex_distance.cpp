@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace cmb::mesh {
 
@@ -14,60 +15,117 @@ constexpr int most_steps = 200;
 // Agreement of the bounds, relative to the body: of round ones, and of those with corners, where the search ends at features.
 constexpr double tolerance = 1e-10, polyhedral_tolerance = 1e-14;
 
-// A point of (corners - body) and where it comes from.
+// A point of (corners - body) and where it comes from. Not set at first: most searches end with the second one.
 struct Difference {
-  Vec3 w, on_triangle, on_body;
+  double w[3], triangle[3], body[3];
+
+  void set(const Vec3 &of_triangle, const Vec3 &of_body) {
+    w[0] = of_triangle.x - of_body.x, w[1] = of_triangle.y - of_body.y, w[2] = of_triangle.z - of_body.z;
+    triangle[0] = of_triangle.x, triangle[1] = of_triangle.y, triangle[2] = of_triangle.z;
+    body[0] = of_body.x, body[1] = of_body.y, body[2] = of_body.z;
+  }
+  Vec3 at() const { return {w[0], w[1], w[2]}; }
+  Vec3 on_triangle() const { return {triangle[0], triangle[1], triangle[2]}; }
+  Vec3 on_body() const { return {body[0], body[1], body[2]}; }
 };
 
-// The nearest point to the origin of a simplex of up to three corners, as weights of them.
+// The point nearest to the origin, of those that were looked at, as weights of some of four corners.
 struct Nearest {
   Vec3 point;
-  std::array<double, 3> weight{};
   double distance2 = std::numeric_limits<double>::infinity();
+  std::size_t count = 0;
+  std::array<std::size_t, 3> corner{};
+  std::array<double, 3> weight;
+
+  // Takes what is nearer than before; whether it was.
+  bool take(const Vec3 &offered) {
+    const double d2 = norm2(offered);
+    if (!(d2 < distance2)) return false;
+    point.x = offered.x, point.y = offered.y, point.z = offered.z;  // member by member, which does not wait for a copy
+    distance2 = d2;
+    return true;
+  }
 };
 
-Nearest nearest_of(const Difference *s, std::size_t count) {
-  Nearest best;
-  const auto offer = [&](const std::array<double, 3> &weight) {
-    Vec3 point;
-    for (std::size_t k = 0; k < count; ++k) point = point + weight[k] * s[k].w;
-    const double d2 = norm2(point);
-    if (d2 < best.distance2) best = {point, weight, d2};
-  };
-  for (std::size_t k = 0; k < count; ++k) {
-    std::array<double, 3> weight{};
-    weight[k] = 1.0;
-    offer(weight);
+// One of four places that none of the corners has.
+std::size_t free_place(const Nearest &nearest) {
+  unsigned taken = 0;
+  for (std::size_t k = 0; k < nearest.count; ++k) taken |= 1u << nearest.corner[k];
+  std::size_t place = 0;
+  while ((taken >> place & 1u) != 0) ++place;
+  return place;
+}
+
+void look_at_corner(const Difference *s, std::size_t i, Nearest &nearest) {
+  if (!nearest.take(s[i].at())) return;
+  nearest.count = 1;
+  nearest.corner[0] = i;
+  nearest.weight[0] = 1.0;
+}
+
+void look_at_edge(const Difference *s, std::size_t i, std::size_t j, Nearest &nearest) {
+  const Vec3 edge = s[j].at() - s[i].at();
+  const double length2 = norm2(edge), part = -dot(s[i].at(), edge);
+  if (!(part > 0.0 && part < length2)) return;
+  const double second = part / length2, first = 1.0 - second;
+  if (!nearest.take(first * s[i].at() + second * s[j].at())) return;
+  nearest.count = 2;
+  nearest.corner[0] = i, nearest.corner[1] = j;
+  nearest.weight[0] = first, nearest.weight[1] = second;
+}
+
+void look_at_face(const Difference *s, std::size_t i, std::size_t j, std::size_t k, Nearest &nearest) {
+  const Vec3 n = cross(s[j].at() - s[i].at(), s[k].at() - s[i].at());
+  const double n2 = norm2(n);
+  const double of_i = dot(n, cross(s[j].at(), s[k].at())), of_j = dot(n, cross(s[k].at(), s[i].at())), of_k = dot(n, cross(s[i].at(), s[j].at()));
+  if (!(n2 > 0.0 && of_i > 0.0 && of_j > 0.0 && of_k > 0.0)) return;
+  const double sum = of_i + of_j + of_k, first = of_i / sum, second = of_j / sum, third = of_k / sum;
+  if (!nearest.take(first * s[i].at() + second * s[j].at() + third * s[k].at())) return;
+  nearest.count = 3;
+  nearest.corner[0] = i, nearest.corner[1] = j, nearest.corner[2] = k;
+  nearest.weight[0] = first, nearest.weight[1] = second, nearest.weight[2] = third;
+}
+
+// What the corner `next` makes with the `count` others.
+void look_at_all(const Difference *s, const std::array<std::size_t, 3> &known, std::size_t count, std::size_t next, Nearest &nearest) {
+  const std::size_t a = known[0], b = known[1], c = known[2];
+  if (count == 1) {
+    look_at_corner(s, a, nearest);
+    look_at_corner(s, next, nearest);
+    look_at_edge(s, a, next, nearest);
+    return;
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = i + 1; j < count; ++j) {
-      const Vec3 edge = s[j].w - s[i].w;
-      const double length2 = norm2(edge), part = -dot(s[i].w, edge);
-      if (!(part > 0.0 && part < length2)) continue;
-      std::array<double, 3> weight{};
-      weight[j] = part / length2;
-      weight[i] = 1.0 - weight[j];
-      offer(weight);
-    }
+  if (count == 2) {
+    look_at_corner(s, a, nearest);
+    look_at_corner(s, b, nearest);
+    look_at_corner(s, next, nearest);
+    look_at_edge(s, a, b, nearest);
+    look_at_edge(s, a, next, nearest);
+    look_at_edge(s, b, next, nearest);
+    look_at_face(s, a, b, next, nearest);
+    return;
   }
-  if (count == 3) {
-    const Vec3 n = cross(s[1].w - s[0].w, s[2].w - s[0].w);
-    const double n2 = norm2(n);
-    const std::array<double, 3> area{dot(n, cross(s[1].w, s[2].w)), dot(n, cross(s[2].w, s[0].w)),
-                                     dot(n, cross(s[0].w, s[1].w))};
-    if (n2 > 0.0 && area[0] > 0.0 && area[1] > 0.0 && area[2] > 0.0) {
-      const double sum = area[0] + area[1] + area[2];
-      offer({area[0] / sum, area[1] / sum, area[2] / sum});
-    }
-  }
-  return best;
+  // The faces with the new corner, each with those of its edges and corners that no earlier one has.
+  look_at_corner(s, b, nearest);
+  look_at_corner(s, c, nearest);
+  look_at_corner(s, next, nearest);
+  look_at_edge(s, b, c, nearest);
+  look_at_edge(s, b, next, nearest);
+  look_at_edge(s, c, next, nearest);
+  look_at_face(s, b, c, next, nearest);
+  look_at_corner(s, a, nearest);
+  look_at_edge(s, c, a, nearest);
+  look_at_edge(s, a, next, nearest);
+  look_at_face(s, c, a, next, nearest);
+  look_at_edge(s, a, b, nearest);
+  look_at_face(s, a, b, next, nearest);
 }
 
 // Whether the origin lies in the tetrahedron: on each face's side of the opposite corner, and no farther from the face than
 // that. Of a flat one rounding alone would tell the sides.
-bool holds_origin(const Difference *s) {
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 &a = s[(k + 1) % 4].w, &b = s[(k + 2) % 4].w, &c = s[(k + 3) % 4].w, &opposite = s[k].w;
+bool holds_origin(const Difference *s, const std::array<std::size_t, 4> &corner) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3 a = s[corner[(k + 1) % 4]].at(), b = s[corner[(k + 2) % 4]].at(), c = s[corner[(k + 3) % 4]].at(), opposite = s[corner[k]].at();
     const Vec3 n = cross(b - a, c - a);
     const double height = dot(n, opposite - a), of_origin = dot(n, -a);
     if (!(height * of_origin > 0.0 && std::fabs(of_origin) <= std::fabs(height))) return false;
@@ -81,70 +139,58 @@ template <std::size_t corner_count>
 TriangleGap hull_convex_gap(const Vec3 (&corner)[corner_count], const convex::ConvexBody &body, const Pose &body_in_mesh,
                             double enough, double tolerance, double &lower, Vec3 &parting) {
   lower = 0.0;
-  const auto support = [&](const Vec3 &d) {  // the farthest of the difference along d
+  const auto put_support = [&](const Vec3 &d, Difference &place) {  // the farthest of the difference along d
     std::size_t farthest = 0;
     double most = dot(d, corner[0]);
     for (std::size_t k = 1; k < corner_count; ++k) {
       const double along = dot(d, corner[k]);
       if (along > most) most = along, farthest = k;
     }
-    const Vec3 &on_triangle = corner[farthest];
-    const Vec3 on_body = body_in_mesh(convex::core_support(body, -transposed_times(body_in_mesh.rotation, d)).point);
-    return Difference{on_triangle - on_body, on_triangle, on_body};
+    place.set(corner[farthest], body_in_mesh(convex::core_support(body, -transposed_times(body_in_mesh.rotation, d)).point));
   };
   const double slack = tolerance * convex::core_radius(body);
-  // The corners that carry the nearest point found, with its weights.
-  std::array<Difference, 3> simplex;
-  std::size_t count = 1;
-  simplex[0] = support(body_in_mesh.translation - corner[0]);
-  Nearest nearest{simplex[0].w, {1.0, 0.0, 0.0}, norm2(simplex[0].w)};
+  // Room for the corners that carry the nearest point found and for a new one.
+  std::array<Difference, 4> pool;
+  put_support(body_in_mesh.translation - corner[0], pool[0]);
+  Nearest rooms[2], *nearest = &rooms[0], *moved = &rooms[1];
+  look_at_corner(pool.data(), 0, *nearest);
   const auto gap = [&](double distance) {
     TriangleGap result{distance, {}, {}};
-    for (std::size_t k = 0; k < count; ++k) {
-      result.on_triangle = result.on_triangle + nearest.weight[k] * simplex[k].on_triangle;
-      result.on_body = result.on_body + nearest.weight[k] * simplex[k].on_body;
+    for (std::size_t k = 0; k < nearest->count; ++k) {
+      result.on_triangle = result.on_triangle + nearest->weight[k] * pool[nearest->corner[k]].on_triangle();
+      result.on_body = result.on_body + nearest->weight[k] * pool[nearest->corner[k]].on_body();
     }
     return result;
   };
   for (int step = 0; step < most_steps; ++step) {
-    const double distance = std::sqrt(nearest.distance2);
+    const double distance = std::sqrt(nearest->distance2);
     if (distance <= slack) return gap(0.0);
-    const Difference next = support(-nearest.point);
-    lower = dot(next.w, nearest.point) / distance;
+    const std::size_t next = free_place(*nearest);
+    put_support(-nearest->point, pool[next]);
+    lower = dot(pool[next].at(), nearest->point) / distance;
     if (lower > enough) {
-      parting = (-1.0 / distance) * nearest.point;
+      parting = (-1.0 / distance) * nearest->point;
       return {lower, {}, {}};
     }
     if (distance - lower <= slack) break;
-    std::array<Difference, 3> tried = simplex;
-    std::size_t tried_count = count;
-    Nearest moved;
-    if (count < 3) {
-      tried[tried_count++] = next;
-      moved = nearest_of(tried.data(), tried_count);
-    } else {
-      const std::array<Difference, 4> corners{simplex[0], simplex[1], simplex[2], next};
-      if (!(lower > 0.0) && holds_origin(corners.data())) return gap(0.0);
-      // The nearest face with the new corner; one corner goes.
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::array<Difference, 3> face{simplex[(k + 1) % 3], simplex[(k + 2) % 3], next};
-        const Nearest candidate = nearest_of(face.data(), 3);
-        if (!(candidate.distance2 < moved.distance2)) continue;
-        moved = candidate;
-        tried = face;
-      }
+    if (nearest->count == 3 && !(lower > 0.0) &&
+        holds_origin(pool.data(), {nearest->corner[0], nearest->corner[1], nearest->corner[2], next})) {
+      return gap(0.0);
     }
-    if (!(moved.distance2 < nearest.distance2)) break;  // rounding ends the search
-    nearest = {moved.point, {}, moved.distance2};
+    moved->distance2 = std::numeric_limits<double>::infinity();
+    look_at_all(pool.data(), nearest->corner, nearest->count, next, *moved);
+    if (!(moved->distance2 < nearest->distance2)) break;  // rounding ends the search
     // Corners that carry nothing go.
-    count = 0;
-    for (std::size_t k = 0; k < tried_count; ++k) {
-      if (!(moved.weight[k] > 0.0)) continue;
-      nearest.weight[count] = moved.weight[k];
-      simplex[count++] = tried[k];
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < moved->count; ++k) {
+      if (!(moved->weight[k] > 0.0)) continue;
+      moved->weight[kept] = moved->weight[k];
+      moved->corner[kept++] = moved->corner[k];
     }
+    moved->count = kept;
+    std::swap(nearest, moved);
   }
-  return gap(std::sqrt(nearest.distance2));
+  return gap(std::sqrt(nearest->distance2));
 }
 
 }  // namespace
