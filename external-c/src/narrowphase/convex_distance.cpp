@@ -108,6 +108,24 @@ CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const 
                                            DistanceMethod::expanding_polytope, true});
 }
 
+Vec3 nearest_in_box(const Vec3 &half, const Vec3 &p) {
+  return {std::clamp(p.x, -half.x, half.x), std::clamp(p.y, -half.y, half.y), std::clamp(p.z, -half.z, half.z)};
+}
+
+// Where a search between bodies with corners only begins: from the middle of one to the place of a box or segment that is nearest to it, which
+// is more nearly how both lie than the way between their middles. From B to A, in A's frame.
+Vec3 first_direction(const ConvexBody &a, const ConvexBody &b, const Pose &pose) {
+  const Vec3 center_a = core_center(a), center_b = pose(core_center(b));
+  if (is_box_like(a.core)) {
+    const Vec3 nearest = nearest_in_box(a.half, center_b);
+    if (norm2(nearest - center_b) > 0.0) return nearest - center_b;
+  } else if (is_box_like(b.core)) {
+    const Vec3 local = transposed_times(pose.rotation, center_a - pose.translation), nearest = nearest_in_box(b.half, local);
+    if (norm2(local - nearest) > 0.0) return pose.rotation * (local - nearest);
+  }
+  return center_a - center_b;
+}
+
 CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose &pose, DistanceScratch &scratch) {
   if (lies_on_line(a.core) && lies_on_line(b.core)) {
     return distance_of_segments({0, 0, 1}, a.half.z, normalized(pose.rotation.column(2)), b.half.z, pose.translation);
@@ -116,7 +134,8 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
   if (a.core == CoreShape::point && has_point_formula(b.core)) {
     return exchanged(distance_of_point(b, pose.inverse().translation), pose);
   }
-  Vec3 first = core_center(a) - pose(core_center(b));
+  const bool polyhedral = is_polyhedral(a.core) && is_polyhedral(b.core);
+  Vec3 first = polyhedral ? first_direction(a, b, pose) : core_center(a) - pose(core_center(b));
   const double reach = core_radius(a) + core_radius(b);
   if (a.core == CoreShape::box && b.core == CoreShape::box && norm2(pose.translation) <= reach * reach) {
     const BoxPair boxes(a.half, b.half, pose);
@@ -131,7 +150,7 @@ CoreDistance core_distance(const ConvexBody &a, const ConvexBody &b, const Pose 
     if (distance_of_disjoint_boxes(a.half, b.half, pose, tolerance, apart)) return apart;
   }
   if (norm2(first) == 0.0) first = {1, 0, 0};
-  if (!is_polyhedral(a.core) || !is_polyhedral(b.core)) return curved_distance(a, b, pose, first, scratch);
+  if (!polyhedral) return curved_distance(a, b, pose, first, scratch);
   return iterated(a, b, pose, first, scratch);
 }
 
