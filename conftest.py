@@ -61,7 +61,7 @@ LONGEST_FIRST = (
     "teleoperation/tests/depth/test_sequences.py",
     "generator/tests/cad2modelica/mjcf/test_mjcf.py",
     "regression/tests/accuracy_study/test_study_runs.py",
-    "generator/tests/modelica2fmu/frontend/test_evaluated_references.py",
+    "generator/tests/modelica2fmu/crosscheck/test_evaluated_values.py",
     "regression/tests/simulate/test_simulate.py",
     "regression/tests/report/test_report.py",
     "generator/tests/fmi_runtime/test_packaging.py",

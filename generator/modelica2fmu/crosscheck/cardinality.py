@@ -18,7 +18,7 @@ from modelica2fmu.crosscheck.class_library import ClassLibrary
 from modelica2fmu.crosscheck.class_syntax import Extent, is_array
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.connections.connect_check import Connect, connects, parts_of
-from modelica2fmu.crosscheck.flat_reading import FlatReading
+from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading
 from modelica2fmu.crosscheck.own_classes import own_classes_of
 from modelica2fmu.library.class_text import without_comments_and_strings
 

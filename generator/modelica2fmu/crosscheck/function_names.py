@@ -11,7 +11,7 @@ from typing import Any
 
 from contact_foundation.errors import Place, UnsupportedModelError
 
-from modelica2fmu.crosscheck.flat_reading import FlatReading, objects
+from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading, objects
 
 _EXPRESSIONS = (
     "variables",

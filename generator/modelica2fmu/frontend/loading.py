@@ -19,13 +19,13 @@ from modelica2fmu.crosscheck.collider_order import misplaced_row
 from modelica2fmu.crosscheck.component_sizes import check_component_sizes
 from modelica2fmu.crosscheck.connections.connect_check import check_connect_sizes, check_connects
 from modelica2fmu.crosscheck.constructor_check import check_constructors
-from modelica2fmu.crosscheck.flat_check import (
+from modelica2fmu.crosscheck.flattened.flat_check import (
     added_components,
     check_flat_model,
     copies_of_inner,
     unused_members,
 )
-from modelica2fmu.crosscheck.flat_reading import FlatReading
+from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading, spans
 from modelica2fmu.crosscheck.function_names import check_function_names
 from modelica2fmu.crosscheck.modifier_check import check_modifiers
 from modelica2fmu.crosscheck.number_check import check_numbers
@@ -55,7 +55,6 @@ from modelica2fmu.frontend.errors import (
     piece_error,
     unconnected_error,
 )
-from modelica2fmu.frontend.evaluated_references import with_references
 from modelica2fmu.frontend.flat_reader import read_flat_model
 from modelica2fmu.frontend.library_names import about_a_copy, naming, packages
 from modelica2fmu.frontend.lone_files import LoneFiles, apart
@@ -244,7 +243,7 @@ def _load(
         )
         for name in (*copies_of_inner(answer.flat, model, library), *unused_members(answer.flat)):
             del answer.flat["variables"][name]
-        read = with_references(read_flat_model(answer.flat, model, source_map), source_map)
+        read = read_flat_model(answer.flat, model, source_map)
         flat = with_control_flow(read, source_map.place)
         return replace(flat, warnings=warnings)
 
@@ -373,10 +372,18 @@ def _with_package_written_out(
 
 
 def _check(flat: dict[str, Any], model: str, source_map: SourceMap, library: ClassLibrary) -> None:
-    """Restores what is fixed; raises UnsupportedModelError if the front end left out anything else."""
+    """Restores what can be; raises UnsupportedModelError if the front end left out anything else."""
     reading = FlatReading(library, _places(source_map))
-    for name in check_flat_model(flat, model, reading):
-        flat["variables"][name]["fixed"] = [True]
+    corrections = check_flat_model(flat, model, reading)
+    variables = flat["variables"]
+    for name in corrections.fixed:
+        variables[name]["fixed"] = [True]
+    for name, owner in corrections.values.references.items():
+        place = next(spans(variables[name]["binding"]), None)
+        meant = {"name": owner, "component_ref": variables[owner]["component_ref"]}
+        variables[name]["binding"] = {"VarRef": {"name": meant, "subscripts": [], "span": place}}
+    for name in corrections.values.constants:
+        variables[name]["evaluate"] = True
     check_function_names(flat, model, reading)
     drop_miscounted_assertions(flat, reading)
 

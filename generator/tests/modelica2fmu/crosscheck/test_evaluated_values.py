@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from contact_data import modelica_library
+from contact_foundation.errors import InputError
 from fmu_regression.simulate.simulation import simulate
 from modelica2fmu.build import BuildOptions, build_fmu
 
@@ -182,3 +183,66 @@ def test_contacts_know_the_mass_that_is_set(written: str, parameter: str, tmp_pa
         speeds.append(simulate(fmu, signals=["ball.v_0[3]"], stop=0.25, parameters=set_values)["ball.v_0[3]"])
     assert max(speeds[1]) > 0.3  # it bounces
     assert speeds[0] == pytest.approx(speeds[1], abs=1e-3)
+
+
+FINAL_RECORDS = """  record Inertia
+    parameter Real m=1;
+    parameter Real v[2]={0,0};
+  end Inertia;
+  record Derived
+    extends Inertia;
+    parameter Real w=2*m;
+  end Derived;
+  model Body
+    parameter Real m=1;
+    parameter Real v[2]={1,2};
+    parameter Inertia data;
+    final parameter Inertia inertia(m=m, v=v);
+    final parameter Inertia copy=data;
+    final parameter Inertia made=Inertia(m=m);
+    Real x(start=0, fixed=true);
+  equation
+    der(x) = inertia.m + 10*inertia.v[2] + 100*copy.m + 1000*made.m;
+  end Body;
+  model Fixed
+    parameter Real m=3;
+    parameter Real other=4;
+    final parameter Derived derived(m=m);
+    Real x(start=0, fixed=true);
+  equation
+    der(x) = derived.w + other;
+  end Fixed;
+  model Whole
+    final parameter Real f=4;
+    parameter Inertia given(m=2);
+    Body a(m=f);
+    Body b(m=3, data(m=5));
+    Body c(data=given);
+    Body d[2](m={1,2});
+    Fixed g(m=3);
+  end Whole;
+"""
+
+
+@pytest.mark.parametrize(
+    ("component", "parameter", "rate"),
+    [
+        ("a", "a.m", 7 + 20 + 100 + 7000),
+        ("b", "b.m", 7 + 20 + 500 + 7000),
+        ("b", "b.data.m", 3 + 20 + 700 + 3000),
+        ("b", "b.v[2]", 3 + 70 + 500 + 3000),
+        ("c", "given.m", 1 + 20 + 700 + 1000),
+        ("d[2]", "d[2].m", 7 + 20 + 100 + 7000),
+        ("g", "g.other", 6 + 7),
+    ],
+)
+def test_parameters_reach_the_fields_of_final_records(
+    component: str, parameter: str, rate: float, tmp_path: Path, fmu_cache: Path
+) -> None:
+    found = rates(FINAL_RECORDS, [component], {parameter: 7.0}, tmp_path, fmu_cache)
+    assert found == pytest.approx([rate])
+
+
+def test_what_a_number_was_computed_from_cannot_be_set(tmp_path: Path, fmu_cache: Path) -> None:
+    with pytest.raises(InputError, match="cannot be set"):
+        rates(FINAL_RECORDS, ["g"], {"g.m": 7.0}, tmp_path, fmu_cache)

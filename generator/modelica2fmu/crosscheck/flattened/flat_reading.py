@@ -36,10 +36,8 @@ _REMEDIES: Final = {
     Role.CLASS: "give it in a class of its own, as in `model Stiff = Spring(k = 2)`, and redeclare as that",
 }
 _DOTTED: Final = "write it with parentheses: a(k = 2) in place of a.k = 2"
-_RECORD: Final = (
-    "another modifier gives fields of this record, and its other fields are lost: give the whole record there, as in"
-    " material = Steel(restitution = 0.3)"
-)
+_WHOLE_RECORD: Final = "give the whole record there, as in material = Steel(restitution = 0.3)"
+_RECORD: Final = f"another modifier gives fields of this record, and its other fields are lost: {_WHOLE_RECORD}"
 _REDECLARE: Final = (
     "redeclare it in a class that extends the one with the declaration directly, and use that class; or in the modifier"
     " of a component whose class has the declaration"
@@ -151,9 +149,37 @@ class FlatReading:
             remedy=remedy or (_DOTTED if dotted else _REMEDIES.get(value.role, _OWN_CLASS)),
         )
 
-    def forgotten_record(self, name: str, value: Value, tree: Any) -> UnsupportedModelError:
-        """A record lost its value where another modifier gives some fields; arguments as of ``ignored_value``."""
-        return self.ignored_value(name, value, tree, _RECORD)
+    def forgotten_record(self, name: str, value: Value, tree: Any, cause: Extent | None) -> UnsupportedModelError:
+        """A record lost its value where another modifier gives some fields.
+
+        Args:
+            name: of the field.
+            value: that holds.
+            tree: the expression that the front end has instead.
+            cause: the other modifier, if it is known.
+        """
+        error = self.ignored_value(name, value, tree, _RECORD)
+        return (
+            error
+            if cause is None
+            else UnsupportedModelError(error.message, place=self.place_of(cause), remedy=error.remedy)
+        )
+
+    def field_beside_value(self, name: str, record: str, value: Value) -> UnsupportedModelError:
+        """A modifier gives a field of a record that is bound as a whole another value.
+
+        Args:
+            name: of the field.
+            record: its name.
+            value: of the field.
+        """
+        extent = value.extent if value.modifier is None else value.modifier.extent
+        return UnsupportedModelError(
+            f"{self.shown(extent)} gives {name} a value, and {record} has one as a whole:"
+            " tools differ in which one holds",
+            place=self.place_of(extent),
+            remedy=_WHOLE_RECORD,
+        )
 
     def ignored_redeclaration(self, name: str, extent: Extent, consequence: str = "") -> UnsupportedModelError:
         """A component or class was not replaced."""

@@ -16,7 +16,7 @@ from contact_foundation.errors import UnsupportedModelError
 from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError, Value
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
-from modelica2fmu.crosscheck.flat_reading import FlatReading, objects, spans
+from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading, objects, spans
 
 _NAME: Final = re.compile(r"\.?\s*[A-Za-z_]\w*(?:\s*\.\s*[A-Za-z_]\w*)*")
 _OPERATORS: Final[Mapping[type[ast.operator], Callable[[float, float], object]]] = {

@@ -7,34 +7,35 @@ sources independently (``class_instances``). Where the two name different places
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Final
 
 from contact_foundation.errors import UnsupportedModelError
 
-from modelica2fmu.crosscheck.array_pieces import is_piece, remedy_of_pieces, remedy_of_rows
-from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, Names, Role, UnknownError, Value
+from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, Names, Role, UnknownError
 from modelica2fmu.crosscheck.class_library import ClassLibrary
-from modelica2fmu.crosscheck.class_syntax import Extent, Modifier, is_array
+from modelica2fmu.crosscheck.class_syntax import Modifier, is_array
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.component_sizes import RECORDS
-from modelica2fmu.crosscheck.flat_expression_check import ExpressionCheck, Site
-from modelica2fmu.crosscheck.flat_reading import FlatReading, WrittenPlaces, objects, spans
+from modelica2fmu.crosscheck.flattened.array_pieces import is_piece, remedy_of_pieces, remedy_of_rows
+from modelica2fmu.crosscheck.flattened.evaluated_values import NOTHING_EVALUATED, EvaluatedValues, evaluated_values
+from modelica2fmu.crosscheck.flattened.flat_expression_check import ExpressionCheck, Site
+from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading, WrittenPlaces, objects, spans
+from modelica2fmu.crosscheck.flattened.flat_variables import (
+    FlatPath,
+    FlatVariables,
+    is_reference,
+    names_of,
+    without_subscripts,
+)
+from modelica2fmu.crosscheck.flattened.record_values import RecordValues
 from modelica2fmu.crosscheck.own_classes import model_class
 
-_PART: Final = re.compile(r"'(?:\\.|[^'\\])*'|[^.\[\]]+(?:\[[^\]]*\])?")
-_SUBSCRIPTS: Final = re.compile(r"\[[^\]]*\]")
-_REFERENCE: Final = re.compile(r"\.?(?!(?:true|false)\b)[A-Za-z_][\w.\s\[\],:]*")
-_NAME: Final = re.compile(r"(?!(?:true|false)\b)[A-Za-z_][\w.]*")
-_CALL: Final = re.compile(r"\.?([A-Za-z_][\w.]*) ?\(")
 _EQUATIONS: Final = ("equations", "initial_equations")
 _ALGORITHMS: Final = ("algorithms", "initial_algorithms")
 _ALGORITHM_OF: Final = "algorithm from "
-
-_Path = tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -54,7 +55,20 @@ class _Node:
     has_value: bool = False
 
 
-def check_flat_model(flat: Mapping[str, Any], model: str, reading: FlatReading) -> tuple[str, ...]:
+@dataclass(frozen=True)
+class Corrections:
+    """What is to be mended in a flattened model.
+
+    Attributes:
+        fixed: variables that are so by a modifier which the front end left out.
+        values: numbers that the front end put in place of names.
+    """
+
+    fixed: tuple[str, ...] = ()
+    values: EvaluatedValues = NOTHING_EVALUATED
+
+
+def check_flat_model(flat: Mapping[str, Any], model: str, reading: FlatReading) -> Corrections:
     """Holds a flattened model against its sources, as far as the names in them are found.
 
     Args:
@@ -62,14 +76,11 @@ def check_flat_model(flat: Mapping[str, Any], model: str, reading: FlatReading) 
         model: full name.
         reading: the sources.
 
-    Returns:
-        The variables that are ``fixed`` by a modifier which the front end left out.
-
     Raises:
         UnsupportedModelError: the front end left out another modifier, or a redeclaration.
     """
     root = model_class(model, reading.library)
-    return () if root is None else _FlatCheck(flat, root, reading).run()
+    return Corrections() if root is None else _FlatCheck(flat, root, reading).run()
 
 
 def added_components(flat: Mapping[str, Any], model: str, library: ClassLibrary) -> list[str]:
@@ -100,8 +111,8 @@ def copies_of_inner(flat: Mapping[str, Any], model: str, library: ClassLibrary) 
     if root is None:
         return []
     outer = [name for name, variable in flat["variables"].items() if _is_outer(root, variable)]
-    named = {_SUBSCRIPTS.sub("", name) for name in _named(flat)} if outer else set()
-    return [name for name in outer if _SUBSCRIPTS.sub("", name) not in named]
+    named = {without_subscripts(name) for name in _named(flat)} if outer else set()
+    return [name for name in outer if without_subscripts(name) not in named]
 
 
 def unused_members(flat: Mapping[str, Any]) -> list[str]:
@@ -111,8 +122,8 @@ def unused_members(flat: Mapping[str, Any]) -> list[str]:
         for name, variable in flat["variables"].items()
         if variable["from_expandable_connector"] and variable["binding"] is None
     ]
-    named = {_SUBSCRIPTS.sub("", name) for name in _named(flat)} if declared else set()
-    return [name for name in declared if _SUBSCRIPTS.sub("", name) not in named]
+    named = {without_subscripts(name) for name in _named(flat)} if declared else set()
+    return [name for name in declared if without_subscripts(name) not in named]
 
 
 def _is_outer(root: ClassInstance, variable: Mapping[str, Any]) -> bool:
@@ -142,17 +153,15 @@ class _FlatCheck:
     def __init__(self, flat: Mapping[str, Any], root: ClassInstance, reading: FlatReading) -> None:
         self._flat = flat
         self._reading = reading
-        self._nodes: dict[_Path, _Node | None] = {(): _Node(root, None)}
+        self._nodes: dict[FlatPath, _Node | None] = {(): _Node(root, None)}
         self._expressions = ExpressionCheck(flat["functions"], reading, self._inner)
-        self._variables: dict[_Path, list[Mapping[str, Any]]] = {}
+        self._variables = FlatVariables(flat, reading)
+        self._records = RecordValues(self._node, self._variables, reading)
         self._not_fixed: list[str] = []
-        for variable in flat["variables"].values():
-            path = tuple(part["ident"] for part in variable["component_ref"]["parts"])
-            self._variables.setdefault(path, []).append(variable)
 
-    def run(self) -> tuple[str, ...]:
-        """The variables that lost their ``fixed``; raises UnsupportedModelError at the first other difference."""
-        for path, variables in self._variables.items():
+    def run(self) -> Corrections:
+        """What can be mended; raises UnsupportedModelError at the first other difference."""
+        for path, variables in self._variables.by_path.items():
             for variable in variables:
                 self._as_far_as_known(self._variable, path, variable)
         for kind in _EQUATIONS:
@@ -161,12 +170,13 @@ class _FlatCheck:
         for kind in _ALGORITHMS:
             for algorithm in self._flat[kind]:
                 self._as_far_as_known(self._algorithm, algorithm)
-        filled = {path[:length] for path in self._variables for length in range(len(path) + 1)}
+        filled = {path[:length] for path in self._variables.by_path for length in range(len(path) + 1)}
         for path in [path for path, node in self._nodes.items() if node is not None]:
             self._as_far_as_known(self._empty, path, filled)
             if path in filled:
                 self._as_far_as_known(self._without_equations, path)
-        return tuple(self._not_fixed)
+        values = evaluated_values(self._flat, self._node, self._variables, self._reading)
+        return Corrections(tuple(self._not_fixed), values)
 
     @staticmethod
     def _as_far_as_known(check: Callable[..., None], *arguments: Any) -> None:
@@ -177,7 +187,7 @@ class _FlatCheck:
 
     # --- components ---
 
-    def _node(self, path: _Path) -> _Node | None:
+    def _node(self, path: FlatPath) -> _Node | None:
         """What a path leads to; ``None`` if there is no such component; raises UnknownError."""
         if path not in self._nodes:
             around = self._node(path[:-1])
@@ -194,7 +204,7 @@ class _FlatCheck:
                 )
         return self._nodes[path]
 
-    def _inner(self, path: _Path, name: str) -> ClassInstance | None:
+    def _inner(self, path: FlatPath, name: str) -> ClassInstance | None:
         """The class of the component that a name means in another one, where it is an outer one that of its inner."""
         for length in range(len(path), -1, -1):
             node = self._node((*path[:length], name))
@@ -202,7 +212,7 @@ class _FlatCheck:
                 return node.instance
         return None
 
-    def _redeclaration(self, path: _Path) -> Modifier | None:
+    def _redeclaration(self, path: FlatPath) -> Modifier | None:
         """The innermost redeclaration on the way to a component."""
         for length in range(len(path), 0, -1):
             node = self._nodes.get(path[:length])
@@ -212,14 +222,14 @@ class _FlatCheck:
                         return found
         return None
 
-    def _other_class(self, path: _Path) -> UnsupportedModelError | None:
+    def _other_class(self, path: FlatPath) -> UnsupportedModelError | None:
         """The component has another class in the flattened model; ``None`` if nothing was to be replaced."""
         found = self._redeclaration(path)
         return None if found is None else self._reading.ignored_redeclaration(".".join(path), found.extent)
 
     # --- variables ---
 
-    def _variable(self, path: _Path, variable: Mapping[str, Any]) -> None:
+    def _variable(self, path: FlatPath, variable: Mapping[str, Any]) -> None:
         node = self._node(path)
         span = variable["source_span"]
         if node is None or node.component is None:
@@ -232,14 +242,14 @@ class _FlatCheck:
             return
         self._folded(path, variable)
         if node.has_value:
-            self._constructed(path, variable)
+            self._records.check(path, variable)
         elif node.is_certain and node.instance.predefined is not None:
             self._pieces(node.component, node.instance.predefined, variable)
             self._binding(path, node.component, variable)
             if node.component.binding is None:
                 self._attributes(node.component, node.instance.predefined, variable)
 
-    def _folded(self, path: _Path, variable: Mapping[str, Any]) -> None:
+    def _folded(self, path: FlatPath, variable: Mapping[str, Any]) -> None:
         """Elements of an array of components are components, not elements of the variables of one.
 
         The front end makes one of an array whose size it does not know, as of ``size(k, 1)``: products of its variables
@@ -277,14 +287,14 @@ class _FlatCheck:
             if remedy is not None:
                 raise self._reading.misread_array(variable["name"], value.extent, remedy)
 
-    def _binding(self, path: _Path, component: Component, variable: Mapping[str, Any]) -> None:
+    def _binding(self, path: FlatPath, component: Component, variable: Mapping[str, Any]) -> None:
         value, given = component.binding, variable["binding"]
         if value is None:
             return
         places = list(spans(given))
         if any(self._reading.begins_in(span, value.extent) for span in places):
             self._expressions.check(given, Site(value.scope, (value.extent,), path[:-1]))
-        elif not self._is_copy(path, value, places):
+        elif not self._variables.is_copy(path, value, places):
             redeclaration = self._redeclaration(path)
             if redeclaration is None or value.role in (Role.CONSTRAINT, Role.CLASS):
                 raise self._reading.ignored_value(variable["name"], value, given)
@@ -292,105 +302,12 @@ class _FlatCheck:
             consequence = f", which would be {self._reading.taken(given)} in place of {wanted}"
             raise self._reading.ignored_redeclaration(variable["name"], redeclaration.extent, consequence)
 
-    def _constructed(self, path: _Path, variable: Mapping[str, Any]) -> None:
-        """A field of a record that is bound to a call of its constructor has the argument's value."""
-        length = next(
-            length
-            for length in range(1, len(path))
-            if (node := self._node(path[:length])) is not None and node.component is not None and node.component.binding
-        )
-        record = self._node(path[:length])
-        if record is None or record.component is None or record.component.binding is None or not record.is_certain:
-            return
-        value = record.component.binding
-        instance = record.instance
-        self._record(path, length, record.component, variable)
-        for name in path[length:]:
-            arguments = self._reading.library.arguments(value.extent)
-            order = instance.fields()
-            extent = next((extent for each, extent in arguments if each == name), None)
-            if extent is None and name in order and order.index(name) < len(arguments):
-                positional, found = arguments[order.index(name)]
-                extent = None if positional else found
-            component = instance.component(name)
-            if extent is None or component is None:
-                return
-            value, instance = replace(value, extent=extent, modifier=None), component.type
-        places = list(spans(variable["binding"]))
-        if not any(self._reading.begins_in(span, value.extent) for span in places) and not _REFERENCE.fullmatch(
-            self._reading.text(value.extent)
-        ):
-            is_nested = len(path) > length + 1
-            wrong = self._reading.ignored_value if is_nested else self._reading.forgotten_record
-            raise wrong(variable["name"], value, variable["binding"])
-
-    def _record(self, path: _Path, length: int, record: Component, variable: Mapping[str, Any]) -> None:
-        """A field of a record that has a value is not what it would be without that value.
-
-        The front end forgets a record's value where an outer modifier changes some of its fields.
-        """
-        value, around, component = record.binding, self._node(path[:-1]), self._node(path)
-        places = list(spans(variable["binding"]))
-        if value is None or around is None or component is None or component.component is None or not places:
-            return
-        if self._is_copy(path[:length], value, places, path[length:]):
-            return
-        left = [each.extent for each in record.overridden]
-        own = component.component.binding
-        classes = [each.definition.extent for each in around.instance.chain()]
-        is_default = own is not None and any(_lies_in(own.extent, each) for each in classes)
-        if own is not None and is_default and not self._may_be_default(value, path[:length], path[length:], own.extent):
-            left.append(own.extent)
-        is_right = any(self._reading.begins_in(span, value.extent) for span in places)
-        if not is_right and any(self._reading.begins_in(span, extent) for span in places for extent in left):
-            raise self._reading.forgotten_record(variable["name"], value, variable["binding"])
-
-    def _may_be_default(self, value: Value, path: _Path, names: _Path, default: Extent) -> bool:
-        """= true, if a value may give a field the default of the declared class.
-
-        A constructor without the argument does, and so may what is not looked into: functions, constants of packages.
-        """
-        text = self._reading.text(value.extent)
-        called = _CALL.match(text)
-        if called is None:
-            named = _NAME.findall(text)
-            return "(" in text or not all(self._is_variable(path, (*_names(each), *names)) for each in named)
-        try:
-            instance = value.scope.lookup(tuple(called[1].split(".")))
-        except UnknownError:
-            return True
-        if instance.definition.kind == "function":
-            return True
-        found: Component | None = None
-        for name in names:
-            found = instance.component(name)
-            if found is None:
-                return True
-            instance = found.type
-        return found is None or found.binding is None or found.binding.extent == default
-
-    def _is_variable(self, path: _Path, name: _Path) -> bool:
-        """= true, if a name that is written in a component or around it is that of a variable."""
-        return any((*path[:length], *name) in self._variables for length in range(len(path)))
-
-    def _is_copy(self, path: _Path, value: Value, places: list[Mapping[str, int]], field: _Path = ()) -> bool:
-        """= true, if the value is a name, and the front end put in its place what that name is bound to."""
-        text = self._reading.text(value.extent)
-        if not _REFERENCE.fullmatch(text):
-            return False
-        found = {(span["source"], span["start"]) for span in places}
-        for length in range(len(path)):
-            for other in self._variables.get((*path[:length], *_names(text), *field), ()):
-                if found & {(span["source"], span["start"]) for span in spans(other["binding"])}:
-                    return True
-        return False
-
     def _attributes(self, component: Component, predefined: ClassInstance, variable: Mapping[str, Any]) -> None:
         """Start value and fixed; both may be those of another variable which an equation makes equal."""
         starts = predefined.attribute("start")
         places = list(spans(variable["start"]))
         is_right = any(self._reading.begins_in(span, value.extent) for span in places for value in starts[:1])
-        if starts and not is_right and not _REFERENCE.fullmatch(self._reading.text(starts[0].extent)):
+        if starts and not is_right and not is_reference(self._reading.text(starts[0].extent)):
             left = [*(value.extent for value in starts[1:]), *component.declarations]
             for span in places:
                 if any(self._reading.begins_in(span, each) or self._reading.ends_in(span, each) for each in left):
@@ -412,7 +329,7 @@ class _FlatCheck:
             return
         if _has_lost_its_right_side(equation):
             raise self._reading.lost_right_side(span)
-        path = _names(origin["ComponentEquation"]["component"])
+        path = names_of(origin["ComponentEquation"]["component"])
         node = self._node(path)
         if node is None:
             return
@@ -424,7 +341,7 @@ class _FlatCheck:
         origin, span = algorithm["origin"], algorithm["span"]
         if not isinstance(origin, str) or not origin.startswith(_ALGORITHM_OF) or not span:
             return
-        path = _names(origin.removeprefix(_ALGORITHM_OF))
+        path = names_of(origin.removeprefix(_ALGORITHM_OF))
         node = self._node(path)
         if node is None:
             return
@@ -432,7 +349,7 @@ class _FlatCheck:
         if not own and (error := self._other_class(path)) is not None:
             raise error
 
-    def _is_own(self, path: _Path, instance: ClassInstance, span: Mapping[str, int], tree: Any) -> bool:
+    def _is_own(self, path: FlatPath, instance: ClassInstance, span: Mapping[str, int], tree: Any) -> bool:
         """= true, if what is at the place is written in the component's class; its names are checked then."""
         own = False
         for each in instance.chain():
@@ -458,7 +375,7 @@ class _FlatCheck:
     def _written(self) -> WrittenPlaces:
         return WrittenPlaces(self._flat, self._reading.library)
 
-    def _without_equations(self, path: _Path) -> None:
+    def _without_equations(self, path: FlatPath) -> None:
         """A component that is redeclared as a class with equations has some of them."""
         node = self._nodes[path]
         if node is None or node.component is None:
@@ -472,7 +389,7 @@ class _FlatCheck:
                 if error is not None:
                     raise error
 
-    def _empty(self, path: _Path, filled: set[_Path]) -> None:
+    def _empty(self, path: FlatPath, filled: set[FlatPath]) -> None:
         """A component that is redeclared as a class with variables has some."""
         node = self._nodes[path]
         if node is None or node.instance.predefined is not None:
@@ -503,12 +420,3 @@ def _has_lost_its_right_side(equation: Mapping[str, Any]) -> bool:
     right = residual["rhs"]["Literal"]
     left = residual["lhs"].get("BuiltinCall")
     return left is not None and left["function"] == "Der" and bool(right.get("span") == equation["span"])
-
-
-def _lies_in(inner: Extent, outer: Extent) -> bool:
-    return inner.file == outer.file and outer.start <= inner.start and inner.end <= outer.end
-
-
-def _names(path: str) -> _Path:
-    """The names of a path without subscripts."""
-    return tuple(_SUBSCRIPTS.sub("", part.strip()) for part in _PART.findall(path))

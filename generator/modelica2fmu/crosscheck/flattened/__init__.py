@@ -1,0 +1,1 @@
+"""Holds the flattened model against the sources that it was made from."""
