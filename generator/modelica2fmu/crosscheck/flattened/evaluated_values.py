@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Final, Protocol
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, UnknownError, Value
@@ -119,7 +120,7 @@ class _Search:
     def _evaluated(self, path: FlatPath, variable: Mapping[str, Any]) -> _Written | None:
         """What is written where a parameter has numbers, if that names anything."""
         binding = variable["binding"]
-        if variable["variability"] != _PARAMETER and _PARAMETER not in variable["variability"]:
+        if _PARAMETER not in variable["variability"]:
             return None
         if binding is None or any(True for _ in self._named_in(binding)):
             return None
@@ -189,15 +190,20 @@ class _Search:
         for each in _NAME.findall(_STRING.sub("", written.text)):
             for length in range(depth, -1, -1):  # of outer components, and where it is not known where names are meant
                 head = (*path[:length], *names_of(each), *field)
-                found = [
-                    variable["name"]
-                    for other, variables in self._variables.by_path.items()
-                    if other[: len(head)] == head
-                    for variable in variables
-                ]
+                found = self._within.get(head)
                 if found:
                     yield from found
                     break
+
+    @cached_property
+    def _within(self) -> Mapping[FlatPath, list[str]]:
+        """The variables of all components, and each by its own path."""
+        found: dict[FlatPath, list[str]] = {}
+        for path, variables in self._variables.by_path.items():
+            names = [variable["name"] for variable in variables]
+            for length in range(1, len(path) + 1):
+                found.setdefault(path[:length], []).extend(names)
+        return found
 
     def _hold(self, names: Iterator[str]) -> None:
         """Takes parameters as constants, and those that their own values are computed from."""
