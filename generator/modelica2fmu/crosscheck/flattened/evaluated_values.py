@@ -12,29 +12,18 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Final, Protocol
+from typing import Any, Final
 
-from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, UnknownError, Value
+from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError, Value
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
 from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading, objects
 from modelica2fmu.crosscheck.flattened.flat_variables import FlatPath, FlatVariables, is_reference, names_of, parts_of
+from modelica2fmu.crosscheck.flattened.node import Node
 from modelica2fmu.crosscheck.flattened.record_values import argument_of, called_class
 
 _NAME: Final = re.compile(r"(?<![\w.])(?!(?:true|false|and|or|not|if|then|else|elseif|each|for|in)\b)[A-Za-z_][\w.]*")
 _STRING: Final = re.compile(r'"(?:[^"\\]|\\.)*"')
 _PARAMETER: Final = "Parameter"
-
-
-class Node(Protocol):
-    """A component on the way to variables."""
-
-    @property
-    def instance(self) -> ClassInstance:
-        """Its class."""
-
-    @property
-    def component(self) -> Component | None:
-        """``None`` for the model itself."""
 
 
 @dataclass(frozen=True)

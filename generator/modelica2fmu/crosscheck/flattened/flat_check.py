@@ -30,29 +30,13 @@ from modelica2fmu.crosscheck.flattened.flat_variables import (
     names_of,
     without_subscripts,
 )
+from modelica2fmu.crosscheck.flattened.node import Node
 from modelica2fmu.crosscheck.flattened.record_values import RecordValues
 from modelica2fmu.crosscheck.own_classes import model_class
 
 _EQUATIONS: Final = ("equations", "initial_equations")
 _ALGORITHMS: Final = ("algorithms", "initial_algorithms")
 _ALGORITHM_OF: Final = "algorithm from "
-
-
-@dataclass(frozen=True)
-class _Node:
-    """A component on the way to variables.
-
-    Attributes:
-        instance: its class.
-        component: ``None`` for the model itself.
-        is_certain: = true, if its modifiers are, and those of all components around it.
-        has_value: = true, if a record around it has a value, which gives its own.
-    """
-
-    instance: ClassInstance
-    component: Component | None
-    is_certain: bool = True
-    has_value: bool = False
 
 
 @dataclass(frozen=True)
@@ -153,7 +137,7 @@ class _FlatCheck:
     def __init__(self, flat: Mapping[str, Any], root: ClassInstance, reading: FlatReading) -> None:
         self._flat = flat
         self._reading = reading
-        self._nodes: dict[FlatPath, _Node | None] = {(): _Node(root, None)}
+        self._nodes: dict[FlatPath, Node | None] = {(): Node(root, None)}
         self._expressions = ExpressionCheck(flat["functions"], reading, self._inner)
         self._variables = FlatVariables(flat, reading)
         self._records = RecordValues(self._node, self._variables, reading)
@@ -187,7 +171,7 @@ class _FlatCheck:
 
     # --- components ---
 
-    def _node(self, path: FlatPath) -> _Node | None:
+    def _node(self, path: FlatPath) -> Node | None:
         """What a path leads to; ``None`` if there is no such component; raises UnknownError."""
         if path not in self._nodes:
             around = self._node(path[:-1])
@@ -196,7 +180,7 @@ class _FlatCheck:
                 self._nodes[path] = None
             else:
                 has_value = around.component is not None and around.component.binding is not None
-                self._nodes[path] = _Node(
+                self._nodes[path] = Node(
                     component.type,
                     component,
                     around.is_certain and component.is_certain,

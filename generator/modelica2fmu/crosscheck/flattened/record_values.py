@@ -5,31 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Final, Protocol
+from typing import Any, Final
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, Component, UnknownError, Value
 from modelica2fmu.crosscheck.class_syntax import Extent
 from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading, spans
 from modelica2fmu.crosscheck.flattened.flat_variables import FlatPath, FlatVariables, is_reference, names_of
+from modelica2fmu.crosscheck.flattened.node import Node
 
 _NAME: Final = re.compile(r"(?!(?:true|false)\b)[A-Za-z_][\w.]*")
 _CALL: Final = re.compile(r"\.?([A-Za-z_][\w.]*) ?\(")
-
-
-class Node(Protocol):
-    """A component on the way to variables."""
-
-    @property
-    def instance(self) -> ClassInstance:
-        """Its class."""
-
-    @property
-    def component(self) -> Component | None:
-        """``None`` for the model itself."""
-
-    @property
-    def is_certain(self) -> bool:
-        """= true, if its modifiers are, and those of all components around it."""
 
 
 class RecordValues:
@@ -157,15 +142,14 @@ class RecordValues:
         A constructor without the argument does, and so may what is not looked into: functions, constants of packages.
         """
         text = self._reading.text(value.extent)
-        called = _CALL.match(text)
-        if called is None:
+        if _CALL.match(text) is None:
             named = _NAME.findall(text)
             return "(" in text or not all(self._variables.contains(path, (*names_of(each), *names)) for each in named)
         try:
-            instance = value.scope.lookup(tuple(called[1].split(".")))
+            instance = called_class(self._reading, value)
         except UnknownError:
             return True
-        if instance.definition.kind == "function":
+        if instance is None:
             return True
         found: Component | None = None
         for name in names:
