@@ -99,5 +99,35 @@ INSTANTIATE_TEST_SUITE_P(OnMeshes, StoredEnergy,
                          testing::Combine(testing::Values("box", "ellipsoid", "cylinder", "cone", "capsule"), testing::Values("step", "hills", "angle", "ledge")),
                          [](const auto &info) { return std::get<0>(info.param) + "On" + std::get<1>(info.param); });
 
+// Balls that several places touch, of which edges and corners turn their normals as the ball moves: up to a quarter of their radius deep.
+TEST(StoredEnergy, OfBallsHasTheirForceAsGradient) {
+  Random random(11);
+  const std::string roofs = mesh_samples::height_field_text(2, 9, [](double x, double) { return std::fabs(x - 0.5 * std::floor(2.0 * x) - 0.25); });
+  for (const std::string &text : {roofs, ground("hills"), ground("step"), ground("ledge"), ground("angle")}) {
+    int asked = 0, several = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+      const double radius = random.uniform(0.1, 0.6), deep = random.log_uniform(1e-3, 0.25) * radius;
+      const PairScene scene("cmb/1 sphere radius=" + digits(radius), text);
+      BodyPose pose{{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 2.0}, {}};  // not at the rims of sheets
+      if (trial % 2 == 0) pose.position.x = 0.25 + 0.5 * random.integer(-1, 0) + random.uniform(-0.05, 0.05);  // between ridges
+      for (int step = 0; step < 60 && pose.position.z > -2.0; ++step) pose.position.z -= scene.query(pose, {}, 64).distance + deep;
+      const Contact contact = scene.query(pose, {}, 64);
+      if (std::fabs(contact.distance + deep) < 1e-6 * deep) {
+        ++asked, several += contact.points.size() > 1 ? 1 : 0;
+        // A place that comes to touch within the step bends the force.
+        const double step = 1e-4 * deep;
+        for (const Vec3 &way : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+          const auto energy_at = [&](double length) { return scene.query({pose.position + length * way, {}}, {}, 64).energy(); };
+          const double slope = (energy_at(step) - energy_at(-step)) / (2.0 * step);
+          EXPECT_NEAR(dot(way, contact.load()), -slope, 2e-4 * norm(contact.load())) << text.substr(0, 40) << ", trial " << trial;
+        }
+      }
+      cmb_release_scene(scene.handle());
+    }
+    EXPECT_GT(asked, 50) << text.substr(0, 40);
+    if (text == roofs) EXPECT_GT(several, 20);
+  }
+}
+
 }  // namespace
 }  // namespace test_stored_energy

@@ -54,10 +54,19 @@ bool over_face(const TriangleMesh &mesh, std::uint32_t t, const Vec3 &p, double 
   return true;
 }
 
-void add_places(const Vec3 &center, double radius, const TriangleMesh &mesh, std::uint32_t t, SharedLoad &shared) {
-  const double same = place_tolerance(mesh), slack = 1e-3 * same;
+// A ball that has gone from where it is to `center`, and how far places are looked for.
+struct MovedBall {
+  Vec3 center, from;
+  double radius, reach;
+};
+
+// Places as seen from the ball's centre, as deep as the ball has to go along their normal from where it is.
+void add_places(const MovedBall &ball, const TriangleMesh &mesh, std::uint32_t t, SharedLoad &shared) {
+  const Vec3 &center = ball.center;
+  const double same = place_tolerance(mesh), slack = 1e-3 * same, radius = ball.reach;
   const auto add = [&](const Vec3 &place, const Vec3 &normal, double distance, double share) {
-    if (distance < radius && share > 0.0) shared.add({radius - distance, share, normal, place}, same);
+    const double depth = ball.radius - distance + dot(normal, center - ball.from);
+    if (depth > 0.0 && share > 0.0) shared.add({depth, share, normal, place}, same);
   };
   const Vec3 &normal = mesh.face_normal(t);
   const double height = dot(normal, center - mesh.corner(t, 0));
@@ -115,15 +124,28 @@ double ball_contacts(const Vec3 &center, double radius, const TriangleMesh &mesh
   const double distance = (mesh.closed() ? nearest.distance : std::fabs(nearest.distance)) - radius;
   if (!(distance < 0.0)) return distance;
   if (nearest.distance > same) {
-    mesh.hierarchy().visit_near(
-        {center, center}, [&] { return radius * radius; },
-        [&](std::uint32_t t) { add_places(center, radius, mesh, t, shared); });
+    constexpr int rounds = 40;
+    constexpr double settled = 1e-12;
+    MovedBall ball{center, center, radius, radius};
+    for (int round = 0; round < rounds; ++round) {
+      shared.clear();
+      mesh.hierarchy().visit_near(
+          {ball.center, ball.center}, [&] { return ball.reach * ball.reach; },
+          [&](std::uint32_t t) { add_places(ball, mesh, t, shared); });
+      if (shared.size() == 0) break;
+      shared.solve();
+      const Vec3 freed = center + shared.translation();
+      const double step = norm(freed - ball.center);
+      if (!(step > settled * radius)) return distance;
+      ball.center = freed;
+      ball.reach = radius - distance;
+    }
   }
   // With the centre in or below the surface only the nearest place tells the exit direction.
   if (shared.size() == 0) {
     shared.add({-distance, nearest_share(mesh, nearest), nearest.normal, nearest.point}, same);
+    shared.solve();
   }
-  shared.solve();
   return distance;
 }
 

@@ -35,6 +35,12 @@ double SharedLoad::gram(std::size_t i, std::size_t j) const {
   return i == j ? 1.0 : coupling * dot(contacts_[i].normal, contacts_[j].normal);
 }
 
+Vec3 SharedLoad::translation() const {
+  Vec3 sum;
+  for (std::size_t i = 0; i < count_; ++i) sum = sum + contacts_[i].load * contacts_[i].normal;
+  return sum;
+}
+
 // Active sets, as in the bounded least squares of Stark and Parker 1995.
 void SharedLoad::solve() {
   std::array<double, capacity> load{};

@@ -38,6 +38,8 @@ class SharedLoad {
   // Contacts of one place (to `same`, m) with one normal count once; where there are too many the shallowest go.
   void add(const Contact &contact, double same);
   void solve();
+  // The translation, of what was solved.
+  Vec3 translation() const;
 
  private:
   double gram(std::size_t i, std::size_t j) const;
