@@ -16,7 +16,7 @@ from typing import Any, Final
 
 from modelica2fmu.crosscheck.class_instances import ClassInstance, UnknownError, Value
 from modelica2fmu.crosscheck.class_tokens import UnreadableError
-from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading, objects
+from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading, named
 from modelica2fmu.crosscheck.flattened.flat_variables import FlatPath, FlatVariables, is_reference, names_of, parts_of
 from modelica2fmu.crosscheck.flattened.node import Node
 from modelica2fmu.crosscheck.flattened.record_values import argument_of, called_class
@@ -214,10 +214,7 @@ class _Search:
 
     def _named_in(self, tree: Any) -> Iterator[str]:
         """The variables that an expression of the front end names, arrays where it names elements."""
-        for item in objects(tree):
-            if "VarRef" not in item:
-                continue
-            name = item["VarRef"]["name"]["name"]
+        for name in named(tree):
             if name in self._flat:
                 yield name
             else:  # an element of an array, a literal of an enumeration, or a constant

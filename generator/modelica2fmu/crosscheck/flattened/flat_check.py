@@ -7,7 +7,7 @@ sources independently (``class_instances``). Where the two name different places
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Final
@@ -22,7 +22,7 @@ from modelica2fmu.crosscheck.component_sizes import RECORDS
 from modelica2fmu.crosscheck.flattened.array_pieces import is_piece, remedy_of_pieces, remedy_of_rows
 from modelica2fmu.crosscheck.flattened.evaluated_values import NOTHING_EVALUATED, EvaluatedValues, evaluated_values
 from modelica2fmu.crosscheck.flattened.flat_expression_check import ExpressionCheck, Site
-from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading, WrittenPlaces, objects, spans
+from modelica2fmu.crosscheck.flattened.flat_reading import FlatReading, WrittenPlaces, named, spans
 from modelica2fmu.crosscheck.flattened.flat_variables import (
     FlatPath,
     FlatVariables,
@@ -95,8 +95,8 @@ def copies_of_inner(flat: Mapping[str, Any], model: str, library: ClassLibrary) 
     if root is None:
         return []
     outer = [name for name, variable in flat["variables"].items() if _is_outer(root, variable)]
-    named = {without_subscripts(name) for name in _named(flat)} if outer else set()
-    return [name for name in outer if without_subscripts(name) not in named]
+    found = {without_subscripts(name) for name in named(flat)} if outer else set()
+    return [name for name in outer if without_subscripts(name) not in found]
 
 
 def unused_members(flat: Mapping[str, Any]) -> list[str]:
@@ -106,8 +106,8 @@ def unused_members(flat: Mapping[str, Any]) -> list[str]:
         for name, variable in flat["variables"].items()
         if variable["from_expandable_connector"] and variable["binding"] is None
     ]
-    named = {without_subscripts(name) for name in _named(flat)} if declared else set()
-    return [name for name in declared if without_subscripts(name) not in named]
+    found = {without_subscripts(name) for name in named(flat)} if declared else set()
+    return [name for name in declared if without_subscripts(name) not in found]
 
 
 def _is_outer(root: ClassInstance, variable: Mapping[str, Any]) -> bool:
@@ -122,13 +122,6 @@ def _is_outer(root: ClassInstance, variable: Mapping[str, Any]) -> bool:
         return component is not None and component.is_outer and instance.predefined is not None
     except (UnknownError, UnreadableError, RecursionError):
         return False
-
-
-def _named(tree: Any) -> Iterator[str]:
-    """Names of all variables that expressions name."""
-    for item in objects(tree):
-        if "VarRef" in item:
-            yield item["VarRef"]["name"]["name"]
 
 
 class _FlatCheck:

@@ -70,6 +70,13 @@ def objects(tree: Any) -> Iterator[Mapping[str, Any]]:
             yield item
 
 
+def named(tree: Any) -> Iterator[str]:
+    """All names in an expression: of variables, literals of enumerations and constants."""
+    for item in objects(tree):
+        if "VarRef" in item:
+            yield item["VarRef"]["name"]["name"]
+
+
 class WrittenPlaces:
     """Where anything of a flattened model was written.
 

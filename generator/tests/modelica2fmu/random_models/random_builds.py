@@ -2,11 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from contact_foundation.errors import InputError, UnsupportedModelError
+from fmpy import read_model_description, simulate_fmu
 from modelica2fmu.build import BuildOptions, build_fmu
+
+ROUNDING = 1e-9
+
+
+def wrong_values(expected: Mapping[str, float], fmu: Path) -> list[str]:
+    """The parameters and variables that are missing or have another value."""
+    found = {each.name for each in read_model_description(str(fmu)).modelVariables}
+    wrong = [f"{name} is missing" for name in expected if name not in found]
+    names = [name for name in expected if name in found]
+    result = simulate_fmu(str(fmu), stop_time=0.1, output_interval=0.1, output=names)
+    for name in names:
+        value = float(result[name][-1])
+        if abs(value - expected[name]) > ROUNDING * (1 + abs(expected[name])):
+            wrong.append(f"{name} = {value}, not {expected[name]}")
+    return wrong
 
 
 def sampled(

@@ -11,27 +11,19 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from fmpy import read_model_description, simulate_fmu
-from random_builds import sampled
+from fmpy import read_model_description
+from random_builds import sampled, wrong_values
 from random_classes import RandomClasses, random_classes
 
 FEW = 1
 MANY = int(os.environ.get("CMB_CLASSES", "30"))
-ROUNDING = 1e-9
 
 
-def wrong_values(model: RandomClasses, fmu: Path) -> list[str]:
+def wrong_variables(model: RandomClasses, fmu: Path) -> list[str]:
     """The parameters and variables that have another value, are missing, or should not be there."""
-    found = {each.name for each in read_model_description(str(fmu)).modelVariables}
-    wrong = [f"{name} is missing" for name in model.values if name not in found]
-    wrong += [f"{name} is there" for name in found if name.startswith(model.absent)]
-    names = [name for name in model.values if name in found]
-    result = simulate_fmu(str(fmu), stop_time=0.1, output_interval=0.1, output=names)
-    for name in names:
-        value, expected = float(result[name][-1]), model.values[name]
-        if abs(value - expected) > ROUNDING * (1 + abs(expected)):
-            wrong.append(f"{name} = {value}, not {expected}")
-    return wrong
+    found = read_model_description(str(fmu)).modelVariables
+    extra = [f"{each.name} is there" for each in found if each.name.startswith(model.absent)]
+    return extra + wrong_values(model.values, fmu)
 
 
 def models(seeds: Iterable[int]) -> Iterator[tuple[int, str, Callable[[Path], Iterable[str]]]]:
@@ -39,7 +31,7 @@ def models(seeds: Iterable[int]) -> Iterator[tuple[int, str, Callable[[Path], It
     for seed in seeds:
         model = random_classes(seed)
         if model is not None:
-            yield seed, model.text, partial(wrong_values, model)
+            yield seed, model.text, partial(wrong_variables, model)
 
 
 def test_a_few_packages(tmp_path, fmu_cache):
