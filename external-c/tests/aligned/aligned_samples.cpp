@@ -299,7 +299,7 @@ const KnownFailure *known_failure(const KindPair &kinds, Property property) {
   // The first that fits.
   static const KnownFailure known[] = {
       // What passes through a body pushes; places where the energy would pull, torque beside little load, bodies deeper than half of what is behind a
-      // triangle; a side in the plane between two slopes of which one alone is one contact with a third.
+      // triangle; a side in the plane in which a field ends.
       {"any", "field", Property::same_in_frames, 0.01},
       {"any", "field", Property::gradient, 0.015},
       {"any", "field", Property::steady, 0.02},
@@ -359,7 +359,7 @@ Tally sample_aligned(const KindPair &kinds, int poses, std::uint64_t seed) {
     Check check(pair, kinds, placed, random);
     const auto count = [&](Property property, double error) {
       Tally::Failures &failures = tally.of[static_cast<int>(property)];
-      if (!(error <= 1.0)) ++failures.count;
+      if (!(error <= 1.0)) ++failures.count, failures.poses.push_back({pose, error});
       if (!(error <= failures.worst)) failures.worst = error, failures.worst_pose = pose;
     };
     if (check.is_left_out()) continue;

@@ -38,6 +38,11 @@ struct Tally {
     int count = 0;
     double worst = 0.0;  // by what is allowed
     int worst_pose = 0;
+    struct Pose {
+      int number;
+      double error;
+    };
+    std::vector<Pose> poses;
   } of[property_count];
   const Failures &operator[](Property property) const { return of[static_cast<int>(property)]; }
 };

@@ -1,9 +1,9 @@
 // Tables of how many poses of bodies that are level with each other fail what is asked of their contacts:
 //
-//   sample_aligned [--poses N] [--seed S] [--pose number] [kind [kind]]
+//   sample_aligned [--poses N] [--seed S] [--list | --pose number] [kind [kind]]
 //
 // By property: failures, and in brackets the worst error by what is allowed with the number of its pose. Kinds named restrict the table to
-// pairs with them; --pose describes one pose of two kinds instead.
+// pairs with them; --list names each pose that fails, too; --pose describes one pose of two kinds instead.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 using namespace cmb::aligned;
 
 int usage() {
-  std::fprintf(stderr, "usage: sample_aligned [--poses N] [--seed S] [--pose number] [kind [kind]]\nkinds:");
+  std::fprintf(stderr, "usage: sample_aligned [--poses N] [--seed S] [--list | --pose number] [kind [kind]]\nkinds:");
   for (const Kind &kind : all_kinds()) std::fprintf(stderr, " %s", kind.name);
   std::fprintf(stderr, "\n");
   return 2;
@@ -26,6 +26,7 @@ int usage() {
 
 int main(int argc, char **argv) {
   int poses = 400, pose = -1;
+  bool list = false;
   std::uint64_t seed = 1;
   std::vector<const Kind *> named;
   for (int i = 1; i < argc; ++i) {
@@ -33,6 +34,10 @@ int main(int argc, char **argv) {
     if (word.rfind("--", 0) != 0) {
       named.push_back(find_kind(word));
       if (named.back() == nullptr || named.size() > 2) return usage();
+      continue;
+    }
+    if (word == "--list") {
+      list = true;
       continue;
     }
     if (++i == argc) return usage();
@@ -67,6 +72,9 @@ int main(int argc, char **argv) {
       std::printf(" %d (%.1e, %d) |", of.count, of.worst, of.worst_pose);
     }
     std::printf("\n");
+    for (int k = 0; list && k < property_count; ++k) {
+      for (const Tally::Failures::Pose &failed : tally.of[k].poses) std::printf("%s %d %.2e\n", name_of(static_cast<Property>(k)), failed.number, failed.error);
+    }
     std::fflush(stdout);
   }
   return failures == 0 ? 0 : 1;

@@ -80,5 +80,63 @@ TEST_P(Valleys, SideInThePlaneBetweenTheSlopesMakesNoContactOfItsOwn) {
 
 INSTANTIATE_TEST_SUITE_P(All, Valleys, testing::Values("cone", "hull", "mesh"));
 
+// Across the ridge x = 0 and one or two further ones, with a flat side in x = 0, the plane that halves the ridge's angle. The lowest place there is the
+// origin. Of the four slopes the first is one contact with the second, which it shares the ridge with, and with the third, which it is parallel to; these
+// two are none.
+std::string body_across_ridges(const std::string &kind, Random &random) {
+  const double length = random.uniform(0.52, 0.9), wide = random.uniform(0.1, 0.3);
+  if (kind == "cylinder") return "cmb/1 cylinder radius=0.4 length=" + digits(length) + " position=" + digits(0.5 * length) + ",0,0.4 rotation=0,0,-1,0,1,0,1,0,0";
+  // From its lower side it falls or rises towards the other end.
+  const double low = random.uniform(-0.01, 0.005);
+  MeshData block;
+  for (const double y : {-wide, wide}) block.vertices.insert(block.vertices.end(), {{0, y, 0}, {0, y, 0.5}, {length, y, 0.5}, {length, y, low}});
+  if (kind == "hull") {
+    std::string text = "cmb/1 hull vertices=";
+    for (const Vec3 &p : block.vertices) text += digits(p.x) + "," + digits(p.y) + "," + digits(p.z) + ",";
+    text.pop_back();
+    return text;
+  }
+  block.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}};
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const std::uint32_t next = (k + 1) % 4;
+    block.triangles.push_back({k, next + 4, k + 4});
+    block.triangles.push_back({k, next, next + 4});
+  }
+  return mesh_text(with_speck(block, {0.5 * length, 0, 20}));
+}
+
+class Ridges : public testing::TestWithParam<const char *> {};
+
+TEST_P(Ridges, SideInThePlaneBetweenTheSlopesTakesNoLoadAtOnce) {
+  Random random(6);
+  for (int trial = 0; trial < 24; ++trial) {
+    const double rise = trial % 3 == 0 ? 1.0 : random.uniform(0.8, 2.0), deep = random.log_uniform(1e-3, 5e-2);
+    const Mat3 turn = trial % 2 == 0 ? Mat3{} : random_bodies::random_rotation(random);
+    MeshData data = sheet_mesh(2.0, 16, [rise](double x, double) { return rise * (std::fabs(x - 0.25 - 0.5 * std::floor(2.0 * x)) - 0.25); });
+    for (Vec3 &p : data.vertices) p = turn * p;
+    const PairScene scene(body_across_ridges(GetParam(), random), mesh_text(data));
+    const double along = random.uniform(-0.3, 0.3);
+    const auto beside = [&](double aside) { return scene.query({turn * Vec3{aside, along, -deep}, turn}, {}, 128); };
+    const Contact at_rest = beside(0.0);
+    ASSERT_GT(norm(at_rest.load()), 0.01 * deep) << trial;
+    for (const double aside : {-1e-6, -1e-9, -1e-12, 1e-15, 1e-12, 1e-9, 1e-6}) {
+      const Contact there = beside(aside);
+      const double tolerance = 1e-8 + 20.0 * std::fabs(aside) / deep;
+      EXPECT_LT(norm(there.load() - at_rest.load()), tolerance * norm(at_rest.load())) << trial << ", " << aside << " aside";
+      EXPECT_NEAR(there.energy(), at_rest.energy(), tolerance * at_rest.energy()) << trial << ", " << aside << " aside";
+    }
+    // Where the side crosses the ridge the slope before it comes to count by itself: the force is the energy's gradient all the way. (Of a cylinder what
+    // passes through its rim pushes beside that at some poses.)
+    for (int k = 0; k < 10 && GetParam() != std::string("cylinder"); ++k) {
+      const double aside = random.uniform(-1.5, 0.5) * deep, step = 1e-4 * deep;
+      const double slope = (beside(aside + step).energy() - beside(aside - step).energy()) / (2.0 * step);
+      EXPECT_NEAR(dot(turn * Vec3{1, 0, 0}, beside(aside).load()), -slope, 1e-5 * norm(at_rest.load())) << trial << ", " << aside / deep << " aside";
+    }
+    cmb_release_scene(scene.handle());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Ridges, testing::Values("cylinder", "hull", "mesh"));
+
 }  // namespace
 }  // namespace test_valleys

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "closed_work.hpp"
 #include "scene/descriptor.hpp"
 #include "support/path_sums.hpp"
 
@@ -183,7 +184,8 @@ convex::Vec3 beside_ground(const KindPair &kinds, Random &random) {
 
 }  // namespace
 
-LoopWork sample_loops(const KindPair &kinds, double deep, double turn, int paths, int steps, std::uint64_t seed) {
+LoopWork sample_loops(const KindPair &kinds, double deep, double turn, int paths, int steps, std::uint64_t seed,
+                      const ForceFactor &factor) {
   const std::vector<Sample> bodies = bodies_of(kinds, paths, seed);
   LoopWork result;
   double sum = 0.0;
@@ -194,16 +196,16 @@ LoopWork sample_loops(const KindPair &kinds, double deep, double turn, int paths
                                 deep * sample.size);
     if (!start) continue;
     const Loop loop(*start, deep * sample.size, turn, random);
-    double work = 0.0, largest = 0.0;
-    for (int step = 0; step < steps; ++step) {
-      const double s = (step + 0.5) / steps;
-      const BodyPose pose = loop.pose(s);
-      const Contact contact = sample.scene->query(pose, {}, capacity);
-      work += (dot(contact.load(), loop.velocity(s)) + dot(contact.moment(pose.position), loop.angular_velocity(s))) / steps;
-      largest = std::fmax(largest, contact.energy());
-    }
-    if (!(largest > 0.0)) continue;
-    const double part = std::fabs(work) / largest;
+    const ClosedWork found = closed_work(
+        [&](double s) {
+          const BodyPose pose = loop.pose(s);
+          const Contact contact = sample.scene->query(pose, {}, capacity);
+          const double power = dot(contact.load(), loop.velocity(s)) + dot(contact.moment(pose.position), loop.angular_velocity(s));
+          return PathPlace{factor ? factor(pose) * power : power, contact.energy()};
+        },
+        steps);
+    if (!(found.largest_energy > 0.0)) continue;
+    const double part = std::fabs(found.work) / found.largest_energy;
     sum += part;
     ++result.paths;
     if (part > result.worst) result.worst = part, result.worst_seed = path_seed(seed, k);

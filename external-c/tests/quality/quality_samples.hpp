@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "quality_kinds.hpp"
+#include "support/poses.hpp"
 
 namespace cmb::quality {
 
@@ -21,8 +23,11 @@ struct LoopWork {
 };
 
 // The work along random closed paths of A, all six degrees of freedom, around poses `deep` times the smaller size in B, moved
-// by as much and turned by up to about `turn` (rad). `steps` points a path, at which smooth periodic functions are summed.
-LoopWork sample_loops(const KindPair &kinds, double deep, double turn, int paths, int steps, std::uint64_t seed);
+// by as much and turned by up to about `turn` (rad). `steps` points a path, and more where the power is steep (ClosedWork). A `factor` by A's
+// pose spoils all forces and moments.
+using ForceFactor = std::function<double(const test::BodyPose &)>;
+LoopWork sample_loops(const KindPair &kinds, double deep, double turn, int paths, int steps, std::uint64_t seed,
+                      const ForceFactor &factor = {});
 
 struct Jumps {
   double worst = 0.0;          // the largest jump of load and moment, as a part of the largest load on its path

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "math/pi.hpp"
 #include "math/smoothstep.hpp"
@@ -34,6 +35,12 @@ std::vector<Vec3> outermost(const std::vector<Vec3> &corners, const Vec3 &normal
   return result;
 }
 
+// The sine of the angle by which the surface is bent at a side of triangle t; negative where it is folded inwards.
+double bend(const MeshData &data, const std::vector<Vec3> &normals, std::uint32_t t, std::size_t side, std::uint32_t other) {
+  const Vec3 along = data.vertices[data.triangles[t][(side + 1) % 3]] - data.vertices[data.triangles[t][side]];
+  return dot(cross(normals[t], normals[other]), normalized(along));
+}
+
 }  // namespace
 
 FaceRelations::FaceRelations(const MeshData &data, const std::vector<std::array<std::int32_t, 3>> &neighbours,
@@ -44,9 +51,7 @@ FaceRelations::FaceRelations(const MeshData &data, const std::vector<std::array<
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t other = neighbours[t][k];
       if (other < 0) continue;
-      const Vec3 along = data.vertices[data.triangles[t][(k + 1) % 3]] - data.vertices[data.triangles[t][k]];
-      const double fold = dot(cross(normals[t], normals[static_cast<std::size_t>(other)]), normalized(along));
-      all_together_ = all_together_ && fold > -least_fold;
+      all_together_ = all_together_ && bend(data, normals, t, k, static_cast<std::uint32_t>(other)) > -least_fold;
     }
   }
   if (all_together_) return;  // nothing else is asked
@@ -64,6 +69,33 @@ FaceRelations::FaceRelations(const MeshData &data, const std::vector<std::array<
     face.count = static_cast<std::uint32_t>(corners_.size()) - face.first;
     for (std::uint32_t k = 0; k < face.count; ++k) face.size = std::fmax(face.size, norm(corners_[face.first + k] - corners_[face.first]));
   }
+  find_beside(data, neighbours, normals, face_of);
+}
+
+void FaceRelations::find_beside(const MeshData &data, const std::vector<std::array<std::int32_t, 3>> &neighbours,
+                                const std::vector<Vec3> &normals, const std::vector<std::uint32_t> &face_of) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t t = 0; t < face_of.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (neighbours[t][k] < 0) continue;
+      const auto other = static_cast<std::uint32_t>(neighbours[t][k]);
+      const std::uint32_t a = face_of[t], b = face_of[other];
+      if (a != b && (bend(data, normals, t, k, other) >= 0.0 || together(a, b) >= 1.0)) pairs.insert(pairs.end(), {{a, b}, {b, a}});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  for (const auto &[a, b] : pairs) {
+    if (faces_[a].count_beside++ == 0) faces_[a].first_beside = static_cast<std::uint32_t>(beside_.size());
+    beside_.push_back(b);
+  }
+}
+
+bool FaceRelations::go_over(std::uint32_t a, std::uint32_t b) const {
+  const bool fewer = faces_[a].count_beside <= faces_[b].count_beside;
+  const Face &face = faces_[fewer ? a : b];
+  const auto begin = beside_.begin() + face.first_beside;
+  return std::binary_search(begin, begin + face.count_beside, fewer ? b : a);
 }
 
 // How far the face reaches above the other one's plane, by its size.
