@@ -44,7 +44,7 @@ def textbook(matrix: Array) -> Factors:
         pivot.append(row)
         if a[row, k] == 0.0:
             return k + 1, a, pivot
-        a[[k, row]] = a[[row, k]]
+        a[[k, row], k:] = a[[row, k], k:]  # rows of finished columns stay, as LINPACK has it
         a[k + 1 :, k] /= a[k, k]
         a[k + 1 :, k + 1 :] -= np.outer(a[k + 1 :, k], a[k, k + 1 :])
     return 0, a, pivot

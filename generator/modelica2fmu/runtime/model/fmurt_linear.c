@@ -26,15 +26,12 @@ void fmurt_substitute_lanes(int n, const double *a, const double *scale, const i
     for (int lane = 0; lane < FMURT_LANES; ++lane) b[k * FMURT_LANES + lane] *= scale[k];
   }
   for (int k = 0; k < n; ++k) {
-    if (pivot[k] == k) continue;
-    for (int lane = 0; lane < FMURT_LANES; ++lane) {
+    const double *column = a + (size_t)k * rows;
+    for (int lane = 0; pivot[k] != k && lane < FMURT_LANES; ++lane) {
       const double entry = b[pivot[k] * FMURT_LANES + lane];
       b[pivot[k] * FMURT_LANES + lane] = b[k * FMURT_LANES + lane];
       b[k * FMURT_LANES + lane] = entry;
     }
-  }
-  for (int k = 0; k < n; ++k) {
-    const double *column = a + (size_t)k * rows;
     for (int i = k + 1; i < n; ++i) {
       if (column[i] != 0.0) add_lanes(b + i * FMURT_LANES, -column[i], b + k * FMURT_LANES);
     }

@@ -110,8 +110,7 @@ static int setup(SUNLinearSolver solver, SUNMatrix matrix) {
     double *below = self->below + (size_t)k * m;
     for (size_t i = 0; i < m; ++i) below[i] = column[self->rest[i]];
     for (int e = 0; e < row->count; ++e) {
-      double *target = self->factors + (size_t)row->column[e] * m;
-      for (size_t i = 0; i < m; ++i) target[i] -= below[i] * row->entry[e];
+      fmurt_lu_subtract(self->rest_count, self->factors + (size_t)row->column[e] * m, row->entry[e], below);
     }
   }
   self->last_flag = fmurt_lu_factorize(self->rest_count, self->factors, self->pivot, 0.0);
@@ -131,7 +130,7 @@ static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector solution, N_
     x[row->row] = value; /* b and x may be the same */
     const double *below = self->below + (size_t)k * (size_t)m;
     if (value == 0.0) continue;
-    for (int i = 0; i < m; ++i) remaining[i] -= below[i] * value;
+    fmurt_lu_subtract(m, remaining, value, below);
   }
   fmurt_lu_solve(m, self->factors, self->pivot, remaining);
   for (int i = 0; i < m; ++i) x[self->rest[i]] = remaining[i];

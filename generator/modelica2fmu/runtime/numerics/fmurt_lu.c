@@ -57,28 +57,28 @@ IN_LINE double power_against(double size) {
   return ldexp(1.0, exponent > -1000 ? -exponent : 1000); /* finite for subnormal rows too */
 }
 
-/* scale[i] becomes the larger of it and |b[i]|. */
-IN_LINE void enlarge(int n, double *restrict scale, const double *restrict b) {
+/* Some rows at a time, so that their sizes stay in a register while all columns are looked at. */
+IN_LINE void scale_rows(int n, double *restrict a, double *restrict scale) {
   const masks without_sign = {LLONG_MAX, LLONG_MAX, LLONG_MAX, LLONG_MAX};
+  const size_t rows = (size_t)n;
   int i = 0;
   for (; i + WIDTH <= n; i += WIDTH) {
-    const numbers size = (numbers)(*(const masks *)(b + i) & without_sign), before = *(const numbers *)(scale + i);
-    const masks more = size > before;
-    *(numbers *)(scale + i) = (numbers)(((masks)size & more) | ((masks)before & ~more));
+    double *const first = a + i;
+    numbers most = {0.0, 0.0, 0.0, 0.0};
+    for (int j = 0; j < n; ++j) {
+      const numbers size = (numbers)(*(const masks *)(first + (size_t)j * rows) & without_sign);
+      const masks more = size > most;
+      most = (numbers)(((masks)size & more) | ((masks)most & ~more));
+    }
+    for (int lane = 0; lane < WIDTH; ++lane) scale[i + lane] = power_against(most[lane]);
+    const numbers by = *(const numbers *)(scale + i);
+    for (int j = 0; j < n; ++j) *(numbers *)(first + (size_t)j * rows) *= by;
   }
-  for (; i < n; ++i) scale[i] = larger(scale[i], fabs(b[i]));
-}
-
-IN_LINE void scale_rows(int n, double *restrict a, double *restrict scale) {
-  const size_t rows = (size_t)n;
-  for (int i = 0; i < n; ++i) scale[i] = 0.0;
-  for (int j = 0; j < n; ++j) enlarge(n, scale, a + (size_t)j * rows);
-  for (int i = 0; i < n; ++i) scale[i] = power_against(scale[i]);
-  for (int j = 0; j < n; ++j) {
-    double *const column = a + (size_t)j * rows;
-    int i = 0;
-    for (; i + WIDTH <= n; i += WIDTH) *(numbers *)(column + i) *= *(const numbers *)(scale + i);
-    for (; i < n; ++i) column[i] *= scale[i];
+  for (; i < n; ++i) {
+    double most = 0.0;
+    for (int j = 0; j < n; ++j) most = larger(most, fabs(a[i + (size_t)j * rows]));
+    scale[i] = power_against(most);
+    for (int j = 0; j < n; ++j) a[i + (size_t)j * rows] *= scale[i];
   }
 }
 
@@ -89,27 +89,16 @@ enum { TOGETHER = 4 };
  * eliminated, as the legs of a robot, is passed over. With more rows than bits all count as filled. */
 typedef uint64_t blocks;
 enum { MOST_ROWS_IN_BLOCKS = 64 * WIDTH };
-static const blocks all_blocks = ~(blocks)0;
 
 IN_LINE blocks block_of(int row) { return (blocks)1 << (row / WIDTH); }
 
-/* The next rows below `row` that are filled, of those in `left`: first <= i < end; takes them out. 0 if there are none. */
-IN_LINE int next_rows(blocks *left, int row, int n, int *first, int *end) {
-  if (n > MOST_ROWS_IN_BLOCKS) {
-    *first = row + 1;
-    *end = n;
-    const int is_there = *left != 0;
-    *left = 0;
-    return is_there;
-  }
-  if (*left == 0) return 0;
-  const int begin = __builtin_ctzll(*left);
-  const blocks gap = ~(*left >> begin);
-  const int count = gap != 0 ? __builtin_ctzll(gap) : 64;
-  *left = begin + count < 64 ? *left & (all_blocks << (begin + count)) : 0;
-  *first = begin * WIDTH > row ? begin * WIDTH : row + 1;
-  *end = (begin + count) * WIDTH < n ? (begin + count) * WIDTH : n;
-  return 1;
+/* The blocks behind that of a row. */
+IN_LINE blocks blocks_behind(int row) { return ~(blocks)1 << (row / WIDTH); }
+
+/* The end of a row's block. */
+IN_LINE int end_of_block(int row, int n) {
+  const int end = (row / WIDTH + 1) * WIDTH;
+  return end < n ? end : n;
 }
 
 /* Whether all are zero, of either sign; without a jump for each. */
@@ -124,23 +113,27 @@ IN_LINE int are_zero(double x, double y, double z, double w) {
 
 /* b[i] /= divisor for the rows below `row`; which of their blocks are filled. */
 IN_LINE blocks divide(double *b, double divisor, int row, int n) {
-  const int is_masked = n <= MOST_ROWS_IN_BLOCKS;
   blocks filled = 0;
-  int i = row + 1;
-  for (; i < n && (i % WIDTH != 0 || i + WIDTH > n); ++i) {
-    if (b[i] != 0.0 && is_masked) filled |= block_of(i);
-    b[i] /= divisor;
-  }
-  for (; i + WIDTH <= n; i += WIDTH) {
-    if (are_zero(b[i], b[i + 1], b[i + 2], b[i + 3])) continue;
-    if (is_masked) filled |= block_of(i);
-    *(numbers *)(b + i) /= divisor;
-  }
-  for (; i < n; ++i) {
-    if (b[i] != 0.0 && is_masked) filled |= block_of(i);
-    b[i] /= divisor;
+  for (int i = row + 1; i < n; ++i) {
+    if (i % WIDTH == 0 && i + WIDTH <= n) {
+      if (are_zero(b[i], b[i + 1], b[i + 2], b[i + 3])) {
+        i += WIDTH - 1;
+        continue;
+      }
+      *(numbers *)(b + i) /= divisor;
+      filled |= block_of(i);
+      i += WIDTH - 1;
+    } else if (b[i] != 0.0) {
+      b[i] /= divisor;
+      filled |= block_of(i);
+    }
   }
   return filled;
+}
+
+/* b[i] /= divisor for the rows below `row`, where rows are too many for blocks. */
+IN_LINE void divide_many(double *b, double divisor, int row, int n) {
+  for (int i = row + 1; i < n; ++i) b[i] /= divisor;
 }
 
 IN_LINE void exchange(double *column, int i, int j) {
@@ -149,77 +142,87 @@ IN_LINE void exchange(double *column, int i, int j) {
   column[j] = entry;
 }
 
-/* Subtracts from a column what the finished columns before `k` leave of it, from column `first` on. */
-IN_LINE void eliminate(int n, const double *a, int first, int k, const int *pivot, const blocks *filled, double *column) {
-  for (int j = first; j < k; ++j) exchange(column, pivot[j], j);
-  for (int j = first; j < k; ++j) {
-    const double factor = column[j];
-    if (factor == 0.0) continue;
-    blocks left = n > MOST_ROWS_IN_BLOCKS ? all_blocks : filled[j];
-    int begin, end;
-    while (next_rows(&left, j, n, &begin, &end)) subtract_multiple(column, factor, a + (size_t)j * (size_t)n, begin, end);
+/* Rows change places in a column as they did where a finished one was eliminated. */
+IN_LINE void subtract_finished(int n, const double *finished, int j, int row, blocks filled, double *column) {
+  if (row != j) exchange(column, row, j);
+  const double factor = column[j];
+  if (factor == 0.0) return;
+  if (n > MOST_ROWS_IN_BLOCKS) {
+    subtract_multiple(column, factor, finished, j + 1, n);
+    return;
+  }
+  if (filled & block_of(j)) {
+    for (int i = j + 1; i < end_of_block(j, n); ++i) column[i] -= factor * finished[i];
+  }
+  for (blocks left = filled & blocks_behind(j); left != 0; left &= left - 1) {
+    const int i = __builtin_ctzll(left) * WIDTH;
+    if (i + WIDTH <= n) {
+      *(numbers *)(column + i) -= factor * *(const numbers *)(finished + i);
+    } else {
+      for (int k = i; k < n; ++k) column[k] -= factor * finished[k];
+    }
   }
 }
 
-/* The same for TOGETHER columns, from the first finished one on. */
+/* Subtracts from a column what the finished columns before `k` leave of it, from column `first` on. */
+IN_LINE void eliminate(int n, const double *a, int first, int k, const int *pivot, const blocks *filled, double *column) {
+  for (int j = first; j < k; ++j) {
+    subtract_finished(n, a + (size_t)j * (size_t)n, j, pivot[j], n > MOST_ROWS_IN_BLOCKS ? 0 : filled[j], column);
+  }
+}
+
+/* The same for TOGETHER columns, from the first finished one on; of no more rows than blocks hold. */
 IN_LINE void eliminate_together(int n, const double *a, int k, const int *pivot, const blocks *filled, double *column) {
   const size_t rows = (size_t)n;
   double *const b = column, *const c = b + rows, *const d = c + rows, *const e = d + rows;
   for (int j = 0; j < k; ++j) {
-    if (pivot[j] == j) continue;
-    exchange(b, pivot[j], j);
-    exchange(c, pivot[j], j);
-    exchange(d, pivot[j], j);
-    exchange(e, pivot[j], j);
-  }
-  for (int j = 0; j < k; ++j) {
     const double *const finished = a + (size_t)j * rows;
+    const int row = pivot[j];
+    if (row != j) {
+      exchange(b, row, j);
+      exchange(c, row, j);
+      exchange(d, row, j);
+      exchange(e, row, j);
+    }
     const double of_b = b[j], of_c = c[j], of_d = d[j], of_e = e[j];
     if (are_zero(of_b, of_c, of_d, of_e)) continue;
-    blocks left = n > MOST_ROWS_IN_BLOCKS ? all_blocks : filled[j];
-    int begin, end;
-    while (next_rows(&left, j, n, &begin, &end)) {
-      int i = begin;
-      for (; i < end && i + WIDTH <= n; i += WIDTH) { /* beyond a block's end the finished column is zero */
-        const numbers of_finished = *(const numbers *)(finished + i);
-        *(numbers *)(b + i) -= of_b * of_finished;
-        *(numbers *)(c + i) -= of_c * of_finished;
-        *(numbers *)(d + i) -= of_d * of_finished;
-        *(numbers *)(e + i) -= of_e * of_finished;
-      }
+    int i = j + 1, end = filled[j] & block_of(j) ? end_of_block(j, n) : i;
+    blocks left = filled[j] & blocks_behind(j);
+    for (;;) {
       for (; i < end; ++i) {
         b[i] -= of_b * finished[i];
         c[i] -= of_c * finished[i];
         d[i] -= of_d * finished[i];
         e[i] -= of_e * finished[i];
       }
+      for (; left != 0; left &= left - 1) {
+        i = __builtin_ctzll(left) * WIDTH;
+        if (i + WIDTH > n) break;
+        const numbers of_finished = *(const numbers *)(finished + i);
+        *(numbers *)(b + i) -= of_b * of_finished;
+        *(numbers *)(c + i) -= of_c * of_finished;
+        *(numbers *)(d + i) -= of_d * of_finished;
+        *(numbers *)(e + i) -= of_e * of_finished;
+      }
+      if (left == 0) break;
+      left = 0; /* the last block is not whole */
+      end = n;
     }
   }
 }
 
-/* Rows change places in finished columns. */
-IN_LINE void exchange_rows(int n, double *a, blocks *filled, int finished, int i, int j) {
-  const int is_masked = n <= MOST_ROWS_IN_BLOCKS;
-  const blocks of_i = is_masked ? block_of(i) : 0, of_j = is_masked ? block_of(j) : 0;
-  for (int c = 0; c < finished; ++c) {
-    if (is_masked && (filled[c] & (of_i | of_j)) == 0) continue;
-    double *const column = a + (size_t)c * (size_t)n;
-    exchange(column, i, j);
-    if (is_masked && column[i] != 0.0) filled[c] |= of_i;
-    if (is_masked && column[j] != 0.0) filled[c] |= of_j;
-  }
-}
-
 /* Left-looking (Golub and Van Loan, Matrix Computations, section 3.4): a column is untouched until its turn, so its own
- * size says what rounding leaves of a pivot that should be zero. Zeros above the diagonal save a column each. */
+ * size says what rounding leaves of a pivot that should be zero. Zeros above the diagonal save a column each. Rows of finished
+ * columns stay where they are when later ones change places (as LINPACK has it): each column repeats the changes in turn. */
 IN_LINE int factorize(int n, double *a, int *pivot, double least) {
   const size_t rows = (size_t)n;
+  const int is_large = n > MOST_ROWS_IN_BLOCKS;
   blocks filled[MOST_ROWS_IN_BLOCKS];
   for (int begin = 0; begin < n; begin += TOGETHER) {
     const int end = begin + TOGETHER < n ? begin + TOGETHER : n;
     double size[TOGETHER];
     for (int k = begin; k < end; ++k) size[k - begin] = largest(a + (size_t)k * rows, 0, n);
-    if (end - begin == TOGETHER) {
+    if (end - begin == TOGETHER && !is_large) {
       eliminate_together(n, a, begin, pivot, filled, a + (size_t)begin * rows);
     } else {
       for (int k = begin; k < end; ++k) eliminate(n, a, 0, begin, pivot, filled, a + (size_t)k * rows);
@@ -234,12 +237,12 @@ IN_LINE int factorize(int n, double *a, int *pivot, double least) {
       }
       pivot[k] = row;
       if (!(fabs(column[row]) > least * size[k - begin]) || !isfinite(column[row])) return k + 1;
-      if (row != k) {
-        exchange(column, k, row);
-        exchange_rows(n, a, filled, k, k, row);
+      if (row != k) exchange(column, k, row);
+      if (is_large) {
+        divide_many(column, column[k], k, n);
+      } else {
+        filled[k] = divide(column, column[k], k, n);
       }
-      const blocks below = divide(column, column[k], k, n);
-      if (n <= MOST_ROWS_IN_BLOCKS) filled[k] = below;
     }
   }
   return 0;
@@ -253,9 +256,9 @@ static int factorize_few(int n, double *a, int *pivot, double least) {
     double *const column = a + k * n;
     double size = 0.0, most = 0.0;
     for (int i = 0; i < n; ++i) size = larger(size, fabs(column[i]));
-    for (int j = 0; j < k; ++j) exchange(column, pivot[j], j);
     for (int j = 0; j < k; ++j) {
       const double *const finished = a + j * n;
+      exchange(column, pivot[j], j);
       for (int i = j + 1; column[j] != 0.0 && i < n; ++i) column[i] -= column[j] * finished[i];
     }
     int row = k;
@@ -265,9 +268,7 @@ static int factorize_few(int n, double *a, int *pivot, double least) {
     }
     pivot[k] = row;
     if (!(fabs(column[row]) > least * size) || !isfinite(column[row])) return k + 1;
-    if (row != k) {
-      for (int j = 0; j <= k; ++j) exchange(a + j * n, k, row);
-    }
+    if (row != k) exchange(column, k, row);
     for (int i = k + 1; i < n; ++i) column[i] /= column[k];
   }
   return 0;
@@ -279,9 +280,7 @@ IN_LINE void solve(int n, const double *a, const int *pivot, double *b) {
     const double entry = b[pivot[k]];
     b[pivot[k]] = b[k];
     b[k] = entry;
-  }
-  for (int k = 0; k < n; ++k) {
-    if (b[k] != 0.0) subtract_multiple(b, b[k], a + (size_t)k * rows, k + 1, n);
+    if (entry != 0.0) subtract_multiple(b, entry, a + (size_t)k * rows, k + 1, n);
   }
   for (int k = n - 1; k >= 0; --k) {
     const double *const column = a + (size_t)k * rows;
@@ -304,6 +303,18 @@ __attribute__((target("avx2,no-fma"))) static void solve_wide(int n, const doubl
 
 __attribute__((target("avx2,no-fma"))) static void scale_rows_wide(int n, double *a, double *scale) {
   scale_rows(n, a, scale);
+}
+
+__attribute__((target("avx2,no-fma"))) static void subtract_wide(int n, double *b, double factor, const double *c) {
+  subtract_multiple(b, factor, c, 0, n);
+}
+
+void fmurt_lu_subtract(int n, double *b, double factor, const double *c) {
+  if (__builtin_cpu_supports("avx2")) {
+    subtract_wide(n, b, factor, c);
+  } else {
+    subtract_multiple(b, factor, c, 0, n);
+  }
 }
 
 void fmurt_lu_scale_rows(int n, double *a, double *scale) {
@@ -329,6 +340,8 @@ void fmurt_lu_solve(int n, const double *a, const int *pivot, double *b) {
 }
 
 #else
+
+void fmurt_lu_subtract(int n, double *b, double factor, const double *c) { subtract_multiple(b, factor, c, 0, n); }
 
 void fmurt_lu_scale_rows(int n, double *a, double *scale) { scale_rows(n, a, scale); }
 

@@ -15,4 +15,7 @@ void fmurt_lu_scale_rows(int n, double *a, double *scale);
 /* Solves A x = b with these factors: b in, x out. */
 void fmurt_lu_solve(int n, const double *a, const int *pivot, double *b);
 
+/* b -= factor c, of n elements that do not overlap. */
+void fmurt_lu_subtract(int n, double *b, double factor, const double *c);
+
 #endif
