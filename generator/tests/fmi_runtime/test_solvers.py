@@ -73,11 +73,10 @@ def eliminated(a: Array) -> tuple[Array, list[int]]:
     for k in range(len(a)):
         for j, row in enumerate(pivots):
             a[[j, row], k] = a[[row, j], k]
-        for j in range(k):
             a[j + 1 :, k] -= a[j, k] * a[j + 1 :, j]
         row = k + int(np.argmax(np.abs(a[k:, k])))
         pivots.append(row)
-        a[[k, row], : k + 1] = a[[row, k], : k + 1]
+        a[[k, row], k] = a[[row, k], k]  # rows of finished columns stay
         a[k + 1 :, k] /= a[k, k]
     return a, pivots
 
