@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import errno
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 EXIT_INPUT = 2
@@ -26,6 +26,10 @@ class Place:
     file: Path | None = None
     line: int | None = None
     component: str | None = None
+
+    def without_folder(self) -> Place:
+        """The same without the file's folder, for what must not depend on the machine."""
+        return self if self.file is None else replace(self, file=Path(self.file.name))
 
     def __str__(self) -> str:
         parts = []

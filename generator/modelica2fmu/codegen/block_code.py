@@ -233,10 +233,10 @@ class BlockCode:
 
     def _stated(self, span: Span | None) -> str:
         """Where an equation stands, without its folder, which would make the code depend on the machine."""
-        place = self._place(span)
+        place = self._place(span).without_folder()
         if place.file is None:
             return "that the translation made"
-        return f"in {place.file.name}" + (f", line {place.line}," if place.line is not None else "")
+        return f"in {place.file}" + (f", line {place.line}," if place.line is not None else "")
 
 
 def _give(position: int, value: float | Node) -> Statement:

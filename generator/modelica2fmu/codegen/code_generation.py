@@ -150,6 +150,7 @@ class _Generator:
         wanted += ex.symbols(*(item.indicator for item in model.relations))
         wanted += ex.symbols(*(root for item in model.reinitializations for root in (item.trigger, item.value)))
         wanted += ex.symbols(*(root for item in model.asserts for root in (item.condition, item.trigger or 0)))
+        wanted += ex.symbols(*(item.condition for item in systems.checks))
         wanted += ex.symbols(*(by for _, by in self._reduced.replacements.items()))
         initialization = needed_blocks(systems.initialization, [*wanted, *self._states])
         return needed_blocks(systems.simulation, wanted), initialization
@@ -247,7 +248,10 @@ class _Generator:
         return [replace(item, is_discrete=False) for block in blocks for item in self._blocks.statements(block)]
 
     def _initialize(self, blocks: Sequence[Block]) -> list[Statement]:
-        names = ex.symbols(*(root for block in blocks for root in block_roots(block)))
+        names = ex.symbols(
+            *(root for block in blocks for root in block_roots(block)),
+            *(item.condition for item in self._systems.checks),
+        )
         starts = [name[6:-1] for name in names if name.startswith("start(")]
         statements: list[Statement] = []
         for name in starts:
@@ -261,7 +265,8 @@ class _Generator:
             for item in lasting_asserts(self._model)
             if self._is_invariant(item.condition)
         ]
-        return [*self._negated_statements(), *asserts]
+        checks = [assert_statement(item, "FMURT_RESULT_ERROR") for item in self._systems.checks]
+        return [*self._negated_statements(), *checks, *asserts]
 
     # --- Jacobian ---
 

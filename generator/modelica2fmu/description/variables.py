@@ -77,7 +77,7 @@ class _Describer:
         for name, variable in self._variables.items():
             if variable.declaration is not None:
                 described.append(self._describe(name, variable))
-        names = {variable.name for variable in described}
+        names = {variable.name for variable in described} | {derivative_name(state) for state in self._states}
         for state in self._states:
             if state not in names:
                 described.append(self._derived_state(state))

@@ -92,6 +92,7 @@ class _Eliminator:
         self._replacements: dict[str, float | Node] = {}
         self._invariants: dict[str, float | Node] = {}
         self._fresh: dict[str, float | Node] = {}
+        self._removed_starts: list[ScalarEquation] = []
         # A variable that an assignment of a when-clause or algorithm computes stays, and so does one that
         # reinit() sets, so that the assignment keeps its target.
         self._kept = {equation.target for equation in model.equations if equation.target is not None}
@@ -168,6 +169,7 @@ class _Eliminator:
     def _remove(self, name: str, by: float | Node) -> None:
         if isinstance(by, float):
             by = 0.0 if by == 0 else by
+            self._keep_start(self._variables[name], by, by)
             if self._variables[name].type != "Real" and by.is_integer():
                 by = bool(by) if self._variables[name].type == "Boolean" else int(by)
         self._fresh[name] = by
@@ -193,10 +195,15 @@ class _Eliminator:
                 return False
         if kept.kind is Kind.CONTINUOUS and removed.kind is Kind.DISCRETE:
             return False
-        if self._is_unknown(kept.name):
-            self._inherit(kept, removed, sign)
         node = ex.symbol(kept.name)
-        self._remove(removed.name, node if sign > 0 else ex.negate(node))
+        by = node if sign > 0 else ex.negate(node)
+        if not self._is_unknown(kept.name):
+            self._keep_start(removed, by, by)
+        else:
+            if kept.fixed:
+                self._keep_start(removed, by, _signed(kept.start, sign))
+            self._inherit(kept, removed, sign)
+        self._remove(removed.name, by)
         # What was replaced by a variable in this pass must not be replaced itself before the next.
         self._fresh.setdefault(kept.name, node) if self._is_unknown(kept.name) else None
         return True
@@ -224,9 +231,7 @@ class _Eliminator:
 
     @staticmethod
     def _inherit(kept: ScalarVariable, removed: ScalarVariable, sign: int) -> None:
-        start = removed.start
-        if sign < 0 and isinstance(start, float | int | Node):
-            start = ex.negate(start)
+        start = _signed(removed.start, sign)
         if removed.fixed and not kept.fixed:
             kept.fixed, kept.start = True, start
         elif kept.start in (None, 0, 0.0) and start is not None and not kept.fixed:
@@ -240,6 +245,24 @@ class _Eliminator:
             kept.nominal = removed.nominal
         if kept.orientation is None and sign > 0:
             kept.orientation = removed.orientation
+
+    def _keep_start(self, removed: ScalarVariable, by: float | Node, other: float | str | Node | None) -> None:
+        """A fixed start value of a variable that is ``by`` must be that which holds there.
+
+        Args:
+            other: what holds there: a number, or an expression of parameters or variables.
+        """
+        if not removed.fixed or removed.kind is not Kind.CONTINUOUS:
+            return
+        start, there = (value if isinstance(value, float | int | Node) else 0.0 for value in (removed.start, other))
+        if isinstance(start, Node) or isinstance(there, Node):
+            self._removed_starts.append(ScalarEquation(by, start, removed.span))
+        elif not abs(start - there) <= _TOLERANCE * (abs(start) + 1):
+            raise InputError(
+                f"{removed.name} has the fixed start value {start:g}, but is {by}, which is {there:g} there",
+                place=self._source_map.place(removed.span),
+                remedy="fix one of the start values, or make them equal",
+            )
 
     def _take_invariant(self, equation: ScalarEquation) -> bool:
         for side, other in ((equation.left, equation.right), (equation.right, equation.left)):
@@ -298,7 +321,8 @@ class _Eliminator:
     def _result(self, equations: list[ScalarEquation]) -> ReducedModel:
         apply = ex.Substitution(self._wrapped(self._replacements))
         equations = [self._substituted(equation, apply) for equation in equations]
-        initial = [self._substituted(equation, apply) for equation in self._model.initial_equations]
+        starts = [*self._model.initial_equations, *self._removed_starts]
+        initial = [self._substituted(equation, apply) for equation in starts]
         model = self._model
         reduced = ScalarModel(
             name=model.name,
@@ -360,6 +384,10 @@ class _Eliminator:
         for name in self._invariants:
             visit(name)
         return list(order.items())
+
+
+def _signed(value: float | str | Node | None, sign: int) -> float | str | Node | None:
+    return ex.negate(value) if sign < 0 and isinstance(value, float | int | Node) else value
 
 
 def substituted_call(call: ExternalCall, apply: ex.Substitution) -> ExternalCall:

@@ -13,10 +13,11 @@ from modelica2fmu.symbolic.expression import Node
 
 @dataclass(frozen=True)
 class Residual:
-    """``residual = 0``."""
+    """``residual = 0``; ``number`` is that of a continuous equation."""
 
     residual: float | Node
     span: Span | None = None
+    number: int | None = None
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,10 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Final
 
-from contact_foundation.errors import InputError, Place
+from contact_foundation.errors import Place
 
 from modelica2fmu.equations.blocks import Assignment, LinearBlock, LinearSystem, Residual
+from modelica2fmu.equations.dependent_equations import DependentEquationsError, dependency
 from modelica2fmu.equations.lanes import lane_passes
 from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
@@ -41,7 +42,7 @@ def linear_block(
         place: place of a span.
 
     Raises:
-        InputError: an equation holds or fails whatever the unknowns are.
+        DependentEquationsError: an equation holds or fails whatever the unknowns are.
     """
     names = [*torn, *(name for _, name in order)]
     forms = LinearForms(names)
@@ -62,12 +63,15 @@ def linear_block(
     if not _is_evaluated(reach, [*known[0], *known[1]]):
         rows = _inserted_rows(torn, solutions, known[1])
         columns = [form.coefficients for form in rows]
+    entries = [*(entry for entry, _ in order), *remaining]
+    weights = dependency([*known[0], *known[1]])
+    if weights is not None:
+        raise DependentEquationsError(
+            names, [(entries[number], weight) for number, weight in weights.items()], place(entries[max(weights)].span)
+        )
     for entry, found in zip(remaining, columns, strict=True):
         if not found:
-            raise InputError(
-                "equations are linearly dependent whatever the parameters are: " + ", ".join(names[:8]),
-                place=place(entry.span),
-            )
+            raise DependentEquationsError(names, (), place(entry.span))
     # Sparse columns first: those of a leg stay apart from those of the other legs while they are eliminated.
     fill = {name: sum(name in found for found in columns) for name in torn}
     ordered = tuple(sorted(torn, key=lambda name: fill[name]))

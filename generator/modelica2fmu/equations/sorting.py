@@ -6,6 +6,7 @@ Equations and unknowns are matched, and strongly connected components of the mat
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from fractions import Fraction
 
 from contact_foundation.errors import InputError, Place, UnsupportedModelError
 
@@ -19,13 +20,14 @@ from modelica2fmu.equations.blocks import (
     entry_roots,
     entry_targets,
 )
+from modelica2fmu.equations.dependent_equations import DependentEquationsError
 from modelica2fmu.equations.linear_blocks import linear_block
 from modelica2fmu.equations.matching import Matching, strongly_connected_components
 from modelica2fmu.equations.tearing import Tearing
 from modelica2fmu.expand.scalar_model import ExternalCall
 from modelica2fmu.library.source_map import Span
 from modelica2fmu.symbolic import expression as ex
-from modelica2fmu.symbolic.linear_form import solved_for
+from modelica2fmu.symbolic.linear_form import LinearForms, solved_for
 
 
 def solve_order(
@@ -44,6 +46,7 @@ def solve_order(
 
     Raises:
         InputError: equations and unknowns cannot be matched.
+        DependentEquationsError: what is matched is singular.
         UnsupportedModelError: an algebraic loop over discrete variables.
     """
     return _Sorter(entries, unknowns, preferred, place).run()
@@ -142,6 +145,9 @@ class _Sorter:
             value = solved_for(entry.residual, name)
             if value is not None:
                 return [Assignment(name, value, span=entry.span)]
+            form = LinearForms([name])(entry.residual)
+            if form is not None and name not in form.coefficients:
+                raise DependentEquationsError([name], [(entry, Fraction(1))], self._place(entry.span))
             return [NonlinearBlock((name,), (entry.residual,), (), 1, (entry.span,))]
         if any(isinstance(self._entries[number], Assignment) for number in component):
             raise self._discrete_loop(component)

@@ -10,7 +10,9 @@ from contact_foundation.errors import Place, UnsupportedModelError
 from modelica2fmu.equations.alias import ReducedModel, substituted_call
 from modelica2fmu.equations.blocks import Assignment, Block, Entry, Residual
 from modelica2fmu.equations.continuous_system import ReducedSystem
+from modelica2fmu.equations.dependent_equations import DependentEquationsError, Statement, with_combination
 from modelica2fmu.equations.index_reduction import reduce_index
+from modelica2fmu.equations.initial_checks import initial_check
 from modelica2fmu.equations.matching import Matching
 from modelica2fmu.equations.sorting import solve_order
 from modelica2fmu.equations.unit_states import with_unit_states
@@ -19,6 +21,7 @@ from modelica2fmu.expand.scalar_model import (
     INITIAL,
     ExternalCall,
     Kind,
+    ScalarAssert,
     ScalarEquation,
     ScalarModel,
     derivative_name,
@@ -42,7 +45,8 @@ class Systems:
         reduction: equations of index one and states.
         simulation: blocks while simulating, discrete ones included.
         initialization: blocks at initialization.
-        warnings: remarks for the build log (start values assumed, initial equations left out).
+        checks: what must hold at the end of initialization.
+        warnings: remarks for the build log (start values assumed, initial equations only checked).
         integrated: the state that stands for each element of a vector of length one.
     """
 
@@ -50,6 +54,7 @@ class Systems:
     reduction: ReducedSystem
     simulation: list[Block]
     initialization: list[Block]
+    checks: list[ScalarAssert] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
     integrated: dict[str, str] = field(default_factory=dict)
 
@@ -70,6 +75,7 @@ class _Builder:
         self._model = reduced.model
         self._place = place
         self._warnings: list[str] = list(self._model.warnings)
+        self._checks: list[ScalarAssert] = []
         removed = {*reduced.replacements, *(name for name, _ in reduced.invariants)}
         self._live = {name: variable for name, variable in self._model.variables.items() if name not in removed}
         self._note_calls()
@@ -93,16 +99,8 @@ class _Builder:
         others += [assignment.value for assignment in assignments]
         others += [item.indicator for item in self._model.relations]
         others += [item.value for item in self._model.reinitializations]
-        reduction = reduce_index(
-            self._model,
-            [(ex.subtract(equation.left, equation.right), equation.span) for equation in residuals],
-            unknowns,
-            others,
-            self._resolve,
-            self._place,
-        )
-        self._note_calls()  # derivatives of tables are calls, too
-        simulation = self._simulation(assignments, reduction)
+        statements = [(ex.subtract(equation.left, equation.right), equation.span) for equation in residuals]
+        reduction, simulation = self._reduced_to_blocks(statements, unknowns, others, assignments)
         initialization = self._initialization(assignments, reduction)
         drifting = [
             names for names in unit_vectors(reduction.states, simulation) if names not in reduction.unit_vectors
@@ -113,9 +111,30 @@ class _Builder:
             reduction=replace(reduction, states=list(unit.states)),
             simulation=[*unit.vectors, *simulation, *unit.rates],
             initialization=[*initialization, *unit.initialization],
+            checks=self._checks,
             warnings=self._warnings,
             integrated=unit.integrated,
         )
+
+    def _reduced_to_blocks(
+        self,
+        residuals: Sequence[Statement],
+        unknowns: Sequence[str],
+        others: Sequence[float | Node],
+        assignments: Sequence[Assignment],
+    ) -> tuple[ReducedSystem, list[Block]]:
+        """The system of index one and its blocks; equations that prove dependent give way to what they say together."""
+        left = len(residuals)
+        while True:
+            reduction = reduce_index(self._model, residuals, unknowns, others, self._resolve, self._place)
+            self._note_calls()  # derivatives of tables are calls, too
+            try:
+                return reduction, self._simulation(assignments, reduction)
+            except DependentEquationsError as found:
+                if left == 0:
+                    raise
+                left -= 1
+                residuals = with_combination(residuals, reduction.equations, found)
 
     def _resolve(self, name: str) -> float | Node:
         replacement = self._reduced.replacements.get(name)
@@ -179,7 +198,7 @@ class _Builder:
             if equation.number in reduction.stabilized:
                 entries.append(Residual(reduction.stabilized[equation.number], equation.span))
             elif not equation.is_invariant:
-                entries.append(Residual(running(equation.residual), equation.span))
+                entries.append(Residual(running(equation.residual), equation.span, equation.number))
         entries.extend(
             Assignment(item.target, running(item.value), is_discrete=True, span=item.span) for item in assignments
         )
@@ -266,7 +285,8 @@ class _Builder:
             if attempt(condition.residual):
                 chosen.append(condition)
             else:
-                self._warnings.append(f"too many initial conditions: {text} is not used")
+                self._warnings.append(f"too many initial conditions: {text} is not used, only checked")
+                self._checks.append(initial_check(condition.residual, text, self._place(condition.span)))
         states = sorted(
             (name for name in reduction.states if name not in fixed),
             key=lambda name: -self._preference(name),
