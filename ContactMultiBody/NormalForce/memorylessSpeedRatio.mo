@@ -10,34 +10,11 @@ protected
   constant Real qMax(unit="1")=1e4 "Limit of the scaled speed; beyond, the ratio is that at start or end of the contact";
   constant Real dNearby(unit="1")=8 "Damping factor up to which the root is known nearly";
   Real d(unit="1") "Damping factor, not zero";
-  Real start(unit="1") "ln(1 + d), t at the start of the contact";
-  Real c(unit="1") "Constant of the equation";
-  Real span(unit="1") "Range of t";
   Real q(unit="1") "Scaled speed (dx/dt)/sqrt(s)";
-  Real sigma(unit="1") "Unknown of Newton's method";
-  Real p(unit="1") "sigma^2";
-  Real t(unit="1") "ln(1 + d r)";
-  Real E(unit="1") "d r";
-  Real g(unit="1") "v0/(d sqrt(s))";
-  Real part(unit="1") "1/(1 + sigma^2)";
 algorithm
   d := max(damping, 1e-3);
-  start := log(1 + d);
-  c := 1 + d - start;
-  span := start - logarithmAtSeparation;
   q := min(max(approachSpeed/sqrt(specificEnergy + Modelica.Constants.small), -qMax), qMax);
-  sigma := if d > dNearby then Internal.sigmaByBisection(q, d, logarithmAtSeparation)
-    else Internal.sigmaNearby(q, d, logarithmAtSeparation);
-  for i in 1:4 loop
-    p := sigma^2;
-    part := 1/(1 + p);
-    t := (start*p + logarithmAtSeparation)*part;
-    E := exp(t) - 1;
-    g := 1/sqrt(t - exp(t) + c);
-    sigma := sigma - sigma*(E*g - q)/(E*g - q + 2*p*span*part^2*g*(E + 1 + 0.5*E^2*g^2));
-  end for;
-  p := sigma^2;
-  ratio := (exp((start*p + logarithmAtSeparation)/(1 + p)) - 1)/d;
+  ratio := (if d > dNearby then Internal.heavilyDamped(q, d) else Internal.moderatelyDamped(q, d, logarithmAtSeparation))/d;
   annotation (Documentation(info="<html>
 <p>
 During a free impact of the effective mass m under F = K x<sup>n</sup> (1 + d r), r = (dx/dt)/v<sub>0</sub>, the relation
@@ -49,7 +26,8 @@ s/v0^2 = (1 - r)/d - ln((1 + d)/(1 + d r))/d^2   with   s = K x^(n+1)/(m (n+1))
 holds. So q = (dx/dt)/sqrt(s) determines r, and with it the force, from the present state alone: no event, no memory, finite at
 rest. With t = ln(1 + d r) the relation becomes (e<sup>t</sup> - 1) = q sqrt(t - e<sup>t</sup> + 1 + d - ln(1 + d)). It is
 solved by four Newton steps for the unknown sigma with t = (ln(1 + d) sigma<sup>2</sup> + ln(1 - d e))/(1 + sigma<sup>2</sup>),
-in which the relation has no singularity, from a root that is known nearly, or by bisection where d is above 8; the result is accurate to 1e-12 of the
+in which the relation has no singularity, from a root that is known nearly; where d is above 8, for 1 + d r itself
+(<a href=\"modelica://ContactMultiBody.NormalForce.Internal.heavilyDamped\">heavilyDamped</a>). The result is accurate to 1e-12 of the
 force and as smooth as the relation.
 </p>
 </html>"));

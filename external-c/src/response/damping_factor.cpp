@@ -77,6 +77,9 @@ Damping damping_of(double factor) {
                  (2.0 * result.middle * span);
   result.rate_at_start = std::sqrt(d / span);
   result.rate_at_separation = std::sqrt((1.0 - std::exp(result.logarithm_at_separation)) / span);
+  result.power_between = 0.5 / (d - result.logarithm_at_start);
+  result.speed_between = -(1.0 - result.power_between) /
+                         std::sqrt(result.constant + std::log(result.power_between) - result.power_between);
   return result;
 }
 

@@ -17,7 +17,7 @@ constexpr double smallest_damping = 1e-3;
 // ln(1 - d e) where the free impact with damping factor d >= 0 ends: the negative root of t - exp(t) + 1 + d - ln(1 + d).
 double logarithm_at_separation(double damping);
 
-// What the law of one pair needs to know of its restitution; see NormalForce.Internal.sigmaNearby.
+// What the law of one pair needs to know of its restitution; see NormalForce.Internal.sigmaNearby and heavilyDamped.
 struct Damping {
   double factor = 0.0;                   // d
   double logarithm_at_separation = 0.0;  // ln(1 - d e)
@@ -27,6 +27,8 @@ struct Damping {
   double slope = 0.0;                    // d sigma/dq there
   double rate_at_start = 0.0;            // of q by sigma
   double rate_at_separation = 0.0;       // of -q by 1/sigma
+  double power_between = 0.0;            // 1 + d r below which its logarithm is sought where damping is heavy
+  double speed_between = 0.0;            // q there
 };
 
 // All of it from d >= 0. It depends on d alone, so that it is kept: see DampingMemory.

@@ -26,8 +26,9 @@ double spring_damper_force(double depth, double approach_speed, double stiffness
 
 namespace {
 
-// From here on sigma is found by bisection first.
+// From here on damping is heavy.
 constexpr double largest_nearby = 8.0;
+constexpr double converged = 1e-7;  // a correction, by the unknown; what is left is of the order of its square
 
 // t = ln(1 + d (dx/dt)/v0) by the square of sigma; part: 1/(1 + squared).
 double logarithm_at(double squared, double part, const Damping &damping) {
@@ -44,16 +45,37 @@ double sigma_nearby(double q, const Damping &damping) {
   return q > 0.0 ? y : 1.0 / y;
 }
 
-// Near the root for any damping, by bisections for the logarithm.
-double sigma_by_bisection(double q, const Damping &damping) {
-  double low = -10.0, high = 10.0;
-  for (int i = 0; i < 10; ++i) {
-    const double l = 0.5 * (low + high), squared = std::exp(2.0 * l);
-    const double t = logarithm_at(squared, 1.0 / (1.0 + squared), damping), power = std::exp(t), e = power - 1.0;
-    const bool below = e * std::fabs(e) < q * std::fabs(q) * (t - power + damping.constant);
-    (below ? low : high) = l;
+// d r of heavy damping: the root of y - 1 = q (sqrt(q^2/4 + m + ln y) - q/2) for y = 1 + d r, m = d - ln(1 + d), by Newton's
+// method from where it comes from one side; the root term hardly changes with y. Where y is so small that its logarithm
+// decides, which is at the end of a contact, for the logarithm t: (1 - e^t)^2/q^2 = t - e^t + 1 + m.
+double heavily_damped(double q, const Damping &damping) {
+  constexpr int most_steps = 6;
+  if (q > damping.speed_between) {
+    const double m = damping.constant - 1.0, part = 0.25 * q * q + m;
+    double root = std::sqrt(q > 0.0 ? part + damping.logarithm_at_start : part);
+    double y = std::fmax(damping.power_between, 1.0 + q * (root - 0.5 * q)), result = 0.0;
+    for (int i = 0; i < most_steps; ++i) {
+      const double logarithm = std::log(y);
+      root = std::sqrt(part + logarithm);
+      result = q * (m + logarithm) / (root + 0.5 * q);
+      const double rate = q / (2.0 * root * y), correction = (y - 1.0 - result) / (1.0 - rate);
+      y -= correction;
+      result -= rate * correction;
+      if (std::fabs(correction) < converged * y) break;
+    }
+    return result;
   }
-  return std::exp(0.5 * (low + high));
+  const double inverse = 1.0 / (q * q);
+  double t = std::fmin(std::log(damping.power_between), inverse - damping.constant), power = 0.0;
+  for (int i = 0; i < most_steps; ++i) {
+    power = std::exp(t);
+    const double rest = 1.0 - power;
+    const double correction = (rest * rest * inverse + power - damping.constant - t) / (rest * (2.0 * power * inverse + 1.0));
+    t += correction;
+    power *= 1.0 + correction;
+    if (std::fabs(correction) < converged) break;
+  }
+  return power - 1.0;
 }
 
 }  // namespace
@@ -65,8 +87,8 @@ double memoryless_speed_ratio(double approach_speed, double specific_energy, con
   const double q = std::clamp(approach_speed / std::sqrt(specific_energy + std::numeric_limits<double>::min()),
                               -largest_q, largest_q);
 
-  double sigma = d > largest_nearby ? sigma_by_bisection(q, damping) : sigma_nearby(q, damping);
-  constexpr double converged = 1e-7;  // a correction, by sigma; what is left is of the order of its square
+  if (d > largest_nearby) return heavily_damped(q, damping) / d;
+  double sigma = sigma_nearby(q, damping);
   double t = 0.0, power = 1.0;
   for (int i = 0; i < 4; ++i) {
     const double p = sigma * sigma, part = 1.0 / (1.0 + p);

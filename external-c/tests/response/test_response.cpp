@@ -5,6 +5,7 @@
 #include <atomic>
 #include <random>
 #include <thread>
+#include <vector>
 
 #include "response/point_forces.hpp"
 #include "support/engine_calls.hpp"
@@ -290,7 +291,7 @@ TEST(Response, ResistsSpinningAndRolling) {
 
 TEST(MemorylessLaw, SolvesItsEquation) {
   // s/v0^2 = (1 - r)/d - ln((1 + d)/(1 + d r))/d^2, s = K x^(n+1)/(m (n+1)).
-  // From 0.12 on the root is known nearly, below it is bisected.
+  // From 0.12 on the root is known nearly, below damping is heavy.
   for (const double e : {0.05, 0.1, 0.11, 0.115, 0.12, 0.125, 0.15, 0.2, 0.3, 0.5, 0.7, 0.9, 0.99}) {
     const double d = cmb::damping_factor(CMB_LAW_EXACT, e);
     EXPECT_NEAR(std::log((1 + d) / (1 - d * e)), d * (1 + e), 1e-8 * d);
@@ -305,6 +306,34 @@ TEST(MemorylessLaw, SolvesItsEquation) {
         const double spring = K * std::pow(depth, exponent);
         EXPECT_NEAR(cmb::memoryless_force(depth, r * v0, K, exponent, spring / m, damping), spring * (1 + d * r),
                     1e-8 * spring * (1 + d));
+      }
+    }
+  }
+}
+
+TEST(MemorylessLaw, IsExactWhereDampingIsHeavy) {
+  // The relation itself, t = ln(1 + d r): exp(t) - 1 = q sqrt(t - exp(t) + 1 + d - ln(1 + d)), whose left side less its right
+  // one rises with t, bisected in long numbers.
+  for (const double d : {8.0 + 1e-9, 8.5, 10.0, 20.0, 70.0, 300.0, 1999.5, 1e5}) {
+    const long double start = std::log1p(static_cast<long double>(d)), constant = 1 + d - start;
+    const cmb::Damping damping = cmb::damping_of(d);
+    std::vector<double> speeds{damping.speed_between};
+    for (int k = -80; k <= 40; ++k) {
+      speeds.push_back(std::pow(10.0, 0.1 * k));
+      speeds.push_back(-std::pow(10.0, 0.1 * k));
+      speeds.push_back(damping.speed_between * (1 + (k % 2 == 0 ? 1 : -1) * std::pow(10.0, 0.1 * (k - 41))));
+    }
+    for (const double q : speeds) {
+      long double low = q > 0 ? 0 : -constant - 10, high = q > 0 ? start : 0;
+      for (int i = 0; i < 120; ++i) {
+        const long double t = (low + high) / 2, under = std::fmax(0.0L, t - std::exp(t) + constant);
+        (std::expm1(t) < q * std::sqrt(under) ? low : high) = t;
+      }
+      const double expected = static_cast<double>(std::expm1(low));
+      const double found = d * cmb::memoryless_speed_ratio(q, 1.0, damping);
+      EXPECT_NEAR(found, expected, 2e-15 * (1 + std::fabs(expected))) << d << ' ' << q;
+      if (std::fabs(q) < 1e-3) {
+        EXPECT_NEAR(found, expected, 2e-15 * std::fabs(expected)) << d << ' ' << q;
       }
     }
   }
