@@ -14,6 +14,7 @@
 
 #include "fmurt_apart.h"
 #include "fmurt_call.h"
+#include "fmurt_crossing.h"
 #include "fmurt_dense.h"
 #include "fmurt_evaluate.h"
 #include "fmurt_event.h"
@@ -66,6 +67,7 @@ struct fmurt_solver {
   SUNLinearSolver linear;
   SUNNonlinearSolver newton;
   fmurt_watch *watch;
+  fmurt_crossing *crossing;
   fmurt_passage *passage; /* NULL where the model has no contacts that the engine finds */
   fmurt_meeting meeting;
   const fmurt_explicit_step *explicit_step; /* at which it looks */
@@ -177,8 +179,19 @@ static double meeting_indicator(const fmurt_solver *solver, double time) {
   return solver->step_of_meeting > 0.0 ? (solver->meeting.time - time) / solver->step_of_meeting : 1.0;
 }
 
+static int shown_between(void *context, double time, double *indicator) {
+  const fmurt_solver *solver = context;
+  if (indicators_between(context, time, indicator) != 0) return -1;
+  fmurt_watch_show(solver->watch, time, indicator);
+  return 0;
+}
+
 static int roots(realtype time, N_Vector state, realtype *indicator, void *data) {
   fmurt_solver *solver = data;
+  if (fmurt_crossing_tell(solver->crossing, time, indicator)) {
+    if (solver->passage != NULL) indicator[fmurt_model.indicator_count] = meeting_indicator(solver, time);
+    return 0;
+  }
   fmurt_set_point(solver->instance, time, NV_DATA_S(state));
   const fmurt_result result = fmurt_event_indicators(solver->instance, indicator);
   if (result == FMURT_RESULT_OK) {
@@ -188,6 +201,7 @@ static int roots(realtype time, N_Vector state, realtype *indicator, void *data)
     fmurt_watch_step(solver->watch, time, indicator, indicators_between, solver);
   }
   fmurt_watch_show(solver->watch, time, indicator);
+  if (result == FMURT_RESULT_OK) fmurt_crossing_look(solver->crossing, time, indicator, shown_between, solver);
   if (solver->passage != NULL) indicator[fmurt_model.indicator_count] = meeting_indicator(solver, time);
   return to_cvode(solver, result);
 }
@@ -271,6 +285,7 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
   solver->tolerance = N_VNew_Serial(size, solver->context);
   solver->between = N_VNew_Serial(size, solver->context);
   solver->watch = fmurt_watch_create(fmurt_model.indicator_count);
+  solver->crossing = fmurt_crossing_create(fmurt_model.indicator_count);
   const int has_scenes = fmurt_model.scene_count > 0;
   if (has_scenes) solver->passage = fmurt_passage_create(instance);
   solver->memory = CVodeCreate(CV_BDF, solver->context);
@@ -297,7 +312,7 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
   if (has_parts) solver->apart = fmurt_apart_create(instance);
   if ((races && solver->explicit_steps == NULL) || (has_parts && solver->apart == NULL) || (has_scenes && solver->passage == NULL) || solver->entry == NULL ||
       solver->rest.place == NULL || solver->state == NULL ||
-      solver->tolerance == NULL || solver->between == NULL || solver->watch == NULL || solver->memory == NULL ||
+      solver->tolerance == NULL || solver->between == NULL || solver->watch == NULL || solver->crossing == NULL || solver->memory == NULL ||
       solver->linear == NULL || solver->newton == NULL ||
       CVodeSetErrHandlerFn(solver->memory, log_solver_error, instance) != CV_SUCCESS) {
     fmurt_solver_destroy(solver);
@@ -316,6 +331,7 @@ void fmurt_solver_destroy(fmurt_solver *solver) {
   if (solver->tolerance != NULL) N_VDestroy(solver->tolerance);
   if (solver->between != NULL) N_VDestroy(solver->between);
   fmurt_watch_destroy(solver->watch);
+  fmurt_crossing_destroy(solver->crossing);
   fmurt_passage_destroy(solver->passage);
   fmurt_explicit_destroy(solver->explicit_steps);
   fmurt_apart_destroy(solver->apart);
@@ -418,6 +434,7 @@ static int start(fmurt_solver *solver) {
   solver->steps_accepted = -1;
   solver->step_of_meeting = 0.0;
   fmurt_watch_restart(solver->watch);
+  fmurt_crossing_restart(solver->crossing);
   solver->restart = flag != CV_SUCCESS;
   return flag;
 }
