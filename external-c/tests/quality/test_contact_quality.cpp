@@ -136,7 +136,8 @@ INSTANTIATE_TEST_SUITE_P(Gradients, Elastic,
                                          Pair{"divided-box-mesh", "angle-mesh"}, Pair{"cylinder", "torus-mesh"}, Pair{"capsule", "torus-mesh"},
                                          Pair{"angle-mesh", "angle-mesh"}, Pair{"angle-mesh", "torus-mesh"}, Pair{"torus-mesh", "torus-mesh"},
                                          Pair{"angle-mesh", "heightfield"}, Pair{"torus-mesh", "heightfield"},
-                                         Pair{"sphere-mesh", "torus-mesh"}));
+                                         Pair{"sphere-mesh", "torus-mesh"}, Pair{"flat-cone", "heightfield"},
+                                         Pair{"slender-cone", "heightfield"}));
 
 class ElasticBodies : public testing::TestWithParam<Pair> {
  protected:

@@ -12,7 +12,7 @@ bool append_overlap_contact(const WedgeIntegrals &overlap, const SectionedBody &
   double carried = stored.touches() ? append_elastic_points(overlap, stored, pose, scratch.points, result) : 0.0;
   if (!mesh.closed() && carried > 0.0) {
     const double load = total_load(result.points, begin);
-    carried *= limit_by_sections(body, mesh, begin, result) / load;
+    carried *= limit_by_sections(body, overlap.radius(), mesh, begin, result) / load;
   }
   const double depth = carried > 0.0 ? stored.carrying_depth() : 0.0;
   const CarriedLoad all{carried, norm(net_load(result.points, begin)), depth};

@@ -45,8 +45,7 @@ double limit_load(double limit, std::size_t begin, ContactSet &result) {
 
 namespace {
 
-// What a sheet carries of a body is at most this times the deepest section. Plates on their edges and pins carry less from some
-// thirty times their thickness on.
+// What a sheet carries of a body is at most this times the deepest section, of slender ones more.
 constexpr double most_sections = 64.0;
 
 // Calls act(corners, normal, how far the body reaches behind the plane, how far before it) for the triangles that may reach into
@@ -68,8 +67,10 @@ void visit_sections(const SectionedBody &body, const Bounds &box, const Triangle
 
 }  // namespace
 
-double limit_by_sections(const SectionedBody &body, const TriangleMesh &mesh, std::size_t begin, ContactSet &result) {
-  const double enough = total_load(result.points, begin) / most_sections;
+double limit_by_sections(const SectionedBody &body, double radius, const TriangleMesh &mesh, std::size_t begin, ContactSet &result) {
+  // The tip of a needle is this much deeper than its section, and a disc on its border.
+  const double slender = std::sqrt(std::fmax(1.0, radius * radius * radius / body.volume()));
+  const double most = slender * most_sections, enough = total_load(result.points, begin) / most;
   if (!(enough > 0.0)) return 0.0;
   double deepest = 0.0;
   bool found = false;
@@ -78,7 +79,7 @@ double limit_by_sections(const SectionedBody &body, const TriangleMesh &mesh, st
     deepest = std::fmax(deepest, std::fmin(body.section(corner, deepest).depth, std::fmin(below, above)));
     found = deepest > enough;
   });
-  return limit_load(most_sections * deepest, begin, result);
+  return limit_load(most * deepest, begin, result);
 }
 
 bool complete_contact(const SectionedBody &body, const TriangleMesh &mesh, const Pose &pose, const CarriedLoad &carried,

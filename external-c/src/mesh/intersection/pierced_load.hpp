@@ -79,8 +79,9 @@ class PiercedLoad {
 double limit_load(double limit, std::size_t begin, ContactSet &result);
 
 // Bounds what a sheet carries of a convex body, whose load are the points from `begin` on, by the deepest section, times as much
-// as leaves contacts from the front alone. A body wholly behind a sheet is free, and gets there without a jump. Returns the load.
-double limit_by_sections(const SectionedBody &body, const TriangleMesh &mesh, std::size_t begin, ContactSet &result);
+// as leaves contacts from the front alone: more the more slender the body is in the ball of that `radius` about it. A body wholly behind a sheet is
+// free, and gets there without a jump. Returns the load.
+double limit_by_sections(const SectionedBody &body, double radius, const TriangleMesh &mesh, std::size_t begin, ContactSet &result);
 
 // Completes the contact of a convex body with a mesh. `carried` is that of the points in `result`, which are those of the body's
 // surface that faces the mesh's triangles; distance, normal and witness are set where it is positive. Where it is too little for

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/pi.hpp"
 #include "mesh/core/triangle_mesh.hpp"
 #include "mesh/wedges/triangle_wedge.hpp"
 
@@ -111,6 +112,26 @@ Bounds SectionedBody::bounds() const {
     box.low.set(k, -reach(-axis));
   }
   return box;
+}
+
+double SectionedBody::volume() const {
+  const Vec3 &half = body_.half;
+  const double disc = pi * half.x * half.x, ball = 4.0 / 3.0 * pi;
+  switch (body_.core) {
+    case convex::CoreShape::point: return ball * body_.radius * body_.radius * body_.radius;
+    case convex::CoreShape::segment: return pi * body_.radius * body_.radius * (2.0 * half.z + 4.0 / 3.0 * body_.radius);
+    case convex::CoreShape::ellipsoid: return ball * half.x * half.y * half.z;
+    case convex::CoreShape::cylinder: return 2.0 * half.z * disc;
+    case convex::CoreShape::cone: return 2.0 / 3.0 * half.z * disc;
+    default: break;
+  }
+  double volume = 0.0;
+  const convex::Polytope &body = *body_.polytope;
+  for (const convex::Polytope::Face &face : body.faces()) {
+    const auto corner = [&](std::int32_t k) { return body.vertices()[static_cast<std::size_t>(body.face_vertices()[static_cast<std::size_t>(face.first + k)])]; };
+    for (std::int32_t k = 2; k < face.count; ++k) volume += dot(corner(0), cross(corner(k - 1), corner(k))) / 6.0;
+  }
+  return volume;
 }
 
 TriangleSection SectionedBody::section(const Vec3 (&corner)[3], double enough) const {

@@ -29,6 +29,7 @@ class SectionedBody {
   // A point inside the body, and the box that holds it; in the mesh's frame.
   Vec3 center() const;
   Bounds bounds() const;
+  double volume() const;
   // The greatest d . x of its points x.
   double reach(const Vec3 &d) const;
 
