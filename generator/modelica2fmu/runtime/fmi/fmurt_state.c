@@ -21,7 +21,7 @@ typedef struct state_header {
   uint64_t hash;  /* of everything after the header; serialized states only */
 } state_header;
 
-static const char state_format[8] = "cmb/st3";
+static const char state_format[8] = "cmb/st4";
 
 static uint64_t hash_bytes(const char *bytes, size_t size) {
   uint64_t hash = UINT64_C(14695981039346656037); /* FNV-1a */

@@ -67,6 +67,7 @@ typedef struct fmurt_situation {
   int event_pending;        /* co-simulation: an input or parameter was set, events must be looked for */
   int terminate_requested;  /* the model called terminate() */
   int initial, terminal;    /* as in fmurt_values */
+  int has_started;          /* CVODE has, inside a co-simulation instance */
   double time, next_time_event;
   fmurt_settings settings;
   double solver_real[FMURT_SOLVER_REAL_COUNT];

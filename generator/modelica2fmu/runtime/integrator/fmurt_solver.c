@@ -56,6 +56,8 @@ static const double creeping_share = 0.1;
  * out of one of a microsecond, at order one: between its ends the interpolated distance of bodies that part slowly leads
  * back into contact, and the events found there go on and on. */
 static const double growth_after_start = 10.0;
+/* CVODE's own after the very first start, where bodies do not part as a rule. */
+static const double growth_at_first = 10000.0;
 
 struct fmurt_solver {
   fmurt_instance *instance;
@@ -398,7 +400,6 @@ static int first_start(fmurt_solver *solver) {
     flag = CVodeSetJacFn(solver->memory, fmurt_model.jacobian != NULL ? jacobian : difference_quotients);
   }
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinearSolver(solver->memory, solver->newton);
-  if (flag == CV_SUCCESS) flag = CVodeSetEtaMaxFirstStep(solver->memory, growth_after_start);
   if (flag == CV_SUCCESS) flag = CVodeSetMaxHnilWarns(solver->memory, -1);
   if (flag == CV_SUCCESS && fmurt_model.indicator_count > 0) {
     flag = CVodeRootInit(solver->memory, (int)fmurt_model.indicator_count + (solver->passage != NULL), roots);
@@ -421,13 +422,14 @@ static int choose_order(fmurt_solver *solver) {
 static int start(fmurt_solver *solver) {
   load_point(solver);
   set_tolerances(solver);
-  const int is_first = !solver->initialized;
-  int flag = is_first ? first_start(solver) : CV_SUCCESS;
-  /* CVODE takes the growth after a start over here alone. Behind explicit steps its first start is one like all others, so that what goes on
-   * from a saved state repeats it. */
-  if (flag == CV_SUCCESS && (!is_first || solver->explicit_steps != NULL)) {
-    flag = CVodeReInit(solver->memory, solver->instance->values.time, solver->state);
-  }
+  int *has_started = &solver->instance->situation.has_started;
+  int flag = solver->initialized ? CV_SUCCESS : first_start(solver);
+  /* Which start it is belongs to a saved state, not to this integrator, so that what goes on from one repeats it. CVODE takes the growth
+   * after a start over in CVodeReInit alone. */
+  const double growth = *has_started || solver->explicit_steps != NULL ? growth_after_start : growth_at_first;
+  if (flag == CV_SUCCESS) flag = CVodeSetEtaMaxFirstStep(solver->memory, growth);
+  if (flag == CV_SUCCESS) flag = CVodeReInit(solver->memory, solver->instance->values.time, solver->state);
+  if (flag == CV_SUCCESS) *has_started = 1;
   if (flag == CV_SUCCESS) flag = choose_order(solver);
   if (flag == CV_SUCCESS) flag = CVodeSetNonlinConvCoef(solver->memory, usual_newton_share);
   memset(solver->counted, 0, sizeof solver->counted);
