@@ -46,6 +46,7 @@ typedef struct content {
   int *quotients;
   double rate; /* of convergence, with the present matrix */
   int steps_to_solve; /* before extrapolated corrections are tried again */
+  int has_matrix;     /* since the start: behind extrapolated corrections CVODE would take that of the time before it */
   long iterations, failures;
 } content;
 
@@ -58,6 +59,7 @@ static SUNNonlinearSolver_Type type_of(SUNNonlinearSolver solver) {
 
 static int initialize(SUNNonlinearSolver solver) {
   content_of(solver)->steps_to_solve = 0;
+  content_of(solver)->has_matrix = 0;
   return SUN_NLS_SUCCESS;
 }
 
@@ -192,9 +194,12 @@ static int solve(SUNNonlinearSolver solver, N_Vector predicted, N_Vector correct
       ++self->failures;
       return flag;
     }
-    if (setup_wanted && self->setup != NULL) {
-      flag = self->setup(jacobian_is_bad, &is_new, integrator);
+    if ((setup_wanted || !self->has_matrix) && self->setup != NULL) {
+      flag = self->setup(jacobian_is_bad || !self->has_matrix, &is_new, integrator);
+      /* CVODE makes a Jacobian at the first step, or where the step is about as long as at the setup before: now it is. */
+      if (flag == SUN_NLS_SUCCESS && !self->has_matrix && !is_new) flag = self->setup(SUNTRUE, &is_new, integrator);
       self->rate = 1.0;
+      self->has_matrix = 1;
     }
     if (flag == SUN_NLS_SUCCESS) flag = iterate(self, correction, weight, tolerance, is_new, integrator);
     if (flag == SUN_NLS_SUCCESS) return flag;
