@@ -23,6 +23,7 @@ from program import HANGS, ROOT
 SOURCE = Path(__file__).parent / "fixtures" / "ClosingLoops.mo"
 STUDIES = (ROOT / "Resources" / "studies" / "StudyScenes.mo", ROOT / "Resources" / "reference" / "ReferenceModels.mo")
 SAMPLES = int(os.environ.get("CMB_PATHS", "200"))
+OF_THE_IMPACT = "is struck again while it touches"  # a warning of the contact manager: no matter of the closure
 MODES: tuple[Mode, ...] = ("cs", "me")
 
 
@@ -92,7 +93,8 @@ def test_no_loop_changes_its_closure(loop: Loop, count: int, build: Build) -> No
             stopped.append(str(error))
             continue
         assert largest_leap(loop, result) < 0.3, (settings, start)
-        assert not result.log, "what a shorter step avoids is nothing to tell"
+        told = [line for line in result.log if OF_THE_IMPACT not in line]
+        assert not told, "what a shorter step avoids is nothing to tell"
     assert len(stopped) <= count // 100
     assert all("closure" in said for said in stopped)
 
