@@ -21,7 +21,7 @@ struct fmurt_crossing {
   double before, after;
   double *at_last, *at_before, *at_after; /* [count] */
   double *between; /* [count] scratch */
-  double *bend;    /* [count] of each indicator as it was seen last: 0 straight, 1 or more a jump */
+  double *bend;    /* [count] of each indicator as this search saw it last: 0 straight, 1 or more a jump */
   double *block;
 };
 
@@ -147,6 +147,7 @@ void fmurt_crossing_look(fmurt_crossing *crossing, double time, const double *in
     crossing->after = time;
     memcpy(crossing->at_before, crossing->at_last, size);
     memcpy(crossing->at_after, indicator, size);
+    memset(crossing->bend, 0, size); /* where it crosses depends on no search before */
     const double shortest = roundings * DBL_EPSILON * (fabs(time) + time - crossing->before);
     crossing->is_found = narrow(crossing, shortest, indicators_at, context) == 0;
   }
