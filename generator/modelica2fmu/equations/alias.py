@@ -270,6 +270,7 @@ class _Eliminator:
                 continue
             names = ex.symbols(other)
             if names and all(self._is_known(name) for name in names):
+                self._keep_start(self._variables[side.name], side, other)
                 self._invariants[side.name] = other
                 return True
         return False

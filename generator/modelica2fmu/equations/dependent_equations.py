@@ -2,15 +2,16 @@
 
 Two capacitors side by side give ``a - b = v`` and ``b - a = w``: by their structure they determine the potentials a and
 b, in truth v + w = 0. Where such equations are found in a block, their combination takes the place of one of them, so
-that the structure shows what they say, and index reduction differentiates it where needed (analytical singularities
-made structural: Bachmann, Fritzson and Casella 2006, "Robust Initialization"; Pothen and Fan 1990 for the structure).
+that the structure shows what they say, and index reduction differentiates it where needed: analytical singularities
+are made structural, as OpenModelica's ``--convertAnalyticalSingularities`` does.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import TypeVar
+from typing import TypeGuard, TypeVar
 
 from contact_foundation.errors import InputError, Place
 
@@ -39,14 +40,15 @@ class DependentEquationsError(InputError):
 
 
 def dependency(forms: Sequence[LinearForm]) -> dict[int, Fraction] | None:
-    """Weights of forms whose sum has no symbol; only those forms count whose coefficients are numbers."""
+    """Weights of forms whose sum has no symbol; only those forms count whose coefficients are numbers with bounds."""
     rows: dict[str, tuple[dict[str, Fraction], dict[int, Fraction]]] = {}  # by pivot, with what each is made of
     for number, form in enumerate(forms):
         row: dict[str, Fraction] = {}
         for name, value in form.coefficients.items():
-            if isinstance(value, Node):
+            if not _is_number(value):
                 break
-            row[name] = Fraction(value)
+            if value:
+                row[name] = Fraction(value)
         else:
             made = {number: Fraction(1)}
             while pivot := next((name for name in row if name in rows), None):
@@ -96,19 +98,21 @@ def combined(residuals: Sequence[tuple[float | Node, Fraction]]) -> float | Node
     stack = [(residual, weight) for residual, weight in reversed(residuals)]
     while stack:
         item, weight = stack.pop()
-        if not isinstance(item, Node):
+        if _is_number(item):
             constant += Fraction(item) * weight
-        elif item.op == "constant":
+        elif not isinstance(item, Node):
+            return item  # a sum with something without bounds has none
+        elif _is_constant(item):
             constant += Fraction(item.value) * weight
         elif item.op in ("add", "sub"):
             first, second = item.args
             stack += [(second, weight if item.op == "add" else -weight), (first, weight)]
         elif item.op == "neg":
             stack.append((item.args[0], -weight))
-        elif item.op == "mul" and any(arg.op == "constant" for arg in item.args):
-            number, other = item.args if item.args[0].op == "constant" else item.args[::-1]
+        elif item.op == "mul" and any(_is_constant(arg) for arg in item.args):
+            number, other = item.args if _is_constant(item.args[0]) else item.args[::-1]
             stack.append((other, weight * Fraction(number.value)))
-        elif item.op == "div" and item.args[1].op == "constant":
+        elif item.op == "div" and _is_constant(item.args[1]) and item.args[1].value != 0:
             stack.append((item.args[0], weight / Fraction(item.args[1].value)))
         else:
             _add(terms, {item: Fraction(1)}, weight)
@@ -116,6 +120,14 @@ def combined(residuals: Sequence[tuple[float | Node, Fraction]]) -> float | Node
     for term, weight in terms.items():
         total = ex.add(total, ex.multiply(float(weight), term))
     return total
+
+
+def _is_number(value: float | Node) -> TypeGuard[float]:
+    return not isinstance(value, Node) and math.isfinite(value)
+
+
+def _is_constant(node: Node) -> bool:
+    return node.op == "constant" and math.isfinite(node.value)
 
 
 _Key = TypeVar("_Key")

@@ -83,3 +83,13 @@ def test_a_variable_that_is_a_number_starts_with_it(build, simulate):
     assert simulate(text.format(start=3), ["x"])["x"][0] == 3
     with pytest.raises(InputError, match="fixed start value 2"):
         build(text.format(start=2))
+
+
+def test_a_variable_that_parameters_give_starts_with_what_they_give(simulate):
+    text = (
+        "model Given\n  parameter Real p = 4;\n  Real x(start = 3, fixed = true);\n  Real y(start = 0, fixed = true);\n"
+    )
+    text += "equation\n  x = 2*p;\n  der(y) = x;\nend Given;\n"
+    assert simulate(text, ["x"], start_values={"p": 1.5})["x"][0] == 3
+    with pytest.raises(Exception, match="ExitInitializationMode"):
+        simulate(text, ["x"])

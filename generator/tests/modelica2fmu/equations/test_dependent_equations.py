@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import numpy as np
@@ -84,6 +85,17 @@ def test_weights_of_a_dependency_add_up_to_nothing():
 def test_coefficients_that_are_no_numbers_depend_on_nothing():
     k = ex.symbol("k")
     assert dependency([LinearForm(0, {"x": k}), LinearForm(0, {"x": k})]) is None
+
+
+@pytest.mark.parametrize("value", [math.inf, math.nan])
+def test_numbers_without_bounds_depend_on_nothing(value):
+    assert dependency([form(x=value), form(x=value)]) is None
+    x = ex.symbol("x")
+    assert not isinstance(combined([(x, Fraction(1)), (value, Fraction(1))]), ex.Node)
+
+
+def test_a_coefficient_of_nothing_is_no_coefficient():
+    assert dependency([form(x=0.0, y=1.0), form(y=2.0)]) is not None
 
 
 def test_terms_of_a_combination_cancel():
