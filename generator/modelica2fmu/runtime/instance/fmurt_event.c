@@ -11,6 +11,9 @@
 #include "fmurt_delay.h"
 #include "fmurt_evaluate.h"
 
+/* Zeros that were found count from this share of the hysteresis on. */
+static const double share_of_found = 0.5;
+
 enum { MAXIMUM_EVENT_ITERATIONS = 100, MAXIMUM_SETTLING_ITERATIONS = 30 };
 
 static fmurt_result compute_indicators(fmurt_instance *instance) {
@@ -42,8 +45,10 @@ fmurt_result fmurt_event_indicators(fmurt_instance *instance, double *shifted) {
   return FMURT_RESULT_OK;
 }
 
+/* What the relation shall be. Where the integrator has found the zero, it does not hang on the rounding with which the indicator is
+ * computed anew: unknowns of nonlinear systems are solved from another start than within the step. */
 static int follows(const fmurt_instance *instance, size_t i) {
-  const double shift = hysteresis(instance, i);
+  const double shift = hysteresis(instance, i) * (instance->crossed[i] ? share_of_found : 1.0);
   return instance->values.relation[i] ? instance->indicator[i] > -shift : instance->indicator[i] >= shift;
 }
 
@@ -184,6 +189,7 @@ fmurt_result fmurt_iterate_events(fmurt_instance *instance, int *states_changed)
   instance->at_event = 1;
   const fmurt_result result = iterate_events(instance, states_changed);
   instance->at_event = 0;
+  memset(instance->crossed, 0, fmurt_model.indicator_count * sizeof *instance->crossed);
   if (result == FMURT_RESULT_OK) fmurt_accept(instance);
   return result;
 }

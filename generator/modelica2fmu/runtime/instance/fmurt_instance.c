@@ -38,7 +38,7 @@ static int allocate_arrays(fmurt_instance *instance) {
   instance->double_block_count = 4 * reals + fmurt_model.state_count + fmurt_model.work_count + delays +
                                  fmurt_model.followed_count + 1 + fmurt_solved_size();
   instance->int_block_count =
-      5 * integers + 5 * booleans + reals + fmurt_model.indicator_count + fmurt_model.integer_work_count;
+      5 * integers + 5 * booleans + reals + 2 * fmurt_model.indicator_count + fmurt_model.integer_work_count;
   instance->double_block = calloc(instance->double_block_count + 1, sizeof(double));
   instance->int_block = calloc(instance->int_block_count + 1, sizeof(int));
   instance->string = calloc(fmurt_model.string_count + 1, sizeof(char *));
@@ -77,6 +77,7 @@ static int allocate_arrays(fmurt_instance *instance) {
   instance->boolean_is_set = take_ints(&next_int, booleans);
   instance->real_is_set = take_ints(&next_int, reals);
   instance->values.relation = take_ints(&next_int, fmurt_model.indicator_count);
+  instance->crossed = take_ints(&next_int, fmurt_model.indicator_count);
   instance->values.integer_work = take_ints(&next_int, fmurt_model.integer_work_count);
   return 1;
 }

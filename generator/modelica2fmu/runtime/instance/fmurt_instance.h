@@ -112,6 +112,7 @@ typedef struct fmurt_instance {
   double *indicator;    /* [indicator_count] scratch */
   double *scratch;      /* [real_count] scratch for values that `parameters` must not change */
   fmurt_chatter chatter;
+  int *crossed;   /* [indicator_count] 1: the integrator inside has found the zero of this indicator, for the next event */
   int at_event;   /* 1 during an event iteration */
   double *solved; /* [fmurt_solved_size()], see fmurt_solved.h */
   double *jacobian;        /* [state_count * state_count] of the last point that was asked for, see fmurt_derivative.h */

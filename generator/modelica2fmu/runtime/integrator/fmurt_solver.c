@@ -23,6 +23,7 @@
 #include "fmurt_newton.h"
 #include "fmurt_passage.h"
 #include "fmurt_rest.h"
+#include "fmurt_solved.h"
 #include "fmurt_tolerance.h"
 #include "fmurt_vector.h"
 #include "fmurt_watch.h"
@@ -79,7 +80,9 @@ struct fmurt_solver {
   fmurt_apart *apart;             /* explicit steps where the model has parts; else NULL */
   N_Vector between; /* states within a step */
   int quotients; /* how many of the next Jacobians are computed by difference quotients */
-  double *entry; /* [state_count] states at the start of an advance */
+  double *entry;          /* [state_count] states at the start of an advance */
+  double *entry_accepted; /* [followed_count + 1] accepted there */
+  int *roots;             /* [indicator_count + 1] scratch */
   fmurt_rest rest;
   double step_of_rest; /* with which it begins */
   size_t state_count;
@@ -188,6 +191,15 @@ static int shown_between(void *context, double time, double *indicator) {
   return 0;
 }
 
+/* At a start indicators have the signs that the relations have, though by rounding they may lie beyond; CVODE, which looks for changes
+ * alone, would never find these zeros. */
+static void show_relations(const fmurt_solver *solver, double *indicator) {
+  for (size_t i = 0; i < fmurt_model.indicator_count; ++i) {
+    const double sign = solver->instance->values.relation[i] ? 1.0 : -1.0;
+    if (!(sign * indicator[i] > 0.0)) indicator[i] = sign * DBL_MIN;
+  }
+}
+
 static int roots(realtype time, N_Vector state, realtype *indicator, void *data) {
   fmurt_solver *solver = data;
   if (fmurt_crossing_tell(solver->crossing, time, indicator)) {
@@ -199,7 +211,9 @@ static int roots(realtype time, N_Vector state, realtype *indicator, void *data)
   if (result == FMURT_RESULT_OK) {
     const int is_end = is_end_of_step(solver);
     if (is_end && solver->steps_accepted > 0) fmurt_accept(solver->instance);
-    look_for_passages(solver, time, state, is_end && solver->steps_accepted == 0);
+    const int is_start = is_end && solver->steps_accepted == 0;
+    if (is_start) show_relations(solver, indicator);
+    look_for_passages(solver, time, state, is_start);
     fmurt_watch_step(solver->watch, time, indicator, indicators_between, solver);
   }
   fmurt_watch_show(solver->watch, time, indicator);
@@ -282,6 +296,8 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
     return NULL;
   }
   solver->entry = calloc(vector_size(solver), sizeof(double));
+  solver->entry_accepted = calloc(fmurt_model.followed_count + 1, sizeof(double));
+  solver->roots = calloc(fmurt_model.indicator_count + 1, sizeof(int));
   solver->rest.place = calloc(vector_size(solver), sizeof(double));
   solver->state = N_VNew_Serial(size, solver->context);
   solver->tolerance = N_VNew_Serial(size, solver->context);
@@ -312,7 +328,7 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
   if (races) solver->explicit_steps = fmurt_explicit_create(solver->state_count);
   const int has_parts = races && fmurt_model.parts != NULL;
   if (has_parts) solver->apart = fmurt_apart_create(instance);
-  if ((races && solver->explicit_steps == NULL) || (has_parts && solver->apart == NULL) || (has_scenes && solver->passage == NULL) || solver->entry == NULL ||
+  if ((races && solver->explicit_steps == NULL) || (has_parts && solver->apart == NULL) || (has_scenes && solver->passage == NULL) || solver->entry == NULL || solver->entry_accepted == NULL || solver->roots == NULL ||
       solver->rest.place == NULL || solver->state == NULL ||
       solver->tolerance == NULL || solver->between == NULL || solver->watch == NULL || solver->crossing == NULL || solver->memory == NULL ||
       solver->linear == NULL || solver->newton == NULL ||
@@ -339,6 +355,8 @@ void fmurt_solver_destroy(fmurt_solver *solver) {
   fmurt_apart_destroy(solver->apart);
   free(solver->rest.place);
   free(solver->entry);
+  free(solver->entry_accepted);
+  free(solver->roots);
   SUNContext_Free(&solver->context);
   free(solver);
 }
@@ -460,6 +478,20 @@ static void count(fmurt_solver *solver) {
   solver->quotient_evaluations = 0;
 }
 
+static void remember_entry(fmurt_solver *solver) {
+  const fmurt_values *values = &solver->instance->values;
+  for (size_t i = 0; i < solver->state_count; ++i) solver->entry[i] = values->real[fmurt_model.state[i]];
+  memcpy(solver->entry_accepted, values->accepted, (fmurt_model.followed_count + 1) * sizeof(double));
+}
+
+/* Moves the instance back to where the advance began, which was at `time`: what steps have been accepted since is forgotten. */
+static void move_to_entry(fmurt_solver *solver, double time) {
+  fmurt_instance *instance = solver->instance;
+  fmurt_set_point(instance, time, solver->entry);
+  memcpy(instance->values.accepted, solver->entry_accepted, (fmurt_model.followed_count + 1) * sizeof(double));
+  fmurt_forget_solved(instance);
+}
+
 static fmurt_result explain(fmurt_solver *solver, int flag, double time, const char *cause) {
   fmurt_instance *instance = solver->instance;
   const fmurt_result result = flag == CV_RHSFUNC_FAIL ||
@@ -496,7 +528,7 @@ static double move_to_last_good_point(fmurt_solver *solver, double begin) {
       if (fmurt_update_continuous(solver->instance) == FMURT_RESULT_OK) return time;
     }
   }
-  fmurt_set_point(solver->instance, begin, solver->entry);
+  move_to_entry(solver, begin);
   return begin;
 }
 
@@ -673,9 +705,7 @@ static int integrate_implicitly(fmurt_solver *solver, double end, double limit, 
 static int integrate(fmurt_solver *solver, double end, double limit, double largest_step, double *reached) {
   solver->cause = FMURT_RESULT_OK;
   solver->instance->message[0] = '\0';
-  for (size_t i = 0; i < solver->state_count; ++i) {
-    solver->entry[i] = solver->instance->values.real[fmurt_model.state[i]];
-  }
+  remember_entry(solver);
   if (solver->explicit_steps == NULL) return integrate_implicitly(solver, end, limit, largest_step, reached);
   const fmurt_race *race = &solver->instance->situation.race;
   for (;;) {
@@ -719,6 +749,12 @@ static int is_too_short(double begin, double end) {
   return end - begin <= 8.0 * DBL_EPSILON * fmax(fabs(begin), fabs(end));
 }
 
+/* Tells the event to come which indicators crossed zero; the roots' last is that of bodies that met. */
+static void tell_crossed(fmurt_solver *solver) {
+  if (CVodeGetRootInfo(solver->memory, solver->roots) != CV_SUCCESS) return;
+  for (size_t i = 0; i < fmurt_model.indicator_count; ++i) solver->instance->crossed[i] = solver->roots[i] != 0;
+}
+
 void fmurt_solver_allow_steps(fmurt_solver *solver, long count) { solver->steps_left = count; }
 
 fmurt_result fmurt_solver_advance(fmurt_solver *solver, double target, double limit, double maximum_step,
@@ -744,7 +780,10 @@ fmurt_result fmurt_solver_advance(fmurt_solver *solver, double target, double li
       const int found_root = flag == CV_ROOT_RETURN;
       fmurt_set_point(instance, found_root ? reached : end, NV_DATA_S(solver->state));
       instance->situation.continuous_stale = 1;
-      if (found_root) *stop = FMURT_STOP_ROOT;
+      if (found_root) {
+        *stop = FMURT_STOP_ROOT;
+        tell_crossed(solver);
+      }
       const int rest_flag = found_root || shortened ? CV_SUCCESS : watch_rest(solver, end);
       if (rest_flag != CV_SUCCESS) return explain(solver, rest_flag, end, "");
       if (!found_root || CVodeGetLastStep(solver->memory, &solver->step_at_root) != CV_SUCCESS) {
@@ -766,7 +805,7 @@ fmurt_result fmurt_solver_advance(fmurt_solver *solver, double target, double li
     if (is_recoverable(flag) || flag == CV_TOO_MUCH_WORK) {
       reached = move_to_last_good_point(solver, begin);
     } else {
-      fmurt_set_point(instance, begin, solver->entry);
+      move_to_entry(solver, begin);
       reached = begin;
     }
     instance->situation.continuous_stale = 1;
