@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-# The high times of z end where y is an odd multiple of a quarter turn; y turns at up to four times the speed of its mean.
+# z changes its sign where y is an odd multiple of a quarter turn; y turns at up to four times the speed of its mean.
 TURNS = """model Turns
   parameter Real speed = 10;
   Real mean(start = 0, fixed = true);
