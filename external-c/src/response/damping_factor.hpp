@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 
 #include "contact_multibody_scene.h"
 
@@ -17,6 +18,8 @@ constexpr double smallest_damping = 1e-3;
 // ln(1 - d e) where the free impact with damping factor d >= 0 ends: the negative root of t - exp(t) + 1 + d - ln(1 + d).
 double logarithm_at_separation(double damping);
 
+class SigmaTable;
+
 // What the law of one pair needs to know of its restitution; see NormalForce.Internal.sigmaNearby and heavilyDamped.
 struct Damping {
   double factor = 0.0;                   // d
@@ -29,6 +32,7 @@ struct Damping {
   double rate_at_separation = 0.0;       // of -q by 1/sigma
   double power_between = 0.0;            // 1 + d r below which its logarithm is sought where damping is heavy
   double speed_between = 0.0;            // q there
+  std::shared_ptr<const SigmaTable> sigma;  // null: not tabulated; changes no more than rounding does
 };
 
 // All of it from d >= 0. It depends on d alone, so that it is kept: see DampingMemory.

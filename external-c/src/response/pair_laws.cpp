@@ -3,12 +3,15 @@
 #include <array>
 #include <cstring>
 
+#include "response/speed_ratio.hpp"
+
 namespace cmb {
 
 namespace {
 
 // Beyond so many materials the law of a pair is combined when it is asked for.
 constexpr std::size_t most_materials = 32;
+constexpr std::size_t column_count = 9;
 
 // An array of the bodies' properties: so many numbers a body; null where there is none.
 struct Column {
@@ -16,7 +19,7 @@ struct Column {
   std::size_t each;
 };
 
-std::array<Column, 9> columns_of(const cmb_body_properties &p) {
+std::array<Column, column_count> columns_of(const cmb_body_properties &p) {
   return {{{p.mass, 1},
            {p.center_of_mass, 3},
            {p.inertia, 9},
@@ -29,15 +32,17 @@ std::array<Column, 9> columns_of(const cmb_body_properties &p) {
 }
 
 // What laws of pairs, and checks of bodies, look at.
-void choices_of(const cmb_contact_law &law, const cmb_body_properties &properties, std::vector<double> &choices) {
-  choices = {static_cast<double>(law.normal_law),
-             static_cast<double>(law.use_restitution),
-             static_cast<double>(law.restitution_rule),
-             static_cast<double>(law.use_friction),
-             static_cast<double>(law.friction_rule),
-             law.exponent,
-             law.stribeck_speed};
-  for (const Column &column : columns_of(properties)) choices.push_back(column.numbers != nullptr ? 1.0 : 0.0);
+LawChoices choices_of(const cmb_contact_law &law, const cmb_body_properties &properties) {
+  LawChoices choices{static_cast<double>(law.normal_law),
+                     static_cast<double>(law.use_restitution),
+                     static_cast<double>(law.restitution_rule),
+                     static_cast<double>(law.use_friction),
+                     static_cast<double>(law.friction_rule),
+                     law.exponent,
+                     law.stribeck_speed};
+  double *given = choices.data() + choices.size() - column_count;
+  for (const Column &column : columns_of(properties)) *given++ = column.numbers != nullptr ? 1.0 : 0.0;
+  return choices;
 }
 
 // Compared bit by bit: a number that is none is the same as itself.
@@ -53,7 +58,7 @@ bool same_number(const double *a, const double *b) {
 
 }  // namespace
 
-bool PairLaws::holds(const std::vector<double> &choices, const CollisionFilter &filter) const {
+bool PairLaws::holds(const LawChoices &choices, const CollisionFilter &filter) const {
   const std::size_t bodies = filter.body_count();
   if (!kept_ || fixed_.size() != bodies || !same(choices.data(), choices_.data(), choices.size())) return false;
   for (std::size_t body = 0; body < bodies; ++body) {
@@ -69,7 +74,7 @@ bool PairLaws::holds(const std::vector<double> &choices, const CollisionFilter &
   return true;
 }
 
-bool PairLaws::holds_among(const std::vector<double> &choices, const CollisionFilter &filter,
+bool PairLaws::holds_among(const LawChoices &choices, const CollisionFilter &filter,
                            const std::vector<std::uint32_t> &bodies) const {
   if (!kept_ || fixed_.size() != filter.body_count() || !same(choices.data(), choices_.data(), choices.size())) return false;
   for (const std::uint32_t body : bodies) {
@@ -88,7 +93,7 @@ bool PairLaws::holds_among(const std::vector<double> &choices, const CollisionFi
   return true;
 }
 
-void PairLaws::keep(const std::vector<double> &choices, const CollisionFilter &filter) {
+void PairLaws::keep(const LawChoices &choices, const CollisionFilter &filter) {
   const std::size_t bodies = filter.body_count();
   choices_ = choices;
   numbers_.clear();
@@ -135,19 +140,18 @@ void PairLaws::prepare(const cmb_contact_law &law, const cmb_body_properties &pr
   check_law(law, properties);
   law_ = &law;
   properties_ = &properties;
-  choices_of(law, properties, asked_);
-  if (holds(asked_, filter)) return;
+  const LawChoices asked = choices_of(law, properties);
+  if (holds(asked, filter)) return;
   kept_ = false;
   for (std::size_t body = 0; body < filter.body_count(); ++body) check_body(law, properties, body, filter.fixed(body));
-  keep(asked_, filter);
+  keep(asked, filter);
 }
 
 void PairLaws::prepare_among(const cmb_contact_law &law, const cmb_body_properties &properties,
                              const CollisionFilter &filter, const std::vector<std::uint32_t> &bodies) {
   law_ = &law;
   properties_ = &properties;
-  choices_of(law, properties, asked_);
-  if (!holds_among(asked_, filter, bodies)) prepare(law, properties, filter);
+  if (!holds_among(choices_of(law, properties), filter, bodies)) prepare(law, properties, filter);
 }
 
 const PairLaw &PairLaws::of(std::size_t a, std::size_t b) {
@@ -155,6 +159,7 @@ const PairLaw &PairLaws::of(std::size_t a, std::size_t b) {
   const std::size_t pair = material_[a] * material_count_ + material_[b];
   if (known_[pair] == 0) {
     laws_[pair] = pair_law(*law_, *properties_, a, b, damping_);
+    if (needs_masses(*law_)) laws_[pair].damping.sigma = tabulate_sigma(laws_[pair].damping);
     known_[pair] = 1;
   }
   return laws_[pair];

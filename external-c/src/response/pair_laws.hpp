@@ -1,6 +1,7 @@
 // The laws of all pairs of bodies, kept as long as what they follow from stays the same.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,6 +12,9 @@
 #include "response/pair_law.hpp"
 
 namespace cmb {
+
+// What a law chooses, and which properties are given.
+using LawChoices = std::array<double, 16>;
 
 // An integrator asks again and again with the same materials. So they are checked once, and combined once for each pair of
 // materials; whether they are the same is seen by a comparison of all numbers. What is kept saves time and changes no answer.
@@ -29,10 +33,10 @@ class PairLaws {
   const PairLaw &of(std::size_t a, std::size_t b);
 
  private:
-  bool holds_among(const std::vector<double> &choices, const CollisionFilter &filter,
+  bool holds_among(const LawChoices &choices, const CollisionFilter &filter,
                    const std::vector<std::uint32_t> &bodies) const;
-  bool holds(const std::vector<double> &choices, const CollisionFilter &filter) const;
-  void keep(const std::vector<double> &choices, const CollisionFilter &filter);
+  bool holds(const LawChoices &choices, const CollisionFilter &filter) const;
+  void keep(const LawChoices &choices, const CollisionFilter &filter);
   void sort_materials();
 
   const cmb_contact_law *law_ = nullptr;
@@ -40,14 +44,14 @@ class PairLaws {
   DampingMemory damping_;
 
   bool kept_ = false;
-  std::vector<double> choices_, numbers_;  // of the law, and of all bodies
+  LawChoices choices_{};         // of the law
+  std::vector<double> numbers_;  // of all bodies
   std::vector<char> fixed_;
   std::vector<std::uint32_t> material_;  // of each body, by what tells its laws; empty where there are too many
   std::size_t material_count_ = 0;
   std::vector<PairLaw> laws_;  // [material_count_][material_count_], where known
   std::vector<char> known_;
   PairLaw single_;
-  std::vector<double> asked_;  // choices of the law at hand
 };
 
 }  // namespace cmb

@@ -20,10 +20,6 @@ double damped_force(double depth, double approach_speed, double stiffness, doubl
 double spring_damper_force(double depth, double approach_speed, double stiffness, double exponent, double damping,
                            double damping_depth);
 
-// (dx/dt)/v0, between -e and 1, from the speed and the elastic energy by effective mass, K x^(n+1)/(m (n+1)), both at
-// present; see NormalForce.memorylessSpeedRatio.
-double memoryless_speed_ratio(double approach_speed, double specific_energy, const Damping &damping);
-
 // K x^n (1 + d (dx/dt)/v0); spring_deceleration: K x^n/m.
 double memoryless_force(double depth, double approach_speed, double stiffness, double exponent,
                         double spring_deceleration, const Damping &damping);

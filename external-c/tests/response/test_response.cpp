@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "response/point_forces.hpp"
+#include "response/speed_ratio.hpp"
 #include "support/engine_calls.hpp"
 #include "response/spring_deceleration.hpp"
 #include "support/rigid_bodies.hpp"
@@ -309,6 +310,54 @@ TEST(MemorylessLaw, SolvesItsEquation) {
       }
     }
   }
+}
+
+TEST(MemorylessLaw, IsExactWhereDampingIsLight) {
+  // As where it is heavy, for t in (ln(1 - d e), ln(1 + d)), which are found in long numbers, too. With a table of where the search
+  // begins, and without.
+  for (const double d : {1e-3, 0.01, 0.1, 0.166, 0.5, 1.0, 1.433, 2.0, 3.087, 5.0, 6.5, 8.0}) {
+    const long double start = std::log1p(static_cast<long double>(d)), constant = 1 + d - start;
+    long double separation = -constant - 1, least = 0;
+    for (int i = 0; i < 120; ++i) {
+      const long double t = (separation + least) / 2;
+      (t - std::exp(t) + constant < 0 ? separation : least) = t;
+    }
+    const cmb::Damping damping = cmb::damping_of(d);
+    cmb::Damping tabulated = damping;
+    tabulated.sigma = cmb::tabulate_sigma(damping);
+    ASSERT_NE(tabulated.sigma, nullptr);
+    std::vector<double> speeds{0.0};
+    for (int k = -160; k <= 80; ++k) {
+      speeds.push_back(std::pow(10.0, 0.05 * k));
+      speeds.push_back(-std::pow(10.0, 0.05 * k));
+    }
+    for (const double q : speeds) {
+      long double low = q > 0 ? 0 : separation, high = q > 0 ? start : 0;
+      for (int i = 0; i < 120; ++i) {
+        const long double t = (low + high) / 2, under = std::fmax(0.0L, t - std::exp(t) + constant);
+        (std::expm1(t) < q * std::sqrt(under) ? low : high) = t;
+      }
+      const double expected = static_cast<double>(std::expm1(low) / d);
+      // exp(t) - 1 is known to a few roundings of exp(t), and so is t - exp(t) + constant, d^2/2 at most where d is small.
+      const double known = 2e-15 * (1 + 1 / d + std::fabs(expected) / (d * d));
+      EXPECT_NEAR(cmb::memoryless_speed_ratio(q, 1.0, damping), expected, known) << d << ' ' << q;
+      EXPECT_NEAR(cmb::memoryless_speed_ratio(q, 1.0, tabulated), expected, known) << d << ' ' << q;
+    }
+  }
+}
+
+TEST(MemorylessLaw, BeginsItsSearchNearTheRoot) {
+  for (const double d : {0.01, 0.1, 1.433, 3.0, 8.0}) {
+    cmb::Damping damping = cmb::damping_of(d);
+    damping.sigma = cmb::tabulate_sigma(damping);
+    for (int k = -400; k <= 400; ++k) {
+      const double q = std::sinh(0.024 * k), sigma = damping.sigma->sigma(q), p = sigma * sigma;
+      const double t = (damping.logarithm_at_start * p + damping.logarithm_at_separation) / (1 + p);
+      const double ratio = cmb::memoryless_speed_ratio(q, 1.0, damping);
+      EXPECT_NEAR(std::exp(t), 1 + d * ratio, (d < 4 ? 3e-6 : 1e-4) * d) << d << ' ' << q;
+    }
+  }
+  EXPECT_EQ(cmb::tabulate_sigma(cmb::damping_of(8.1)), nullptr);
 }
 
 TEST(MemorylessLaw, IsExactWhereDampingIsHeavy) {
