@@ -23,6 +23,8 @@ static const double largest_estimate = 1.0, largest_common_estimate = 1.5, nearl
 static const double more_than_speed = 1.2, acceleration = 10.0, share_of_size = 2e-3;
 /* Windows of so many steps and fewer are not divided further. */
 static const double least_steps = 4.0;
+/* The sum of two radii, by another order of the same numbers. */
+static const double more_than_rounding = 1.0 + 1e-12;
 /* How windows grow and shrink, by the largest group's share of all parts. */
 static const double window_growth = 1.5, window_shrink = 0.6, large_share = 0.25;
 /* The first window, by the shortest first step. */
@@ -43,9 +45,9 @@ typedef struct level {
   double *step, *estimate;  /* [part_count] there */
 } level;
 
-/* A body's extent along the first axis. */
+/* A body's ball: its extent along the first axis, its middle along the others. */
 typedef struct item {
-  double low, high;
+  double low, high, y, z, radius;
   int body, part;
 } item;
 
@@ -255,8 +257,9 @@ static int size_balls(fmurt_apart *self, const int *members, int count, double s
       const int body = part->body[j];
       const double room = isfinite(self->radius[body]) ? share_of_size * self->radius[body] : 0.0;
       self->reach[body] = more_than_speed * self->speed[body] * span + acceleration * span * span + room;
-      const double all = self->radius[body] + self->reach[body], x = position_of(self, body)[0];
-      self->items[items++] = (item){x - all, x + all, body, members[k]};
+      const double all = self->radius[body] + self->reach[body];
+      const double *const r = position_of(self, body);
+      self->items[items++] = (item){r[0] - all, r[0] + all, r[1], r[2], all, body, members[k]};
     }
   }
   qsort(self->items, (size_t)items, sizeof(item), compare_items);
@@ -270,6 +273,8 @@ static int unite_near(fmurt_apart *self, int items) {
     const item *one = &self->items[a];
     for (int b = a + 1; b < items && self->items[b].low <= one->high; ++b) {
       const item *other = &self->items[b];
+      const double far = (one->radius + other->radius) * more_than_rounding;
+      if (fabs(one->y - other->y) > far || fabs(one->z - other->z) > far) continue;
       const int root = find_root(self->root, one->part), other_root = find_root(self->root, other->part);
       if (root == other_root) continue;
       const double near = self->radius[one->body] + self->reach[one->body] + self->radius[other->body] + self->reach[other->body];
