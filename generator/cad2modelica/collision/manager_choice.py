@@ -12,6 +12,9 @@ from cad2modelica.mechanism.model import Assembly
 MOST_PAIRS: Final = 200
 """Of pairs with variables of their own: 120 make a hand's FMU build three times as long, 1300 cannot be built."""
 
+MANY_PAIRS: Final = 50
+"""From here on each pair's variables are most of what a build and a simulation take: a note says so."""
+
 
 class ManagerChoice(Enum):
     """The contact manager that is asked for; AUTOMATIC: by the number of pairs."""
@@ -44,8 +47,14 @@ def takes_compiled_manager(
         )
     if choice is not ManagerChoice.AUTOMATIC:
         return choice is ManagerChoice.COMPILED, ()
-    if pairs <= MOST_PAIRS:
+    if pairs < MANY_PAIRS or (pairs <= MOST_PAIRS and beyond is not None):
         return False, ()
+    if pairs <= MOST_PAIRS:
+        note = (
+            f"{pairs} pairs have variables of their own, which take most of the time of building and simulating; "
+            "--contact-manager compiled does without: it shows forces on bodies, no distances, and needs no events"
+        )
+        return False, (note,)
     if beyond is not None:
         note = f"{pairs} pairs have variables of their own, for they have {beyond}: the FMU may take long to build"
         return False, (note,)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cad2modelica import GenerateOptions, ManagerChoice, generate
-from cad2modelica.collision.manager_choice import MOST_PAIRS
+from cad2modelica.collision.manager_choice import MANY_PAIRS, MOST_PAIRS
 from contact_data import core_subset
 from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
@@ -84,6 +84,18 @@ def test_many_pairs_take_the_compiled_manager_and_a_note_says_so(tmp_path: Path)
 def test_few_pairs_keep_variables_of_their_own(tmp_path: Path) -> None:
     package = generate(write_chains(tmp_path, 6, 6), tmp_path / "out")
     assert manager(package.root).startswith("ContactMultiBody.ContactManager")
+    assert not any("--contact-manager" in note for note in package.notes)
+
+
+def test_pairs_that_take_most_of_the_time_are_told(tmp_path: Path) -> None:
+    file = write_chains(tmp_path, 14, 14)
+    package = generate(file, tmp_path / "out")
+    assert manager(package.root).startswith("ContactMultiBody.ContactManager")
+    (note,) = (note for note in package.notes if "--contact-manager compiled" in note)
+    assert MANY_PAIRS <= int(note.split()[0]) == len(listed(manager(package.root), "pairs")) <= MOST_PAIRS
+    anchored = file.with_name("anchored.xml")
+    anchored.write_text(file.read_text().replace("</assembly>", '<contacts friction="anchored"/></assembly>'))
+    assert not any("--contact-manager" in note for note in generate(anchored, tmp_path / "anchored").notes)
 
 
 def test_another_manager_needs_consent(tmp_path: Path) -> None:
