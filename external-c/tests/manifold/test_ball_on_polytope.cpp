@@ -78,5 +78,37 @@ TEST(BallOnPolytope, SurfacesAreClosedAndHoldTheVolume) {
   EXPECT_EQ(compared, 100);
 }
 
+// Of a needle that an edge cuts into from the side: planes that are as good as one by its own measure.
+TEST(BallOnPolytope, SurfaceOfSliversStaysWithinThem) {
+  Random random(3);
+  for (int k = 0; k < 500; ++k) {
+    const double thin = random.log_uniform(3e-4, 0.1), deep = random.log_uniform(1e-5, 0.3) * thin;
+    const Vec3 semi{thin, random.uniform(0.5, 1.0) * thin, 1.0};
+    const Polytope box = Polytope::box({1, 1, 1});
+    const double height = random.uniform(-0.8, 0.8), inside = (1.0 - deep / thin) * std::sqrt(1.0 - height * height);
+    const Vec3 edge{inside * thin, 0.0, height};
+    // The box's edge along the needle's y, its diagonal along x, then about x and y.
+    const double eighth = 0.25 * cmb::pi;
+    const Mat3 rotation = product(product(rotation_about({1, 0, 0}, random.uniform(-1, 1)), rotation_about({0, 1, 0}, random.uniform(-0.5, 0.5))),
+                                  rotation_about({0, 1, 0}, eighth));
+    const Vec3 to_edge = rotation * Vec3{-0.5, 0.0, -0.5}, out = rotation * Vec3{-std::sqrt(0.5), 0.0, -std::sqrt(0.5)};
+    const cmb::convex::Pose pose{rotation, edge - to_edge};
+    cmb::BallOnPolytope finder;
+    cmb::OverlapSurface surface;
+    if (!finder.find(semi, box, pose, edge - 0.3 * deep * out, surface)) continue;
+    ASSERT_TRUE(finder.find(semi, box, pose, surface.place() + surface.middle(), surface)) << k;
+    double beyond = 0.0, thick = 0.0;
+    for (const cmb::OverlapSurface::Node &node : surface.of_a()) {
+      const Vec3 in_box = pose.inverse()(surface.place() + node.at);
+      beyond = std::fmax(beyond, std::fmax(-0.5 - in_box.x, -0.5 - in_box.z));
+      thick = std::fmax(thick, std::fmin(0.5 + in_box.x, 0.5 + in_box.z));
+    }
+    EXPECT_LT(beyond, 2.0 * thick) << k << ": " << thin << " thin, " << deep << " deep";
+    const Sums sums(surface);
+    // Rounding moves the edge by 1e-16, which is a part of the depth.
+    EXPECT_LT(norm(sums.areas), (1e-10 + 1e-13 / deep) * sums.whole) << k;
+  }
+}
+
 }  // namespace
 }  // namespace test_ball_on_polytope

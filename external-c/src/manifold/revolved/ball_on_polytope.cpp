@@ -164,7 +164,7 @@ bool BallOnPolytope::follow_face(std::size_t index, PlaneFan &fan) {
       return vertices_[static_cast<std::size_t>(polytope_->face_vertices[static_cast<std::size_t>(face.first + k)])].at;
     };
     if (!is_in_polygon(face.count, corner, plane.normal, center + radius * along)) return true;
-    add_arc({center, radius * along, radius * across, 0.0, 2.0 * pi}, fan);
+    add_arc({center, radius * along, radius * across, 0.0, 2.0 * pi, &plane}, fan);
     return true;
   }
   while (!passages_.empty()) {
@@ -172,7 +172,7 @@ bool BallOnPolytope::follow_face(std::size_t index, PlaneFan &fan) {
     if (!passages_.take_arc(rounding, arc)) return false;
     if (arc.empty) continue;
     const double turn = arc.to.angle - arc.from.angle + (arc.round ? 2.0 * pi : 0.0);
-    if (turn > 0.0) add_arc({center, radius * along, radius * across, arc.from.angle, turn}, fan);
+    if (turn > 0.0) add_arc({center, radius * along, radius * across, arc.from.angle, turn, &plane}, fan);
   }
   return true;
 }
@@ -182,9 +182,63 @@ void BallOnPolytope::add_arc(const Arc &arc, PlaneFan &fan) {
   visit_arc(arc, widest, [&](const Vec3 &at, const Vec3 &step) { fan.add_curve_node(at, step); });
 }
 
+// The circle that the arcs keep nearest to, where that is nearer than great circles do, and well off its poles.
+bool BallOnPolytope::find_band(Band &band) const {
+  constexpr int samples = 4;
+  constexpr double most_width = 0.1, most_bend = 0.25;  // by the circle's distance from its pole; of the width by how far great circles bend
+  double longest = 0.0, narrowest = HUGE_VAL;
+  for (const Arc &arc : arcs_) longest = std::max(longest, std::min(arc.turn, pi) * norm(arc.along));
+  for (const Arc &own : arcs_) {
+    const Plane &plane = *own.plane;
+    double width = 0.0;
+    for (const Arc &arc : arcs_) {
+      if (arc.plane == own.plane) continue;
+      for (int k = 0; k <= samples; ++k) {
+        const double angle = arc.from + arc.turn / samples * k;
+        const Vec3 at = arc.center + std::cos(angle) * arc.along + std::sin(angle) * arc.across;
+        width = std::max(width, std::fabs(dot(plane.normal, at) - plane.offset));
+      }
+    }
+    if (width < narrowest) narrowest = width, band = {&plane, norm(own.along)};
+  }
+  const double bend = 0.125 * longest * longest * std::fabs(band.plane->offset) / band.radius;
+  return narrowest < most_width * band.radius * band.radius && narrowest < most_bend * bend && !holds(-band.plane->normal);
+}
+
+// With z along the circle's axis and the latitude l, an area is cos(l) dl by the angle about the axis: along each arc that from the circle to it.
+void BallOnPolytope::add_band(const Band &band, const Vec3 &place, OverlapSurface::Nodes &nodes) const {
+  constexpr double longest = 0.5;
+  const Vec3 &axis = band.plane->normal;
+  const double height = band.plane->offset;
+  for (const Arc &arc : arcs_) {
+    if (arc.plane == band.plane) continue;
+    visit_arc(arc, longest, [&](const Vec3 &at, const Vec3 &step) {
+      const Vec3 around = cross(axis, at);
+      const double z = dot(axis, at), radius = norm(around);
+      const double turn = dot(around, step) / (radius * radius);
+      const double sine = z * band.radius - height * radius, cosine = z * height + radius * band.radius, angle = std::atan2(sine, cosine);
+      if (angle == 0.0) return;
+      const Vec3 out = (1.0 / radius) * cross(around, axis);
+      const Vec3 start = band.radius * out + height * axis, ahead = band.radius * axis - height * out;
+      const GaussNodes rule = rule_across(std::fabs(angle));
+      const NodeTurns turns(rule, angle, cosine, sine);
+      for (std::size_t k = 0; k < rule.count; ++k) {
+        const Vec3 on_ball = turns.cosine[k] * start + turns.sine[k] * ahead;
+        const double from_axis = turns.cosine[k] * band.radius - turns.sine[k] * height;
+        nodes.add(on_ball - place, (rule.weight[k] * angle * from_axis * turn) * on_ball);
+      }
+    });
+  }
+}
+
 void BallOnPolytope::add_ball_part(const Vec3 &place, OverlapSurface::Nodes &nodes) const {
   if (arcs_.empty()) {
     if (holds({1.0, 0.0, 0.0})) add_ball(place, nodes);
+    return;
+  }
+  Band band;
+  if (find_band(band)) {
+    add_band(band, place, nodes);
     return;
   }
   // The antipode of the fan's place has to be off the arcs.

@@ -15,7 +15,9 @@ using convex::Pose;
 
 // As a ball's, in axes that are as long as the ellipsoid's semi-axes. Its edges are parts of the polytope's edges and arcs of the
 // circles where its faces cut the ball. Faces are fans of their edges. The ball's part is a fan of its arcs, too, of great circles from
-// one place of the ball on, which cover it once but where the antipode is inside: then all of the ball is added.
+// one place of the ball on, which cover it once but where the antipode is inside: then all of the ball is added. A narrow band along a circle, as
+// where planes that hardly differ cut a needle across, great circles would leave by many times its width: it is covered by meridians about
+// the circle's axis.
 //
 // Room to work in; it grows in the first calls.
 class BallOnPolytope {
@@ -54,6 +56,12 @@ class BallOnPolytope {
   struct Arc {
     Vec3 center, along, across;  // along, across: as long as the radius
     double from, turn;
+    const Plane *plane;
+  };
+  // Along which the ball's part lies.
+  struct Band {
+    const Plane *plane = nullptr;
+    double radius = 0.0;  // of its circle
   };
 
   Stretch stretch_of(const Vertex &p, const Vertex &q) const;
@@ -61,6 +69,8 @@ class BallOnPolytope {
   void add_arc(const Arc &arc, PlaneFan &fan);
   bool holds(const Vec3 &at) const;
   void add_ball_part(const Vec3 &place, OverlapSurface::Nodes &nodes) const;
+  bool find_band(Band &band) const;
+  void add_band(const Band &band, const Vec3 &place, OverlapSurface::Nodes &nodes) const;
 
   Vec3 semi_axes_;
   const convex::PolytopeView *polytope_ = nullptr;  // during find()
