@@ -35,6 +35,11 @@ struct Spread2 {
   }
 };
 
+double deviation2_along(const convex::SymmetricMatrix &matrix, const Vec3 &way) {
+  const double square = dot(way, convex::times(matrix, way));
+  return square > 0.0 ? square : 0.0;
+}
+
 Spread2 spread_across(const convex::SymmetricMatrix &matrix, const Vec3 &u, const Vec3 &v) {
   const double(&spread)[6] = matrix.m;
   const auto form = [&spread](const Vec3 &p, const Vec3 &q) {
@@ -87,9 +92,11 @@ bool append_load_points(const OverlapLoad &load, const Pose &axes, const convex:
     lengths[k] = std::sqrt(1.0 + twist * twist * (arms[k].u * arms[k].u + arms[k].v * arms[k].v));
     sum += shares[k] * lengths[k];
   }
-  // All are as deep as stores the energy; where bodies are that deep in each other that nothing pushes much, no deeper than this.
-  constexpr double deepest = 4.0;
-  const double stores = 2.0 * energy / (size * sum), most_deep = deepest * std::sqrt(2.0 * energy);
+  // All are as deep as stores the energy; where bodies are that deep in each other that nothing pushes much, no deeper than this, or than the
+  // overlap, which thin borders across each other are many times as soft as it is deep.
+  constexpr double deepest = 4.0, deviations = 6.0;  // a pyramid is as high as five standard deviations
+  const double stores = 2.0 * energy / (size * sum);
+  const double most_deep = std::fmax(deepest * std::sqrt(2.0 * energy), deviations * std::sqrt(deviation2_along(load.spread, along)));
   const double depth = stores < most_deep ? stores : most_deep, by_share = size / depth;
   const Vec3 at = axes(load.middle + lever);
   const Vec3 world_along = axes.rotation * along, world_u = axes.rotation * u, world_v = axes.rotation * v;

@@ -279,6 +279,42 @@ TEST(TriangleSection, IsThereWhereTriangleAndBodyMeet) {
   }
 }
 
+// The depth of a triangle's section is that of its deepest place below all sides: no place of a fine grid is deeper, and one is nearly as deep.
+TEST(TriangleSection, IsAsDeepAsItsDeepestPlace) {
+  using namespace cmb::convex;
+  Random random(22);
+  std::vector<Vec3> polygon, room;
+  for (int k = 0; k < 400; ++k) {
+    const double radius = random.log_uniform(0.05, 0.5), half = random.log_uniform(0.005, 0.5);
+    const bool cone = k % 2 == 0;
+    const ConvexBody body = cone ? make_cone(radius, 2.0 * half) : make_cylinder(radius, 2.0 * half);
+    const Pose place{};
+    const cmb::mesh::SectionedBody sectioned(body, place, polygon, room);
+    // Across the border at the base.
+    const Vec3 middle{radius * random.uniform(0.5, 1.0), 0.0, -half * random.uniform(0.5, 1.0)};
+    const double size = random.log_uniform(0.1, 1.0) * std::fmin(radius, half);
+    const Vec3 corner[3] = {middle + size * random.direction(), middle + size * random.direction(), middle + size * random.direction()};
+    const double slope = cone ? 0.5 * radius / half : 0.0, top = cone ? slope * half : radius;
+    double deepest = 0.0;
+    constexpr int fine = 120;
+    for (int i = 0; i <= fine; ++i) {
+      for (int j = 0; i + j <= fine; ++j) {
+        const double u = static_cast<double>(i) / fine, v = static_cast<double>(j) / fine;
+        const Vec3 p = (1.0 - u - v) * corner[0] + u * corner[1] + v * corner[2];
+        const double below_mantle = (top - slope * p.z - std::hypot(p.x, p.y)) / std::hypot(1.0, slope);
+        deepest = std::fmax(deepest, std::min({below_mantle, p.z + half, cone ? below_mantle : half - p.z}));
+      }
+    }
+    const double found = sectioned.section(corner).depth;
+    EXPECT_GE(found, deepest - 1e-12) << k;
+    EXPECT_LT(found, deepest + 2.0 * size / fine) << k;
+    // What is asked for is whether it is deeper than that.
+    if (!(found > 0.0)) continue;
+    EXPECT_NEAR(sectioned.section(corner, 0.7 * found).depth, found, 1e-12 * radius) << k;
+    EXPECT_EQ(sectioned.section(corner, 1.001 * found).depth, 0.0) << k;
+  }
+}
+
 // The depth of crossing triangles is the least overlap along all directions.
 TEST(TriangleCrossing, IsTheLeastOverlap) {
   using cmb::convex::norm;

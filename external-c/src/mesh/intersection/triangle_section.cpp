@@ -144,7 +144,8 @@ TriangleSection SectionedBody::section(const Vec3 (&corner)[3], double enough) c
       result = ellipsoid_section(local, {body_.radius, body_.radius, body_.radius});
       break;
     case convex::CoreShape::ellipsoid: result = ellipsoid_section(local, body_.half); break;
-    default: result = axis_section(local); break;
+    case convex::CoreShape::segment: result = capsule_section(local); break;
+    default: result = revolved_section(local, enough); break;
   }
   if (!(result.depth > enough)) return {};
   result.place = place_(result.place);
@@ -190,44 +191,70 @@ TriangleSection SectionedBody::ellipsoid_section(const Vec3 (&corner)[3], const 
   return {(1.0 - length) * (by_slope + (1.0 - length) * least), {u.x * half.x, u.y * half.y, u.z * half.z}};
 }
 
-// A capsule, cylinder or cone.
-TriangleSection SectionedBody::axis_section(const Vec3 (&corner)[3]) const {
-  const bool capsule = body_.core == convex::CoreShape::segment, cone = body_.core == convex::CoreShape::cone;
-  const double half = body_.half.z, radius = capsule ? body_.radius : body_.half.x;
-  const Vec3 up{0, 0, 1};
-  double depth = 0.0;
-  // Between the ends; what bounds a cone above is its mantle.
-  const auto clip_ends = [&](double low, double high) {
+// Cuts what is beyond a round side off, as good as: the places that are left are hardly outside.
+void SectionedBody::clip_mantle(double radius, double slope) const {
+  for (const Angle &angle : mantle_angles()) {
+    if (polygon_.empty()) return;
+    clip_polygon(polygon_, {-angle.cosine, -angle.sine, -slope}, -radius, room_);
+  }
+}
+
+TriangleSection SectionedBody::capsule_section(const Vec3 (&corner)[3]) const {
+  const double half = body_.half.z, radius = body_.radius;
+  const auto clip_ends = [&](double reach) {
     polygon_.assign(corner, corner + 3);
-    clip_polygon(polygon_, up, low, room_);
-    if (!cone && !polygon_.empty()) clip_polygon(polygon_, -up, -high, room_);
+    clip_polygon(polygon_, {0, 0, 1}, -reach, room_);
+    if (!polygon_.empty()) clip_polygon(polygon_, {0, 0, -1}, -reach, room_);
     return polygon_.size() >= 3;
   };
-  const double slope = cone ? 0.5 * radius / half : 0.0, scale = 1.0 / std::hypot(1.0, slope);
-  if (clip_ends(-half, half)) {
-    const double mantle = cone ? slope * half : radius;
-    depth = scale * (mantle - least_on_polygon(polygon_, slope));
+  double depth = clip_ends(half) ? radius - least_on_polygon(polygon_, 0.0) : 0.0;
+  for (const double z : {-half, half}) {
+    const Vec3 end{0, 0, z};
+    depth = std::fmax(depth, radius - norm(nearest_on_triangle(end, corner[0], corner[1], corner[2]).point - end));
   }
-  if (capsule) {
-    for (const double z : {-half, half}) {
-      const Vec3 end{0, 0, z};
-      depth = std::fmax(depth, radius - norm(nearest_on_triangle(end, corner[0], corner[1], corner[2]).point - end));
-    }
-    clip_ends(-half - radius, half + radius);
-  }
+  clip_ends(half + radius);
   if (!(depth > 0.0) || polygon_.size() < 3) return {};
-  for (const Angle &angle : mantle_angles()) {
-    clip_polygon(polygon_, {-angle.cosine, -angle.sine, -slope}, cone ? -slope * half : -radius, room_);
-    if (polygon_.size() < 3) return {};
-  }
-  if (!capsule) {
-    double above_base = 0.0, below_top = 0.0;
-    for (const Vec3 &p : polygon_) {
-      above_base = std::fmax(above_base, p.z + half);
-      below_top = std::fmax(below_top, half - p.z);
+  clip_mantle(radius, 0.0);
+  if (polygon_.size() < 3) return {};
+  return {depth, nearest_on_polygon(convex::core_center(body_), polygon_)};
+}
+
+// A cylinder or cone: how deep the triangle's deepest place is below all sides. Deepest below the mantle, and below an end, are often other
+// places, where the body's border is across an edge of the mesh.
+TriangleSection SectionedBody::revolved_section(const Vec3 (&corner)[3], double enough) const {
+  const bool cone = body_.core == convex::CoreShape::cone;
+  const double half = body_.half.z, slope = cone ? 0.5 * body_.half.x / half : 0.0, radius = cone ? slope * half : body_.half.x;
+  const double scale = 1.0 / std::hypot(1.0, slope);
+  // What is that deep below the ends; what bounds a cone above is its mantle.
+  const auto clip_ends = [&](double deep) {
+    polygon_.assign(corner, corner + 3);
+    clip_polygon(polygon_, {0, 0, 1}, deep - half, room_);
+    if (!cone && !polygon_.empty()) clip_polygon(polygon_, {0, 0, -1}, deep - half, room_);
+    return polygon_.size() >= 3;
+  };
+  // By how much the deepest of these below the mantle is deeper than they are below the ends: concave, and falls.
+  const auto deeper = [&](double deep) {
+    return clip_ends(deep) ? scale * (radius - least_on_polygon(polygon_, slope)) - deep : -std::numeric_limits<double>::infinity();
+  };
+  double low = enough, above_low = deeper(low);
+  if (!(above_low > 0.0)) return {};
+  double high = enough + above_low, below_high = deeper(high);
+  constexpr int most_steps = 60;
+  constexpr double rounding = 1e-14;
+  for (int step = 0; step < most_steps && below_high < 0.0 && high - low > rounding * body_.half.x; ++step) {
+    // Of a concave function the chord's zero is never beyond its own.
+    const double chord = low + above_low / (above_low - below_high) * (high - low);
+    const double next = step % 3 == 2 || !(chord > low) ? 0.5 * (low + high) : chord, above = deeper(next);
+    if (above > 0.0) {
+      low = next, above_low = above;
+    } else {
+      high = next, below_high = above;
     }
-    depth = std::fmin(depth, cone ? above_base : std::fmin(above_base, below_top));
   }
+  const double depth = below_high < 0.0 ? low : high;
+  clip_ends(0.0);
+  clip_mantle(radius, slope);
+  if (polygon_.size() < 3) return {};
   return {depth, nearest_on_polygon(convex::core_center(body_), polygon_)};
 }
 

@@ -14,8 +14,8 @@ struct TriangleSection {
   Vec3 place;          // of the triangle, in the body (round ones: hardly outside); in the mesh's frame
 };
 
-// Depth and place of sections are continuous in the pose: the depth is the least, of a body's faces, of how deep the
-// section lies below the face; a round side is one face. The place is what of the section is nearest to the middle.
+// Depth and place of sections are continuous in the pose. The depth of a polytope's is the least, of its faces, of how deep the section lies
+// below the face; that of a round body's is how deep its deepest place lies. The place is what of the section is nearest to the middle.
 //
 // Borrows all it is given. Thread-safe where `polygon` and `room`, which are overwritten, are.
 class SectionedBody {
@@ -39,7 +39,9 @@ class SectionedBody {
  private:
   TriangleSection polytope_section(const Vec3 (&corner)[3], double enough) const;
   TriangleSection ellipsoid_section(const Vec3 (&corner)[3], const Vec3 &half) const;
-  TriangleSection axis_section(const Vec3 (&corner)[3]) const;
+  TriangleSection capsule_section(const Vec3 (&corner)[3]) const;
+  TriangleSection revolved_section(const Vec3 (&corner)[3], double enough) const;
+  void clip_mantle(double radius, double slope) const;
 
   convex::ConvexBody body_;
   const Pose &place_;
