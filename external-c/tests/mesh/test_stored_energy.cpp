@@ -129,5 +129,35 @@ TEST(StoredEnergy, OfBallsHasTheirForceAsGradient) {
   }
 }
 
+// Bodies of some hundred metres that touch a mesh of two, less deep than rounding lets squares of places be known.
+TEST(StoredEnergy, OfShallowContactsOfGreatBodiesHasTheirForceAsGradient) {
+  Random random(13);
+  const std::string round = " radius=" + digits(300.0) + " length=";
+  for (const std::string text : {"cmb/1 ellipsoid size=400,500,300", "cmb/1 cylinder", "cmb/1 cone", "cmb/1 capsule"}) {
+    const PairScene scene(text.find('=') != std::string::npos ? text : text + round + digits(400.0), ground("angle"));
+    int asked = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+      const double deep = random.log_uniform(1e-5, 1e-4);
+      const Vec3 from = random.direction();
+      BodyPose pose{1500.0 * from, random_rotation(random)};
+      for (int step = 0; step < 100; ++step) {
+        const double more = scene.query(pose, {}, 64).distance + deep;
+        if (std::fabs(more) < 0.1 * deep) break;
+        pose.position = pose.position - more * from;
+      }
+      const Contact contact = scene.query(pose, {}, 64);
+      if (!(std::fabs(contact.distance + deep) < 0.1 * deep)) continue;
+      ++asked;
+      const double step = 1e-3 * deep;
+      for (const Vec3 &way : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        const auto energy_at = [&](double length) { return scene.query({pose.position + length * way, pose.rotation}, {}, 64).energy(); };
+        const double slope = (energy_at(step) - energy_at(-step)) / (2.0 * step);
+        EXPECT_NEAR(dot(way, contact.load()), -slope, 3e-3 * norm(contact.load())) << text << ", trial " << trial << ", " << deep << " deep";
+      }
+    }
+    EXPECT_GT(asked, 20) << text;
+  }
+}
+
 }  // namespace
 }  // namespace test_stored_energy

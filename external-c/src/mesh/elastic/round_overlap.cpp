@@ -11,8 +11,8 @@ namespace {
 
 using convex::CoreShape;
 
-// How thick overlaps are, by the body's radius, whose square is as good as rounding.
-constexpr double hardly_thick = 2e-8;
+// How thick overlaps are, by the body's radius, of which rounding is a part that counts: they are integrated from a place within.
+constexpr double hardly_thick = 1e-11;
 
 // What a body stores on a plane, by d^2/2, is 1 then. A shallow cap of an ellipsoid stores 3/5 of what a face does, a lying cylinder's segment
 // 16/21; a cylinder keeps that.
