@@ -55,6 +55,8 @@ initial equation
     else
       phi = phi_start;
     end if;
+  elseif enforceStates and useQuaternions then
+    Q*Q = 1;
   end if;
   if z_rel_a_fixed then
     der(w_rel_b) = Frames.resolve2(R_rel_start, z_rel_a_start);
@@ -78,7 +80,11 @@ equation
     phi_dd = zeros(3);
   else
     Connections.branch(frame_a.R, frame_b.R);
-    frame_b.R = Frames.absoluteRotation(frame_a.R, R_rel);
+    if Connections.rooted(frame_a.R) then
+      frame_b.R = Frames.absoluteRotation(frame_a.R, R_rel);
+    else
+      frame_a.R = Frames.absoluteRotation(frame_b.R, Frames.inverseRotation(R_rel));
+    end if;
     if useQuaternions then
       der(Q) = Frames.Internal.quaternionRate(Q, w_rel_b);
       R_rel = Frames.from_Q(Q, w_rel_b);

@@ -77,6 +77,9 @@ initial equation
     else
       phi = phi_start;
     end if;
+  elseif Connections.isRoot(frame_a.R) and useQuaternions then
+    // What holds the body decides on three of four components.
+    Q*Q = 1;
   end if;
 equation
   if enforceStates then
