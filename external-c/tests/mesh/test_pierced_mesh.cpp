@@ -7,6 +7,7 @@
 #include "mesh/distance/mesh_pair_distance.hpp"
 #include "mesh/intersection/triangle_crossing.hpp"
 #include "mesh/intersection/triangle_section.hpp"
+#include "mesh/wedges/triangle_wedge.hpp"
 #include "support/mesh_text.hpp"
 #include "support/random_bodies.hpp"
 #include "support/scene_query.hpp"
@@ -313,6 +314,52 @@ TEST(TriangleSection, IsAsDeepAsItsDeepestPlace) {
     EXPECT_NEAR(sectioned.section(corner, 0.7 * found).depth, found, 1e-12 * radius) << k;
     EXPECT_EQ(sectioned.section(corner, 1.001 * found).depth, 0.0) << k;
   }
+}
+
+// So that of a polytope's, on all kinds of triangles across its edges and corners.
+TEST(TriangleSection, IsAsDeepInPolytopesAsItsDeepestPlace) {
+  using namespace cmb::convex;
+  Random random(23);
+  std::vector<Vec3> polygon, room;
+  int meeting = 0;
+  for (int k = 0; k < 600; ++k) {
+    Polytope body;
+    if (k % 3 == 0) {
+      body = Polytope::box({random.log_uniform(0.01, 1), random.log_uniform(0.01, 1), random.log_uniform(0.01, 1)});
+    } else {
+      const double thin = random.log_uniform(0.01, 0.5);
+      build_convex_hull(random_bodies::random_points(random, random.integer(6, 40), {0.5, 0.4, thin}, false), body, nullptr, nullptr);
+    }
+    const Pose place{random_rotation(random), random.direction()};
+    std::vector<Vec3> vertices, normals;
+    for (const Vec3 &v : body.vertices()) vertices.push_back(place(v));
+    for (const auto &face : body.faces()) normals.push_back(place.rotation * face.normal);
+    const cmb::mesh::SectionedBody sectioned(body, place, vertices, normals, polygon, room);
+    const Vec3 &corner_of_body = vertices[static_cast<std::size_t>(random.integer(0, static_cast<int>(vertices.size()) - 1))];
+    const Vec3 middle = corner_of_body + random.uniform(0.0, 0.5) * (place(body.center()) - corner_of_body);
+    const double size = random.log_uniform(0.01, 10.0);
+    const Vec3 corner[3] = {middle + size * random.direction(), middle + size * random.direction(), middle + size * random.direction()};
+    // What of the triangle is that deep.
+    const auto is_there = [&](double deep) {
+      polygon.assign(corner, corner + 3);
+      for (std::size_t f = 0; f < normals.size() && !polygon.empty(); ++f) {
+        const double offset = dot(normals[f], place(body.vertices()[static_cast<std::size_t>(body.face_vertices()[static_cast<std::size_t>(body.faces()[f].first)])]));
+        cmb::mesh::clip_polygon(polygon, -normals[f], deep - offset, room);
+      }
+      return !polygon.empty();
+    };
+    const double found = sectioned.section(corner).depth;
+    if (!(found > 1e-6 * size)) {
+      EXPECT_FALSE(is_there(2e-6 * size)) << k;
+      continue;
+    }
+    ++meeting;
+    EXPECT_TRUE(is_there(found - 1e-9 * size)) << k;
+    EXPECT_FALSE(is_there(found + 1e-9 * size)) << k;
+    EXPECT_NEAR(sectioned.section(corner, 0.7 * found).depth, found, 1e-12 * size) << k;
+    EXPECT_EQ(sectioned.section(corner, 1.001 * found).depth, 0.0) << k;
+  }
+  EXPECT_GT(meeting, 200);
 }
 
 // The depth of crossing triangles is the least overlap along all directions.

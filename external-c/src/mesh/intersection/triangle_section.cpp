@@ -7,6 +7,7 @@
 
 #include "math/pi.hpp"
 #include "mesh/core/triangle_mesh.hpp"
+#include "mesh/intersection/deepest_in_polytope.hpp"
 #include "mesh/wedges/triangle_wedge.hpp"
 
 namespace cmb::mesh {
@@ -162,18 +163,13 @@ TriangleSection SectionedBody::polytope_section(const Vec3 (&corner)[3], double 
     const Vec3 &n = (*normals_)[f];
     if (offset(f) - std::min({dot(n, corner[0]), dot(n, corner[1]), dot(n, corner[2])}) <= enough) return {};
   }
+  TriangleSection result;
+  result.depth = deepest_in_polytope(corner, *normals_, center(), enough, offset);
+  if (!(result.depth > enough)) return {};
   polygon_.assign(corner, corner + 3);
   for (std::size_t f = 0; f < normals_->size(); ++f) {
     clip_polygon(polygon_, -(*normals_)[f], -offset(f), room_);
     if (polygon_.size() < 3) return {};
-  }
-  TriangleSection result{std::numeric_limits<double>::infinity(), {}};
-  for (std::size_t f = 0; f < normals_->size(); ++f) {
-    const double level = offset(f);
-    double below = 0.0;
-    for (const Vec3 &p : polygon_) below = std::fmax(below, level - dot((*normals_)[f], p));
-    result.depth = std::fmin(result.depth, below);
-    if (result.depth <= enough) return {};
   }
   result.place = nearest_on_polygon(center(), polygon_);
   return result;

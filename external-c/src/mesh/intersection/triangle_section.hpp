@@ -14,8 +14,8 @@ struct TriangleSection {
   Vec3 place;          // of the triangle, in the body (round ones: hardly outside); in the mesh's frame
 };
 
-// Depth and place of sections are continuous in the pose. The depth of a polytope's is the least, of its faces, of how deep the section lies
-// below the face; that of a round body's is how deep its deepest place lies. The place is what of the section is nearest to the middle.
+// Depth and place of sections are continuous in the pose: how deep the deepest place lies below all of the body's surface, and what of the section
+// is nearest to the middle.
 //
 // Borrows all it is given. Thread-safe where `polygon` and `room`, which are overwritten, are.
 class SectionedBody {
