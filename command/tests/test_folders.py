@@ -21,3 +21,11 @@ def test_no_folder_holds_more_files_than_one_takes_in() -> None:
     files = Counter(str(Path(name).parent) for name in listed.splitlines() if not name.startswith(DATA + MODELICA))
     assert {folder: count for folder, count in files.items() if count > MOST_FILES} == {}
     assert len(files) > 100
+
+
+def test_test_files_have_names_of_their_own() -> None:
+    """pytest takes two of one name for one, where their folders are no packages."""
+    listed = subprocess.run(["git", "ls-files"], cwd=PROJECT, capture_output=True, text=True, check=True).stdout
+    names = Counter(Path(name).name for name in listed.splitlines() if Path(name).match("test_*.py"))
+    assert [name for name, count in names.items() if count > 1] == []
+    assert len(names) > 100
