@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from mechanism_motion import Pose, Vector
 from scipy.spatial.transform import Rotation
+from tree_motion import Pose, Vector
 
 Step = Callable[[float], Pose]  # a joint's frame_b in its frame_a, by time near the start
 X, Y, Z = np.eye(3)

@@ -1,6 +1,6 @@
 """Bodies with joints, forces and sensors of the MultiBody library move as Newton and Euler say, or are refused.
 
-``CMB_MECHANISMS=200`` takes so many mechanisms. Of the Modelica Standard Library, where ``MODELICAPATH`` leads to it.
+``CMB_TREES=200`` takes so many mechanisms. Of the Modelica Standard Library, where ``MODELICAPATH`` leads to it.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ import numpy as np
 import pytest
 from fmpy import simulate_fmu
 from random_builds import sampled
-from random_mechanisms import RandomMechanism, random_mechanism
+from random_tree import RandomTree, random_tree
 
 FEW = 4  # of seeds
-MANY = int(os.environ.get("CMB_MECHANISMS", "30"))
+MANY = int(os.environ.get("CMB_TREES", "30"))
 TIMES = (0.0, 0.25, 0.5, 0.75, 1.0)
 INTERVAL = 0.01  # s; importers give up after some hundred steps in one
 NEAR = 1e-5  # of values at a tolerance of 1e-8, plus 1
 GAIN = 0.2  # by which errors of motions that are sensitive shrink where the tolerance does by 0.01
 
 
-def error(expected: np.ndarray, model: RandomMechanism, fmu: Path, mode: str, tolerance: float) -> tuple[float, str]:
+def error(expected: np.ndarray, model: RandomTree, fmu: Path, mode: str, tolerance: float) -> tuple[float, str]:
     """The largest error, by the value plus 1, and where it is."""
     result = simulate_fmu(
         str(fmu), fmi_type=mode, stop_time=TIMES[-1], output_interval=INTERVAL, relative_tolerance=tolerance,
@@ -38,7 +38,7 @@ def error(expected: np.ndarray, model: RandomMechanism, fmu: Path, mode: str, to
     return float(errors[row, column]), where
 
 
-def deviations(model: RandomMechanism, fmu: Path) -> Iterator[str]:
+def deviations(model: RandomTree, fmu: Path) -> Iterator[str]:
     """The variable of each mode that is farthest off, where one is."""
     expected = np.array([model.values(look) for look in model.motion(TIMES)])
     for mode in ("ModelExchange", "CoSimulation"):
@@ -52,18 +52,18 @@ def deviations(model: RandomMechanism, fmu: Path) -> Iterator[str]:
 
 def models(seeds: Iterable[int]) -> Iterator[tuple[int, str, Callable[[Path], Iterable[str]]]]:
     for seed in seeds:
-        model = random_mechanism(seed)
+        model = random_tree(seed)
         yield seed, model.text, partial(deviations, model)
 
 
-def test_a_few_mechanisms(tmp_path, fmu_cache):
+def test_a_few_trees(tmp_path, fmu_cache):
     taken, failures = sampled(tmp_path, fmu_cache, models(range(FEW)), "P.M")
     assert not failures, "\n".join(failures)
     assert taken == FEW
 
 
 @pytest.mark.full
-def test_many_mechanisms(tmp_path, fmu_cache):
+def test_many_trees(tmp_path, fmu_cache):
     taken, failures = sampled(tmp_path, fmu_cache, models(range(1000, 1000 + MANY)), "P.M")
     assert not failures, "\n".join(failures)
     assert taken == MANY
