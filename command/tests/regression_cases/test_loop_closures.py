@@ -41,6 +41,7 @@ SLIDER = Loop("ClosingLoops.SliderCrank", (SOURCE,), ("j2.phi", "j4.s"), ("j2.w"
 SPATIAL = Loop(
     "ClosingLoops.SpatialFourBar", (SOURCE,), ("j4.phi", "j2.phi_a", "j2.phi_b"), ("j4.w", "j2.w_a", "j2.w_b")
 )
+TURNING = Loop("ClosingLoops.DoubleCrank", (SOURCE,), ("j2.phi", "j4.phi"), ("j2.w", "j4.w"))
 LOOPS = [pytest.param(loop, id=loop.model.split(".")[1]) for loop in (FOUR_BAR, SLIDER, SPATIAL)]
 Build = Callable[[Loop], Path]
 
@@ -97,6 +98,27 @@ def test_no_loop_changes_its_closure(loop: Loop, count: int, build: Build) -> No
         assert not np.any(result["contacts.touches[1]"][apart]), (settings, start)
     assert len(stopped) <= count // 100
     assert all("closure" in said for said in stopped)
+
+
+@pytest.mark.parametrize("count", [4, pytest.param(SAMPLES // 4, marks=pytest.mark.full)])
+def test_a_loop_that_turns_keeps_its_closure(count: int, build: Build) -> None:
+    """64 turns, at communication steps of up to 0.1 rad: coupler and follower stay on their side of each other."""
+    fmu = build(TURNING)
+    random = np.random.default_rng(3)
+    for number in range(count):
+        speed = float(10.0 ** random.uniform(0.5, 1.9))
+        settings = {
+            "mode": MODES[number % 2],
+            "tolerance": float(10.0 ** random.uniform(-8, -2)),
+            "interval": float(10.0 ** random.uniform(-2.5, -1.0)) / speed,
+        }
+        result = simulate(
+            fmu, signals=["j1.phi", "j2.phi", "j4.phi"], stop=400.0 / speed, parameters={"j1.w": speed}, **settings
+        )
+        side = np.sin(result["j1.phi"] + result["j2.phi"] - result["j4.phi"])
+        assert np.all(side * side[0] > 0), (settings, speed)
+        assert np.abs(result["j4.phi"] - result["j1.phi"]).max() < np.pi, (settings, speed)
+        assert not result.log
 
 
 @pytest.mark.full

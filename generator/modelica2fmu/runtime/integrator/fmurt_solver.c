@@ -226,7 +226,7 @@ static int roots(realtype time, N_Vector state, realtype *indicator, void *data)
  * from the accepted one by a correction that the integrator takes for none. */
 static int no_roots(realtype time, N_Vector state, realtype *indicator, void *data) {
   fmurt_solver *solver = data;
-  const int is_there = solver->instance->values.time == time;
+  const int is_there = solver->instance->values.time == time || is_at_end_of_step(solver, time);
   const int is_end = is_end_of_step(solver), is_start = is_end && solver->steps_accepted == 0;
   if (is_end && !is_start && is_there) fmurt_accept(solver->instance);
   look_for_passages(solver, time, state, is_start);
