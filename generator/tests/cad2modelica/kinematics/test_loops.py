@@ -18,6 +18,7 @@ from cad2modelica.kinematics.loops import LoopAnalysis, analyse_loops
 from cad2modelica.kinematics.spherical_axes import with_spherical_axes
 from contact_foundation.errors import InputError
 from fmpy import simulate_fmu
+from fmpy.fmi1 import FMICallException
 from loop_mechanisms import ring
 from mechanics_simulation import ROOT
 from modelica2fmu.build import BuildOptions, build_fmu
@@ -172,10 +173,19 @@ def test_planar_loop_beside_a_spatial_one(tmp_path: Path, fmu_cache: Path) -> No
     assert [joint.name for joint in tree.cut_joints] == ["j4", "s"]
     assert loops.freedoms == 1
     assert loops.rates["j1"] == (1.0,)
-    motion = moved(file, tmp_path, fmu_cache, ["coupler", "rocker", "link", "lever"], 0.5)
+    # Shortly after 0.37 s the hinge, whose angle is the state, stands in the dead centre of which the notes tell.
+    bodies = ["crank", "coupler", "rocker", "link", "lever"]
+    motion = moved(file, tmp_path, fmu_cache, bodies, 0.36)
     assert np.abs(motion.point("coupler", (1.1, 0, 0.1)) - motion.point("rocker", (0.1, 0, 0.4))).max() < 1e-8
     assert np.abs(motion.point("link", (0.5, 0.3, 0)) - motion.point("lever", (0, 0, 0.3))).max() < 1e-8
     assert np.ptp(motion.point("lever", (0, 0, 0.3)), axis=0).max() > 0.005
+    energy = np.asarray(sum(motion.energy(body, 1.0, (0.01, 0.01, 0.01)) for body in bodies))
+    assert np.abs(energy - energy[0]).max() < 1e-5
+    assert any(
+        "'hinge' is the state of its loop and comes to a dead centre at about -32.7" in note for note in loops.notes
+    )
+    with pytest.raises(FMICallException):
+        moved(file, tmp_path, fmu_cache, bodies, 0.5)
 
 
 @pytest.mark.full
