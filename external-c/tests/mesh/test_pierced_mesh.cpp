@@ -154,12 +154,14 @@ TEST(PiercedBody, SheetPushesToItsFront) {
   }
 }
 
-TEST(PiercedBody, BallBesideARimIsPushedToTheFront) {
+TEST(PiercedBody, BallBesideARimIsPushedAsideAndToTheFront) {
   const PairScene scene(sphere, mesh_text(sheet_mesh(2.0, 2, [](double, double) { return 0.0; })));
   for (const double z : {-0.1, -0.01, 0.0, 1e-3, 0.1}) {
     const Contact contact = scene.query(at(1.1, 0.3, z), {});
-    EXPECT_NEAR(contact.distance, std::hypot(0.1, z) - 0.2, 1e-12);
-    EXPECT_GT(contact.load().z, 0.0) << z;
+    const double away = std::hypot(0.1, z), depth = 0.2 - away;
+    EXPECT_NEAR(contact.distance, -depth, 1e-12);
+    EXPECT_NEAR(norm(contact.load() - (depth / away) * Vec3{0.1, 0.0, std::fabs(z)}), 0.0, 1e-12) << z;
+    EXPECT_NEAR(norm(contact.moment({1.1, 0.3, z})), 0.0, 1e-12) << z;
   }
 }
 

@@ -22,7 +22,7 @@ void expect_optimal(const SharedLoad &shared) {
   const double slack = 1e-9 * deepest;
   for (std::size_t i = 0; i < shared.size(); ++i) {
     const SharedLoad::Contact &contact = shared[i];
-    const double limit = contact.share_limit * contact.depth;
+    const double limit = contact.depth;
     ASSERT_GE(contact.load, 0.0);
     ASSERT_LE(contact.load, limit);
     double slope = contact.depth;
@@ -49,7 +49,6 @@ TEST(SharedLoad, IsOptimalForAnyContacts) {
     for (int i = 0; i < count; ++i) {
       SharedLoad::Contact contact;
       contact.depth = random.log_uniform(1e-4, 1);
-      contact.share_limit = random.integer(0, 1) ? 1.0 : random.uniform(0.05, 1);
       contact.normal = normalized(axis + spread * random.direction());
       contact.position = random.direction();
       shared.add(contact, 1e-9);

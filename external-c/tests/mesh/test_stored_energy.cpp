@@ -129,6 +129,77 @@ TEST(StoredEnergy, OfBallsHasTheirForceAsGradient) {
   }
 }
 
+// A ball that is moved along `from` until it is `deep` in B; nothing where that does not settle.
+bool come_near(const PairScene &scene, const Vec3 &from, double deep, BodyPose &pose) {
+  pose.position = pose.position + 2.0 * from;
+  for (int step = 0; step < 80; ++step) {
+    const double more = scene.query(pose, {}, 64).distance + deep;
+    if (std::fabs(more) < 1e-9 * deep) return true;
+    if (norm(pose.position) > 10.0) return false;
+    pose.position = pose.position - more * from;
+  }
+  return false;
+}
+
+// Balls beside the borders and corners of sheets, level, rolling and steep, on the side of their fronts.
+TEST(StoredEnergy, OfBallsBesideRimsHasTheirForceAsGradient) {
+  Random random(17);
+  struct Field {
+    const char *name;
+    double (*height)(double x, double y);
+    double steep;  // rises less than this beside its borders
+  };
+  for (const auto &[name, height, steep] : {Field{"level", [](double, double) { return 0.0; }, 0.02},
+                                            Field{"valley", [](double, double y) { return 0.4 * y * y; }, 0.85},
+                                            Field{"ridge", [](double, double y) { return -0.4 * y * y; }, 0.85},
+                                            Field{"hills", [](double x, double y) { return 0.1 * std::sin(5 * x) * std::cos(4 * y); }, 0.55}}) {
+    const std::string text = mesh_samples::height_field_text(2, 9, height);
+    int asked = 0, beside = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+      const double radius = random.uniform(0.1, 0.6), deep = random.log_uniform(1e-3, 0.25) * radius;
+      const PairScene scene("cmb/1 sphere radius=" + digits(radius), text);
+      const double far = random.uniform(0.9, 1.3), aside = random.integer(0, 2) == 0 ? random.uniform(0.9, 1.3) : random.uniform(-1, 1);
+      BodyPose pose{trial % 2 == 0 ? Vec3{far, aside, 0} : Vec3{-aside, -far, 0}, {}};
+      Vec3 from = random.direction();
+      from.z = std::fabs(from.z);
+      if (come_near(scene, from, deep, pose)) {
+        const Contact contact = scene.query(pose, {}, 64);
+        const double step = 1e-4 * deep;
+        const double x = std::fmin(1.0, std::fmax(-1.0, pose.position.x)), y = std::fmin(1.0, std::fmax(-1.0, pose.position.y));
+        if (pose.position.z - height(x, y) > steep * std::hypot(pose.position.x - x, pose.position.y - y)) {
+          ++asked, beside += std::fmax(std::fabs(pose.position.x), std::fabs(pose.position.y)) > 1.0 + deep ? 1 : 0;
+          for (const Vec3 &way : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+            const auto energy_at = [&](double length) { return scene.query({pose.position + length * way, {}}, {}, 64).energy(); };
+            const double slope = (energy_at(step) - energy_at(-step)) / (2.0 * step);
+            EXPECT_NEAR(dot(way, contact.load()), -slope, 2e-4 * norm(contact.load())) << name << ", trial " << trial;
+          }
+        }
+      }
+      cmb_release_scene(scene.handle());
+    }
+    EXPECT_GT(asked, 150) << name;
+    EXPECT_GT(beside, 50) << name;
+  }
+}
+
+// From a rim's front side to that of its back a ball is pushed aside, and to the front; nowhere at once otherwise.
+TEST(StoredEnergy, OfBallsAboutRimsGoesRoundThemWithoutAJump) {
+  const PairScene scene("cmb/1 sphere radius=0.3", mesh_samples::height_field_text(2, 9, [](double, double) { return 0.0; }));
+  Vec3 last;
+  constexpr int steps = 20000;
+  for (int k = 0; k <= steps; ++k) {
+    const double turn = 3.14159265358979323846 * (0.5 - static_cast<double>(k) / steps), away = 0.28;
+    const Vec3 load = scene.query({{1.0 + away * std::cos(turn), 0.1, away * std::sin(turn)}, {}}, {}, 64).load();
+    EXPECT_NEAR(norm(load), 0.02, 1e-12);
+    EXPECT_GE(load.x, -1e-12) << turn;
+    EXPECT_GE(load.z, -1e-12) << turn;
+    if (k > 0) {
+      EXPECT_LT(norm(load - last), 1e-5) << turn;
+    }
+    last = load;
+  }
+}
+
 // Bodies of some hundred metres that touch a mesh of two, less deep than rounding lets squares of places be known.
 TEST(StoredEnergy, OfShallowContactsOfGreatBodiesHasTheirForceAsGradient) {
   Random random(13);

@@ -40,7 +40,8 @@ struct MeshContactScratch {
 // place of the mesh that is nearer than those around it (in a groove more than one), and they share the load as
 // SharedLoad says. Continuous down to a depth of half the radius. On a plane, whatever its triangulation: depth and
 // normal of the ball on a half-space, weight 1. Sheets
-// have no inside: a ball that passes through one from behind is pushed by the part that has come through.
+// have no inside: a ball that passes through one from behind is pushed by the part that has come through, beside their rims away from them
+// and to the front.
 void sphere_contact(const Vec3 &center, double radius, const TriangleMesh &mesh, const Pose &pose,
                     MeshContactScratch &scratch, ContactSet &result);
 

@@ -47,7 +47,7 @@ void SharedLoad::solve() {
   std::array<Bound, capacity> bound{};
   double deepest = 0.0;
   for (std::size_t i = 0; i < count_; ++i) deepest = std::fmax(deepest, contacts_[i].depth);
-  const auto limit = [&](std::size_t i) { return contacts_[i].share_limit * contacts_[i].depth; };
+  const auto limit = [&](std::size_t i) { return contacts_[i].depth; };
   const double tolerance = 1e-13 * deepest;
   for (std::size_t step = 0; step < 20 * count_ + 20; ++step) {
     // Free the contact whose bound is the most wrong.

@@ -16,8 +16,8 @@ using convex::Vec3;
 // normals, u = sum load_i n_i with load_i >= 0. These loads count what two contacts have in common once: two that
 // push the same way carry together what one would, two at right angles carry their full depths, and one that the
 // others' translation frees already carries nothing, so that it may vanish without a jump. No contact carries more
-// than `share_limit` (1) times its depth, which settles opposite contacts. Loads are the solution of
-//   maximise  sum load_i depth_i - 1/2 load . G load,   0 <= load_i <= share_limit_i depth_i,
+// than its depth, which settles opposite contacts. Loads are the solution of
+//   maximise  sum load_i depth_i - 1/2 load . G load,   0 <= load_i <= depth_i,
 // with G_ii = 1 and G_ij = (1 - 1e-6) n_i . n_j: positive definite, so that the loads are unique and continuous.
 class SharedLoad {
  public:
@@ -25,8 +25,8 @@ class SharedLoad {
 
   struct Contact {
     double depth = 0.0;  // m, > 0
-    double share_limit = 1.0;
     Vec3 normal;  // unit
+    Vec3 push;    // unit, the way of what it carries: the normal, but from behind the rim of a sheet
     Vec3 position;
     double load = 0.0;
   };

@@ -265,6 +265,8 @@ NearestPoint TriangleMesh::nearest(const Vec3 &p, std::uint32_t first) const {
   result.distance = side * length;
   result.point = at.point;
   result.triangle = triangle;
+  result.feature = at.feature;
+  result.index = static_cast<std::uint8_t>(at.index);
   // Next to a face, and on an edge or corner, the difference of the points is but rounding.
   const bool on_surface = length <= 1e-13 * (bound_radius_ + norm(bound_center_));
   result.normal = at.feature == TriangleFeature::face || on_surface ? pseudo : normalized(side * off, pseudo);

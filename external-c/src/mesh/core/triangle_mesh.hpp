@@ -40,6 +40,8 @@ struct NearestPoint {
   Vec3 point;             // of the mesh
   Vec3 normal;            // unit; from the surface at `point` to where the distance grows fastest
   std::uint32_t triangle = 0;
+  TriangleFeature feature = TriangleFeature::face;  // of that triangle
+  std::uint8_t index = 0;                           // of the edge or vertex
 };
 
 // Immutable; shared by threads. All in the mesh's frame.
