@@ -78,6 +78,26 @@ TEST(BallOnPolytope, SurfacesAreClosedAndHoldTheVolume) {
   EXPECT_EQ(compared, 100);
 }
 
+// What a wall leaves of a shallow cap, which is a lens as narrow as 1:20: seen from below a segment of the cap's circle.
+TEST(BallOnPolytope, CutCapsAreThoseOfTheClosedForm) {
+  const Polytope box = Polytope::box({4, 4, 4});
+  for (const double h : {1e-4, 1e-3, 1e-2}) {
+    const double rim = std::sqrt(h * (2.0 - h));
+    for (const double u : {0.0, 0.5, 0.8, 0.88, 0.9, 0.93, 0.96, 0.99}) {
+      const cmb::convex::Pose pose{{}, {u * rim + 2.0, 0.0, -3.0 + h}};
+      cmb::BallOnPolytope finder;
+      cmb::OverlapSurface surface;
+      ASSERT_TRUE(finder.find({1, 1, 1}, box, pose, {0.5 * (1.0 + u) * rim, 0.0, -1.0 + h - 0.1 * h * (1.0 - u * u)}, surface)) << h << " " << u;
+      ASSERT_TRUE(finder.find({1, 1, 1}, box, pose, surface.place() + surface.middle(), surface)) << h << " " << u;
+      const double segment = rim * rim * (std::acos(u) - u * std::sqrt(1.0 - u * u));
+      double below = 0.0;
+      for (const cmb::OverlapSurface::Node &node : surface.of_a()) below -= node.area.z;
+      EXPECT_NEAR(below / segment, 1.0, 1e-9) << h << " " << u;
+      EXPECT_LT(norm(Sums(surface).areas), 1e-9 * segment) << h << " " << u;
+    }
+  }
+}
+
 // Of a needle that an edge cuts into from the side: planes that are as good as one by its own measure.
 TEST(BallOnPolytope, SurfaceOfSliversStaysWithinThem) {
   Random random(3);

@@ -38,9 +38,9 @@ GaussNodes rule_across(double angle) {
   return GaussNodes(gauss_rule<14>);
 }
 
-// Places of an arc, their ways by the weight of the rule.
+// Places of an arc, their ways by the weight of the rule. What is summed changes with the arc's angle times `faster`.
 template <typename Arc, typename Visit>
-void visit_arc(const Arc &arc, double longest, Visit &&visit) {
+void visit_arc(const Arc &arc, double longest, double faster, Visit &&visit) {
   const auto offer = [&](double cosine, double sine, double step) {
     visit(arc.center + cosine * arc.along + sine * arc.across, step * (cosine * arc.across - sine * arc.along));
   };
@@ -49,9 +49,9 @@ void visit_arc(const Arc &arc, double longest, Visit &&visit) {
     for (int k = 0; k < round_places; ++k) offer(std::cos(arc.from + width * k), std::sin(arc.from + width * k), width);
     return;
   }
-  const int parts = 1 + static_cast<int>(arc.turn / longest);
+  const int parts = 1 + static_cast<int>(faster * arc.turn / longest);
   const double width = arc.turn / parts;
-  const GaussNodes rule = rule_along(width);
+  const GaussNodes rule = rule_along(faster * width);
   const NodeTurns turns(rule, width, std::cos(width), std::sin(width));
   for (int part = 0; part < parts; ++part) {
     const double cosine = std::cos(arc.from + width * part), sine = std::sin(arc.from + width * part);
@@ -179,7 +179,7 @@ bool BallOnPolytope::follow_face(std::size_t index, PlaneFan &fan) {
 
 void BallOnPolytope::add_arc(const Arc &arc, PlaneFan &fan) {
   arcs_.push_back(arc);
-  visit_arc(arc, widest, [&](const Vec3 &at, const Vec3 &step) { fan.add_curve_node(at, step); });
+  visit_arc(arc, widest, 1.0, [&](const Vec3 &at, const Vec3 &step) { fan.add_curve_node(at, step); });
 }
 
 // The circle that the arcs keep nearest to, where that is nearer than great circles do, and well off its poles.
@@ -212,7 +212,8 @@ void BallOnPolytope::add_band(const Band &band, const Vec3 &place, OverlapSurfac
   const double height = band.plane->offset;
   for (const Arc &arc : arcs_) {
     if (arc.plane == band.plane) continue;
-    visit_arc(arc, longest, [&](const Vec3 &at, const Vec3 &step) {
+    // All arcs are about as far from the axis as the circle.
+    visit_arc(arc, longest, std::max(1.0, norm(arc.along) / band.radius), [&](const Vec3 &at, const Vec3 &step) {
       const Vec3 around = cross(axis, at);
       const double z = dot(axis, at), radius = norm(around);
       const double turn = dot(around, step) / (radius * radius);
@@ -281,7 +282,7 @@ void BallOnPolytope::add_ball_part(const Vec3 &place, OverlapSurface::Nodes &nod
   // Nearer to the antipode the great circles' ways change faster.
   const double longest = std::min(widest, 0.5 * std::max(0.1, farthest));
   for (const Arc &arc : arcs_) {
-    visit_arc(arc, longest, [&](const Vec3 &at, const Vec3 &step) {
+    visit_arc(arc, longest, 1.0, [&](const Vec3 &at, const Vec3 &step) {
       const Vec3 turn = cross(start, at);
       const double sine = norm(turn), cosine = dot(start, at), angle = std::atan2(sine, cosine);
       if (!(sine > 0.0)) return;
