@@ -25,7 +25,7 @@ def pointer(array: NDArray[np.float64] | NDArray[np.int32]) -> ctypes.c_void_p:
 @pytest.fixture(scope="session")
 def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     target = tmp_path_factory.mktemp("solvers") / "solvers.so"
-    sources = [runtime_file(f"fmurt_{name}.c") for name in ("linear", "lu", "nonlinear")]
+    sources = [runtime_file(f"fmurt_{name}.c") for name in ("dead_center", "linear", "lu", "nonlinear")]
     sources.append(models.FIXTURES / "systems.c")
     command = [
         "gcc",

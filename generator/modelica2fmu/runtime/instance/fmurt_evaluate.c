@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "fmurt_call.h"
+#include "fmurt_dead_center.h"
 #include "fmurt_nominal.h"
 #include "fmurt_solved.h"
 
@@ -167,6 +168,7 @@ void fmurt_set_point(fmurt_instance *instance, double time, const double *state)
 }
 
 void fmurt_accept(fmurt_instance *instance) {
+  fmurt_history_shift(&instance->values);
   for (size_t i = 0; i < fmurt_model.followed_count; ++i) {
     instance->values.accepted[i] = instance->values.real[fmurt_model.followed[i]];
   }

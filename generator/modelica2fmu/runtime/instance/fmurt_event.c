@@ -8,6 +8,7 @@
 #include "fmurt_approach.h"
 #include "fmurt_call.h"
 #include "fmurt_chatter.h"
+#include "fmurt_dead_center.h"
 #include "fmurt_delay.h"
 #include "fmurt_evaluate.h"
 
@@ -191,6 +192,7 @@ fmurt_result fmurt_iterate_events(fmurt_instance *instance, int *states_changed)
   instance->at_event = 0;
   memset(instance->crossed, 0, fmurt_model.indicator_count * sizeof *instance->crossed);
   if (result == FMURT_RESULT_OK) fmurt_accept(instance);
+  fmurt_history_forget(&instance->values);
   return result;
 }
 

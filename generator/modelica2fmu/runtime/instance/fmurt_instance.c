@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fmurt_dead_center.h"
 #include "fmurt_delay.h"
 
 const char *const fmurt_log_category_name[FMURT_LOG_CATEGORY_COUNT] = {
@@ -36,7 +37,7 @@ static int allocate_arrays(fmurt_instance *instance) {
                booleans = fmurt_model.boolean_count;
   const size_t delays = fmurt_model.delay_count * FMURT_DELAY_SIZE;
   instance->double_block_count = 4 * reals + fmurt_model.state_count + fmurt_model.work_count + delays +
-                                 fmurt_model.followed_count + 1 + fmurt_solved_size();
+                                 fmurt_accepted_size() + fmurt_history_size(fmurt_model.followed_count) + fmurt_solved_size();
   instance->int_block_count =
       5 * integers + 5 * booleans + reals + 2 * fmurt_model.indicator_count + fmurt_model.integer_work_count;
   instance->double_block = calloc(instance->double_block_count + 1, sizeof(double));
@@ -61,7 +62,9 @@ static int allocate_arrays(fmurt_instance *instance) {
   instance->values.state_nominal = take_doubles(&next_double, fmurt_model.state_count);
   instance->values.work = take_doubles(&next_double, fmurt_model.work_count);
   instance->values.delay = take_doubles(&next_double, delays);
-  instance->values.accepted = take_doubles(&next_double, fmurt_model.followed_count + 1);
+  instance->values.accepted = take_doubles(&next_double, fmurt_accepted_size());
+  instance->values.history = fmurt_history_in(
+      take_doubles(&next_double, fmurt_history_size(fmurt_model.followed_count)), fmurt_model.followed_count);
   instance->solved = take_doubles(&next_double, fmurt_solved_size());
 
   int *next_int = instance->int_block;

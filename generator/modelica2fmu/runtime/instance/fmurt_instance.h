@@ -129,6 +129,9 @@ typedef struct fmurt_instance {
   char message[1024]; /* cause of the model's last failure, empty if none */
 } fmurt_instance;
 
+/* Of values.accepted: what is followed, and the time. */
+static inline size_t fmurt_accepted_size(void) { return fmurt_model.followed_count + 1; }
+
 /* Of the points that fmurt_solved.h remembers: followed values, time and number each, and how many there were. */
 static inline size_t fmurt_solved_size(void) { return FMURT_SOLVED_POINTS * (fmurt_model.followed_count + 2) + 1; }
 

@@ -15,6 +15,7 @@
 #include "fmurt_apart.h"
 #include "fmurt_call.h"
 #include "fmurt_crossing.h"
+#include "fmurt_dead_center.h"
 #include "fmurt_dense.h"
 #include "fmurt_evaluate.h"
 #include "fmurt_event.h"
@@ -81,7 +82,7 @@ struct fmurt_solver {
   N_Vector between; /* states within a step */
   int quotients; /* how many of the next Jacobians are computed by difference quotients */
   double *entry;          /* [state_count] states at the start of an advance */
-  double *entry_accepted; /* [followed_count + 1] accepted there */
+  double *entry_accepted; /* [fmurt_accepted_size()] accepted there */
   int *roots;             /* [indicator_count + 1] scratch */
   fmurt_rest rest;
   double step_of_rest; /* with which it begins */
@@ -222,13 +223,20 @@ static int roots(realtype time, N_Vector state, realtype *indicator, void *data)
   return to_cvode(solver, result);
 }
 
-/* Models without events: an indicator, which has zeros where bodies meet unseen alone, tells of accepted steps. The point that was evaluated last differs
- * from the accepted one by a correction that the integrator takes for none. */
+/* The step that CVODE has just accepted, wherever it is asked for in it. The point that was evaluated last differs from its end by a
+ * correction that the integrator takes for none; it is not evaluated again. What cannot be evaluated is not accepted. */
+static void accept_end_of_step(fmurt_solver *solver, realtype time, N_Vector state) {
+  fmurt_instance *instance = solver->instance;
+  const int is_there = (instance->values.time == time && !instance->situation.continuous_stale) || is_at_end_of_step(solver, time);
+  if (!is_there) fmurt_set_point(instance, time, NV_DATA_S(state));
+  if (fmurt_update_rates(instance) == FMURT_RESULT_OK) fmurt_accept(instance);
+}
+
+/* Models without events: an indicator, which has zeros where bodies meet unseen alone, tells of accepted steps. */
 static int no_roots(realtype time, N_Vector state, realtype *indicator, void *data) {
   fmurt_solver *solver = data;
-  const int is_there = solver->instance->values.time == time || is_at_end_of_step(solver, time);
   const int is_end = is_end_of_step(solver), is_start = is_end && solver->steps_accepted == 0;
-  if (is_end && !is_start && is_there) fmurt_accept(solver->instance);
+  if (is_end && !is_start) accept_end_of_step(solver, time, state);
   look_for_passages(solver, time, state, is_start);
   indicator[0] = meeting_indicator(solver, time);
   return 0;
@@ -296,7 +304,7 @@ fmurt_solver *fmurt_solver_create(fmurt_instance *instance) {
     return NULL;
   }
   solver->entry = calloc(vector_size(solver), sizeof(double));
-  solver->entry_accepted = calloc(fmurt_model.followed_count + 1, sizeof(double));
+  solver->entry_accepted = calloc(fmurt_accepted_size(), sizeof(double));
   solver->roots = calloc(fmurt_model.indicator_count + 1, sizeof(int));
   solver->rest.place = calloc(vector_size(solver), sizeof(double));
   solver->state = N_VNew_Serial(size, solver->context);
@@ -481,14 +489,15 @@ static void count(fmurt_solver *solver) {
 static void remember_entry(fmurt_solver *solver) {
   const fmurt_values *values = &solver->instance->values;
   for (size_t i = 0; i < solver->state_count; ++i) solver->entry[i] = values->real[fmurt_model.state[i]];
-  memcpy(solver->entry_accepted, values->accepted, (fmurt_model.followed_count + 1) * sizeof(double));
+  memcpy(solver->entry_accepted, values->accepted, fmurt_accepted_size() * sizeof(double));
 }
 
 /* Moves the instance back to where the advance began, which was at `time`: what steps have been accepted since is forgotten. */
 static void move_to_entry(fmurt_solver *solver, double time) {
   fmurt_instance *instance = solver->instance;
   fmurt_set_point(instance, time, solver->entry);
-  memcpy(instance->values.accepted, solver->entry_accepted, (fmurt_model.followed_count + 1) * sizeof(double));
+  memcpy(instance->values.accepted, solver->entry_accepted, fmurt_accepted_size() * sizeof(double));
+  fmurt_history_forget(&instance->values);
   fmurt_forget_solved(instance);
 }
 

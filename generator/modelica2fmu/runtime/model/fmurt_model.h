@@ -24,6 +24,18 @@ typedef enum fmurt_following {
   FMURT_FOLLOW           /* followed from the last accepted step, so that the solution never changes to another one */
 } fmurt_following;
 
+/* What fmurt_dead_center.h remembers of the last accepted step and the one before; determinants stand at a system's first unknown. */
+typedef struct fmurt_history {
+  size_t count;               /* followed unknowns; 0: nothing is remembered */
+  double *before;             /* [count + 1] accepted one step before; its time */
+  double *determinant;        /* [count] of the Jacobian at the accepted solution; 0: unknown */
+  double *determinant_before; /* [count] */
+  /* Where a step was first too long; 0: none was. */
+  double *noted;     /* [count] determinant */
+  double *time_left; /* [count] until it is zero */
+  double *speed;     /* [count] of the unknowns, scaled */
+} fmurt_history;
+
 /* Values of one instance. Arrays belong to the runtime, which allocates them by the sizes of
  * fmurt_model_description and fills them from its start tables. */
 typedef struct fmurt_values {
@@ -43,6 +55,7 @@ typedef struct fmurt_values {
   double *delay;          /* [delay_count * FMURT_DELAY_SIZE]: what delay() remembers (fmurt_delay.h) */
   double *state_nominal;  /* [state_count]: the model's, or smaller where bodies are small (fmurt_nominal.h) */
   double *accepted;       /* [followed_count + 1]: unknowns of nonlinear systems at the last accepted step; its time */
+  fmurt_history history;
   const double *solved[FMURT_SOLVED_POINTS]; /* [solved_count][followed_count]: these at points solved since then */
   int solved_count;
   int may_stray; /* 1: where following fails, any solution is taken, which `strayed` then tells: importers that know no

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "fmurt_dead_center.h"
 #include "fmurt_model.h"
 
 enum { MAXIMUM_ITERATIONS = 100, MAXIMUM_HALVINGS = 30 };
@@ -179,12 +180,13 @@ static const double points_on_way[] = {0.5, 0.21, 0.77};
 /* Where following fails since the equations have a kink, so small a change is no leap. */
 static const double small_change = 0.1;
 
-static int sign_of_determinant(int n, const double *factors, const int *pivot) {
-  int sign = 1;
+static double determinant(int n, const double *factors, const double *scale, const int *pivot) {
+  double product = 1.0;
   for (int k = 0; k < n; ++k) {
-    if ((factors[k + (size_t)k * (size_t)n] < 0.0) != (pivot[k] != k)) sign = -sign;
+    const double entry = factors[k + (size_t)k * (size_t)n] / scale[k];
+    product *= pivot[k] != k ? -entry : entry;
   }
-  return sign;
+  return product;
 }
 
 /* 1 if the equations change as the Jacobian says, nearly, on the way of the step. */
@@ -201,12 +203,12 @@ static int is_straight(newton *solver, double step_size, const int *pivot) {
   return 1;
 }
 
-/* x: accepted solution in, present one out. *sign: of the first Jacobian's determinant, 0 if it is singular. */
-static int follow(newton *solver, double tolerance, int *pivot, int *sign) {
+/* x: accepted solution in, present one out. *at_start: the first Jacobian's determinant, 0 if it is singular. */
+static int follow(newton *solver, double tolerance, int *pivot, double *at_start) {
   const int n = solver->n;
   const size_t size = (size_t)n;
   double way_left = HUGE_VAL;
-  *sign = 0;
+  *at_start = 0.0;
   int result = evaluate(solver, solver->x, solver->r);
   for (int count = 0; count < MAXIMUM_JACOBIANS && result == FMURT_RESULT_OK; ++count) {
     update_scale(solver);
@@ -216,7 +218,7 @@ static int follow(newton *solver, double tolerance, int *pivot, int *sign) {
     if (fmurt_factorize(n, solver->jacobian, solver->linear_scale, pivot) != 0) {
       return norm <= tolerance ? FMURT_RESULT_OK : FMURT_RESULT_DISCARD;
     }
-    if (count == 0) *sign = sign_of_determinant(n, solver->jacobian, pivot);
+    if (count == 0) *at_start = determinant(n, solver->jacobian, solver->linear_scale, pivot);
     memcpy(solver->step, solver->r, size * sizeof(double));
     fmurt_substitute(n, solver->jacobian, solver->linear_scale, pivot, solver->step);
     double step_size = scaled_size(solver, solver->step);
@@ -242,29 +244,47 @@ static int follow(newton *solver, double tolerance, int *pivot, int *sign) {
   return result == FMURT_RESULT_OK ? FMURT_RESULT_DISCARD : result;
 }
 
+/* 1 if x, which is a solution, is on the same side of where solutions meet as one with that determinant. */
+static int is_on_same_side(newton *solver, double at_start, int *pivot) {
+  if (evaluate(solver, solver->x, solver->r) != FMURT_RESULT_OK || compute_jacobian(solver) != FMURT_RESULT_OK ||
+      fmurt_factorize(solver->n, solver->jacobian, solver->linear_scale, pivot) != 0) {
+    return 0;
+  }
+  return (determinant(solver->n, solver->jacobian, solver->linear_scale, pivot) > 0.0) == (at_start > 0.0);
+}
+
 /* 1 if x, which was solved for, is beside the accepted solution and on the same side of where solutions meet. */
-static int is_near(newton *solver, const double *accepted, int sign, int *pivot) {
+static int is_near(newton *solver, const double *accepted, double at_start, int *pivot) {
   double change = 0.0;
   update_scale(solver);
   for (int i = 0; i < solver->n; ++i) {
     change = fmax(change, fabs(solver->x[i] - accepted[i]) / solver->x_scale[i]);
   }
-  if (sign == 0 || change > small_change || evaluate(solver, solver->x, solver->r) != FMURT_RESULT_OK) return 0;
-  return compute_jacobian(solver) == FMURT_RESULT_OK &&
-         fmurt_factorize(solver->n, solver->jacobian, solver->linear_scale, pivot) == 0 &&
-         sign_of_determinant(solver->n, solver->jacobian, pivot) == sign;
+  return at_start != 0.0 && change <= small_change && is_on_same_side(solver, at_start, pivot);
 }
 
-static int follow_from(const double *start, newton *solver, double tolerance, double *work, int *integer_work) {
-  int sign = 0;
+static int follow_from(const double *start, newton *solver, double tolerance, double *work, int *integer_work,
+                       double *at_start) {
   memcpy(solver->x, start, (size_t)solver->n * sizeof(double));
-  int result = follow(solver, tolerance, integer_work, &sign);
+  int result = follow(solver, tolerance, integer_work, at_start);
   if (result != FMURT_RESULT_DISCARD) return result;
   memcpy(solver->x, start, (size_t)solver->n * sizeof(double));
   result = fmurt_solve_nonlinear(solver->values, solver->context, solver->residual, solver->n, solver->x,
                                  solver->nominal, tolerance, work, integer_work);
   if (result != FMURT_RESULT_OK || solver->values->following == FMURT_FOLLOW_OR_SOLVE) return result;
-  return is_near(solver, start, sign, integer_work) ? FMURT_RESULT_OK : FMURT_RESULT_DISCARD;
+  return is_near(solver, start, *at_start, integer_work) ? FMURT_RESULT_OK : FMURT_RESULT_DISCARD;
+}
+
+/* 1 if the solution x, found from the accepted one, turned back at a dead centre. */
+static int comes_back(newton *solver, int offset, double at_start, int *pivot) {
+  fmurt_values *values = solver->values;
+  if (values->following != FMURT_FOLLOW) return 0;
+  update_scale(solver);
+  const fmurt_course course = fmurt_history_course(values, offset, solver->n, solver->x, solver->x_scale);
+  if (course == FMURT_GOES_ON) return 0;
+  if (course == FMURT_MAY_TURN_BACK && !is_on_same_side(solver, at_start, pivot)) return 0;
+  fmurt_history_note(values, offset, solver->n, solver->x_scale);
+  return 1;
 }
 
 int fmurt_follow_nonlinear(fmurt_values *values, int offset, const void *context, fmurt_residual residual, int n,
@@ -273,10 +293,14 @@ int fmurt_follow_nonlinear(fmurt_values *values, int offset, const void *context
     return fmurt_solve_nonlinear(values, context, residual, n, x, nominal, tolerance, work, integer_work);
   }
   newton solver = solver_of(values, context, residual, n, x, nominal, work);
-  int result = follow_from(values->accepted + offset, &solver, tolerance, work, integer_work);
+  double at_start = 0.0;
+  int result = follow_from(values->accepted + offset, &solver, tolerance, work, integer_work, &at_start);
+  fmurt_history_learn(values, offset, at_start);
   for (int k = 0; k < values->solved_count && result == FMURT_RESULT_DISCARD; ++k) {
-    result = follow_from(values->solved[k] + offset, &solver, tolerance, work, integer_work);
+    double at_solved = 0.0;
+    result = follow_from(values->solved[k] + offset, &solver, tolerance, work, integer_work, &at_solved);
   }
+  if (result == FMURT_RESULT_OK && comes_back(&solver, offset, at_start, integer_work)) result = FMURT_RESULT_DISCARD;
   if (result != FMURT_RESULT_DISCARD || !values->may_stray || values->following != FMURT_FOLLOW) return result;
   values->strayed = 1;
   memcpy(x, values->accepted + offset, (size_t)n * sizeof(double));
