@@ -13,9 +13,9 @@ equation
   force = Internal.Resultants.pairForces(pointForce);
   bodyForce = Internal.Resultants.bodyForces(pointForce, pair, n);
   if useTurningFriction then
-    bodyTorque = Internal.Resultants.bodyTorques(pointForce, point, {frame[i].r_0 for i in 1:n}, pair) + turningTorque;
+    bodyTorque = Internal.Resultants.bodyTorques(depth, pointForce, point, {frame[i].r_0 for i in 1:n}, pair) + turningTorque;
   else
-    bodyTorque = Internal.Resultants.bodyTorques(pointForce, point, {frame[i].r_0 for i in 1:n}, pair);
+    bodyTorque = Internal.Resultants.bodyTorques(depth, pointForce, point, {frame[i].r_0 for i in 1:n}, pair);
   end if;
   for i in 1:n loop
     frame[i].f = -Frames.resolve2(frame[i].R, bodyForce[i, :]);

@@ -40,6 +40,7 @@ equation
     elasticEnergy = Internal.NormalForces.springEnergy(depth, weight, stiffness, exponent);
   elseif friction == Types.Friction.Regularised then
     pointForce = Internal.FrictionForces.regularisedForces(
+      depth,
       pointNormalForce,
       normal,
       pointVelocity,

@@ -37,7 +37,7 @@ protected
   final parameter Real logarithmAtSeparation[m](each unit="1")=Internal.Restitution.logarithmsAtSeparation(dampingFactor)
     "ln(1 - d e) of each pair";
   SI.Acceleration springDeceleration[if isMemoryless then m else 0, pointCapacity]
-    "Deceleration of each point by the springs of its pair";
+    "Deceleration of each point that touches by the springs of its pair";
   SI.Force pointNormalForce[m, pointCapacity] "Normal force of each point";
 equation
   if isMemoryless then

@@ -28,8 +28,8 @@ protected
   SI.Position r_0[n, 3] "Origins of the bodies' frames, to be differentiated";
   SI.Velocity v_0[n, 3] "Velocities of the origins";
   SI.AngularVelocity w_0[n, 3] "Angular velocities, in world axes";
-  SI.Velocity pointVelocity[m, pointCapacity, 3] "Velocity of first against second body at each point";
-  SI.Velocity pointSpeed[m, pointCapacity] "Approach speed at each point";
+  SI.Velocity pointVelocity[m, pointCapacity, 3] "Velocity of first against second body at each point that touches";
+  SI.Velocity pointSpeed[m, pointCapacity] "Approach speed at each point that touches";
   parameter SI.Length thickness[m]=fill(Modelica.Constants.inf, m) "Thickness of the thinner body of each pair";
 equation
   for i in 1:n loop
@@ -48,9 +48,9 @@ equation
     "The bodies of pair " + String(Internal.Kinematics.deepestPair(distance, thickness)) +
     " are deeper in each other than half the thickness of the thinner one and may come out on the other side: take a larger stiffness, or a smaller mass or speed.",
     AssertionLevel.warning);
-  pointVelocity = Internal.Kinematics.pointVelocities(point, {frame[i].r_0 for i in 1:n}, v_0, w_0, pair);
-  pointSpeed = Internal.Kinematics.approachSpeeds(pointVelocity, normal);
-  approachSpeed = Internal.Kinematics.pairApproachSpeeds(pointSpeed, weight);
+  pointVelocity = Internal.Kinematics.pointVelocities(depth, point, {frame[i].r_0 for i in 1:n}, v_0, w_0, pair);
+  pointSpeed = Internal.Kinematics.approachSpeeds(depth, pointVelocity, normal);
+  approachSpeed = Internal.Kinematics.pairApproachSpeeds(weight, normal, point, {frame[i].r_0 for i in 1:n}, v_0, w_0, pair);
   annotation (
     Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-100,100},{100,-100}}, lineColor={0,0,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid),

@@ -1,7 +1,8 @@
 within ContactMultiBody.Internal.FrictionForces;
 pure function regularisedForces "Forces of all points with regularised friction"
   extends Modelica.Icons.Function;
-  input Modelica.Units.SI.Force normalForce[:, :] "Normal forces";
+  input Modelica.Units.SI.Length depth[:, :] "Penetration depths";
+  input Modelica.Units.SI.Force normalForce[size(depth, 1), size(depth, 2)] "Normal forces";
   input Real normal[size(normalForce, 1), size(normalForce, 2), 3](each unit="1") "Normals";
   input Modelica.Units.SI.Velocity velocity[size(normalForce, 1), size(normalForce, 2), 3] "Relative velocities";
   input Modelica.Units.SI.Velocity speed[size(normalForce, 1), size(normalForce, 2)] "Approach speeds";
@@ -11,11 +12,11 @@ pure function regularisedForces "Forces of all points with regularised friction"
 algorithm
   for i in 1:size(normalForce, 1) loop
     for k in 1:size(normalForce, 2) loop
-      force[i, k, :] := normalForce[i, k]*normal[i, k, :] + Friction.regularised(
+      force[i, k, :] := if depth[i, k] > 0 then normalForce[i, k]*normal[i, k, :] + Friction.regularised(
         normalForce[i, k],
         velocity[i, k, :] + speed[i, k]*normal[i, k, :],
         mu[i],
-        regularisationSpeed);
+        regularisationSpeed) else zeros(3);
     end for;
   end for;
   annotation (Inline=false, Documentation(info="<html>

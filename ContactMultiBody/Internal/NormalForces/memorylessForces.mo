@@ -13,14 +13,14 @@ pure function memorylessForces "Normal forces of all points that deliver a resti
 algorithm
   for i in 1:size(depth, 1) loop
     for k in 1:size(depth, 2) loop
-      force[i, k] := weight[i, k]*NormalForce.memorylessForce(
+      force[i, k] := if depth[i, k] > 0 then weight[i, k]*NormalForce.memorylessForce(
         depth[i, k],
         speed[i, k],
         stiffness[i],
         exponent,
         springDeceleration[i, k],
         damping[i],
-        logarithmAtSeparation[i]);
+        logarithmAtSeparation[i]) else 0;
     end for;
   end for;
   annotation (Inline=false, Documentation(info="<html>

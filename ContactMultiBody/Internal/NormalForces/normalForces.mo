@@ -11,7 +11,8 @@ pure function normalForces "Normal forces of all points"
 algorithm
   for i in 1:size(depth, 1) loop
     for k in 1:size(depth, 2) loop
-      force[i, k] := weight[i, k]*NormalForce.normalForce(depth[i, k], speed[i, k], stiffness[i], exponent, rate[i]);
+      force[i, k] := if depth[i, k] > 0 then weight[i, k]*NormalForce.normalForce(depth[i, k], speed[i, k], stiffness[i],
+        exponent, rate[i]) else 0;
     end for;
   end for;
   annotation (Inline=false, Documentation(info="<html>

@@ -12,8 +12,8 @@ pure function springDamperForces "Normal forces of all points by spring and damp
 algorithm
   for i in 1:size(depth, 1) loop
     for k in 1:size(depth, 2) loop
-      force[i, k] := weight[i, k]*NormalForce.springDamper(depth[i, k], speed[i, k], stiffness[i], exponent, damping[i],
-        dampingDepth);
+      force[i, k] := if depth[i, k] > 0 then weight[i, k]*NormalForce.springDamper(depth[i, k], speed[i, k], stiffness[i],
+        exponent, damping[i], dampingDepth) else 0;
     end for;
   end for;
   annotation (Inline=false, Documentation(info="<html>

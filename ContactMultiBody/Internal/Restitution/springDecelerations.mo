@@ -15,7 +15,7 @@ pure function springDecelerations "How fast the springs of each pair slow its po
   input SI.Position r_CM[size(r_0, 1), 3] "Centres of mass, in the bodies' frames";
   input Real inverseInertia[size(r_0, 1), 3, 3](each unit="1/(kg.m2)") "Inverse tensors of inertia, in the bodies' frames";
   input SI.Mass effectiveMass[size(depth, 1)] "Effective mass of each pair; 0: from the bodies";
-  output SI.Acceleration deceleration[size(depth, 1), size(depth, 2)] "Decelerations along the normals";
+  output SI.Acceleration deceleration[size(depth, 1), size(depth, 2)] "Decelerations along the normals; 0 at points that do not touch";
 protected
   constant Real leastShare(unit="1")=0.1 "Least deceleration by that of the point's own spring";
   Integer body "A body of the pair";
@@ -41,15 +41,17 @@ algorithm
         spring := weight[i, k]*NormalForce.normalForce(depth[i, k], 0, stiffness[i], exponent, 0);
         e := R*normal[i, k, :];
         arm := R*(point[i, k, :] - r_0[body, :]) - r_CM[body, :];
-        force := force + spring*e;
-        torque := torque + spring*cross(arm, e);
+        force := force + (if depth[i, k] > 0 then spring*e else zeros(3));
+        torque := torque + (if depth[i, k] > 0 then spring*cross(arm, e) else zeros(3));
       end for;
       for k in 1:size(depth, 2) loop
         e := R*normal[i, k, :];
         arm := R*(point[i, k, :] - r_0[body, :]) - r_CM[body, :];
         spring := weight[i, k]*NormalForce.normalForce(depth[i, k], 0, stiffness[i], exponent, 0);
-        deceleration[i, k] := deceleration[i, k] + (if mass[body] > 0 then force*e/mass[body] else 0) + (J*torque)*cross(arm, e);
-        alone[i, k] := alone[i, k] + spring*((if mass[body] > 0 then 1/mass[body] else 0) + (J*cross(arm, e))*cross(arm, e));
+        deceleration[i, k] := deceleration[i, k] + (if depth[i, k] > 0 then (if mass[body] > 0 then force*e/mass[body] else 0)
+           + (J*torque)*cross(arm, e) else 0);
+        alone[i, k] := alone[i, k] + (if depth[i, k] > 0 then spring*((if mass[body] > 0 then 1/mass[body] else 0) +
+          (J*cross(arm, e))*cross(arm, e)) else 0);
       end for;
     end for;
     for k in 1:size(depth, 2) loop

@@ -148,9 +148,12 @@ def _functions(
         homes[node] = (BEFORE, offset)
         if node in lane_nodes and node in arrangement.handed_on:
             kept.setdefault(position, []).append(offset)
+    lasting = {node: home for node, home in homes.items() if node not in arrangement.passing}
     result = []
     for position, (chunk, name) in enumerate(zip(chunks, names, strict=True)):
-        body = FunctionBody(chunk.statements, position, homes, frame.location, lane_nodes)
+        body = FunctionBody(
+            chunk.statements, position, lasting if chunk.on_request else homes, frame.location, lane_nodes
+        )
         lines = body.lines()
         text = "\n".join(
             [f"int {name}({frame.signature})", "{", *frame.prologue, *lines, "  return FMURT_RESULT_OK;", "}", ""]

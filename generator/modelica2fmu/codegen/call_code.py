@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Final
 
@@ -12,6 +13,7 @@ from modelica2fmu.expand.scalar_model import CallArgument, ExternalCall
 from modelica2fmu.symbolic.expression import Node
 
 _LONGEST_INITIALIZER: Final = 64
+_STORED: Final = re.compile(r"(r|output)\[(\d+)\] = value;")
 
 
 def call_statement(call: ExternalCall, store: Callable[[str, str], str]) -> Statement:
@@ -60,6 +62,10 @@ def _argument(
     c_type = _c_type(argument.type)
     if argument.is_output:
         count = max(len(argument.values), 1)
+        place = _consecutive_places(argument, store)
+        if place is not None:
+            declarations.append(f"  memset({place}, 0, {count} * sizeof(double));")
+            return place
         declarations.append(f"  {c_type} {name}[{count}] = {{0}};")
         for k, value in enumerate(argument.values):
             assert isinstance(value, Node)
@@ -78,6 +84,24 @@ def _argument(
     initial = ", ".join(texts) if texts else "0"
     declarations.append(f"  {c_type} {name}[{max(len(texts), 1)}] = {{{initial}}};")
     return name
+
+
+def _consecutive_places(argument: CallArgument, store: Callable[[str, str], str]) -> str | None:
+    """C text of the first place where an output is stored, if all others follow it: it need not be copied then."""
+    if argument.type != "Real" or not argument.values:
+        return None
+    first: tuple[str, int] | None = None
+    for position, value in enumerate(argument.values):
+        assert isinstance(value, Node)
+        match = _STORED.fullmatch(store(value.name, "value"))
+        if match is None:
+            return None
+        array, index = match[1], int(match[2])
+        first = first or (array, index)
+        if (array, index - position) != first:
+            return None
+    assert first is not None
+    return f"{first[0]} + {first[1]}"
 
 
 def _value(type_name: str, value: float | str | Node, write: Write) -> str:

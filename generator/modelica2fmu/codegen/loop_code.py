@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Sequence
+from dataclasses import dataclass
 from textwrap import wrap
 from typing import Final
 
@@ -11,6 +13,43 @@ from modelica2fmu.codegen.expression_forms import NUMBER, Again, Form, Leaf, Ope
 from modelica2fmu.codegen.statements import Stored
 
 _INLINE_LENGTH: Final = 160
+
+
+@dataclass(frozen=True)
+class TrueList:
+    """Where a loop of conditions lists those that hold: their number and then their positions.
+
+    Attributes:
+        offset: in the integers of the work array.
+        length: number of conditions.
+    """
+
+    offset: int
+    length: int
+
+    @property
+    def place(self) -> str:
+        """C expression of the list."""
+        return f"v->integer_work + {self.offset}"
+
+
+@dataclass(frozen=True)
+class Guards:
+    """Where statements are executed.
+
+    Attributes:
+        conditions: of each, a C lvalue.
+        holds: whether where it holds, or where it does not.
+        otherwise: what a target is elsewhere, a C expression; empty if it stays as it is.
+        listed: the list in which the conditions are, if there is one; statements are in the order of their positions.
+        positions: of each statement's condition in that list.
+    """
+
+    conditions: Sequence[str]
+    holds: bool
+    otherwise: str = ""
+    listed: TrueList | None = None
+    positions: Sequence[int] = ()
 
 
 class _Table:
@@ -72,7 +111,14 @@ def _linear(factor: int, offset: int, text: str) -> str:
     return product if offset == 0 else f"{product} {'+' if offset > 0 else '-'} {abs(offset)}"
 
 
-def loop_lines(form: Form, leaves: Sequence[Sequence[str]], targets: Sequence[str], stored: Stored) -> list[str]:
+def loop_lines(
+    form: Form,
+    leaves: Sequence[Sequence[str]],
+    targets: Sequence[str],
+    stored: Stored,
+    guards: Guards | None = None,
+    listing: TrueList | None = None,
+) -> list[str]:
     """C that computes and stores an expression once for each target.
 
     Args:
@@ -80,6 +126,8 @@ def loop_lines(form: Form, leaves: Sequence[Sequence[str]], targets: Sequence[st
         leaves: of each expression, C lvalues and numbers.
         targets: C lvalues, which differ by their index alone.
         stored: how.
+        guards: where; None for everywhere.
+        listing: where targets that are not zero are listed; None for nowhere.
     """
     places, numbers = _Indices(), _Table("numbers", "double")
     columns = iter(zip(*leaves, strict=True))
@@ -91,10 +139,50 @@ def loop_lines(form: Form, leaves: Sequence[Sequence[str]], targets: Sequence[st
     body, value = _body(form, texts)
     target = _place(targets, places)
     body.append(f"{target} = {bare(value)};" if stored is Stored.NUMBER else f"{target} = ({value} != 0);")
-    return [
-        "{", *places.table.lines(), *numbers.lines(), f"for (int k = 0; k < {len(targets)}; ++k) {{",
-        *(f"  {line}" for line in body), "}", "}",
-    ]  # fmt: skip
+    all_of_them = f"for (int k = 0; k < {len(targets)}; ++k) {{"
+    if guards is not None and guards.listed is not None:
+        loops = [
+            *_first_of_each(guards.positions, guards.listed.length),
+            f"const int *const holding = {guards.listed.place};",
+        ]
+        if guards.otherwise:
+            loops += [all_of_them, f"  {target} = {guards.otherwise};", "}"]
+        loops += [
+            "for (int h = 1; h <= holding[0]; ++h) {",
+            "  for (int k = first[holding[h]]; k < first[holding[h] + 1]; ++k) {",
+            *(f"    {line}" for line in body),
+            "  }",
+            "}",
+        ]
+    elif listing is not None:
+        body.append(f"if ({target}) holding[++count] = k;")
+        loops = [
+            f"int *const holding = {listing.place};",
+            "int count = 0;",
+            all_of_them,
+            *(f"  {line}" for line in body),
+            "}",
+            "holding[0] = count;",
+        ]
+    else:
+        if guards is not None:
+            body = [*_skip(guards, _place(guards.conditions, places), target), *body]
+        loops = [all_of_them, *(f"  {line}" for line in body), "}"]
+    return ["{", *places.table.lines(), *numbers.lines(), *loops, "}"]
+
+
+def _skip(guards: Guards, condition: str, target: str) -> list[str]:
+    head = f"if ({'!' if guards.holds else ''}{condition})"
+    if not guards.otherwise:
+        return [f"{head} continue;"]
+    return [f"{head} {{", f"  {target} = {guards.otherwise};", "  continue;", "}"]
+
+
+def _first_of_each(positions: Sequence[int], length: int) -> list[str]:
+    """The table of the first statement of each condition, and the number of all."""
+    firsts = [bisect_left(positions, position) for position in range(length + 1)]
+    text = wrap(", ".join(map(str, firsts)), 120, initial_indent="  ", subsequent_indent="  ")
+    return [f"static const int first[{length + 1}] = {{", *text, "};"]
 
 
 def _number(values: Sequence[str], table: _Table) -> str:

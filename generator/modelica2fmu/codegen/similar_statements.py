@@ -1,18 +1,21 @@
 """Statements that differ by their places and numbers alone become loops, so that code does not grow with their number.
 
 The contacts of many pairs of bodies, for example, are the same equations with other variables. Nodes that several
-statements use are statements of their own, for else no two would be the same.
+statements use are statements of their own, for else no two would be the same. Those that only certain branches of
+conditional expressions need are computed where these are taken: most contacts are open most of the time.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from operator import itemgetter
 from typing import Final
 
 from modelica2fmu.codegen.c_expressions import number
+from modelica2fmu.codegen.demanded_nodes import Literal, demands
 from modelica2fmu.codegen.expression_forms import ExpressionForms, Form, Leaf, Operation, split_place
-from modelica2fmu.codegen.loop_code import loop_lines
+from modelica2fmu.codegen.loop_code import Guards, TrueList, loop_lines
 from modelica2fmu.codegen.shared_nodes import SharedNode, shared_nodes
 from modelica2fmu.codegen.statement_schedule import Schedule
 from modelica2fmu.codegen.statements import Group, Put, Statement, Stored, WorkSpace, Write
@@ -33,11 +36,14 @@ class Arrangement:
         statements: in order.
         kept: nodes that loops store in the work array, and their offsets.
         handed_on: those of them that statements of other groups read.
+        passing: nodes that have no value where nothing that an integrator asks for needs them, so that statements which
+            are executed on request compute them anew.
     """
 
     statements: list[Statement]
     kept: dict[Node, int] = field(default_factory=dict)
     handed_on: set[Node] = field(default_factory=set)
+    passing: set[Node] = field(default_factory=set)
 
 
 def arranged(
@@ -77,6 +83,8 @@ class _Unit:
         segment: in which the unit is executed.
         form: of its expression; None where it cannot be in a loop.
         leaves: what it reads, in the order of the form if it has one.
+        guard: where it needs to be computed; None for everywhere.
+        fills: = true, if it is zero elsewhere, and not just not needed.
     """
 
     statement: Statement | None
@@ -84,6 +92,13 @@ class _Unit:
     segment: int
     form: Form | None
     leaves: tuple[Node, ...]
+    guard: Literal | None = None
+    fills: bool = False
+
+    @property
+    def reads(self) -> tuple[Node, ...]:
+        """What is read before the unit is executed."""
+        return self.leaves if self.guard is None else (*self.leaves, self.guard.condition)
 
     @property
     def is_discrete(self) -> bool:
@@ -113,32 +128,73 @@ class _Arranger:
         self._segments, self._kinds = _segments(statements)
         shared = shared_nodes(statements)
         self._place = {item.node: len(statements) + k for k, item in enumerate(shared)}
+        self._demands = demands(root for item in statements if not item.on_request for root in item.roots)
         self._forms = ExpressionForms(self._place, lane_nodes, location)
+        self._lasting = {node: place for node, place in self._place.items() if not self._passes(node)}
+        self._forms_on_request = ExpressionForms(self._lasting, lane_nodes, location)
         self._units = [
             *(self._unit_of_statement(position) for position in range(len(statements))),
             *(self._unit_of_node(item) for item in shared),
         ]
         self._families = self._found_families()
         self._needed = self._needed_by_loops()
-        self._result = Arrangement([])
+        self._conditions = {
+            unit.guard.condition for k in self._families if (unit := self._units[k]).guard and unit.guard.holds
+        }
+        self._lists: dict[Node, tuple[TrueList, int]] = {}
+        self._result = Arrangement([], passing={node for node in self._demands if self._passes(node)})
+
+    def _passes(self, node: Node) -> bool:
+        """Whether a node has no value where nothing that is always executed needs it."""
+        return bool(self._demands.get(node))
 
     def _unit_of_statement(self, position: int) -> _Unit:
         statement, segment = self._statements[position], self._segments[position]
+        shared = self._lasting if statement.on_request else self._place
         put = statement.put
         if put is None or put.stored is Stored.OTHERWISE or len(statement.roots) != 1:
-            return _Unit(statement, None, segment, None, self._read(statement.roots))
+            return _Unit(statement, None, segment, None, self._read(statement.roots, shared))
         root = ex.node_of(statement.roots[0])
-        if root in self._place:  # a copy
-            leaf = Leaf("shared lanes" if root in self._lane_nodes else "shared")
-            return _Unit(statement, None, segment, (leaf,), (root,))
-        form, leaves = self._forms.form(root)
+        if root in shared:  # a copy
+            return _Unit(statement, None, segment, *self._form(root))
+        if not statement.on_request and put.stored is Stored.NUMBER and self._is_branch_or_zero(root):
+            form, leaves = self._form(root.args[1])
+            return _Unit(statement, None, segment, form, leaves, Literal(root.args[0], True), fills=True)
+        form, leaves = (self._forms_on_request if statement.on_request else self._forms).form(root)
         return _Unit(statement, None, segment, form, leaves)
 
-    def _unit_of_node(self, item: SharedNode) -> _Unit:
-        form, leaves = self._forms.form(item.node)
-        return _Unit(None, item, self._segments[item.first], form, leaves)
+    def _form(self, node: Node) -> tuple[Form, tuple[Node, ...]]:
+        if node in self._place:
+            return (Leaf("shared lanes" if node in self._lane_nodes else "shared"),), (node,)
+        return self._forms.form(node)
 
-    def _read(self, roots: Sequence[float | Node]) -> tuple[Node, ...]:
+    def _is_branch_or_zero(self, node: Node) -> bool:
+        """Whether a node is zero where a condition that is always known does not hold."""
+        if node.op != "select" or node.args[2].op != "constant" or node.args[2].value != 0:
+            return False
+        condition, branch, _ = node.args
+        return (
+            condition in self._place
+            and not self._passes(condition)
+            and (node in self._lane_nodes) == (branch in self._lane_nodes)
+        )
+
+    def _unit_of_node(self, item: SharedNode) -> _Unit:
+        segment = self._segments[item.first]
+        on_request = self._kinds[segment].on_request
+        form, leaves = (self._forms_on_request if on_request else self._forms).form(item.node)
+        return _Unit(None, item, segment, form, leaves, None if on_request else self._guard(item.node))
+
+    def _guard(self, node: Node) -> Literal | None:
+        """A condition that is always known, without which nothing needs a node."""
+        known = (
+            literal
+            for literal in self._demands.get(node, ())
+            if literal.condition in self._place and not self._passes(literal.condition)
+        )
+        return min(known, key=lambda literal: self._place[literal.condition], default=None)
+
+    def _read(self, roots: Sequence[float | Node], shared: Collection[Node]) -> tuple[Node, ...]:
         """Symbols and shared nodes that expressions read."""
         found: dict[Node, None] = {}
         seen: set[Node] = set()
@@ -148,7 +204,7 @@ class _Arranger:
             if node in seen:
                 continue
             seen.add(node)
-            if node in self._place or node.op == "symbol":
+            if node in shared or node.op == "symbol":
                 found[node] = None
             else:
                 stack.extend(node.args)
@@ -179,14 +235,15 @@ class _Arranger:
         put = unit.put
         parts = None if put is None else split_place(put.place)
         array = None if put is None else (put.place if parts is None else parts[0], put.stored)
-        return unit.segment, unit.is_discrete, array, unit.form
+        guard = None if unit.guard is None else unit.guard.holds
+        return unit.segment, unit.is_discrete, array, unit.form, guard, unit.fills
 
     def _needed_by_loops(self) -> set[Node]:
         """Shared nodes that loops read and none computes."""
         return {
             leaf
             for position in self._families
-            for leaf in self._units[position].leaves
+            for leaf in self._units[position].reads
             if leaf in self._place and self._place[leaf] not in self._families
         }
 
@@ -216,7 +273,7 @@ class _Arranger:
         return {position: list(self._needs_of(position, assigned, present)) for position in units}
 
     def _needs_of(self, position: int, assigned: Mapping[str, int], present: Collection[int]) -> Iterator[int]:
-        for leaf in dict.fromkeys(self._units[position].leaves):
+        for leaf in dict.fromkeys(self._units[position].reads):
             needed = assigned.get(leaf.name) if leaf.op == "symbol" else self._place.get(leaf)
             if needed is not None and needed in present and needed != position:
                 yield needed
@@ -227,7 +284,7 @@ class _Arranger:
         statements = self._result.statements
         if len(together) > 1:
             units = sorted((self._units[position] for position in together), key=self._index)
-            statements.append(self._loop(units, kind))
+            statements.extend(self._loop(part, kind) for part in self._by_list(units))
             return
         unit = self._units[together[0]]
         if unit.statement is not None:
@@ -243,16 +300,52 @@ class _Arranger:
         places += [self._location(leaf.name) for leaf in unit.leaves if leaf.op == "symbol"]
         return next((found[1] for place in places if (found := split_place(place)) is not None), 0)
 
+    def _by_list(self, units: Sequence[_Unit]) -> Iterator[Sequence[_Unit]]:
+        """The units by the lists in which their conditions are, each part in the order of its list."""
+        parts: dict[TrueList | None, list[tuple[int, _Unit]]] = {}
+        for unit in units:
+            listed, position = self._listed(unit) or (None, 0)
+            parts.setdefault(listed, []).append((position, unit))
+        for part in parts.values():
+            yield [unit for _, unit in sorted(part, key=itemgetter(0))]
+
+    def _listed(self, unit: _Unit) -> tuple[TrueList, int] | None:
+        """The list in which a unit's condition is, and its position there."""
+        if unit.guard is None or not unit.guard.holds:
+            return None
+        return self._lists.get(unit.guard.condition)
+
+    def _listing(self, units: Sequence[_Unit]) -> TrueList | None:
+        """Where conditions that a loop computes are listed, if others go by them."""
+        nodes = [unit.shared.node for unit in units if unit.shared is not None]
+        if units[0].guard is not None or self._conditions.isdisjoint(nodes):
+            return None
+        made = TrueList(self._work.integer(1 + len(units)), len(units))
+        self._lists.update({node: (made, position) for position, node in enumerate(nodes)})
+        return made
+
+    def _guards(self, units: Sequence[_Unit], write: Write) -> Guards | None:
+        first = units[0]
+        if first.guard is None:
+            return None
+        conditions = [write(unit.guard.condition) for unit in units if unit.guard is not None]
+        is_lane = first.put is not None and first.put.place.startswith("LANES")
+        otherwise = ("(fmurt_lanes){0}" if is_lane else "0.0") if first.fills else ""
+        entries = [entry for unit in units if (entry := self._listed(unit)) is not None]
+        listed = entries[0][0] if entries else None
+        return Guards(conditions, first.guard.holds, otherwise, listed, [position for _, position in entries])
+
     def _loop(self, units: Sequence[_Unit], kind: _Kind) -> Statement:
         targets, put = self._targets(units), units[0].put
+        listing = self._listing(units)
         stored = Stored.NUMBER if put is None else put.stored
-        read = tuple(dict.fromkeys(leaf for unit in units for leaf in unit.leaves if leaf in self._place))
+        read = tuple(dict.fromkeys(leaf for unit in units for leaf in unit.reads if leaf in self._place))
         form = units[0].form
         assert form is not None
 
         def lines(write: Write) -> list[str]:
             leaves = [[self._leaf(leaf, write) for leaf in unit.leaves] for unit in units]
-            return loop_lines(form, leaves, targets, stored)
+            return loop_lines(form, leaves, targets, stored, self._guards(units, write), listing)
 
         executed = len(units) * (1 + sum(isinstance(step, Operation) and step.is_shared for step in form))
         keeps = tuple(unit.shared.node for unit in units if unit.shared is not None)

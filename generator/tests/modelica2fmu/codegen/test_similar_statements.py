@@ -76,31 +76,31 @@ end Similar;
 """
 
 
-def runs(
-    seed: int, folder: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
-) -> tuple[list[dict[str, np.ndarray]], list[int]]:
-    """Signals of a random model without and with loops, and how many loops its code has."""
+def compared(
+    model: str, names: list[str], folder: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> tuple[list[dict[str, np.ndarray]], list[str]]:
+    """Signals of a model without and with loops, and its code."""
     source = folder / "Similar.mo"
-    signals, loops = [], []
+    signals, codes = [], []
     monkeypatch.setattr(similar_statements, "_SMALL", 0)
     for name, least in (("single", 2.0), ("loops", -1.0)):
         monkeypatch.setattr(similar_statements, "_SAVED", least)
         fmu = folder / f"{name}.fmu"
-        source.write_text(f"{random_model(seed)}// {name}\n")  # another key of the cache
+        source.write_text(f"{model}// {name}\n")  # another key of the cache
         build_fmu("Similar", [source], fmu, BuildOptions(cache=cache))
         with zipfile.ZipFile(fmu) as archive:
             texts = [archive.read(each).decode() for each in archive.namelist() if "sources/model_part" in each]
-        loops.append(sum(len(LOOP.findall(text)) for text in texts))
-        recorded = ("x[{}]", "z[{}]", "up[{}]", "y0[{}]", "count[{}].d")
-        names = [array.format(i) for array in recorded for i in range(1, ELEMENTS + 1)]
+        codes.append("".join(texts))
         signals.append(simulate(fmu, signals=names, stop=STOP).signals)
-    return signals, loops
+    return signals, codes
 
 
 def check(seed: int, folder: Path, cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (single, loops), counts = runs(seed, folder, cache, monkeypatch)
-    assert counts[0] == 0
-    assert counts[1] > 0
+    recorded = ("x[{}]", "z[{}]", "up[{}]", "y0[{}]", "count[{}].d")
+    names = [array.format(i) for array in recorded for i in range(1, ELEMENTS + 1)]
+    (single, loops), (plain, text) = compared(random_model(seed), names, folder, cache, monkeypatch)
+    assert not LOOP.search(plain)
+    assert LOOP.search(text)
     different = [name for name, values in single.items() if values.tobytes() != loops[name].tobytes()]
     assert not different
 
@@ -111,6 +111,53 @@ def test_loops_of_random_models_compute_the_same_numbers(
     seed: int, tmp_path: Path, fmu_cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     check(seed, tmp_path, fmu_cache, monkeypatch)
+
+
+def guarded_model(seed: int) -> str:
+    """Elements of which most compute nothing most of the time, but what is looked at does."""
+    draw = np.random.default_rng(seed)
+    leaves = tuple(leaf for leaf in LEAVES if "count" not in leaf and "{n}" not in leaf)
+    templates = tuple(template for template in TEMPLATES if "up[i]" not in template)
+    names = ("near", "far", "all")
+    texts = {
+        f"{name}{number}": random_expression(draw, templates, leaves, 2, 0.15) for name in names for number in range(4)
+    }
+    values = ", ".join(f"{value:.3f}" for value in draw.uniform(-1, 1, ELEMENTS))
+    return """model Similar
+  constant Integer n = {n};
+  parameter Real k = 0.3;
+  parameter Real p[n] = {{{values}}};
+  parameter Real q[n] = {{p[i]*k + i for i in 1:n}};
+  Real x[n](start = p, each fixed = true), v[n], gap[n], near[n], nearer[n], far[n], farther[n], z[n], y0[n], s;
+equation
+  s = sum(x)/n;
+  der(x) = v;
+  for i in 1:n loop
+    gap[i] = sin(150*time + 2*i) - 0.6 + 0.01*x[i];
+    near[i] = noEvent(if gap[i] > 0 then (x[i] - q[i])*sin({near0}) + ({near1}) else 0);
+    nearer[i] = noEvent(if gap[i] > 0 then (x[i] - q[i])*cos({near0})/(2 + near[i]^2) else 0);
+    far[i] = noEvent(if gap[i] > 0 then 0.1 else (x[i] + q[i])*sin({far0}));
+    farther[i] = noEvent(if gap[i] > 0 then x[i] else (x[i] + q[i])*cos({far0}) + sin({far1}));
+    z[i] = noEvent(if s > 0.01 then sin({all0})*x[i] else 0) + noEvent(if s > 0.01 then cos(({all0})*x[i]) else 0);
+    y0[i] = (x[i] - q[i])*sin({near0}) + (x[i] + q[i])*sin({far0}) + sin({all0})*x[i] + ({all1});
+    v[i] = sin(near[i] + nearer[i] + far[i] + farther[i] + z[i]) - x[i];
+  end for;
+  annotation(experiment(StopTime = 1, Tolerance = 1e-6, Interval = 0.005));
+end Similar;
+""".format(n=ELEMENTS, values=values, **texts)
+
+
+@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.full) for seed in range(2, 14))])
+def test_what_branches_alone_need_is_computed_where_these_are_taken(
+    seed: int, tmp_path: Path, fmu_cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    names = [f"{array}[{i}]" for array in ("x", "near", "farther", "z", "y0") for i in range(1, ELEMENTS + 1)]
+    (single, loops), (plain, text) = compared(guarded_model(seed), names, tmp_path, fmu_cache, monkeypatch)
+    assert "holding" not in plain
+    assert "k < first[holding[h] + 1]" in text
+    assert ") continue;" in text
+    different = [name for name, values in single.items() if values.tobytes() != loops[name].tobytes()]
+    assert not different
 
 
 GROWING = """model Growing
