@@ -75,22 +75,25 @@ bool has_facets(CoreShape core) { return core == CoreShape::box || core == CoreS
 constexpr double polyhedral_tolerance = 1e-14;
 
 // Of boxes, polytopes and segments.
-CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, Vec3 first,
+CoreDistance iterated(const ConvexBody &body_a, const ConvexBody &body_b, const Pose &pose, const Vec3 &first,
                       DistanceScratch &scratch) {
   const MinkowskiDifference difference(body_a, body_b, pose);
   const double tolerance = polyhedral_tolerance * difference.scale;
   const double size = core_radius(body_a) + core_radius(body_b);
-  if (has_facets(body_a.core) && has_facets(body_b.core) && norm2(pose.translation) <= size * size) {
+  GjkResult gjk = gjk_start(difference, first);
+  // Mostly bodies that are apart are so along the first direction.
+  const bool may_overlap = dot(gjk.closest, first) < 0.0;
+  if (may_overlap && has_facets(body_a.core) && has_facets(body_b.core) && norm2(pose.translation) <= size * size) {
     FacetWalk::Result walked;
-    const FacetWalk::Outcome outcome = scratch.facet_walk.minimum_translation(difference, -first, walked);
+    const FacetWalk::Outcome outcome = scratch.facet_walk.minimum_translation(difference, -first, gjk.simplex[0], walked);
     if (outcome == FacetWalk::Outcome::found) {
       ++scratch.counters.walks;
       return with_checked_witness(difference, {-walked.depth, walked.direction, walked.a, walked.b,
                                                DistanceMethod::facet_walk, true});
     }
-    if (outcome == FacetWalk::Outcome::apart) first = -walked.direction;
+    if (outcome == FacetWalk::Outcome::apart) gjk.simplex[0] = difference.support(walked.direction), gjk.closest = gjk.simplex[0].w;
   }
-  const GjkResult gjk = gjk_distance(difference, first, tolerance);
+  gjk_continue(difference, tolerance, 0.0, gjk);
   if (gjk.status == GjkResult::Status::apart) {
     CoreDistance result{norm(gjk.closest), gjk.direction, {}, {}, DistanceMethod::gjk, true};
     for (int k = 0; k < gjk.count; ++k) {

@@ -61,7 +61,7 @@ void look_at_triangle(const Vec3 *p, int i, int j, int k, Nearest &nearest) {
 }
 
 // distance2 is 0 where the tetrahedron holds the origin.
-void look_at_tetrahedron(const Vec3 *p, Nearest &nearest) {
+void look_at_flat_tetrahedron(const Vec3 *p, Nearest &nearest) {
   bool inside = true;
   double origin_side[4], inner_side[4];  // of the faces opposite each corner
   const auto look_at_face = [&](int i, int j, int k, int opposite) {
@@ -83,6 +83,21 @@ void look_at_tetrahedron(const Vec3 *p, Nearest &nearest) {
   nearest.distance2 = 0.0;
 }
 
+// The last corner lies before the other three as seen from the origin, whose nearest point of these is known: it is nearest to none of their
+// face's points now. Where rounding may decide that, all faces are looked at.
+void look_at_tetrahedron(const Vec3 *p, Nearest &nearest) {
+  constexpr double flat = 1e-6;
+  const Vec3 a = p[0] - p[3], b = p[1] - p[3], c = p[2] - p[3];
+  const Vec3 ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
+  const double volume = dot(ab, c);
+  if (!(volume * volume > flat * flat * (norm2(a) * norm2(b) * norm2(c)))) return look_at_flat_tetrahedron(p, nearest);
+  const double before_ab = -volume * dot(ab, p[3]), before_bc = -volume * dot(bc, p[3]), before_ca = -volume * dot(ca, p[3]);
+  if (before_ab > 0.0 && before_bc > 0.0 && before_ca > 0.0) return look_at_flat_tetrahedron(p, nearest);
+  if (!(before_ab > 0.0)) look_at_triangle(p, 0, 1, 3, nearest);
+  if (!(before_ca > 0.0)) look_at_triangle(p, 0, 2, 3, nearest);
+  if (!(before_bc > 0.0)) look_at_triangle(p, 1, 2, 3, nearest);
+}
+
 void settle(GjkResult &result, double distance, double slack) {
   const bool proven = result.lower > 0.0 && distance - result.lower <= slack;
   result.status = proven ? GjkResult::Status::apart : GjkResult::Status::uncertain;
@@ -91,11 +106,16 @@ void settle(GjkResult &result, double distance, double slack) {
 }  // namespace
 
 GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first, double tolerance, double enough) {
+  GjkResult result = gjk_start(difference, first);
+  gjk_continue(difference, tolerance, enough, result);
+  return result;
+}
+
+GjkResult gjk_start(const MinkowskiDifference &difference, const Vec3 &first) {
   GjkResult result;
   result.simplex[0] = difference.support(-first);
   result.count = 1;
   result.closest = result.simplex[0].w;
-  gjk_continue(difference, tolerance, enough, result);
   return result;
 }
 

@@ -28,7 +28,9 @@ struct GjkResult {
 // lower bound, in metres, that ends the search; so does, where both are positive, a gap of `enough` times the
 // upper. Ends after at most 100 steps.
 GjkResult gjk_distance(const MinkowskiDifference &difference, const Vec3 &first, double tolerance, double enough = 0.0);
-// Goes on from a search that ended apart, with smaller gaps; `result` is as if it had been asked for them at once.
+// Begins a search, which gjk_continue() goes on with.
+GjkResult gjk_start(const MinkowskiDifference &difference, const Vec3 &first);
+// Goes on from a search that has begun, or ended apart, with smaller gaps; `result` is as if it had been asked for them at once.
 void gjk_continue(const MinkowskiDifference &difference, double tolerance, double enough, GjkResult &result);
 
 }  // namespace cmb::convex

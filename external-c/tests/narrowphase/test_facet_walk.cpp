@@ -41,7 +41,7 @@ TEST(FacetWalk, AgreesWithTheExpandingPolytope) {
     const double size = core_radius(a) + core_radius(b);
     const Vec3 from_b = core_center(a) - pose(core_center(b));
     FacetWalk::Result found;
-    const FacetWalk::Outcome outcome = walk.minimum_translation(difference, -from_b, found);
+    const FacetWalk::Outcome outcome = walk.minimum_translation(difference, -from_b, difference.support(-from_b), found);
     const GjkResult gjk = gjk_distance(difference, from_b, 1e-14 * difference.scale);
     if (gjk.status == GjkResult::Status::apart) {
       EXPECT_NE(outcome, FacetWalk::Outcome::found) << sample;
@@ -73,7 +73,7 @@ TEST(FacetWalk, KnowsBodiesThatAreApart) {
     const Pose pose{random_bodies::random_rotation(random), 1.2 * random.direction()};
     const MinkowskiDifference difference(a, b, pose);
     FacetWalk::Result found;
-    ASSERT_EQ(walk.minimum_translation(difference, pose.translation, found), FacetWalk::Outcome::apart);
+    ASSERT_EQ(walk.minimum_translation(difference, pose.translation, difference.support(pose.translation), found), FacetWalk::Outcome::apart);
     EXPECT_LE(dot(difference.support(found.direction).w, found.direction), 0.0);
   }
 }
@@ -86,7 +86,7 @@ TEST(FacetWalk, AlignedCubes) {
     const Pose pose{Mat3{}, {0.1, 0.05, 1.0 - depth}};
     const MinkowskiDifference difference(cube, cube, pose);
     FacetWalk::Result found;
-    if (walk.minimum_translation(difference, pose.translation, found) != FacetWalk::Outcome::found) continue;
+    if (walk.minimum_translation(difference, pose.translation, difference.support(pose.translation), found) != FacetWalk::Outcome::found) continue;
     EXPECT_NEAR(found.depth, depth, 1e-14);
     EXPECT_NEAR(found.direction.z, 1.0, 1e-14);
   }
@@ -108,7 +108,8 @@ TEST(FacetWalk, AnyFirstDirectionWillDo) {
     double depth = 0.0;
     for (int k = 0; k < 6; ++k) {
       FacetWalk::Result found;
-      const FacetWalk::Outcome outcome = walk.minimum_translation(difference, random.uniform(0.1, 9.0) * random.direction(), found);
+      const Vec3 first = random.uniform(0.1, 9.0) * random.direction();
+      const FacetWalk::Outcome outcome = walk.minimum_translation(difference, first, difference.support(first), found);
       if (outcome == FacetWalk::Outcome::undecided) continue;
       ASSERT_EQ(outcome == FacetWalk::Outcome::apart, apart) << sample;
       if (apart) {
@@ -151,7 +152,7 @@ TEST(FacetWalk, FacesOfVeryManyCorners) {
     const MinkowskiDifference difference(a, second, pose);
     const double size = core_radius(a) + core_radius(second);
     FacetWalk::Result found;
-    const FacetWalk::Outcome outcome = walk.minimum_translation(difference, pose.translation, found);
+    const FacetWalk::Outcome outcome = walk.minimum_translation(difference, pose.translation, difference.support(pose.translation), found);
     undecided += outcome == FacetWalk::Outcome::undecided;
     if (outcome != FacetWalk::Outcome::found) continue;
     ++found_ones;

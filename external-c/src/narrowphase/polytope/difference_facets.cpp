@@ -143,9 +143,8 @@ bool DifferenceFacets::cross_side(const Corner &q, const Vec3 &q_end, const Vec3
   return facet_of_edges(q, q_end, edge.vertex[q.forward ? 1 : 0], index(leaving), facet);
 }
 
-bool DifferenceFacets::start(const Vec3 &first, Facet &facet, Vec3 &apart) {
-  std::int32_t vertex[2];
-  for (int k = 0; k < 2; ++k) vertex[k] = body_[k].polytope->support_vertex(body_[k].local(first));
+bool DifferenceFacets::start(const Vec3 &first, const DifferencePoint &farthest, Facet &facet, Vec3 &apart) {
+  const std::int32_t vertex[2] = {farthest.vertex_a, farthest.vertex_b};
   const Vec3 top = body_[0].vertex(vertex[0]) + body_[1].vertex(vertex[1]);
   const double height = dot(first, top), length2 = norm2(first);
   if (!(height > 0.0)) {

@@ -47,7 +47,7 @@ class DifferenceFacets {
 
   // A facet at the vertex of C that is farthest along `first`, in the direction in which the support function falls. False
   // where there is none, or the bodies are apart along `first`, which `apart` tells then.
-  bool start(const Vec3 &first, Facet &facet, Vec3 &apart);
+  bool start(const Vec3 &first, const DifferencePoint &farthest, Facet &facet, Vec3 &apart);
   // The facet across side q, which ends at `q_end`: the one that is met first on the arc of its edge's directions from
   // `from`, one of the other body's vertex, to that of the edge's face beyond. The facet's first side is q turned back.
   // False where edges are parallel or there are too many corners.

@@ -168,11 +168,12 @@ bool FacetWalk::choose_by_foot(double scale, Facet &lowest) const {
   return best >= -1e-15 * scale * scale;
 }
 
-FacetWalk::Outcome FacetWalk::minimum_translation(const MinkowskiDifference &difference, const Vec3 &first, Result &result) {
+FacetWalk::Outcome FacetWalk::minimum_translation(const MinkowskiDifference &difference, const Vec3 &first, const DifferencePoint &farthest,
+                                                  Result &result) {
   surface_.place(difference);
   small_ = surface_.most_edges() <= std::size_t{1} << small_bits;
   Facet lowest;
-  if (!surface_.start(first, lowest, result.direction)) {
+  if (!surface_.start(first, farthest, lowest, result.direction)) {
     return norm2(result.direction) > 0.0 ? Outcome::apart : Outcome::undecided;
   }
   if (!descend(lowest)) {

@@ -32,9 +32,9 @@ class FacetWalk {
 
   FacetWalk();
 
-  // Of bodies that are polytopes or boxes (has_facets). `first` is any direction, best a guess of that from A to B. A
-  // result that is `found` is proven.
-  Outcome minimum_translation(const MinkowskiDifference &difference, const Vec3 &first, Result &result);
+  // Of bodies that are polytopes or boxes (has_facets). `first` is any direction, best a guess of that from A to B, `farthest` the
+  // difference's support along it. A result that is `found` is proven.
+  Outcome minimum_translation(const MinkowskiDifference &difference, const Vec3 &first, const DifferencePoint &farthest, Result &result);
 
  private:
   using Corner = DifferenceFacets::Corner;
