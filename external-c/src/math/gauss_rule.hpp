@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "math/cosine_sine.hpp"
 #include "math/legendre_series.hpp"
 #include "math/pi.hpp"
 
@@ -87,11 +88,25 @@ struct NodeTurns {
   static constexpr std::size_t most = 16;
   double cosine[most], sine[most];
   NodeTurns(const GaussNodes &rule, double angle, double whole_cosine, double whole_sine) {
-    for (std::size_t near = rule.count / 2; near < rule.count; ++near) {
-      const double part = rule.node[near] * angle, c = std::cos(part), s = std::sin(part);
+    const std::size_t middle = rule.count / 2;
+    if (std::fabs(angle) <= convex::widest_of_series) {
+      for (std::size_t near = middle; near < rule.count; near += 2) {
+        const std::size_t next = near + 1 < rule.count ? near + 1 : near;
+        convex::Lanes c, s;
+        convex::find_cosine_sine(convex::Lanes{rule.node[near], rule.node[next]} * angle, c, s);
+        cosine[near] = c[0], sine[near] = s[0];
+        cosine[next] = c[1], sine[next] = s[1];
+      }
+    } else {
+      for (std::size_t near = middle; near < rule.count; ++near) {
+        const double part = rule.node[near] * angle;
+        cosine[near] = std::cos(part), sine[near] = std::sin(part);
+      }
+    }
+    for (std::size_t near = rule.count - middle; near < rule.count; ++near) {
+      const double c = cosine[near], s = sine[near];
       const std::size_t far = rule.count - 1 - near;
-      cosine[near] = c, sine[near] = s;
-      if (far < near) cosine[far] = whole_cosine * c + whole_sine * s, sine[far] = whole_sine * c - whole_cosine * s;
+      cosine[far] = whole_cosine * c + whole_sine * s, sine[far] = whole_sine * c - whole_cosine * s;
     }
   }
 };

@@ -177,14 +177,20 @@ bool BallOnPolytope::follow_face(std::size_t index, PlaneFan &fan) {
   return true;
 }
 
-void BallOnPolytope::add_arc(const Arc &arc, PlaneFan &fan) {
+void BallOnPolytope::add_arc(Arc arc, PlaneFan &fan) {
+  const double step = arc.turn / Arc::parts, by_cosine = std::cos(step), by_sine = std::sin(step);
+  double cosine = std::cos(arc.from), sine = std::sin(arc.from);
+  for (Vec3 &place : arc.sample) {
+    place = arc.center + cosine * arc.along + sine * arc.across;
+    const double next = by_cosine * cosine - by_sine * sine;
+    sine = by_cosine * sine + by_sine * cosine, cosine = next;
+  }
   arcs_.push_back(arc);
   visit_arc(arc, widest, 1.0, [&](const Vec3 &at, const Vec3 &step) { fan.add_curve_node(at, step); });
 }
 
 // The circle that the arcs keep nearest to, where that is nearer than great circles do, and well off its poles.
 bool BallOnPolytope::find_band(Band &band) const {
-  constexpr int samples = 4;
   constexpr double most_width = 0.1, most_bend = 0.25;  // by the circle's distance from its pole; of the width by how far great circles bend
   double longest = 0.0, narrowest = HUGE_VAL;
   for (const Arc &arc : arcs_) longest = std::max(longest, std::min(arc.turn, pi) * norm(arc.along));
@@ -193,11 +199,7 @@ bool BallOnPolytope::find_band(Band &band) const {
     double width = 0.0;
     for (const Arc &arc : arcs_) {
       if (arc.plane == own.plane) continue;
-      for (int k = 0; k <= samples; ++k) {
-        const double angle = arc.from + arc.turn / samples * k;
-        const Vec3 at = arc.center + std::cos(angle) * arc.along + std::sin(angle) * arc.across;
-        width = std::max(width, std::fabs(dot(plane.normal, at) - plane.offset));
-      }
+      for (const Vec3 &at : arc.sample) width = std::max(width, std::fabs(dot(plane.normal, at) - plane.offset));
     }
     if (width < narrowest) narrowest = width, band = {&plane, norm(own.along)};
   }
@@ -246,22 +248,18 @@ void BallOnPolytope::add_ball_part(const Vec3 &place, OverlapSurface::Nodes &nod
   Vec3 middle;
   double whole = 0.0;
   for (const Arc &arc : arcs_) {
-    const double half = arc.from + 0.5 * arc.turn, radius = norm(arc.along);
-    const Vec3 inner = arc.turn == 2.0 * pi
-                           ? (-1.0 / (radius * radius)) * cross(arc.along, arc.across)
-                           : arc.center + std::cos(half) * arc.along + std::sin(half) * arc.across;
+    const double radius = norm(arc.along);
+    const Vec3 inner =
+        arc.turn == 2.0 * pi ? (-1.0 / (radius * radius)) * cross(arc.along, arc.across) : arc.sample[Arc::parts / 2];
     middle = middle + (radius * arc.turn) * inner;
     whole += radius * arc.turn;
   }
   const auto distance_of_antipode = [&](const Vec3 &start) {
-    constexpr int samples = 4;
     double least = pi;
     for (const Arc &arc : arcs_) {
-      const double width = arc.turn / samples, between = 0.5 * width * norm(arc.along);
-      for (int k = 0; k <= samples; ++k) {
-        const Vec3 at = arc.center + std::cos(arc.from + width * k) * arc.along + std::sin(arc.from + width * k) * arc.across;
-        least = std::min(least, std::acos(std::clamp(-dot(start, at), -1.0, 1.0)) - between);
-      }
+      double nearest = -1.0;
+      for (const Vec3 &at : arc.sample) nearest = std::max(nearest, -dot(start, at));
+      least = std::min(least, std::acos(std::min(nearest, 1.0)) - 0.5 * (arc.turn / Arc::parts) * norm(arc.along));
     }
     return least;
   };

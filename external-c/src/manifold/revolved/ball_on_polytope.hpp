@@ -57,6 +57,9 @@ class BallOnPolytope {
     Vec3 center, along, across;  // along, across: as long as the radius
     double from, turn;
     const Plane *plane;
+    // Places at even angles from the first to the last, which tell where it runs.
+    static constexpr int parts = 4;
+    Vec3 sample[parts + 1] = {};
   };
   // Along which the ball's part lies.
   struct Band {
@@ -66,7 +69,7 @@ class BallOnPolytope {
 
   Stretch stretch_of(const Vertex &p, const Vertex &q) const;
   bool follow_face(std::size_t index, PlaneFan &fan);
-  void add_arc(const Arc &arc, PlaneFan &fan);
+  void add_arc(Arc arc, PlaneFan &fan);
   bool holds(const Vec3 &at) const;
   void add_ball_part(const Vec3 &place, OverlapSurface::Nodes &nodes) const;
   bool find_band(Band &band) const;
