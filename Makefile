@@ -12,7 +12,8 @@
 # make response measures contact response at all tolerances into docs/response.md
 # make study    what accuracy costs, scene by scene, into docs/accuracy; half an hour, resumes
 # make bench-peers   the same scenes in MuJoCo, Drake and Bullet, from PyPI, into docs/peers.md; half an hour, resumes
-# make soak     200 random scenes at all tolerances, modes and importers into out/soak; hours, resumes (SCENES=...)
+# make soak     200 random scenes at all tolerances, modes and importers into out/soak, and as many machines with joints
+#               and moving grounds into out/soak-machines; hours, resumes (SCENES=...)
 # make large     lets a thousand spheres fill a box: builds and runs regression/cases/large, some minutes
 # make test-msl  passes the tests with the Standard Library's examples (MODELICAPATH; about fifteen minutes)
 # make test-omc  runs the examples through OpenModelica where it is installed
@@ -55,6 +56,7 @@ response: setup
 
 soak: setup
 	.venv/bin/python scripts/soak --scenes $(or $(SCENES),200)
+	.venv/bin/python scripts/soak --machines --scenes $(or $(SCENES),200)
 
 large: setup
 	.venv/bin/cmb regress regression/cases/large

@@ -11,7 +11,7 @@ from typing import Final
 from contact_foundation.errors import CmbError, SimulationError
 
 from contact_promises.soak.runs import IMPORTERS, MODES, TOLERANCES, Run, Trace, judge, stopped, trace
-from contact_promises.soak.scenes import MODEL, Scene, random_scene
+from contact_promises.soak.scenes import MODEL, Scene
 
 Builder = Callable[[str, Path, Path], None]
 """Builds the FMU of a model: its name, the file that holds it, the FMU to write."""
@@ -28,10 +28,13 @@ def all_runs(importers: Sequence[str] = IMPORTERS, tolerances: Sequence[float] =
     return [Run(importer, mode, tolerance) for importer in importers for mode in MODES for tolerance in tolerances]
 
 
-def soak(seeds: Sequence[int], runs: Sequence[Run], table: Path, build: Builder) -> Iterator[Row]:
+def soak(
+    draw: Callable[[int], Scene], seeds: Sequence[int], runs: Sequence[Run], table: Path, build: Builder
+) -> Iterator[Row]:
     """Carries the campaign on.
 
     Args:
+        draw: the scene of a seed.
         seeds: of the scenes.
         runs: of each scene.
         table: CSV file that rows are appended to; runs that it holds are left out.
@@ -51,7 +54,7 @@ def soak(seeds: Sequence[int], runs: Sequence[Run], table: Path, build: Builder)
             left = [r for r in runs if (str(seed), r.importer, r.mode, f"{r.tolerance:.0e}") not in there]
             if not left:
                 continue
-            for row in _scene_rows(random_scene(seed), left, build):
+            for row in _scene_rows(draw(seed), left, build):
                 writer.writerow(row)
                 file.flush()
                 yield row

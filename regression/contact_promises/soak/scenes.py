@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import random
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from contact_promises.soak.bodies import Body, random_body
 from contact_promises.soak.grounds import Ground, random_ground
 
 MODEL: Final = "SoakScene"
@@ -17,16 +18,6 @@ _FRICTION = ("None", "Regularised", "Anchored")
 _RESTITUTION = ("ImpactSpeed", "Memoryless", "none")
 _LAWS = ("Exact", "HuntCrossley", "Flores", "SpringDamper")
 _TYPES = "ContactMultiBody.Types"
-
-
-@dataclass(frozen=True)
-class Body:
-    """A body: call of its shape, mass in kg, principal moments in kg.m2, radius of its bounding sphere in m."""
-
-    shape: str
-    mass: float
-    moments: tuple[float, float, float]
-    radius: float
 
 
 @dataclass(frozen=True)
@@ -42,11 +33,79 @@ class Scene:
     restitution: str
 
 
+@dataclass(frozen=True)
+class Contacts:
+    """The contact manager of a scene, the material of all bodies, and what was chosen for it."""
+
+    text: str
+    material: str
+    law: str
+    friction: str
+    restitution: str
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What a scene is made of, without its contact manager; terms are Modelica expressions.
+
+    Attributes:
+        declarations: of bodies, ground and what holds them.
+        connections: lines.
+        frames: what is connected to the contact manager, the ground last.
+        energies: kinetic and potential ones, in J.
+        powers: what the contacts do to what the energies are of, in W.
+        lost: what dampers take, in W.
+        given: what drives of the ground give, in W.
+    """
+
+    declarations: Sequence[str]
+    connections: Sequence[str]
+    frames: Sequence[str]
+    energies: Sequence[str]
+    powers: Sequence[str]
+    lost: Sequence[str] = ()
+    given: Sequence[str] = ()
+
+
 def random_scene(seed: int) -> Scene:
-    """The scene of a seed; the same on every machine."""
+    """Free bodies above a ground that stands; the same for a seed on every machine."""
     source = random.Random(seed)
-    bodies = [_random_body(source) for _ in range(source.choice((1, 1, 2)))]
+    bodies = [random_body(source) for _ in range(source.choice((1, 1, 2)))]
     ground = random_ground(source)
+    contacts = random_contacts(source, bodies, ground)
+    declarations, height = [], 0.0
+    for number, body in enumerate(bodies, 1):
+        height += body.radius + source.uniform(0.005, 0.1)
+        declarations.append(free_body(source, number, body, height, contacts.material))
+        height += body.radius
+    numbers = range(1, len(bodies) + 1)
+    parts = Parts(
+        [*declarations, f"  ContactMultiBody.Parts.Ground floor({geometry(ground)}material={contacts.material});"],
+        [],
+        [*(f"body{i}.frame_a" for i in numbers), "floor.frame_a"],
+        [energy(f"body{number}", body.mass) for number, body in enumerate(bodies, 1)],
+        [contact_power(f"body{number}", number) for number in numbers],
+    )
+    return describe(seed, parts, contacts, [body.shape.split("(")[0] for body in bodies], ground.kind)
+
+
+def describe(seed: int, parts: Parts, contacts: Contacts, bodies: Sequence[str], ground: str) -> Scene:
+    """The scene of these parts."""
+    frames = [f"  connect({frame}, contacts.frame[{i}]);" for i, frame in enumerate(parts.frames, 1)]
+    text = _TEXT.format(
+        declarations="\n".join(parts.declarations),
+        contacts=contacts.text,
+        energy=" + ".join(parts.energies),
+        power=" + ".join([*parts.powers, *parts.lost]),
+        given=" + ".join(parts.given) or "0",
+        connections="\n".join([*parts.connections, *frames]),
+        stop=STOP,
+    )
+    return Scene(seed, text, tuple(bodies), ground, contacts.law, contacts.friction, contacts.restitution)
+
+
+def random_contacts(source: random.Random, bodies: Sequence[Body], ground: Ground) -> Contacts:
+    """The manager of contacts between the bodies and the ground, which is the last of its frames."""
     law = source.choice(_LAWS)
     friction = source.choice(_FRICTION)
     restitution = source.choice(_RESTITUTION)
@@ -57,11 +116,10 @@ def random_scene(seed: int) -> Scene:
     pairs = len(bodies) * (len(bodies) + 1) // 2
     stiffness = 10.0 ** source.uniform(4.0, 7.0)
     lightest = min(body.mass for body in bodies)
-    contacts = [
-        f"n={len(bodies) + 1}",
-        "geometry={" + ",".join(f"body{i}.geometry" for i in range(1, len(bodies) + 1)) + ",floor.geometry}",
-        "material={" + ",".join(f"body{i}.material" for i in range(1, len(bodies) + 1)) + ",floor.material}",
-        "inertia={" + ",".join(f"body{i}.inertia" for i in range(1, len(bodies) + 1)) + ",floor.inertia}",
+    names = [*(f"body{i}" for i in range(1, len(bodies) + 1)), "floor"]
+    arguments = [
+        f"n={len(names)}",
+        *(f"{each}={{{','.join(f'{name}.{each}' for name in names)}}}" for each in ("geometry", "material", "inertia")),
         f"pointCapacity={ground.points}",
         f"stiffnessChoice={_TYPES}.StiffnessChoice.Given",
         f"stiffness=fill({stiffness:.6g}, {pairs})",
@@ -72,92 +130,65 @@ def random_scene(seed: int) -> Scene:
         if restitution == "none"
         else f"restitutionMethod={_TYPES}.RestitutionMethod.{restitution}",
     ]
-    declarations, height = [], 0.0
-    for number, body in enumerate(bodies, 1):
-        height += body.radius + source.uniform(0.005, 0.1)
-        declarations.append(_declaration(source, number, body, height, material))
-        height += body.radius
-    text = _TEXT.format(
-        bodies="\n".join(declarations),
-        ground=_ground_geometry(ground),
-        material=material,
-        contacts=",\n    ".join(contacts),
-        energy=" + ".join(_energy(number, body.mass) for number, body in enumerate(bodies, 1)),
-        power=" - ".join(_power(number) for number in range(1, len(bodies) + 1)),
-        connections="\n".join(f"  connect(body{i}.frame_a, contacts.frame[{i}]);" for i in range(1, len(bodies) + 1)),
-        floor=len(bodies) + 1,
-        stop=STOP,
-    )
-    names = tuple(body.shape.split("(")[0] for body in bodies)
-    return Scene(seed, text, names, ground.kind, law, friction, restitution)
+    return Contacts(",\n    ".join(arguments), material, law, friction, restitution)
 
 
-def _ground_geometry(ground: Ground) -> str:
+def geometry(ground: Ground) -> str:
+    """Modifier of a ground's shape, with its comma; none for the half-space that is there without."""
     return f"geometry={ground.shape}, " if ground.shape else ""
 
 
-def _random_body(source: random.Random) -> Body:
-    kind = source.choice(("sphere", "box", "capsule", "cylinder", "cone", "ellipsoid"))
-    mass = 10.0 ** source.uniform(-1.5, 0.7)
-    if kind == "sphere":
-        r = source.uniform(0.02, 0.1)
-        return Body(f"sphere({r:.4g})", mass, (0.4 * mass * r**2,) * 3, r)
-    if kind in ("capsule", "cylinder"):
-        r, length = source.uniform(0.01, 0.05), source.uniform(0.03, 0.2)
-        across = mass * (3.0 * r**2 + length**2) / 12.0
-        return Body(f"{kind}({r:.4g}, {length:.4g})", mass, (across, across, mass * r**2 / 2.0), r + length / 2.0)
-    if kind == "cone":  # its frame in its centre of mass
-        r, length = source.uniform(0.02, 0.07), source.uniform(0.03, 0.15)
-        across = mass * (12.0 * r**2 + 3.0 * length**2) / 80.0
-        shape = f"cone({r:.4g}, {length:.4g}, position={{0,0,{length / 4.0:.6g}}})"
-        return Body(shape, mass, (across, across, 0.3 * mass * r**2), max(0.75 * length, math.hypot(r, length / 4.0)))
-    x, y, z = (source.uniform(0.03, 0.15) for _ in range(3))
-    share = 12.0 if kind == "box" else 20.0
-    moments = tuple(mass * s / share for s in (y**2 + z**2, x**2 + z**2, x**2 + y**2))
-    radius = (x**2 + y**2 + z**2) ** 0.5 / 2.0
-    return Body(f"{kind}({{{x:.4g},{y:.4g},{z:.4g}}})", mass, (moments[0], moments[1], moments[2]), radius)
-
-
-def _declaration(source: random.Random, number: int, body: Body, height: float, material: str) -> str:
-    def three(limit: float) -> str:
-        return ",".join(f"{source.uniform(-limit, limit):.5g}" for _ in range(3))
-
+def body_modifiers(body: Body, material: str) -> str:
+    """Mass, inertia, shape and material."""
     i_11, i_22, i_33 = body.moments
     return (
-        f"  ContactMultiBody.Parts.Body body{number}(m={body.mass:.6g}, r_CM={{0,0,0}}, "
-        f"I_11={i_11:.8g}, I_22={i_22:.8g}, I_33={i_33:.8g},\n"
-        f"    geometry=ContactMultiBody.Shapes.{body.shape}, material={material},\n"
-        f"    r_0(start={{0,0,{height:.6g}}}, each fixed=true), v_0(start={{{three(2.0)}}}, each fixed=true),\n"
-        f"    angles_fixed=true, angles_start={{{three(3.0)}}}, w_0_fixed=true, w_0_start={{{three(15.0)}}},\n"
-        "    animation=false);"
+        f"m={body.mass:.6g}, r_CM={{0,0,0}}, I_11={i_11:.8g}, I_22={i_22:.8g}, I_33={i_33:.8g},\n"
+        f"    geometry=ContactMultiBody.Shapes.{body.shape}, material={material},\n    animation=false"
     )
 
 
-def _energy(number: int, mass: float) -> str:
-    b = f"body{number}"
-    return f"{mass:.6g}*({b}.v_0*{b}.v_0/2 + world.g*{b}.r_0[3]) + {b}.w_a*({b}.I*{b}.w_a)/2"
+def free_body(
+    source: random.Random, number: int, body: Body, height: float, material: str, upright: bool = False
+) -> str:
+    """Declaration of a body that flies and turns."""
+
+    def three(limit: float) -> str:
+        return ",".join(f"{source.uniform(-limit, limit):.5g}" for _ in range(3))
+
+    return (
+        f"  ContactMultiBody.Parts.Body body{number}({body_modifiers(body, material)},\n"
+        f"    r_0(start={{0,0,{height:.6g}}}, each fixed=true), v_0(start={{{three(2.0)}}}, each fixed=true),\n"
+        f"    angles_fixed=true, angles_start={{{three(0.0 if upright else 3.0)}}}, "
+        f"w_0_fixed=true, w_0_start={{{three(15.0)}}});"
+    )
 
 
-def _power(number: int) -> str:
-    b, f = f"body{number}", f"contacts.frame[{number}]"
-    return f"{f}.f*Modelica.Mechanics.MultiBody.Frames.resolve2({b}.frame_a.R, {b}.v_0) - {f}.t*{b}.w_a"
+def energy(name: str, mass: float) -> str:
+    """Kinetic and potential energy of a body, in J."""
+    return f"{mass:.6g}*({name}.v_0*{name}.v_0/2 + world.g*{name}.r_0[3]) + {name}.w_a*({name}.I*{name}.w_a)/2"
+
+
+def contact_power(name: str, number: int) -> str:
+    """What a body does to the contacts, in W, as a term of a sum."""
+    f = f"contacts.frame[{number}]"
+    return f"{f}.f*Modelica.Mechanics.MultiBody.Frames.resolve2({name}.frame_a.R, {name}.v_0) + {f}.t*{name}.w_a"
 
 
 _TEXT = """model SoakScene "Random bodies above a floor"
   inner Modelica.Mechanics.MultiBody.World world(g=9.81, n={{0,0,-1}}, enableAnimation=false);
-{bodies}
-  ContactMultiBody.Parts.Ground floor({ground}material={material});
+{declarations}
   ContactMultiBody.ContactManager contacts(
     {contacts});
-  Modelica.Units.SI.Energy mechanical "Kinetic and potential energy";
+  Modelica.Units.SI.Energy mechanical "Kinetic and potential energy, without what drives gave";
   Modelica.Units.SI.Energy elastic "Stored in the contacts";
-  Modelica.Units.SI.Energy work(start=0, fixed=true) "Done by the contacts";
+  Modelica.Units.SI.Energy work(start=0, fixed=true) "Done by the contacts, without what drives gave";
+  Modelica.Units.SI.Energy given(start=0, fixed=true) "By drives of the ground, through contacts";
 equation
-  mechanical = {energy};
+  mechanical = {energy} - given;
   elastic = contacts.elasticEnergy;
-  der(work) = -{power};
+  der(work) = -({power}) - der(given);
+  der(given) = {given};
 {connections}
-  connect(floor.frame_a, contacts.frame[{floor}]);
   annotation (experiment(StopTime={stop:g}, Tolerance=1e-6, Interval=0.001));
 end SoakScene;
 """

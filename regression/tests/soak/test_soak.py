@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from contact_foundation.errors import BuildError, SimulationError
 from contact_promises.soak.campaign import Row, all_runs, read, soak, summary
+from contact_promises.soak.machines import random_machine
 from contact_promises.soak.runs import Run, Trace, first_touch, judge, stopped
 from contact_promises.soak.scenes import random_scene
 
@@ -43,6 +44,14 @@ def test_scenes_have_every_law_friction_and_restitution():
     assert {scene.ground for scene in scenes} == {"halfSpace", "box", "hull", "mesh", "heightField"}
 
 
+def test_machines_have_every_hold_and_ground():
+    machines = [random_machine(seed) for seed in range(100)]
+    assert random_machine(5) == machines[5]
+    holds = {body.split(".")[0] for machine in machines for body in machine.bodies}
+    assert holds == {"free", "hung", "sliding", "round", "linked"}
+    assert {machine.ground.split(".")[0] for machine in machines} == {"still", "shaken", "turned", "sprung"}
+
+
 def test_a_right_run_is_right():
     assert judge(bounce(), bounce(), 1e-6).failure == ""
     assert first_touch(bounce()) == pytest.approx(0.101)
@@ -70,13 +79,13 @@ def test_rows_are_written_at_once_and_not_repeated(tmp_path: Path):
 
     table = tmp_path / "rows.csv"
     runs = [Run("cmb", "cs", 1e-4), Run("cmb", "me", 1e-4)]
-    campaign = soak([1, 2], runs, table, build)
+    campaign = soak(random_scene, [1, 2], runs, table, build)
     first = next(campaign)
     assert read(table) == [first]
     campaign.close()
-    rest = list(soak([1, 2], runs, table, build))
+    rest = list(soak(random_scene, [1, 2], runs, table, build))
     assert [(row["seed"], row["mode"]) for row in rest] == [("1", "me"), ("2", "cs"), ("2", "me")]
-    assert list(soak([1, 2], runs, table, build)) == []
+    assert list(soak(random_scene, [1, 2], runs, table, build)) == []
     assert all("SoakScene" in row["failure"] for row in read(table))
 
 
