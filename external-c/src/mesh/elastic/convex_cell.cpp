@@ -40,36 +40,43 @@ void ConvexCell::start(const Vec3 &center, double half) {
   }
 }
 
+// What a cut leaves is written to room for as much as there may be, which is shortened then.
 ConvexCell::Cut ConvexCell::keep_before(const Vec3 &normal, double offset) {
-  above_.clear();
+  const std::size_t vertex_count = vertices_.size(), edge_count = edges_.size();
+  if (above_.size() < vertex_count) above_.resize(vertex_count), vertex_of_.resize(vertex_count);
+  double *const above = above_.data();
   std::size_t kept = 0;
-  for (const Vec3 &v : vertices_) {
-    above_.push_back(dot(normal, v) - offset);
-    kept += above_.back() > 0.0 ? 1 : 0;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    above[v] = dot(normal, vertices_[v]) - offset;
+    kept += above[v] > 0.0 ? 1 : 0;
   }
-  if (kept == vertices_.size()) return Cut::all;
+  if (kept == vertex_count) return Cut::all;
   if (kept == 0) return Cut::none;
-  new_vertices_.clear(), new_edges_.clear();
-  vertex_of_.clear(), edge_of_.clear(), place_of_.clear();
-  for (std::size_t v = 0; v < vertices_.size(); ++v) {
-    vertex_of_.push_back(above_[v] > 0.0 ? count_of(new_vertices_.size()) : -1);
-    if (above_[v] > 0.0) new_vertices_.push_back(vertices_[v]);
+  if (edge_of_.size() < edge_count) edge_of_.resize(edge_count), place_of_.resize(edge_count);
+  new_vertices_.resize(kept + edge_count);
+  new_edges_.resize(edge_count + faces_.size());
+  std::int32_t *const vertex_of = vertex_of_.data();
+  std::int32_t new_vertex = 0, new_edge = 0;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    vertex_of[v] = above[v] > 0.0 ? new_vertex : -1;
+    if (above[v] > 0.0) new_vertices_[index(new_vertex++)] = vertices_[v];
   }
-  for (const Edge &edge : edges_) {
-    const std::size_t v = index(edge.vertex[0]), w = index(edge.vertex[1]);
+  for (std::size_t e = 0; e < edge_count; ++e) {
+    const std::size_t v = index(edges_[e].vertex[0]), w = index(edges_[e].vertex[1]);
     Edge cut;
-    cut.vertex[0] = vertex_of_[v], cut.vertex[1] = vertex_of_[w];
+    cut.vertex[0] = vertex_of[v], cut.vertex[1] = vertex_of[w];
     std::int32_t place = -1;
     if ((cut.vertex[0] < 0) != (cut.vertex[1] < 0)) {
-      place = count_of(new_vertices_.size());
-      new_vertices_.push_back(vertices_[v] + (above_[v] / (above_[v] - above_[w])) * (vertices_[w] - vertices_[v]));
+      place = new_vertex++;
+      new_vertices_[index(place)] = vertices_[v] + (above[v] / (above[v] - above[w])) * (vertices_[w] - vertices_[v]);
       cut.vertex[cut.vertex[0] < 0 ? 0 : 1] = place;
     }
-    place_of_.push_back(place);
-    edge_of_.push_back(cut.vertex[0] < 0 ? -1 : count_of(new_edges_.size()));
-    if (cut.vertex[0] >= 0) new_edges_.push_back(cut);
+    place_of_[e] = place;
+    edge_of_[e] = cut.vertex[0] < 0 ? -1 : new_edge;
+    if (cut.vertex[0] >= 0) new_edges_[index(new_edge++)] = cut;
   }
-  if (!cut_faces()) return Cut::failed;
+  new_vertices_.resize(index(new_vertex));
+  if (!cut_faces(new_edge)) return Cut::failed;
   new_faces_.push_back({-normal, -offset, count_of(new_face_vertices_.size()), count_of(cap_.size())});
   if (!close_cap()) return Cut::failed;
   vertices_.swap(new_vertices_), faces_.swap(new_faces_), edges_.swap(new_edges_);
@@ -77,34 +84,44 @@ ConvexCell::Cut ConvexCell::keep_before(const Vec3 &normal, double offset) {
   return Cut::part;
 }
 
-bool ConvexCell::cut_faces() {
-  new_faces_.clear(), new_face_vertices_.clear(), new_face_edges_.clear(), cap_.clear();
+bool ConvexCell::cut_faces(std::int32_t new_edge) {
+  // No more than two places come to a face, and no more corners to the cap than there are faces.
+  const std::size_t most = face_vertices_.size() + 3 * faces_.size();
+  new_face_vertices_.resize(most), new_face_edges_.resize(most);
+  new_faces_.clear(), cap_.clear();
+  const std::int32_t *const vertices = face_vertices_.data(), *const edges = face_edges_.data(), *const vertex_of = vertex_of_.data(),
+                            *const edge_of = edge_of_.data(), *const place_of = place_of_.data();
+  std::int32_t *const new_vertices = new_face_vertices_.data(), *const new_edges = new_face_edges_.data();
+  std::size_t at = 0;
   for (const Face &face : faces_) {
-    const std::int32_t first = count_of(new_face_vertices_.size());
-    std::int32_t leaves = -1, comes = -1, side_at = -1;
+    const std::size_t first = at;
+    std::int32_t leaves = -1, comes = -1;
+    std::size_t side_at = 0;
     for (std::int32_t i = face.first; i < face.first + face.count; ++i) {
-      const std::size_t edge = index(face_edges_[index(i)]);
-      const std::int32_t here = vertex_of_[index(face_vertices_[index(i)])];
-      if (here >= 0) new_face_vertices_.push_back(here), new_face_edges_.push_back(edge_of_[edge]);
-      if (place_of_[edge] < 0) continue;
+      const std::size_t edge = index(edges[i]);
+      const std::int32_t here = vertex_of[vertices[i]];
+      new_vertices[at] = here, new_edges[at] = edge_of[edge];
+      at += here >= 0 ? 1 : 0;
+      if (place_of[edge] < 0) continue;
       std::int32_t &place = here >= 0 ? leaves : comes;
       if (place >= 0) return false;  // a second time
-      place = place_of_[edge];
-      if (here >= 0) side_at = count_of(new_face_edges_.size());
-      new_face_vertices_.push_back(place);
-      new_face_edges_.push_back(edge_of_[edge]);  // of the place where the border leaves: the new side, below
+      place = place_of[edge];
+      if (here >= 0) side_at = at;
+      new_vertices[at] = place, new_edges[at] = edge_of[edge];  // of the place where the border leaves: the new side, below
+      ++at;
     }
     if ((leaves < 0) != (comes < 0)) return false;
     if (leaves >= 0) {
-      const std::int32_t side = count_of(new_edges_.size());
-      new_edges_.emplace_back();
-      new_edges_.back().vertex[0] = leaves, new_edges_.back().vertex[1] = comes;
-      new_face_edges_[index(side_at)] = side;
-      cap_.push_back({comes, leaves, side});
+      Edge &side = new_edges_[index(new_edge)];
+      side = {};
+      side.vertex[0] = leaves, side.vertex[1] = comes;
+      new_edges[side_at] = new_edge;
+      cap_.push_back({comes, leaves, new_edge++});
     }
-    const std::int32_t count = count_of(new_face_vertices_.size()) - first;
-    if (count > 0) new_faces_.push_back({face.normal, face.offset, first, count});
+    if (at > first) new_faces_.push_back({face.normal, face.offset, count_of(first), count_of(at - first)});
   }
+  new_edges_.resize(index(new_edge));
+  new_face_vertices_.resize(at), new_face_edges_.resize(at);
   return !cap_.empty();
 }
 

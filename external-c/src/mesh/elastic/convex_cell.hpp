@@ -32,7 +32,7 @@ class ConvexCell {
     std::int32_t from, to, edge;
   };
 
-  bool cut_faces();
+  bool cut_faces(std::int32_t new_edge);  // the first number that is free
   bool close_cap();
 
   std::vector<Vec3> vertices_, new_vertices_;

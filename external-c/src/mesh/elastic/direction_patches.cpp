@@ -21,12 +21,12 @@ void PatchSums::add_triangle(double size, const Vec3 &p, double dp, const Vec3 &
   second[3] += product(1, 2), second[4] += product(2, 0), second[5] += product(0, 1);
 }
 
-void PatchSums::add_place(double size, const Vec3 &at, double depth) {
-  const double part = size * depth;
-  area += size, load += part, energy += part * depth;
-  moment = moment + part * at;
-  second[0] += part * at.x * at.x, second[1] += part * at.y * at.y, second[2] += part * at.z * at.z;
-  second[3] += part * at.y * at.z, second[4] += part * at.z * at.x, second[5] += part * at.x * at.y;
+PatchSums LanePatchSums::sums() const {
+  PatchSums result;
+  result.area = convex::sum_of(area_), result.load = convex::sum_of(load_), result.energy = convex::sum_of(energy_);
+  result.moment = convex::sum_of(moment_);
+  for (int k = 0; k < 6; ++k) result.second[k] = convex::sum_of(second_[k]);
+  return result;
 }
 
 void PatchSums::scale(double part) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "math/lanes.hpp"
 #include "math/tetrahedron.hpp"
 #include "math/vector3.hpp"
 
@@ -21,13 +22,30 @@ struct PatchSums {
   double second[6] = {};            // of depth * place * place: xx, yy, zz, yz, zx, xy
 
   void add_triangle(double area, const Vec3 &p, double dp, const Vec3 &q, double dq, const Vec3 &r, double dr);
-  // A place that stands for so great an area.
-  void add_place(double area, const Vec3 &at, double depth);
   // Takes a part of the load, of the same area.
   void scale(double part);
   void add(double part, const PatchSums &other);
   // Where loads of both signs cancel, their places may be anywhere: moments become those of a load in a ball, and stay where they are.
   void keep_within(const Vec3 &center, double radius);
+};
+
+// The same of places that stand for an area each, two at once.
+class LanePatchSums {
+ public:
+  void add_places(convex::Lanes area, const convex::LaneVec3 &at, convex::Lanes depth) {
+    const convex::Lanes part = area * depth;
+    area_ += area, load_ += part, energy_ += part * depth;
+    const convex::LaneVec3 first = part * at;
+    moment_ = moment_ + first;
+    second_[0] += first.x * at.x, second_[1] += first.y * at.y, second_[2] += first.z * at.z;
+    second_[3] += first.y * at.z, second_[4] += first.z * at.x, second_[5] += first.x * at.y;
+  }
+  PatchSums sums() const;
+
+ private:
+  convex::Lanes area_ = {}, load_ = {}, energy_ = {};
+  convex::LaneVec3 moment_;
+  convex::Lanes second_[6] = {};
 };
 
 // A part of a contact's load.

@@ -10,6 +10,8 @@ namespace cmb::mesh {
 namespace {
 
 using convex::CoreShape;
+using convex::Lanes;
+using convex::LaneVec3;
 
 // How thick overlaps are, by the body's radius, of which rounding is a part that counts: they are integrated from a place within.
 constexpr double hardly_thick = 1e-11;
@@ -198,16 +200,17 @@ RoundOverlap::Means RoundOverlap::means(const Piece &piece, double at_place, con
   constexpr double thin = 1e-6, least[2] = {0.25, 0.05}, most[2] = {0.75, 0.5};
   const OverlapSurface &surface = scratch_.surface;
   const double place2 = at_place * at_place, place3 = at_place * place2;
-  double depths = 0.0, cubes = 0.0;
+  const LaneVec3 inward(-local);
+  Lanes depths{}, cubes{};
   for (const auto *const side : {&surface.of_a(), &surface.of_b()}) {
-    for (const OverlapSurface::Node &node : *side) {
-      const double change = -dot(local, node.at);
+    side->visit_pairs([&](const OverlapSurface::Nodes::Pair &node) {
+      const Lanes change = dot(inward, node.at);
       depths += node.cone * (at_place + 0.75 * change);
       cubes += node.cone * (place3 + change * (2.25 * place2 + change * (1.8 * at_place + 0.5 * change)));
-    }
+    });
   }
   const double part = 1.0 / (3.0 * surface.volume());
-  const Means known{part * depths, part * cubes};
+  const Means known{part * convex::sum_of(depths), part * convex::sum_of(cubes)};
   if (surface.volume() > thin * radius() * surface.area_a()) return known;
   Vec3 deepest_place;
   const double deepest = deepest_of_overlap(piece, local, 0.0, deepest_place);
@@ -223,15 +226,19 @@ void RoundOverlap::integrate(const Piece &piece) {
   const Means mean = means(piece, at_place, local);
   part().second.integral += 2.0 * surface.volume() * mean.depth;
   part().fourth.integral += 4.0 * surface.volume() * mean.cube;
-  Wrench second, fourth;  // torques about the surface's place
-  PatchSums patch;
-  for (const OverlapSurface::Node &node : surface.of_a()) {
-    const double deep = at_place - dot(local, node.at), cubes = 4.0 * deep * deep * deep;
-    const Vec3 torque = cross(node.at, node.area);
-    second.force = second.force + (2.0 * deep) * node.area, second.torque = second.torque + (2.0 * deep) * torque;
-    fourth.force = fourth.force + cubes * node.area, fourth.torque = fourth.torque + cubes * torque;
-    patch.add_place(-dot(local, node.area), from_origin + piece.place.rotation * node.at, deep);
-  }
+  const LaneVec3 inward(-local), base(from_origin);
+  LaneVec3 second_force, second_torque, fourth_force, fourth_torque;  // torques about the surface's place
+  LanePatchSums patches;
+  surface.of_a().visit_pairs([&](const OverlapSurface::Nodes::Pair &node) {
+    const Lanes deep = at_place + dot(inward, node.at), cubes = 4.0 * deep * deep * deep;
+    const LaneVec3 torque = cross(node.at, node.area);
+    second_force = second_force + (2.0 * deep) * node.area, second_torque = second_torque + (2.0 * deep) * torque;
+    fourth_force = fourth_force + cubes * node.area, fourth_torque = fourth_torque + cubes * torque;
+    patches.add_places(dot(inward, node.area), base + piece.place.rotation * node.at, deep);
+  });
+  const Wrench second{convex::sum_of(second_force), convex::sum_of(second_torque)};
+  const Wrench fourth{convex::sum_of(fourth_force), convex::sum_of(fourth_torque)};
+  PatchSums patch = patches.sums();
   const auto add = [&](const Wrench &sum, Integral &integral) {
     const Vec3 force = piece.place.rotation * sum.force;
     integral.gradient.add(force, from_origin);

@@ -1,5 +1,6 @@
 #include "mesh/elastic/wedge_overlap.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesh/elastic/depth_powers.hpp"
@@ -13,12 +14,11 @@ using Plane = OverlapScratch::Plane;
 // What lies in the plane is beyond it where the plane is strict. Of two wedges that share a plane one counts it.
 bool within(double above, const Plane &plane) { return plane.strict ? above > 0.0 : above >= 0.0; }
 
-// Appends to `kept` the polygon's part before the plane, of at least three corners or nothing. Returns whether a side was cut off;
+// Writes to `kept`, which has room for two corners more than the polygon, its part before the plane, of at least three corners or
+// nothing, and moves `kept` behind it. Returns whether a side was cut off;
 // then it runs from `from` to `to` in the polygon that is left. Faces that share a side cut it at the same place to the bit: caps
 // have no gaps, also where the body's corners lie in the plane.
-bool cut(const Vec3 *polygon, std::size_t count, const Plane &plane, std::vector<double> &above, std::vector<Vec3> &kept,
-         Vec3 &from, Vec3 &to) {
-  above.resize(count);
+bool cut(const Vec3 *polygon, std::size_t count, const Plane &plane, double *above, Vec3 *&kept, Vec3 &from, Vec3 &to) {
   std::size_t inside = 0;
   for (std::size_t i = 0; i < count; ++i) {
     above[i] = dot(plane.normal, polygon[i]) - plane.offset;
@@ -26,27 +26,27 @@ bool cut(const Vec3 *polygon, std::size_t count, const Plane &plane, std::vector
   }
   if (inside == 0) return false;
   if (inside == count) {
-    kept.insert(kept.end(), polygon, polygon + count);
+    kept = std::copy(polygon, polygon + count, kept);
     return false;
   }
-  const std::size_t begin = kept.size();
+  Vec3 *const begin = kept;
   bool leaves = false, enters = false;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t next = i + 1 == count ? 0 : i + 1;
     const Vec3 &p = polygon[i], &q = polygon[next];
     const bool p_within = within(above[i], plane), q_within = within(above[next], plane);
-    if (p_within) kept.push_back(p);
+    if (p_within) *kept++ = p;
     if (p_within && !q_within) {
       from = p + (above[i] / (above[i] - above[next])) * (q - p);
-      kept.push_back(from);
+      *kept++ = from;
       leaves = true;
     } else if (!p_within && q_within) {
       to = q + (above[next] / (above[next] - above[i])) * (p - q);
-      kept.push_back(to);
+      *kept++ = to;
       enters = true;
     }
   }
-  if (kept.size() < begin + 3) kept.resize(begin);
+  if (kept < begin + 3) kept = begin;
   return leaves && enters;
 }
 
@@ -60,9 +60,9 @@ bool WedgeOverlap::offer(const Plane &plane) {
   const std::uint64_t bit = planes.size() < 64 ? std::uint64_t{1} << planes.size() : 0;
   std::size_t count = 0;
   for (std::size_t v = 0; v < vertices_.size(); ++v) {
-    if (within(dot(plane.normal, vertices_[v]) - plane.offset, plane)) continue;
-    scratch_.outside[v] |= bit;
-    ++count;
+    const bool is_outside = !within(dot(plane.normal, vertices_[v]) - plane.offset, plane);  // unpredictable: no branch
+    scratch_.outside[v] |= is_outside ? bit : 0;
+    count += is_outside ? 1 : 0;
   }
   if (count == vertices_.size()) return false;
   if (count > 0) planes.push_back(plane);
@@ -142,16 +142,26 @@ void WedgeOverlap::add(const WedgeRegion &region) {
 // cap reaches up to the triangle's plane, whose own cap is not known, this one lies there.
 void WedgeOverlap::keep_before(const Plane &plane) {
   std::vector<Vec3> &kept = scratch_.kept;
-  kept.clear();
+  std::size_t most = 0, longest = 0;
+  for (const OverlapScratch::Piece &piece : scratch_.pieces) {
+    most += piece.count + 2;
+    longest = std::max(longest, piece.count);
+  }
+  if (kept.size() < most) kept.resize(most);
+  if (scratch_.above.size() < longest) scratch_.above.resize(longest);
   scratch_.edges.clear();
   std::size_t pieces = 0;
+  Vec3 *const begin = kept.data(), *end = begin;
   for (const OverlapScratch::Piece &piece : scratch_.pieces) {
-    const std::size_t first = kept.size();
+    const Vec3 *const first = end;
     Vec3 from, to;
-    const bool was_cut = cut(scratch_.points.data() + piece.first, piece.count, plane, scratch_.above, kept, from, to);
+    const bool was_cut = cut(scratch_.points.data() + piece.first, piece.count, plane, scratch_.above.data(), end, from, to);
     if (was_cut && plane.capped) scratch_.edges.push_back({to, from});
-    if (kept.size() > first) scratch_.pieces[pieces++] = {first, kept.size() - first, piece.normal, piece.of_body};
+    if (end > first) {
+      scratch_.pieces[pieces++] = {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(end - first), piece.normal, piece.of_body};
+    }
   }
+  kept.resize(static_cast<std::size_t>(end - begin));
   scratch_.pieces.resize(pieces);
   const Vec3 *fan = nullptr;
   for (const OverlapScratch::Edge &edge : scratch_.edges) {
