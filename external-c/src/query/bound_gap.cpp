@@ -4,12 +4,17 @@
 #include <cmath>
 
 #include "manifold/halfspace_manifold.hpp"
-#include "math/pose_algebra.hpp"
+#include "math/lanes.hpp"
 #include "shape/bounds.hpp"
 
 namespace cmb {
 
 namespace {
+
+using convex::Lanes;
+using convex::magnitude;
+using convex::Mat3;
+using convex::sum_of;
 
 BoundGap gap_to_halfspace(const Shape &shape, const Pose &pose, const Plane &plane) {
   const Vec3 upwards = transposed_times(pose.rotation, plane.normal);
@@ -20,33 +25,55 @@ BoundGap gap_to_halfspace(const Shape &shape, const Pose &pose, const Plane &pla
           pose(shape.bound_center) - (0.5 * (height + shape.bound_radius)) * plane.normal};
 }
 
-// The largest gap along the axes of both boxes; where two boxes are apart, as a rule one of these six tells.
-double gap_of_boxes(const LocalBounds &a, const Pose &pose_a, const LocalBounds &b, const Pose &pose_b) {
-  const Pose to_a = relative_pose(pose_a, pose_b);
-  const Vec3 in_a = to_a(b.center) - a.center, in_b = transposed_times(to_a.rotation, in_a);
-  double gap = -HUGE_VAL;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double along_a = std::fabs(in_a[axis]) - a.half[axis] - a.radius - half_extent(b, to_a.rotation.row[axis]);
-    const double along_b =
-        std::fabs(in_b[axis]) - b.half[axis] - b.radius - half_extent(a, to_a.rotation.column(axis));
-    gap = std::max({gap, along_a, along_b});
-  }
-  return gap;
+// The largest gap along the axes of both boxes, of which b's centre is `apart` from that of a, in the world; where two boxes are apart, as
+// a rule one of these six tells. Axes of b go two and one at a time.
+double gap_of_boxes(const LocalBounds &a, const Mat3 &axes_a, const LocalBounds &b, const Mat3 &axes_b, const Vec3 &apart) {
+  const Vec3(&of_a)[3] = axes_a.row, (&of_b)[3] = axes_b.row;
+  const Lanes b_x{of_b[0].x, of_b[0].y}, b_y{of_b[1].x, of_b[1].y}, b_z{of_b[2].x, of_b[2].y}, half_b{b.half.x, b.half.y};
+  const double radii = a.radius + b.radius;
+  Lanes reach_b = half_b + Lanes{radii, radii};
+  double last_reach_b = b.half.z + radii, gap = -HUGE_VAL;
+  const auto along_a = [&](double x, double y, double z, double half) {
+    const Lanes turned = magnitude(x * b_x + y * b_y + z * b_z);
+    const double last = std::fabs(x * of_b[0].z + y * of_b[1].z + z * of_b[2].z);
+    reach_b += half * turned;
+    last_reach_b += half * last;
+    const double reach = half + radii + sum_of(turned * half_b) + last * b.half.z;
+    gap = std::max(gap, std::fabs(x * apart.x + y * apart.y + z * apart.z) - reach);
+  };
+  along_a(of_a[0].x, of_a[1].x, of_a[2].x, a.half.x);
+  along_a(of_a[0].y, of_a[1].y, of_a[2].y, a.half.y);
+  along_a(of_a[0].z, of_a[1].z, of_a[2].z, a.half.z);
+  const Lanes along_b = magnitude(apart.x * b_x + apart.y * b_y + apart.z * b_z) - reach_b;
+  const double last = std::fabs(apart.x * of_b[0].z + apart.y * of_b[1].z + apart.z * of_b[2].z) - last_reach_b;
+  return std::max(std::max(gap, last), std::max(along_b[0], along_b[1]));
 }
 
-// A bounding sphere in a frame, and a box there.
+// A bounding sphere in the world, and a box in a frame whose axes and centre are given there.
 struct Volumes {
-  const Vec3 &center;
+  Vec3 center;
   double radius;
   const LocalBounds &box;
+  const Mat3 &axes;
+  Vec3 center_of_box;
 };
 
-BoundGap gap_of_volumes(const Volumes &a, const Pose &pose_a, const Volumes &b, const Pose &pose_b) {
-  const Vec3 center_a = pose_a(a.center), center_b = pose_b(b.center), apart = center_a - center_b;
+BoundGap gap_of_volumes(const Volumes &a, const Volumes &b) {
+  const Vec3 apart = a.center - b.center;
   const double length = norm(apart);
   const Vec3 normal = length > 0.0 ? (1.0 / length) * apart : Vec3{0, 0, 1};
-  return {std::max(length - a.radius - b.radius, gap_of_boxes(a.box, pose_a, b.box, pose_b)), normal,
-          0.5 * (center_a + center_b + (b.radius - a.radius) * normal)};
+  const double of_boxes = gap_of_boxes(a.box, a.axes, b.box, b.axes, b.center_of_box - a.center_of_box);
+  return {std::max(length - a.radius - b.radius, of_boxes), normal,
+          0.5 * (a.center + b.center + (b.radius - a.radius) * normal)};
+}
+
+Volumes volumes(const Shape &shape, const Pose &pose) {
+  return {pose(shape.bound_center), shape.bound_radius, shape.bounds, pose.rotation, pose(shape.bounds.center)};
+}
+
+Volumes volumes(const BodyBounds &body, const Pose &pose) {
+  const Vec3 center = pose(body.center);
+  return {center, body.radius, body.box, pose.rotation, center};
 }
 
 }  // namespace
@@ -58,11 +85,11 @@ BoundGap bound_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pos
     if (!below_a) gap.normal = -gap.normal;
     return gap;
   }
-  return gap_of_volumes({a.bound_center, a.bound_radius, a.bounds}, pose_a, {b.bound_center, b.bound_radius, b.bounds}, pose_b);
+  return gap_of_volumes(volumes(a, pose_a), volumes(b, pose_b));
 }
 
 BoundGap bound_gap(const BodyBounds &a, const Pose &pose_a, const BodyBounds &b, const Pose &pose_b) {
-  return gap_of_volumes({a.center, a.radius, a.box}, pose_a, {b.center, b.radius, b.box}, pose_b);
+  return gap_of_volumes(volumes(a, pose_a), volumes(b, pose_b));
 }
 
 double sphere_gap(const Shape &a, const Pose &pose_a, const Shape &b, const Pose &pose_b) {

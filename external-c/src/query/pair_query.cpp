@@ -170,8 +170,7 @@ void query_compounds(const Scene &scene, std::size_t body_a, const Pose &pose_a,
     }
     return norm(placed_a.centers[i] - placed_b.centers[j]) - a[i].bound_radius - b[j].bound_radius;
   };
-  // First what may touch; of what is apart the shapes that seem nearest, and then what can be nearer than they are.
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  const auto look_at_all_with = [&](std::size_t i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
       if (pair_entry(a[i], b[j]).method == PairMethod::none) continue;
       const double of_spheres = gap_of_spheres(i, j);
@@ -186,16 +185,43 @@ void query_compounds(const Scene &scene, std::size_t body_a, const Pose &pose_a,
         take(i, j, between);
       }
     }
+  };
+  const auto take_nearest_of_apart = [&] {
+    const auto nearest =
+        std::min_element(scratch.apart.begin(), scratch.apart.end(),
+                         [](const ShapesApart &x, const ShapesApart &y) { return x.at_least < y.at_least; });
+    if (nearest == scratch.apart.end()) return;
+    std::iter_swap(scratch.apart.begin(), nearest);
+    for (const ShapesApart &shapes : scratch.apart) {
+      if (shapes.at_least >= result.distance) continue;
+      const BoundGap between = gap(shapes.first, shapes.second);
+      if (between.distance < result.distance) take(shapes.first, shapes.second, between);
+    }
+    scratch.apart.clear();
+  };
+  // First what may touch; of what is apart the shapes that seem nearest, and then what can be nearer than they are. Shapes
+  // that the sphere about all of b is away from come last, as a rule without a look at b's shapes.
+  const BodyBounds &bounds_b = scene.bounds[body_b];
+  const Vec3 center_b = pose_b(bounds_b.center);
+  scratch.away.clear();
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double of_all = a[i].kind == ShapeKind::halfspace || !bounds_b.bounded()
+                              ? 0.0
+                              : norm(placed_a.centers[i] - center_b) - a[i].bound_radius - bounds_b.radius;
+    if (of_all > 0.0) {
+      scratch.away.push_back({i, of_all});
+    } else {
+      look_at_all_with(i);
+    }
   }
-  const auto nearest =
-      std::min_element(scratch.apart.begin(), scratch.apart.end(),
-                       [](const ShapesApart &x, const ShapesApart &y) { return x.at_least < y.at_least; });
-  if (nearest == scratch.apart.end()) return;
-  std::iter_swap(scratch.apart.begin(), nearest);
-  for (const ShapesApart &shapes : scratch.apart) {
-    if (shapes.at_least >= result.distance) continue;
-    const BoundGap between = gap(shapes.first, shapes.second);
-    if (between.distance < result.distance) take(shapes.first, shapes.second, between);
+  take_nearest_of_apart();
+  const auto nearest = std::min_element(scratch.away.begin(), scratch.away.end(),
+                                        [](const ShapeAway &x, const ShapeAway &y) { return x.at_least < y.at_least; });
+  if (nearest != scratch.away.end()) std::iter_swap(scratch.away.begin(), nearest);
+  for (const ShapeAway &shape : scratch.away) {
+    if (shape.at_least >= result.distance) continue;
+    look_at_all_with(shape.number);
+    take_nearest_of_apart();
   }
 }
 

@@ -21,6 +21,12 @@ struct ShapesApart {
   double at_least;  // their distance, m
 };
 
+// A shape of a body, by its number, whose bounding sphere does not overlap that of another body.
+struct ShapeAway {
+  std::size_t number;
+  double at_least;  // their distance, m
+};
+
 // Where the shapes of a compound and their bounding spheres are, for the pose that its body was last seen at: many pairs have
 // a body in common.
 struct PlacedShapes {
@@ -40,6 +46,7 @@ struct QueryScratch {
   std::vector<Pose> body_poses;        // of a scene
   std::vector<PlacedShapes> placed;    // of the bodies of a scene, as far as they were asked for
   std::vector<ShapesApart> apart;      // of two compounds
+  std::vector<ShapeAway> away;         // of a compound, from the other
   Pose placed_a, placed_b;             // of two single shapes that are not where their bodies are
   SignedDistance answer;                 // kept here, where it need not be cleared for each pair
 };

@@ -7,7 +7,8 @@
 
 namespace cmb {
 
-// A sphere and a box in a body's frame, each of which holds all its shapes. Immutable.
+// A sphere and a box about one centre in a body's frame, each of which holds all its shapes; the sphere holds their bounding
+// spheres, too. Immutable.
 struct BodyBounds {
   LocalBounds box;
   Vec3 center;
