@@ -1,8 +1,7 @@
 """Mechanisms as free bodies with constraint forces: an independent reference for what generated models do.
 
 Newton's and Euler's equations of every part in maximal coordinates; a joint is a set of scalar conditions between two
-bodies (E. Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, 1989), differentiated twice in closed
-form. Of dependent conditions the smallest forces are taken, so that loops may have as many as they like; no spanning
+bodies. Of dependent conditions the smallest forces are taken, so that loops may have as many as they like; no spanning
 tree, cut joint, choice of conditions, reduction of index or state selection is shared with what is tested.
 """
 
@@ -13,35 +12,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from cad2modelica.mechanism.model import Assembly, Joint, JointType
+from joint_conditions import Condition, JointConditions, Side
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 RANK = 1e-7  # singular values smaller than this part of the largest are those of dependent conditions
 SQUARED_RANK = 1e-11  # likewise of the conditions' products with each other
-
-
-@dataclass(frozen=True)
-class Side:
-    """A point and directions fixed in a body (None: in the world), in its axes from its centre of mass."""
-
-    body: int | None
-    point: np.ndarray
-    axes: np.ndarray
-
-
-@dataclass(frozen=True)
-class Condition:
-    """One equation between two sides: ``along`` a . d = const, ``angle`` a . b = const, ``screw`` a . d = lead angle.
-
-    ``a`` is an axis of the first side, ``b`` one of the second, ``d`` leads from the first point to the second.
-    """
-
-    kind: str
-    first: Side
-    second: Side
-    a: int
-    b: int = 0
-    lead: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -68,18 +44,9 @@ class ConstrainedBodies:
         self._inertias = [part.mass_properties.inertia for part in self._parts]
         self._turns = [part.pose.rotation for part in self._parts]
         self._centers = [part.pose.point(part.mass_properties.center_of_mass) for part in self._parts]
-        self._conditions = [item for joint in assembly.joints for item in self._of(joint)]
         self._begin = np.concatenate([*self._centers, *(Rotation.from_matrix(turn).as_quat() for turn in self._turns)])
-        world = len(self._parts)
-        sides = [[item.first for item in self._conditions], [item.second for item in self._conditions]]
-        self._body = [np.array([world if s.body is None else s.body for s in side], dtype=int) for side in sides]
-        self._point = [np.array([s.point for s in side]).reshape(-1, 3) for side in sides]
-        self._axes = [np.array([s.axes for s in side]).reshape(-1, 3, 3) for side in sides]
-        self._a = np.array([item.a for item in self._conditions], dtype=int)
-        self._b = np.array([item.b for item in self._conditions], dtype=int)
-        self._lead = np.array([item.lead for item in self._conditions])
-        self._is_angle = np.array([item.kind == "angle" for item in self._conditions], dtype=bool)
-        self._constants = self._values(self._begin)
+        self._held = JointConditions([item for joint in assembly.joints for item in self._of(joint)], len(self._parts))
+        self._constants = self._held.values(*self._poses(self._begin))
 
     def simulate(
         self, speeds: Mapping[str, float], times: Sequence[float], free: Sequence[str] = (), tolerance: float = 1e-10
@@ -181,21 +148,10 @@ class ConstrainedBodies:
             JointType.FREE: [],
         }[joint.type]
 
-    # ----- conditions and their derivatives, all at once -----
-
-    def _values(self, pose: np.ndarray) -> np.ndarray:
-        turns, centers = self._poses(pose)
-        p, q = (self._points(side, turns, centers) for side in (0, 1))
-        a, b = self._axis(0, self._a, turns), self._axis(1, self._b, turns)
-        x, y = (self._axis(0, k, turns) for k in (0, 1))
-        other = self._axis(1, 0, turns)
-        angles = np.where(self._lead != 0, np.arctan2(_dot(y, other), _dot(x, other)), 0.0)
-        return np.where(self._is_angle, _dot(a, b), _dot(a, q - p) - self._lead * angles)
+    # ----- bodies at a pose -----
 
     def _gaps(self, pose: np.ndarray) -> np.ndarray:
-        gaps = self._values(pose) - self._constants
-        turns = np.where(self._lead != 0, 2 * np.pi * self._lead, 1.0)  # angles are known but for whole turns
-        return np.where(self._lead != 0, gaps - turns * np.round(gaps / turns), gaps)
+        return self._held.gaps(self._held.values(*self._poses(pose)), self._constants)
 
     def _poses(self, pose: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Rotations (bodies + 1, 3, 3) and centres; the last one is the world."""
@@ -204,42 +160,9 @@ class ConstrainedBodies:
         centers = pose[: 3 * bodies].reshape(bodies, 3)
         return np.concatenate([turns, np.eye(3)[None]]), np.vstack([centers, np.zeros(3)])
 
-    def _points(self, side: int, turns: np.ndarray, centers: np.ndarray) -> np.ndarray:
-        body = self._body[side]
-        return centers[body] + np.einsum("nij,nj->ni", turns[body], self._point[side])
-
-    def _axis(self, side: int, number: np.ndarray | int, turns: np.ndarray) -> np.ndarray:
-        own = self._axes[side][np.arange(len(self._lead)), number]
-        return np.asarray(np.einsum("nij,nj->ni", turns[self._body[side]], own))
-
     def _equations(self, pose: np.ndarray, speed: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Rows for the accelerations (conditions, 6 bodies), and what they must give."""
-        turns, centers = self._poses(pose)
-        rates = np.vstack([speed.reshape(-1, 6), np.zeros(6)])
-        p, q = (self._points(side, turns, centers) for side in (0, 1))
-        a, b = self._axis(0, self._a, turns), self._axis(1, self._b, turns)
-        arm_p, arm_q = p - centers[self._body[0]], q - centers[self._body[1]]
-        wp, wq = rates[self._body[0], 3:], rates[self._body[1], 3:]
-        vp = rates[self._body[0], :3] + np.cross(wp, arm_p)
-        vq = rates[self._body[1], :3] + np.cross(wq, arm_q)
-        moved, d, lead = np.cross(wp, a), q - p, self._lead[:, None]
-        across = np.cross(a, b)
-        is_angle = self._is_angle[:, None]
-        shift = np.where(is_angle, 0.0, a)
-        first = np.where(is_angle, across, np.cross(a, d) - np.cross(arm_p, a) + lead * a)
-        second = np.where(is_angle, -across, np.cross(arm_q, a) - lead * a)
-        turned = _dot(wp - wq, np.cross(moved, b) + np.cross(a, np.cross(wq, b)))
-        bent = np.cross(wq, np.cross(wq, arm_q)) - np.cross(wp, np.cross(wp, arm_p))
-        slid = _dot(np.cross(wp, moved), d) + 2 * _dot(moved, vq - vp) + _dot(a, bent)
-        slid -= self._lead * _dot(moved, wq - wp)
-        count = len(self._lead)
-        rows = np.zeros((count, len(self._parts) + 1, 6))
-        every = np.arange(count)
-        rows[every, self._body[0], :3] -= shift
-        rows[every, self._body[0], 3:] += first
-        rows[every, self._body[1], :3] += shift
-        rows[every, self._body[1], 3:] += second
-        return rows[:, :-1].reshape(count, -1), -np.where(self._is_angle, turned, slid)
+        return self._held.equations(*self._poses(pose), np.vstack([speed.reshape(-1, 6), np.zeros(6)]))
 
     def _rate(self, joint: Joint) -> np.ndarray:
         """A joint's rate by the bodies' velocities at the start, as a row."""
@@ -266,7 +189,7 @@ class ConstrainedBodies:
         free = np.zeros((bodies, 6))
         free[:, :3] = self._assembly.gravity
         free[:, 3:] = -np.einsum("nij,nj->ni", lighter, np.cross(spin, np.einsum("nij,nj->ni", inertias, spin)))
-        if not self._conditions:
+        if not len(self._held):
             return free.ravel()
         rows, right = self._equations(pose, speed)
         blocks = rows.reshape(len(rows), bodies, 6)
@@ -282,9 +205,5 @@ class ConstrainedBodies:
         spin = speed.reshape(-1, 6)[:, 3:]
         quaternion = pose[3 * bodies :].reshape(bodies, 4)
         vector, scalar = quaternion[:, :3], quaternion[:, 3:]
-        change = np.hstack([scalar * spin + np.cross(spin, vector), -_dot(spin, vector)[:, None]]) / 2
+        change = np.hstack([scalar * spin + np.cross(spin, vector), -(spin * vector).sum(axis=1)[:, None]]) / 2
         return np.concatenate([speed.reshape(-1, 6)[:, :3].ravel(), change.ravel()])
-
-
-def _dot(first: np.ndarray, second: np.ndarray) -> np.ndarray:
-    return np.asarray((first * second).sum(axis=-1))

@@ -8,7 +8,7 @@ import numpy as np
 from tree_draft import Draft, Frame
 from tree_forces import drive
 from tree_joints import X, Y, random_joint, turn, turned, vector
-from tree_motion import Condition, Mass, Place, Pose, Vector, mass_at
+from tree_motion import Mass, Place, Pose, Vector, condition, mass_at
 
 
 def body(draft: Draft) -> None:
@@ -121,7 +121,7 @@ def _hold(draft: Draft, number_of: int, own: Frame, end: Vector | None) -> None:
     draft.connect(first.name, f"{name}.frame_a")
     draft.connect(f"{name}.frame_b", second.name)
     for kind, a, b in joint.conditions:
-        draft.mechanism.conditions.append(Condition(kind, first.place, second.place, a, b))
+        draft.mechanism.conditions.append(condition(kind, first.place, second.place, a, b))
 
     def start(poses: Sequence[Pose], time: float) -> Pose:
         at, axes = (np.zeros(3), np.eye(3)) if parent.place.body is None else poses[parent.place.body]

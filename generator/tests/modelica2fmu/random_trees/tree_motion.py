@@ -1,15 +1,17 @@
 """Motion of bodies with joints and forces: Newton's and Euler's equations of every body, with constraint forces.
 
-Maximal coordinates, as in E. Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems (1989): no tree of
-joints, no choice of states and no reduction of the index is shared with what is compared.
+Maximal coordinates: neither a tree of joints nor a choice of states nor a reduction of the index is shared with what is
+compared.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
+from joint_conditions import Condition, JointConditions, Side
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
@@ -57,18 +59,13 @@ class Seen:
     w: Vector
 
 
-@dataclass(frozen=True)
-class Condition:
-    """A scalar of two frames that stays: ``along``, a . d, or ``angle``, a . b (Haug).
-
-    ``a`` is fixed in the first frame, ``b`` in the second, ``d`` leads from origin to origin.
-    """
-
-    kind: str
-    first: Place
-    second: Place
-    a: Vector
-    b: Vector | None = None
+def condition(kind: str, first: Place, second: Place, a: Vector, b: Vector | None = None) -> Condition:
+    """A scalar of two frames that stays; ``a`` is fixed in the first frame, ``b``, of angles, in the second."""
+    sides = [
+        Side(place.body, place.origin, np.tile(place.axes @ axis, (3, 1)))
+        for place, axis in ((first, a), (second, a if b is None else b))
+    ]
+    return Condition(kind, sides[0], sides[1], 0)
 
 
 @dataclass(frozen=True)
@@ -106,7 +103,7 @@ class Mechanism:
         angles = [angle for *_, angle in self.turning]
         count = len(self.masses)
         solution = solve_ivp(
-            self._rates,
+            partial(self._rates, JointConditions(self.conditions, count)),
             (0.0, times[-1]),
             np.concatenate([start, *speeds, angles]),
             method="DOP853",
@@ -131,13 +128,15 @@ class Mechanism:
 
         return seen
 
-    def _rates(self, time: float, state: Vector) -> Vector:
+    def _rates(self, held: JointConditions, time: float, state: Vector) -> Vector:
         count = len(self.masses)
         pose, speed, angles = np.split(state, [7 * count, 13 * count])
         look = self.look(pose, speed)
         rates = self._pose_rates(pose, speed)
-        rows = self._rows(look)
-        bias = np.array([-self._bend(each, look) for each in self.conditions])
+        places = pose.reshape(-1, 7)
+        turns = np.concatenate([Rotation.from_quat(places[:, 3:]).as_matrix(), np.eye(3)[None]])
+        origins = np.vstack([places[:, :3], np.zeros(3)])
+        rows, bias = held.equations(turns, origins, np.vstack([speed.reshape(-1, 6), np.zeros(6)]))
         matrix, right = self._newton_euler(time, look, angles)
         size = len(rows)
         full = np.block([[matrix, rows.T], [rows, np.zeros((size, size))]])
@@ -155,43 +154,6 @@ class Mechanism:
             rates[7 * k + 3 : 7 * k + 6] = 0.5 * (s * w + np.cross(w, vector))
             rates[7 * k + 6] = -0.5 * w @ vector
         return rates
-
-    def _rows(self, look: Look) -> Matrix:
-        """By which the conditions change with the bodies' speeds, (conditions, 6 bodies)."""
-        rows = np.zeros((len(self.conditions), 6 * len(self.masses)))
-        for row, each in zip(rows, self.conditions, strict=True):
-            first, second = look(each.first), look(each.second)
-            a = first.axes @ each.a
-            for place, seen, sign in ((each.first, first, -1.0), (each.second, second, 1.0)):
-                if place.body is None:
-                    continue
-                k = 6 * place.body
-                if each.kind == "along":
-                    arm = (second.r if sign < 0 else seen.r) - look(Place(place.body, np.zeros(3), np.eye(3))).r
-                    row[k : k + 3] += sign * a
-                    row[k + 3 : k + 6] += sign * np.cross(arm, a)
-                else:
-                    assert each.b is not None
-                    row[k + 3 : k + 6] += sign * np.cross(second.axes @ each.b, a)
-        return rows
-
-    def _bend(self, each: Condition, look: Look) -> float:
-        """Second derivative of a condition if no body accelerates."""
-        first, second = look(each.first), look(each.second)
-        a = first.axes @ each.a
-        rate = np.cross(first.w, a)
-        bend = np.cross(first.w, rate)
-        if each.kind == "along":
-            arms = [
-                seen.r - look(Place(place.body, np.zeros(3), np.eye(3))).r
-                for place, seen in ((each.first, first), (each.second, second))
-            ]
-            turned = np.cross(second.w, np.cross(second.w, arms[1])) - np.cross(first.w, np.cross(first.w, arms[0]))
-            return float(bend @ (second.r - first.r) + 2 * rate @ (second.v - first.v) + a @ turned)
-        assert each.b is not None
-        b = second.axes @ each.b
-        other = np.cross(second.w, b)
-        return float(bend @ b + 2 * rate @ other + a @ np.cross(second.w, other))
 
     def _newton_euler(self, time: float, look: Look, angles: Vector) -> tuple[Matrix, Vector]:
         count = len(self.masses)
