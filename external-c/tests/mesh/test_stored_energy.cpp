@@ -125,7 +125,9 @@ TEST(StoredEnergy, OfBallsHasTheirForceAsGradient) {
       cmb_release_scene(scene.handle());
     }
     EXPECT_GT(asked, 50) << text.substr(0, 40);
-    if (text == roofs) EXPECT_GT(several, 20);
+    if (text == roofs) {
+      EXPECT_GT(several, 20);
+    }
   }
 }
 
