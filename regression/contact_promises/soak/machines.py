@@ -57,13 +57,11 @@ class _Machine:
         self.connect(frame, f"{name}.frame_a")
         return f"{name}.frame_b"
 
-    def joint(self, kind: str, name: str, modifiers: str, first: str, second: str) -> None:
+    def joint(self, kind: str, name: str, modifiers: str, frame: str) -> str:
+        """A frame that moves against another one."""
         self.declare(f"{_MULTIBODY}.Joints.{kind}", name, f"{modifiers}, animation=false")
-        self.connect(first, f"{name}.frame_a")
-        self.connect(f"{name}.frame_b", second)
-
-    def start(self, position: str, rate: str, at: str, speed: str) -> str:
-        return f"{position}(start={at}, fixed=true), {rate}(start={speed}, fixed=true)"
+        self.connect(frame, f"{name}.frame_a")
+        return f"{name}.frame_b"
 
     def spring(self, joint: str, stiffness: float, damping: float, rest: float) -> None:
         """Between the flanges of a prismatic joint."""
@@ -123,8 +121,9 @@ def _hold(machine: _Machine, kind: str, number: int, body: Body, height: float, 
         base = machine.shift(f"base{number}", "world.frame_b", (0.0, 0.0, height))
         axis = f"{{{machine.within(-0.5, 0.5)},{machine.within(-0.5, 0.5)},-1}}"
         is_sprung = source.random() < 0.5
-        start = machine.start("s", "v", "0", machine.within(-0.5, 2.0))
-        machine.joint("Prismatic", joint, f"n={axis}, useAxisFlange={str(is_sprung).lower()}, {start}", base, frame)
+        start = _start("s", "v", "0", machine.within(-0.5, 2.0))
+        modifiers = f"n={axis}, useAxisFlange={str(is_sprung).lower()}, {start}"
+        machine.connect(machine.joint("Prismatic", joint, modifiers, base), frame)
         if is_sprung:
             machine.spring(joint, source.uniform(10.0, 500.0), source.uniform(0.0, 3.0), source.uniform(0.0, 0.1))
         return
@@ -132,7 +131,7 @@ def _hold(machine: _Machine, kind: str, number: int, body: Body, height: float, 
     if kind == "hung":
         second = 0.0
         axis = f"{{{machine.within(-1.0, 1.0)},1,0}}"
-        start = machine.start("phi", "w", f"{first:.5g}", machine.within(-8.0, 8.0))
+        start = _start("phi", "w", f"{first:.5g}", machine.within(-8.0, 8.0))
         modifiers, joint_kind = f"n={axis}, {start}", "Revolute"
     else:
         speeds = ",".join(machine.within(-8.0, 8.0) for _ in range(3))
@@ -143,10 +142,8 @@ def _hold(machine: _Machine, kind: str, number: int, body: Body, height: float, 
         joint_kind = "Spherical"
     pivot = height + arm * math.cos(first) * math.cos(second)
     base = machine.shift(f"base{number}", "world.frame_b", (0.0, 0.0, pivot))
-    end = machine.shift(f"arm{number}", f"{joint}.frame_b", (0.0, 0.0, -arm))
-    machine.connect(end, frame)
-    machine.declare(f"{_MULTIBODY}.Joints.{joint_kind}", joint, f"{modifiers}, animation=false")
-    machine.connect(base, f"{joint}.frame_a")
+    end = machine.joint(joint_kind, joint, modifiers, base)
+    machine.connect(machine.shift(f"arm{number}", end, (0.0, 0.0, -arm)), frame)
 
 
 def _link(machine: _Machine, first: Body, second: Body) -> None:
@@ -155,15 +152,14 @@ def _link(machine: _Machine, first: Body, second: Body) -> None:
     machine.declare("ContactMultiBody.Parts.Body", "body2", body_modifiers(second, machine.contacts.material))
     reach = first.radius + second.radius + _APART
     base = machine.shift("base2", "body1.frame_a", (0.0, 0.0, reach))
-    start = machine.start("phi", "w", machine.within(-0.3, 0.3), machine.within(-5.0, 5.0))
-    end = machine.shift("arm2", "joint2.frame_b", (0.0, 0.0, source.uniform(0.05, 0.2)))
-    machine.connect(end, "body2.frame_a")
-    machine.declare(
-        f"{_MULTIBODY}.Joints.Revolute",
-        "joint2",
-        f"n={{1,{machine.within(-1.0, 1.0)},0}}, {start}, animation=false",
-    )
-    machine.connect(base, "joint2.frame_a")
+    start = _start("phi", "w", machine.within(-0.3, 0.3), machine.within(-5.0, 5.0))
+    arm = source.uniform(0.05, 0.2)
+    end = machine.joint("Revolute", "joint2", f"n={{1,{machine.within(-1.0, 1.0)},0}}, {start}", base)
+    machine.connect(machine.shift("arm2", end, (0.0, 0.0, arm)), "body2.frame_a")
+
+
+def _start(position: str, rate: str, at: str, speed: str) -> str:
+    return f"{position}(start={at}, fixed=true), {rate}(start={speed}, fixed=true)"
 
 
 def _ground(machine: _Machine, ground: Ground, number: int) -> str:
@@ -180,8 +176,8 @@ def _ground(machine: _Machine, ground: Ground, number: int) -> str:
     machine.declare("ContactMultiBody.Parts.Body", "floor", body_modifiers(floor, material))
     frame = "floor.frame_a"
     if kind == "sprung":
-        modifiers = f"n={{0,0,1}}, useAxisFlange=true, {machine.start('s', 'v', '0', '0')}"
-        machine.joint("Prismatic", "carrier", modifiers, "world.frame_b", frame)
+        modifiers = f"n={{0,0,1}}, useAxisFlange=true, {_start('s', 'v', '0', '0')}"
+        machine.connect(machine.joint("Prismatic", "carrier", modifiers, "world.frame_b"), frame)
         stiffness = 10.0 ** source.uniform(3.0, 5.0)
         machine.spring(
             "carrier", stiffness, source.uniform(0.0, 0.2) * math.sqrt(stiffness * mass), mass * 9.81 / stiffness
@@ -190,9 +186,8 @@ def _ground(machine: _Machine, ground: Ground, number: int) -> str:
         return kind
     is_turned = kind == "turned"
     axis = "{0,0,1}" if is_turned else f"{{{machine.within(-1.0, 1.0)},0,1}}"
-    machine.joint(
-        "Revolute" if is_turned else "Prismatic", "carrier", f"n={axis}, useAxisFlange=true", "world.frame_b", frame
-    )
+    kind_of_joint, modifiers = "Revolute" if is_turned else "Prismatic", f"n={axis}, useAxisFlange=true"
+    machine.connect(machine.joint(kind_of_joint, "carrier", modifiers, "world.frame_b"), frame)
     amplitude, frequency = ((0.2, 1.0), (0.5, 2.0)) if is_turned else ((0.002, 0.01), (2.0, 10.0))
     machine.declare(
         "Modelica.Blocks.Sources.Sine",
